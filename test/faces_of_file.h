@@ -7,7 +7,7 @@
 #ifndef IDT_TEST_FACES_OF_FILE_H
 #define IDT_TEST_FACES_OF_FILE_H
 
-#include <CGAL/Intrinsic_triangulations/Polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <algorithm>
 #include <array>
@@ -101,7 +101,8 @@ public:
     for (const auto& face : faces_) {
       result.emplace_back();
       for (const long long v : face)
-        result.back().push_back(v >= 0 && v < (long long)(points_.size()) ? points_[std::size_t(v)] : Point{HUGE_VAL, HUGE_VAL, HUGE_VAL});
+        result.back().push_back(v >= 0 && v < (long long)(points_.size()) ? points_[std::size_t(v)]
+                                                                          : Point{HUGE_VAL, HUGE_VAL, HUGE_VAL});
     }
     return result;
   }
@@ -251,7 +252,8 @@ inline Faces of_stl(const std::string& bytes)
     for (std::size_t at = 84; at + 50 <= bytes.size(); at += 50) {
       result.emplace_back();
       for (std::size_t i = 0; i < 3; ++i)
-        result.back().push_back({raw<float>(bytes, at + 12 + 12 * i), raw<float>(bytes, at + 16 + 12 * i), raw<float>(bytes, at + 20 + 12 * i)});
+        result.back().push_back({raw<float>(bytes, at + 12 + 12 * i), raw<float>(bytes, at + 16 + 12 * i),
+                                 raw<float>(bytes, at + 20 + 12 * i)});
     }
     return result;
   }
@@ -265,9 +267,10 @@ inline Faces of_stl(const std::string& bytes)
       // A name, unless a facet is behind it.
       if (word == "solid" || word == "endsolid") {
         std::size_t facet = i + 1;
-        while (facet + 2 < row.size() && !(lower(row[facet]) == "facet" && lower(row[facet + 1]) == "normal" &&
-                                           std::strtod(row[facet + 2].c_str(), nullptr) == std::strtod(row[facet + 2].c_str(), nullptr) &&
-                                           std::string("0123456789+-.").find(row[facet + 2][0]) != std::string::npos))
+        while (facet + 2 < row.size() &&
+               !(lower(row[facet]) == "facet" && lower(row[facet + 1]) == "normal" &&
+                 std::strtod(row[facet + 2].c_str(), nullptr) == std::strtod(row[facet + 2].c_str(), nullptr) &&
+                 std::string("0123456789+-.").find(row[facet + 2][0]) != std::string::npos))
           ++facet;
         if (facet + 2 >= row.size())
           break;
@@ -310,7 +313,10 @@ inline double ply_number(const std::string& bytes, std::size_t& at, const std::s
     at += sizeof(value);
     return double(value);
   };
-  static const std::map<std::string, int> types = {{"char", 0}, {"int8", 0}, {"uchar", 1}, {"uint8", 1}, {"short", 2}, {"int16", 2}, {"ushort", 3}, {"uint16", 3}, {"int", 4}, {"int32", 4}, {"uint", 5}, {"uint32", 5}, {"float", 6}, {"float32", 6}, {"double", 7}, {"float64", 7}};
+  static const std::map<std::string, int> types = {{"char", 0},  {"int8", 0},    {"uchar", 1},  {"uint8", 1},
+                                                   {"short", 2}, {"int16", 2},   {"ushort", 3}, {"uint16", 3},
+                                                   {"int", 4},   {"int32", 4},   {"uint", 5},   {"uint32", 5},
+                                                   {"float", 6}, {"float32", 6}, {"double", 7}, {"float64", 7}};
   expect(types.count(type) == 1, "no such type");
   switch (types.at(type)) {
   case 0:
@@ -381,7 +387,8 @@ inline Faces of_ply(std::string bytes)
   if (bytes.compare(0, 3, "\xef\xbb\xbf") == 0)
     bytes.erase(0, 3);
   const std::size_t first_end = bytes.find_first_of("\r\n");
-  const char line_end = first_end != std::string::npos && bytes[first_end] == '\r' && bytes.substr(first_end, 2) != "\r\n" ? '\r' : '\n';
+  const char line_end =
+    first_end != std::string::npos && bytes[first_end] == '\r' && bytes.substr(first_end, 2) != "\r\n" ? '\r' : '\n';
   std::vector<Ply_element> elements;
   std::string format;
   std::size_t at = 0;
@@ -412,7 +419,9 @@ inline Faces of_ply(std::string bytes)
   if (format != "ascii") {
     for (const Ply_element& element : elements)
       for (long long i = 0; i < element.count; ++i)
-        take_ply_element(element, result, [&](const std::string& type) { return ply_number(bytes, at, type, format == "binary_big_endian"); });
+        take_ply_element(element, result, [&](const std::string& type) {
+          return ply_number(bytes, at, type, format == "binary_big_endian");
+        });
     expect(bytes.find_first_not_of(std::string(" \t\r\n\0\v\f", 7), at) == std::string::npos, "bytes are left over");
     return result.faces();
   }
@@ -448,7 +457,8 @@ inline Faces of(const std::string& extension, const std::string& bytes)
 }
 
 // What is wrong with what was read; empty if nothing is.
-inline std::string difference(const std::string& extension, const std::string& bytes, const CGAL::Intrinsic_triangulations::Polygon_soup& soup)
+inline std::string difference(const std::string& extension, const std::string& bytes,
+                              const CGAL::Intrinsic_triangulations::Polygon_soup& soup)
 {
   Faces expected;
   try {

@@ -21,10 +21,10 @@ namespace Intrinsic_triangulations {
 // which those that are no edges of the triangulation are left out, as are points that were inserted before.
 // \return the number of new vertices
 template <class Traits>
-std::size_t insert_random_vertices(Intrinsic_triangulation<Traits>& triangulation, std::size_t number, unsigned largest_coordinate,
-                                   std::mt19937& random)
+std::size_t insert_random_vertices(Intrinsic_triangulation<Traits>& triangulation, std::size_t number,
+                                   unsigned largest_coordinate, std::mt19937& random)
 {
-  const Delta_complex& input = triangulation.exact_geometry().correspondence().input();
+  const Delta_complex& input = triangulation.input();
   std::size_t inserted = 0;
   for (std::size_t i = 0; i < number; ++i) {
     Surface_point point;

@@ -12,7 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
-#include <CGAL/Intrinsic_triangulations/angles.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 
@@ -40,7 +40,7 @@ using Point_2 = Eigen::Vector2d;
 // A surface, and where its vertices lie in the plane.
 struct Flat_surface
 {
-  IT::Indexed_triangles triangles;
+  samples::Indexed_triangles triangles;
   std::vector<Point_2> plane;
 };
 
@@ -114,7 +114,7 @@ Flat_surface folded_sheet(std::uint32_t strips, std::uint32_t points)
 Flat_surface sheared_squares(std::size_t n, double shear)
 {
   Flat_surface result;
-  result.triangles = IT::sheared_grid(n, n, shear);
+  result.triangles = samples::sheared_grid(n, n, shear);
   for (std::array<double, 3>& p : result.triangles.points) {
     for (double& x : p)
       x /= double(n);
@@ -195,13 +195,8 @@ void print_row(const char* name, const char* kind, const Triangulation& t, const
 {
   std::vector<Point_2> plane = surface.plane;
   const IT::Delta_complex& complex = t.connectivity();
-  if (complex.number_of_vertices() > plane.size()) {
-    const IT::Correspondence& correspondence = t.exact_geometry().correspondence();
-    for (std::size_t v = plane.size(); v < complex.number_of_vertices(); ++v) {
-      const IT::Surface_point& point = correspondence.location(IT::Vertex_index(v));
-      plane.push_back(IT::interpolate(correspondence.input(), surface.plane, point));
-    }
-  }
+  for (std::size_t v = plane.size(); v < complex.number_of_vertices(); ++v)
+    plane.push_back(IT::interpolate(t.input(), surface.plane, t.location(IT::Vertex_index(v))));
   double smallest = 180, largest = 0;
   for (IT::Halfedge_index h : complex.halfedges())
     if (!complex.is_border(h)) {
@@ -210,8 +205,8 @@ void print_row(const char* name, const char* kind, const Triangulation& t, const
       largest = std::max(largest, angle);
     }
   const Errors e = errors(t, plane, solve(t, plane));
-  std::printf("| %s | %s | %zu | %.2f | %.2f | %.2e | %.2e |\n", name, kind, std::size_t(complex.number_of_vertices()), smallest, largest,
-              e.L2, e.H1);
+  std::printf("| %s | %s | %zu | %.2f | %.2f | %.2e | %.2e |\n", name, kind, std::size_t(complex.number_of_vertices()),
+              smallest, largest, e.L2, e.H1);
 }
 
 void study(const char* name, const Flat_surface& surface)
@@ -229,8 +224,9 @@ void study(const char* name, const Flat_surface& surface)
 
 int main()
 {
-  std::printf("| surface | triangulation | vertices | smallest angle | largest angle | error of u | error of its gradient |\n"
-              "| --- | --- | ---: | ---: | ---: | ---: | ---: |\n");
+  std::printf(
+    "| surface | triangulation | vertices | smallest angle | largest angle | error of u | error of its gradient |\n"
+    "| --- | --- | ---: | ---: | ---: | ---: | ---: |\n");
   study("flat triangles", flat_triangles(20, 800));
   study("folded sheet", folded_sheet(80, 12));
   study("sheared squares", sheared_squares(30, 4));

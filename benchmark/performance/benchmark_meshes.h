@@ -39,7 +39,7 @@ inline void keep_freed_memory()
 #endif
 }
 
-inline Mesh mesh_of(const CGAL::Intrinsic_triangulations::Indexed_triangles& triangles)
+inline Mesh mesh_of(const samples::Indexed_triangles& triangles)
 {
   Mesh mesh;
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(triangles.points, triangles.triangles, mesh);

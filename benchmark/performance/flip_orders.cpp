@@ -63,9 +63,8 @@ public:
     double weight = 0;
     if (c.is_flippable(e))
       for (IT::Halfedge_index h : {c.halfedge(e), c.opposite(c.halfedge(e))})
-        weight += t.traits().compute_cotangent_object()(
-          t.face_data(c.face(h)), t.edge_data(c.edge(h)), t.edge_data(c.edge(c.next(h))),
-          t.edge_data(c.edge(c.prev(h))));
+        weight += t.traits().compute_cotangent_object()(t.face_data(c.face(h)), t.edge_data(c.edge(h)),
+                                                        t.edge_data(c.edge(c.next(h))), t.edge_data(c.edge(c.prev(h))));
     edges_.push({-weight, e.idx()});
   }
   bool is_empty() const { return edges_.empty(); }
@@ -102,9 +101,9 @@ Run flip_in_order(Triangulation& t)
     if (!c.is_flippable(e))
       continue;
     ++run.tests;
-    if (CGAL::certainly(IT::internal::Whole_triangulation<Triangulation::Traits>(t).test_and_refine(e)))
+    if (CGAL::certainly(IT::internal::Whole_triangulation<Triangulation::Traits>(t).test_and_recompute(e)))
       continue;
-    t.flip_not_Delaunay(e);
+    IT::internal::Whole_triangulation<Triangulation::Traits>(t).flip_not_Delaunay(e);
     ++run.flips;
     for (IT::Halfedge_index h : {c.halfedge(e), c.opposite(c.halfedge(e))})
       for (IT::Halfedge_index side : {c.next(h), c.prev(h)})
@@ -126,8 +125,8 @@ Run flip_in_sweeps(Triangulation& t)
       if (!t.connectivity().is_flippable(e))
         continue;
       ++run.tests;
-      if (!CGAL::certainly(IT::internal::Whole_triangulation<Triangulation::Traits>(t).test_and_refine(e))) {
-        t.flip_not_Delaunay(e);
+      if (!CGAL::certainly(IT::internal::Whole_triangulation<Triangulation::Traits>(t).test_and_recompute(e))) {
+        IT::internal::Whole_triangulation<Triangulation::Traits>(t).flip_not_Delaunay(e);
         ++run.flips;
       }
     }
@@ -141,19 +140,18 @@ Run flip_as_the_package(Triangulation& t)
   return {report.flips, report.tests, 0};
 }
 
-const std::pair<const char*, Run (*)(Triangulation&)> orders[] = {
-  {"flip_to_Delaunay", flip_as_the_package},
-  {"stack", flip_in_order<Line<true>>},
-  {"queue", flip_in_order<Line<false>>},
-  {"worst first", flip_in_order<Worst_first>},
-  {"sweeps", flip_in_sweeps}};
+const std::pair<const char*, Run (*)(Triangulation&)> orders[] = {{"flip_to_Delaunay", flip_as_the_package},
+                                                                  {"stack", flip_in_order<Line<true>>},
+                                                                  {"queue", flip_in_order<Line<false>>},
+                                                                  {"worst first", flip_in_order<Worst_first>},
+                                                                  {"sweeps", flip_in_sweeps}};
 
 Mesh surface(const std::string& name)
 {
-  for (const IT::Sample& sample : IT::sample_names())
+  for (const samples::Sample& sample : samples::sample_names())
     if (sample.name == name) {
-      const auto made = IT::make_sample(name);
-      if (const auto* triangles = std::get_if<IT::Indexed_triangles>(&made))
+      const auto made = samples::make_sample(name);
+      if (const auto* triangles = std::get_if<samples::Indexed_triangles>(&made))
         return mesh_of(*triangles);
       std::fprintf(stderr, "%s has lengths alone, and is no mesh\n", name.c_str());
       std::exit(2);
@@ -169,9 +167,8 @@ void compare(const std::string& name, const Mesh& mesh)
     Run run = flip(t);
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const double flips = double(run.flips == 0 ? 1 : run.flips);
-    std::printf("| %s | %s | %llu | %.1f | %.0f |\n", name.c_str(), order,
-                static_cast<unsigned long long>(run.flips), double(run.tests) / flips,
-                1e9 * run.seconds / flips);
+    std::printf("| %s | %s | %llu | %.1f | %.0f |\n", name.c_str(), order, static_cast<unsigned long long>(run.flips),
+                double(run.tests) / flips, 1e9 * run.seconds / flips);
     std::fflush(stdout);
   }
 }
@@ -186,8 +183,8 @@ int main(int argc, char** argv)
     compare(std::filesystem::path(argv[i]).stem().string(), surface(argv[i]));
   if (argc > 1)
     return 0;
-  compare("pillow(1000)", mesh_of(IT::pillow(1000)));
-  compare("sheared_grid(300, 300, 20.3)", mesh_of(IT::sheared_grid(300, 300, 20.3)));
-  compare("Schwarz_lantern(100, 2000)", mesh_of(IT::Schwarz_lantern(100, 2000)));
-  compare("bad_torus(500, 500)", mesh_of(IT::bad_torus(500, 500)));
+  compare("pillow(1000)", mesh_of(samples::pillow(1000)));
+  compare("sheared_grid(300, 300, 20.3)", mesh_of(samples::sheared_grid(300, 300, 20.3)));
+  compare("Schwarz_lantern(100, 2000)", mesh_of(samples::Schwarz_lantern(100, 2000)));
+  compare("bad_torus(500, 500)", mesh_of(samples::bad_torus(500, 500)));
 }

@@ -47,7 +47,7 @@ struct Problem
   std::vector<double> exact;
 };
 
-Mesh mesh_of(const CGAL::Intrinsic_triangulations::Indexed_triangles& sample)
+Mesh mesh_of(const samples::Indexed_triangles& sample)
 {
   Mesh mesh;
   for (const auto& [x, y, z] : sample.points)
@@ -60,7 +60,7 @@ Mesh mesh_of(const CGAL::Intrinsic_triangulations::Indexed_triangles& sample)
 // An octahedron, each face cut into n² triangles, on the unit sphere.
 Mesh octahedral_sphere(int n)
 {
-  CGAL::Intrinsic_triangulations::Indexed_triangles result;
+  samples::Indexed_triangles result;
   std::map<std::array<int, 3>, std::uint32_t> numbers;
   const auto vertex = [&](int x, int y, int z) {
     const auto [it, is_new] = numbers.insert({{x, y, z}, std::uint32_t(numbers.size())});
@@ -88,7 +88,10 @@ Mesh octahedral_sphere(int n)
   return mesh_of(result);
 }
 
-double straight(const Mesh& mesh, Vertex v, Vertex w) { return std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w))); }
+double straight(const Mesh& mesh, Vertex v, Vertex w)
+{
+  return std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(w)));
+}
 
 void set_exact(Problem& problem, const std::function<double(Vertex, Vertex)>& distance)
 {
@@ -136,7 +139,9 @@ template <class Distances>
 void measure(const Problem& problem, const char* method)
 {
   using Clock = std::chrono::steady_clock;
-  const auto seconds = [](Clock::time_point since) { return std::chrono::duration<double>(Clock::now() - since).count(); };
+  const auto seconds = [](Clock::time_point since) {
+    return std::chrono::duration<double>(Clock::now() - since).count();
+  };
   Mesh mesh = problem.mesh;
   auto map = mesh.add_property_map<Vertex, double>("v:distance", 0).first;
   double first = 1e9, further = 1e9;
@@ -166,30 +171,33 @@ void measure(const Problem& problem, const char* method)
     if (exact > 0)
       least_part = (std::min)(least_part, map[v] / exact);
   }
-  std::printf("| %s | %s | %.2f %% | %.2f %% | %.3f | %.3f s | %.4f s |\n", problem.name.c_str(), method, 100 * mean / scale,
-              100 * largest / scale, least_part, first, further);
+  std::printf("| %s | %s | %.2f %% | %.2f %% | %.3f | %.3f s | %.4f s |\n", problem.name.c_str(), method,
+              100 * mean / scale, 100 * largest / scale, least_part, first, further);
   std::fflush(stdout);
 }
 
 void measure_all(const Problem& problem)
 {
   measure<Theirs::Surface_mesh_geodesic_distances_3<Mesh, Theirs::Direct>>(problem, "CGAL, `Direct`");
-  measure<Theirs::Surface_mesh_geodesic_distances_3<Mesh, Theirs::Intrinsic_Delaunay>>(problem, "CGAL, `Intrinsic_Delaunay`");
-  measure<Ours::Surface_mesh_geodesic_distances_3<Mesh, Ours::Intrinsic_Delaunay>>(problem, "here, `Intrinsic_Delaunay`");
+  measure<Theirs::Surface_mesh_geodesic_distances_3<Mesh, Theirs::Intrinsic_Delaunay>>(problem,
+                                                                                       "CGAL, `Intrinsic_Delaunay`");
+  measure<Ours::Surface_mesh_geodesic_distances_3<Mesh, Ours::Intrinsic_Delaunay>>(problem,
+                                                                                   "here, `Intrinsic_Delaunay`");
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-  std::puts("| surface | method | mean error | largest error | least part of the distance | first distances | another source |\n"
+  std::puts("| surface | method | mean error | largest error | least part of the distance | first distances | another "
+            "source |\n"
             "| --- | --- | ---: | ---: | ---: | ---: | ---: |");
   namespace IT = CGAL::Intrinsic_triangulations;
   measure_all(on_sphere("sphere of 10,002 vertices", octahedral_sphere(50)));
-  measure_all(on_sphere("sphere of circles of latitude", mesh_of(IT::latitude_longitude_sphere(140, 72))));
-  measure_all(flat("square, sources on the border", mesh_of(IT::sheared_grid(40, 40, 0)), true));
-  measure_all(flat("parallelogram of needles, shear 1", mesh_of(IT::sheared_grid(60, 60, 1)), false));
-  measure_all(flat("parallelogram of needles, shear 5", mesh_of(IT::sheared_grid(60, 60, 5)), false));
+  measure_all(on_sphere("sphere of circles of latitude", mesh_of(samples::latitude_longitude_sphere(140, 72))));
+  measure_all(flat("square, sources on the border", mesh_of(samples::sheared_grid(40, 40, 0)), true));
+  measure_all(flat("parallelogram of needles, shear 1", mesh_of(samples::sheared_grid(60, 60, 1)), false));
+  measure_all(flat("parallelogram of needles, shear 5", mesh_of(samples::sheared_grid(60, 60, 5)), false));
   for (int i = 1; i < argc; ++i)
     measure_all(of_file(argv[i]));
 }

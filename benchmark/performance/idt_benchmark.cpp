@@ -79,10 +79,7 @@ Run run_package(const Mesh& mesh)
 {
   Run run{};
   const auto t = timed(
-    [&] {
-      return IT::intrinsic_Delaunay_triangulation<ConcurrencyTag>(
-        mesh, CGAL::parameters::geom_traits(Traits()));
-    },
+    [&] { return IT::intrinsic_Delaunay_triangulation<ConcurrencyTag>(mesh, CGAL::parameters::geom_traits(Traits())); },
     run.seconds);
   run.flips = t.report.flips;
   return run;
@@ -115,11 +112,11 @@ struct Input
 
 Input input(const std::string& name)
 {
-  for (const IT::Sample& sample : IT::sample_names())
+  for (const samples::Sample& sample : samples::sample_names())
     if (sample.name == name)
       return {name, [name] {
-                const auto surface = IT::make_sample(name);
-                if (const auto* triangles = std::get_if<IT::Indexed_triangles>(&surface))
+                const auto surface = samples::make_sample(name);
+                if (const auto* triangles = std::get_if<samples::Indexed_triangles>(&surface))
                   return mesh_of(*triangles);
                 std::cerr << name << ": has lengths alone, and is no mesh\n";
                 std::exit(2);
@@ -129,9 +126,9 @@ Input input(const std::string& name)
 
 std::vector<Input> default_inputs()
 {
-  std::vector<Input> inputs{{"bad_torus_1000x1000", [] { return mesh_of(IT::bad_torus(1000, 1000)); }},
-                            {"bumpy_sphere_700x351", [] { return mesh_of(IT::bumpy_sphere(700, 351)); }},
-                            {"sheared_grid_300x300", [] { return mesh_of(IT::sheared_grid(300, 300, 3.3)); }}};
+  std::vector<Input> inputs{{"bad_torus_1000x1000", [] { return mesh_of(samples::bad_torus(1000, 1000)); }},
+                            {"bumpy_sphere_700x351", [] { return mesh_of(samples::bumpy_sphere(700, 351)); }},
+                            {"sheared_grid_300x300", [] { return mesh_of(samples::sheared_grid(300, 300, 3.3)); }}};
   if (const std::string horse = horse_path(); !horse.empty())
     inputs.insert(inputs.begin(), input(horse));
   return inputs;
@@ -191,8 +188,7 @@ void report(benchmark::State& state, Comparison& comparison, std::size_t method)
     state.SetIterationTime(comparison.median(method).seconds);
   state.counters["edges"] = double(comparison.number_of_edges());
   state.counters["flips"] = double(comparison.median(method).flips);
-  state.counters["ns_per_edge"] =
-    1e9 * comparison.median(method).seconds / double(comparison.number_of_edges());
+  state.counters["ns_per_edge"] = 1e9 * comparison.median(method).seconds / double(comparison.number_of_edges());
   state.counters["times_as_fast"] = comparison.ratio(method);
 }
 
@@ -214,10 +210,9 @@ int main(int argc, char** argv)
     comparisons.emplace_back(std::move(each));
   for (Comparison& comparison : comparisons)
     for (std::size_t method = 0; method < methods.size(); ++method)
-      benchmark::RegisterBenchmark((comparison.name() + "/" + methods[method].name).c_str(),
-                                   [&comparison, method](benchmark::State& state) {
-                                     report(state, comparison, method);
-                                   })
+      benchmark::RegisterBenchmark(
+        (comparison.name() + "/" + methods[method].name).c_str(),
+        [&comparison, method](benchmark::State& state) { report(state, comparison, method); })
         ->UseManualTime()
         ->Iterations(1)
         ->Unit(benchmark::kMillisecond);
@@ -225,6 +220,6 @@ int main(int argc, char** argv)
   benchmark::Shutdown();
   for (Comparison& comparison : comparisons)
     for (std::size_t method = 0; comparison.is_measured() && method + 1 < methods.size(); ++method)
-      std::fprintf(stderr, "%-24s %-28s %6.2f times as fast as %s\n", comparison.name().c_str(),
-                   methods[method].name, comparison.ratio(method), methods.back().name);
+      std::fprintf(stderr, "%-24s %-28s %6.2f times as fast as %s\n", comparison.name().c_str(), methods[method].name,
+                   comparison.ratio(method), methods.back().name);
 }

@@ -9,11 +9,11 @@
 
 #include "samples/sample_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 
 #include <boost/config.hpp>
@@ -44,17 +44,17 @@ auto triangulate(const Mesh& mesh)
 int main(int argc, char** argv)
 {
   const auto is = [&](const char* name) { return argc == 2 && std::strcmp(argv[1], name) == 0; };
-  const Mesh torus = mesh_of(IT::bad_torus(100, 100));
+  const Mesh torus = mesh_of(samples::bad_torus(100, 100));
   std::size_t result = 0;
   if (is("double"))
     result = counted([&] { return triangulate<IT::Edge_length_traits<double>>(torus).report.flips; });
   else if (is("exact"))
     result = counted([&] { return triangulate<Filtered>(torus).report.flips; });
   else if (is("ties")) {
-    const Mesh grid = mesh_of(IT::random_diagonal_grid(100, 100, 1, 3));
+    const Mesh grid = mesh_of(samples::random_diagonal_grid(100, 100, 1, 3));
     result = counted([&] { return triangulate<Filtered>(grid).report.tests; });
   } else if (is("pillow")) {
-    const Mesh pillow = mesh_of(IT::pillow(300));
+    const Mesh pillow = mesh_of(samples::pillow(300));
     result = counted([&] { return triangulate<Filtered>(pillow).report.flips; });
   } else if (is("overlay")) {
     const auto t = triangulate<Filtered>(torus).triangulation;
@@ -62,7 +62,9 @@ int main(int argc, char** argv)
   } else if (is("positions")) {
     const auto t = triangulate<Filtered>(torus).triangulation;
     const IT::Overlay overlay(t);
-    result = counted([&] { return IT::Overlay_positions(t.connectivity(), t.exact_geometry(), overlay); }).on_input_edge(*overlay.crossings().begin()) > 0;
+    result = counted([&] {
+               return IT::Overlay_positions(IT::internal::engine(t), overlay);
+             }).on_input_edge(*overlay.crossings().begin()) > 0;
   } else if (is("stiffness")) {
     const auto t = triangulate<Filtered>(torus).triangulation;
     result = counted([&] { return std::size_t(IT::stiffness_matrix(t).nonZeros()); });

@@ -63,12 +63,9 @@ void measure(const std::string& name, const Mesh& mesh)
     {"Heat_method_3, triangulation alone", [&] { return seconds_of_heat_method(mesh); }},
     {"stiffness_matrix", [&] { return seconds([&] { return IT::stiffness_matrix(triangulation); }); }},
     {"cotangent_weights", [&] { return seconds([&] { return IT::cotangent_weights(triangulation); }); }},
-    {"lumped_mass_matrix",
-     [&] { return seconds([&] { return IT::lumped_mass_matrix(triangulation); }); }},
-    {"Galerkin_mass_matrix",
-     [&] { return seconds([&] { return IT::Galerkin_mass_matrix(triangulation); }); }},
-    {"mesh -> triangulation, L, M",
-     [&] { return seconds([&] { return IT::intrinsic_Delaunay_Laplacian(mesh); }); }}};
+    {"lumped_mass_matrix", [&] { return seconds([&] { return IT::lumped_mass_matrix(triangulation); }); }},
+    {"Galerkin_mass_matrix", [&] { return seconds([&] { return IT::Galerkin_mass_matrix(triangulation); }); }},
+    {"mesh -> triangulation, L, M", [&] { return seconds([&] { return IT::intrinsic_Delaunay_Laplacian(mesh); }); }}};
   std::vector<std::vector<double>> times(methods.size());
   for (std::size_t round = 0; round <= rounds; ++round)
     for (std::size_t i = 0; i < methods.size(); ++i) {
@@ -98,5 +95,5 @@ int main(int argc, char** argv)
     return EXIT_SUCCESS;
   if (const std::optional<Mesh> horse = read_horse())
     measure("horse", *horse);
-  measure("bumpy_sphere_700x351", mesh_of(IT::bumpy_sphere(700, 351)));
+  measure("bumpy_sphere_700x351", mesh_of(samples::bumpy_sphere(700, 351)));
 }

@@ -14,11 +14,11 @@
 
 #include "samples/sample_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 
@@ -72,8 +72,7 @@ struct Costs
 double seconds_in_double(const Mesh& mesh, bool notes_flips)
 {
   return seconds([&] {
-    auto t = IT::intrinsic_triangulation(
-      mesh, CGAL::parameters::geom_traits(IT::Edge_length_traits<double>()));
+    auto t = IT::intrinsic_triangulation(mesh, CGAL::parameters::geom_traits(IT::Edge_length_traits<double>()));
     if (notes_flips) // for integers, which need no metric
       t.keep_input(IT::Input_metric::from_points({}));
     IT::flip_to_Delaunay(t);
@@ -83,7 +82,7 @@ double seconds_in_double(const Mesh& mesh, bool notes_flips)
 // The flips of a triangulation, each as the halfedges around the edge before it.
 struct Recorder
 {
-  bool go_further(std::uint64_t, std::uint64_t) { return true; }
+  bool go_further(const IT::Progress&) { return true; }
   void after_flip(IT::Edge_index e)
   {
     const IT::Hinge_halfedges now = complex.hinge(e);
@@ -101,7 +100,7 @@ double seconds_for_integers(const Mesh& mesh)
   Recorder recorder{t.connectivity(), {}};
   IT::flip_to_Delaunay(t, CGAL::parameters::visitor(std::ref(recorder)));
   return seconds([&] {
-    IT::Normal_coordinates coordinates(input);
+    IT::internal::Normal_coordinates coordinates(input);
     for (const IT::Hinge_halfedges& around : recorder.flips)
       coordinates.flip(around);
   });
@@ -117,17 +116,17 @@ Costs measure(const Mesh& mesh, int rounds, bool with_heat_method)
     without.push_back(seconds_in_double(mesh, false));
     with.push_back(seconds_in_double(mesh, true));
     integers.push_back(seconds_for_integers(mesh));
-    input.push_back(seconds([&] { t->exact_geometry(); }));
+    input.push_back(seconds([&] { IT::internal::engine(*t); }));
     std::optional<IT::Overlay> overlay;
     graph.push_back(seconds([&] { overlay.emplace(*t); }));
     std::optional<IT::Overlay_positions> crossings;
-    positions.push_back(seconds([&] { crossings.emplace(t->connectivity(), t->exact_geometry(), *overlay); }));
-    costs.elements = double(overlay->number_of_vertices()) + overlay->number_of_segments() +
-                     overlay->number_of_faces();
+    positions.push_back(seconds([&] { crossings.emplace(IT::internal::engine(*t), *overlay); }));
+    costs.elements = double(overlay->number_of_vertices()) + overlay->number_of_segments() + overlay->number_of_faces();
     if (with_heat_method)
       heat_method.push_back(seconds([&] { const Heat_method_triangulation h(mesh); }));
     if (round == 0) // does not count: caches and memory are cold
-      for (std::vector<double>* values : {&graph, &positions, &triangulation, &without, &with, &integers, &input, &heat_method})
+      for (std::vector<double>* values :
+           {&graph, &positions, &triangulation, &without, &with, &integers, &input, &heat_method})
         values->clear();
   }
   costs.graph = median(graph);
@@ -146,12 +145,10 @@ void report(const std::string& name, const Costs& costs)
   const double per_element = 1e9 / costs.elements;
   std::printf("%-20s %11.0f %9.2f %7.1f %9.1f %9.2f %9.2f", name.c_str(), costs.elements,
               1e3 * (costs.graph + costs.positions), per_element * costs.graph,
-              per_element * (costs.graph + costs.positions),
-              1 + costs.integers / (costs.triangulation - costs.journal),
+              per_element * (costs.graph + costs.positions), 1 + costs.integers / (costs.triangulation - costs.journal),
               costs.input / costs.triangulation);
   if (costs.heat_method > 0)
-    std::printf(" %9.2f %9.2f", costs.graph / costs.heat_method,
-                (costs.graph + costs.positions) / costs.heat_method);
+    std::printf(" %9.2f %9.2f", costs.graph / costs.heat_method, (costs.graph + costs.positions) / costs.heat_method);
   std::printf("\n");
   std::fflush(stdout);
 }
@@ -164,23 +161,23 @@ int main(int argc, char** argv)
   const int rounds = argc > 1 ? std::max(1, std::atoi(argv[1])) : 7;
   std::printf("elements: of the overlay; ms: graph and positions; ns: for each element; integers: time\n"
               "of triangulation and integers over what it were without them; input: integers and input\n"
-              "connectivity afterwards, over the time of the triangulation; heat: over the time that the class of CGAL's Heat_method_3\n"
+              "connectivity afterwards, over the time of the triangulation; heat: over the time that the class of "
+              "CGAL's Heat_method_3\n"
               "takes for its triangulation\n\n"
               "%-20s %11s %9s %7s %9s %9s %9s %9s %9s\n",
-              "surface", "elements", "ms", "ns", "ns with",
-              "integers", "input", "heat", "heat with");
-  std::printf("%-20s %11s %9s %7s %9s %9s %9s %9s %9s\n", "", "", "", "graph", "positions", "", "",
-              "graph", "positions");
-  report("prism 2880", measure(mesh_of(IT::prism(2880)), rounds, true));
-  report("prism 2880, rotated", measure(mesh_of(IT::prism(2880, 1)), rounds, true));
+              "surface", "elements", "ms", "ns", "ns with", "integers", "input", "heat", "heat with");
+  std::printf("%-20s %11s %9s %7s %9s %9s %9s %9s %9s\n", "", "", "", "graph", "positions", "", "", "graph",
+              "positions");
+  report("prism 2880", measure(mesh_of(samples::prism(2880)), rounds, true));
+  report("prism 2880, rotated", measure(mesh_of(samples::prism(2880, 1)), rounds, true));
   if (const std::optional<Mesh> horse = read_horse())
     report("horse", measure(*horse, rounds, true));
-  report("torus 1000 x 1000", measure(mesh_of(IT::bad_torus(1000, 1000)), rounds, true));
+  report("torus 1000 x 1000", measure(mesh_of(samples::bad_torus(1000, 1000)), rounds, true));
 
   // The slope of the line that fits best, of the logarithms.
   std::vector<std::pair<double, double>> graph, with_positions;
   for (std::size_t n : {26, 46, 82, 146, 260, 462, 820}) {
-    const Costs costs = measure(mesh_of(IT::bad_torus(n, n)), rounds, false);
+    const Costs costs = measure(mesh_of(samples::bad_torus(n, n)), rounds, false);
     report("torus " + std::to_string(n) + " x " + std::to_string(n), costs);
     graph.emplace_back(std::log(costs.elements), std::log(costs.graph));
     with_positions.emplace_back(std::log(costs.elements), std::log(costs.graph + costs.positions));
@@ -196,6 +193,6 @@ int main(int argc, char** argv)
     const double n = double(points.size());
     return (n * xy - x * y) / (n * xx - x * x);
   };
-  std::printf("\nslope of log time over log elements: graph %.3f, with positions %.3f\n",
-              slope(graph), slope(with_positions));
+  std::printf("\nslope of log time over log elements: graph %.3f, with positions %.3f\n", slope(graph),
+              slope(with_positions));
 }

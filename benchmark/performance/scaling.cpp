@@ -52,17 +52,14 @@ void measure(const char* name, const Mesh& mesh)
     std::ofstream("/proc/self/clear_refs") << "5"; // the peak begins anew
     const double before = resident("VmRSS:");
     const auto start = std::chrono::steady_clock::now();
-    const auto t = IT::intrinsic_Delaunay_triangulation<ConcurrencyTag>(
-      mesh, CGAL::parameters::geom_traits(Traits()));
-    seconds.push_back(
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    const auto t = IT::intrinsic_Delaunay_triangulation<ConcurrencyTag>(mesh, CGAL::parameters::geom_traits(Traits()));
+    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     flips = double(t.report.flips);
     peak = (std::max)(peak, resident("VmHWM:") - before);
   }
   std::nth_element(seconds.begin(), seconds.begin() + rounds / 2, seconds.end());
-  std::printf("| %zu | %s | %.0f | %.2f | %.1f | %.0f |\n", std::size_t(mesh.number_of_vertices()),
-              name, edges, flips / edges, 1e9 * seconds[std::size_t(rounds / 2)] / edges,
-              peak / edges);
+  std::printf("| %zu | %s | %.0f | %.2f | %.1f | %.0f |\n", std::size_t(mesh.number_of_vertices()), name, edges,
+              flips / edges, 1e9 * seconds[std::size_t(rounds / 2)] / edges, peak / edges);
   std::fflush(stdout);
 }
 
@@ -78,7 +75,7 @@ int main(int argc, char** argv)
   std::printf("| vertices | | edges | flips an edge | ns an edge | bytes an edge |\n"
               "| ---: | --- | ---: | ---: | ---: | ---: |\n");
   for (int side : sides) {
-    const Mesh mesh = mesh_of(IT::bad_torus(std::size_t(side), std::size_t(side)));
+    const Mesh mesh = mesh_of(samples::bad_torus(std::size_t(side), std::size_t(side)));
     measure<IT::Edge_length_traits<double>, CGAL::Sequential_tag>("double", mesh);
     measure<IT::Filtered_edge_length_traits, CGAL::Sequential_tag>("exact", mesh);
 #ifdef CGAL_LINKED_WITH_TBB

@@ -15,10 +15,10 @@
 
 #include "samples/sample_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
@@ -93,8 +93,8 @@ public:
       points_.push_back({mesh.point(v)[0], mesh.point(v)[1], mesh.point(v)[2]});
     for (Mesh::Face_index f : mesh.faces()) {
       const Mesh::Halfedge_index h = mesh.halfedge(f);
-      triangles_.push_back({std::uint32_t(mesh.source(h)), std::uint32_t(mesh.target(h)),
-                            std::uint32_t(mesh.target(mesh.next(h)))});
+      triangles_.push_back(
+        {std::uint32_t(mesh.source(h)), std::uint32_t(mesh.target(h)), std::uint32_t(mesh.target(mesh.next(h)))});
     }
   }
 
@@ -130,8 +130,7 @@ public:
 
 private:
   template <class Function>
-  void stage(const char* name, double bytes, std::vector<double> Stage::*times, bool counts,
-             const Function& function)
+  void stage(const char* name, double bytes, std::vector<double> Stage::*times, bool counts, const Function& function)
   {
     const double time = seconds(function);
     if (!counts)
@@ -156,23 +155,23 @@ private:
           [&] { complex = IT::make_Delta_complex_from_triangles(points_.size(), triangles_); });
     std::optional<Triangulation> t;
     stage("lengths, areas, bounds", complex_bytes + points_bytes + metric_bytes, times, counts, [&] {
-      t.emplace(std::move(*complex), Triangulation::Point_vector(points_.begin(), points_.end()), IT::Filtered_edge_length_traits(),
-                ConcurrencyTag());
+      t.emplace(std::move(*complex), Triangulation::Point_vector(points_.begin(), points_.end()),
+                IT::Filtered_edge_length_traits(), ConcurrencyTag());
     });
     stage("tests and flips", complex_bytes + metric_bytes + 2 * e, times, counts,
           [&] { IT::flip_to_Delaunay<ConcurrencyTag>(*t); });
     stage("tests where nothing flips", 8 * e + e, times, counts, [&] { IT::flip_to_Delaunay<ConcurrencyTag>(*t); });
-    stage("integers and input connectivity", 2 * complex_bytes, times, counts, [&] { t->exact_geometry<ConcurrencyTag>(); });
+    stage("integers and input connectivity", 2 * complex_bytes, times, counts,
+          [&] { IT::internal::engine<ConcurrencyTag>(*t); });
     std::optional<IT::Overlay> overlay;
     overlay.emplace(*t, IT::Progress_function(), ConcurrencyTag()); // for its size
     const double overlay_bytes = 28. * overlay->number_of_segments() + 4. * overlay->number_of_vertices() +
                                  12. * overlay->number_of_faces() + 16 * e;
-    stage("overlay: graph", 2 * complex_bytes + overlay_bytes, times, counts, [&] {
-      overlay.emplace(*t, IT::Progress_function(), ConcurrencyTag());
-    });
+    stage("overlay: graph", 2 * complex_bytes + overlay_bytes, times, counts,
+          [&] { overlay.emplace(*t, IT::Progress_function(), ConcurrencyTag()); });
     std::optional<IT::Overlay_positions> positions;
     stage("overlay: positions", overlay_bytes + 16. * overlay->number_of_crossings() + points_bytes, times, counts,
-          [&] { positions.emplace(t->connectivity(), t->exact_geometry(), *overlay, IT::Progress_function(), ConcurrencyTag()); });
+          [&] { positions.emplace(IT::internal::engine(*t), *overlay, IT::Progress_function(), ConcurrencyTag()); });
     stage("cotangent weights", complex_bytes + metric_bytes + 8 * e, times, counts,
           [&] { IT::cotangent_weights<ConcurrencyTag>(*t); });
     stage("stiffness matrix", complex_bytes + metric_bytes + 12 * (2 * e + v), times, counts,
@@ -206,7 +205,7 @@ int main(int argc, char** argv)
     measure(argv[i], read_mesh(argv[i]));
   if (argc > 1)
     return 0;
-  measure("torus of bad triangles", mesh_of(IT::bad_torus(1000, 1000)));
+  measure("torus of bad triangles", mesh_of(samples::bad_torus(1000, 1000)));
   if (const auto horse = read_horse())
     measure("horse", *horse);
 }

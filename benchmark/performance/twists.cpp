@@ -9,7 +9,7 @@
 
 #include "samples/sample_exact_gluings.h"
 
-#include <CGAL/Intrinsic_triangulations/fast_forward.h>
+#include <CGAL/Intrinsic_triangulations/untwist.h>
 
 #include <algorithm>
 #include <chrono>
@@ -46,8 +46,8 @@ int main()
 {
   const IT::Integer n("1000000000000"), huge = pow(IT::Integer(10), 10000);
   std::printf("%-34s %16s %8s %12s\n", "surface", "flips", "twists", "time");
-  measure("torus, shear 10^12", IT::sheared_one_vertex_torus(n));
-  measure("Fibonacci torus of size 10^12", IT::Fibonacci_torus(59));
-  measure("genus 2, shears 10^12 and -10^12", IT::sheared_genus_two(n, -n));
-  measure("torus, shear 10^10000", IT::sheared_one_vertex_torus(huge));
+  measure("torus, shear 10^12", samples::sheared_one_vertex_torus(n));
+  measure("Fibonacci torus of size 10^12", samples::Fibonacci_torus(59));
+  measure("genus 2, shears 10^12 and -10^12", samples::sheared_genus_two(n, -n));
+  measure("torus, shear 10^10000", samples::sheared_one_vertex_torus(huge));
 }

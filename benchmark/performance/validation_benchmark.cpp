@@ -39,14 +39,13 @@ double seconds(const Function& function)
 void measure(const char* path)
 {
   const idt::Surface_input input = idt::read_surface(path);
-  const IT::Delta_complex complex =
-    IT::make_Delta_complex_from_triangles(input.points.size(), input.triangles);
+  const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(input.points.size(), input.triangles);
   const double reading = seconds([&] { idt::read_surface(path); });
   const double question = seconds([&] { IT::is_clean(complex, input.points); });
   const double examination = seconds([&] { idt::examine(input); });
-  std::printf("%s: %zu edges; reading %.4f s, validation %.4f s (%.3f), examination %.4f s (%.3f)\n",
-              path, std::size_t(complex.number_of_edges()), reading, question, question / reading,
-              examination, examination / reading);
+  std::printf("%s: %zu edges; reading %.4f s, validation %.4f s (%.3f), examination %.4f s (%.3f)\n", path,
+              std::size_t(complex.number_of_edges()), reading, question, question / reading, examination,
+              examination / reading);
 }
 
 } // namespace

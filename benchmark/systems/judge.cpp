@@ -13,10 +13,7 @@
 namespace {
 
 // JSON knows no infinity.
-double finite_number(double number)
-{
-  return std::isfinite(number) ? number : 1e308;
-}
+double finite_number(double number) { return std::isfinite(number) ? number : 1e308; }
 
 } // namespace
 

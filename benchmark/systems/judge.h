@@ -78,7 +78,8 @@ inline void judge_error(double error, const std::string& name, Judgement& judgem
 inline bool is_triangulation(const Triangles& theirs, const IT::Delta_complex& ours)
 {
   const std::size_t size = theirs.number_of_sides();
-  if (theirs.corners.size() != ours.number_of_faces() || theirs.opposite.size() != size || theirs.lengths.size() != size)
+  if (theirs.corners.size() != ours.number_of_faces() || theirs.opposite.size() != size ||
+      theirs.lengths.size() != size)
     return false;
   for (std::size_t side = 0; side < size; ++side) {
     const std::int64_t opposite = theirs.opposite[side];
@@ -100,11 +101,10 @@ inline Judgement judge_triangles(const Own_triangulation& exact, const Result& r
   const Match match(exact, theirs);
   if (!match.is_complete()) {
     judgement.wrong_faces = theirs.corners.size() - match.number_of_faces();
-    judgement.lower(Verdict::WRONG,
-                    judgement.wrong_faces > 0
-                      ? std::to_string(judgement.wrong_faces) + " of " + std::to_string(theirs.corners.size()) +
-                          " faces are not Delaunay"
-                      : "sides are glued in another way");
+    judgement.lower(Verdict::WRONG, judgement.wrong_faces > 0
+                                      ? std::to_string(judgement.wrong_faces) + " of " +
+                                          std::to_string(theirs.corners.size()) + " faces are not Delaunay"
+                                      : "sides are glued in another way");
     return judgement;
   }
   // Ours, with their diagonals: so this is a verdict about theirs.
@@ -117,7 +117,6 @@ inline Judgement judge_triangles(const Own_triangulation& exact, const Result& r
 
   double error = 0;
   std::size_t wrong_counts = 0;
-  const IT::Normal_coordinates& coordinates = match.triangulation().exact_geometry().correspondence().coordinates();
   for (std::size_t side = 0; side < theirs.number_of_sides(); ++side) {
     const IT::Edge_index e = match.triangulation().connectivity().edge(match.halfedge(side));
     const double length = match.triangulation().length(e), theirs_relative = theirs.lengths[side] / length;
@@ -125,7 +124,8 @@ inline Judgement judge_triangles(const Own_triangulation& exact, const Result& r
                                            : std::numeric_limits<double>::infinity();
     if (std::isinf(error))
       break;
-    if (with_overlay && (result.crossings.size() <= side || result.crossings[side] != coordinates.number_of_crossings(e)))
+    if (with_overlay &&
+        (result.crossings.size() <= side || result.crossings[side] != match.triangulation().number_of_crossings(e)))
       ++wrong_counts;
   }
   judge_error(error, "lengths", judgement);

@@ -47,9 +47,9 @@ public:
       return false;
     for (std::size_t side = 0; side < theirs_.number_of_sides(); ++side) {
       const Halfedge opposite = complex().opposite(state_.halfedges[side]);
-      if (complex().is_border(opposite) ? theirs_.opposite[side] >= 0
-                                        : theirs_.opposite[side] < 0 ||
-                                            state_.halfedges[std::size_t(theirs_.opposite[side])] != opposite)
+      if (complex().is_border(opposite)
+            ? theirs_.opposite[side] >= 0
+            : theirs_.opposite[side] < 0 || state_.halfedges[std::size_t(theirs_.opposite[side])] != opposite)
         return false;
     }
     return true;
@@ -65,8 +65,7 @@ private:
     State(const Own_triangulation& triangulation, const Triangles& theirs)
       : ours(triangulation), halfedges(theirs.number_of_sides()),
         is_matched(triangulation.connectivity().number_of_halfedges(), false)
-    {
-    }
+    {}
     Own_triangulation ours;
     std::vector<Halfedge> halfedges; // of their sides; invalid if not matched
     std::vector<bool> is_matched;    // of our halfedges
@@ -110,7 +109,8 @@ private:
     if (vertex != theirs_.apex(side))
       return;
     const double to_r = theirs_.lengths[next], from_r = theirs_.lengths[Triangles::next(next)];
-    const double error = (std::max)(std::abs(std::abs(r - q) - to_r) / to_r, std::abs(std::abs(r - p) - from_r) / from_r);
+    const double error =
+      (std::max)(std::abs(std::abs(r - q) - to_r) / to_r, std::abs(std::abs(r - p) - from_r) / from_r);
     if (error < best.error)
       best = {error, path};
   }

@@ -28,17 +28,16 @@ struct Named_surface
   Surface surface;
 };
 
-inline Surface surface_of(const IT::Indexed_triangles& mesh)
+inline Surface surface_of(const samples::Indexed_triangles& mesh)
 {
   Surface surface;
   surface.number_of_vertices = mesh.points.size();
   surface.points = mesh.points;
-  surface.triangles =
-    triangles_of(IT::make_Delta_complex_from_triangles(mesh.points.size(), mesh.triangles));
+  surface.triangles = triangles_of(IT::make_Delta_complex_from_triangles(mesh.points.size(), mesh.triangles));
   return surface;
 }
 
-inline Surface surface_of(const IT::Glued_triangles& gluing)
+inline Surface surface_of(const samples::Glued_triangles& gluing)
 {
   const IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides);
   Surface surface;
@@ -50,7 +49,7 @@ inline Surface surface_of(const IT::Glued_triangles& gluing)
 
 namespace internal {
 
-inline IT::Indexed_triangles scaled(IT::Indexed_triangles mesh, double factor)
+inline samples::Indexed_triangles scaled(samples::Indexed_triangles mesh, double factor)
 {
   for (std::array<double, 3>& p : mesh.points)
     for (double& x : p)
@@ -59,7 +58,7 @@ inline IT::Indexed_triangles scaled(IT::Indexed_triangles mesh, double factor)
 }
 
 // Far from the origin, where coordinates have few digits left.
-inline IT::Indexed_triangles moved(IT::Indexed_triangles mesh, double by)
+inline samples::Indexed_triangles moved(samples::Indexed_triangles mesh, double by)
 {
   for (std::array<double, 3>& p : mesh.points)
     for (double& x : p)
@@ -67,31 +66,31 @@ inline IT::Indexed_triangles moved(IT::Indexed_triangles mesh, double by)
   return mesh;
 }
 
-inline IT::Indexed_triangles rotated(IT::Indexed_triangles mesh, std::uint64_t seed)
+inline samples::Indexed_triangles rotated(samples::Indexed_triangles mesh, std::uint64_t seed)
 {
-  IT::internal::rotate_sample(mesh.points, seed);
+  samples::rotate_sample(mesh.points, seed);
   return mesh;
 }
 
 // Needles around one vertex, with their bases on a circle or on a spiral of a few turns.
-inline IT::Indexed_triangles fan(std::size_t n, double height)
+inline samples::Indexed_triangles fan(std::size_t n, double height)
 {
-  IT::Indexed_triangles mesh;
+  samples::Indexed_triangles mesh;
   mesh.points.push_back({0, 0, height});
   for (std::size_t i = 0; i < n; ++i) {
     const double angle = 6.283185307179586 * double(i) / double(n), radius = 1 + 0.3 * std::sin(7 * angle);
     mesh.points.push_back({radius * std::cos(angle), radius * std::sin(angle), 0});
   }
   for (std::size_t i = 0; i < n; ++i)
-    IT::internal::append_triangle(mesh, 0, 1 + i, 1 + (i + 1) % n);
+    samples::append_triangle(mesh, 0, 1 + i, 1 + (i + 1) % n);
   return mesh;
 }
 
 // The surface of a box of unit cubes, each square in two triangles, as voxel models have it: every diagonal is a tie.
-inline IT::Indexed_triangles box(int n, std::uint64_t seed)
+inline samples::Indexed_triangles box(int n, std::uint64_t seed)
 {
-  IT::Indexed_triangles mesh;
-  IT::internal::Sample_random random(seed);
+  samples::Indexed_triangles mesh;
+  samples::Sample_random random(seed);
   std::map<std::array<int, 3>, std::size_t> number_of;
   const auto vertex = [&](const std::array<int, 3>& p) {
     const auto [it, is_new] = number_of.insert({p, mesh.points.size()});
@@ -112,14 +111,14 @@ inline IT::Indexed_triangles box(int n, std::uint64_t seed)
             corner[std::size_t(is_upper ? i : 3 - i)] = vertex(p);
           }
           const std::size_t k = random.coin();
-          IT::internal::append_triangle(mesh, corner[k], corner[k + 1], corner[k + 2]);
-          IT::internal::append_triangle(mesh, corner[k], corner[k + 2], corner[(k + 3) % 4]);
+          samples::append_triangle(mesh, corner[k], corner[k + 1], corner[k + 2]);
+          samples::append_triangle(mesh, corner[k], corner[k + 2], corner[(k + 3) % 4]);
         }
   return mesh;
 }
 
 // A tetrahedron whose apex is above one corner of its base.
-inline IT::Indexed_triangles tetrahedron(double height)
+inline samples::Indexed_triangles tetrahedron(double height)
 {
   return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.1, 0.1, height}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
 }
@@ -130,81 +129,79 @@ inline std::vector<Named_surface> generated_surfaces()
 {
   using namespace internal;
   std::vector<Named_surface> result;
-  const auto add = [&result](const std::string& name, const auto& mesh) {
-    result.push_back({name, surface_of(mesh)});
-  };
-  for (const IT::Sample& sample : IT::sample_names())
-    std::visit([&](const auto& mesh) { add(sample.name, mesh); }, IT::make_sample(sample.name));
+  const auto add = [&result](const std::string& name, const auto& mesh) { result.push_back({name, surface_of(mesh)}); };
+  for (const samples::Sample& sample : samples::sample_names())
+    std::visit([&](const auto& mesh) { add(sample.name, mesh); }, samples::make_sample(sample.name));
 
   // Smooth shapes.
-  add("bumpy-sphere-40000", IT::bumpy_sphere(200, 101));
-  add("bad-torus-80000", IT::bad_torus(200, 200));
-  add("torus-40000", IT::torus(200, 100));
-  add("latitude-longitude-1000x4", IT::latitude_longitude_sphere(1000, 4));
-  add("bumpy-dome-twisted", IT::bumpy_dome(24, 40, 0.2, 25));
-  add("spike-100", IT::disk_with_spike(40, 25, 100, 0.02));
-  add("lantern-8x16", IT::Schwarz_lantern(8, 16));
-  add("lantern-16x1024", IT::Schwarz_lantern(16, 1024));
+  add("bumpy-sphere-40000", samples::bumpy_sphere(200, 101));
+  add("bad-torus-80000", samples::bad_torus(200, 200));
+  add("torus-40000", samples::torus(200, 100));
+  add("latitude-longitude-1000x4", samples::latitude_longitude_sphere(1000, 4));
+  add("bumpy-dome-twisted", samples::bumpy_dome(24, 40, 0.2, 25));
+  add("spike-100", samples::disk_with_spike(40, 25, 100, 0.02));
+  add("lantern-8x16", samples::Schwarz_lantern(8, 16));
+  add("lantern-16x1024", samples::Schwarz_lantern(16, 1024));
   add("tetrahedron", tetrahedron(1));
   add("tetrahedron-needle", tetrahedron(1e8));
   add("fan-1000", fan(1000, 0.5));
   add("fan-1000-needles", fan(1000, 1e6));
 
   // Ties, exact and broken by rounding.
-  add("prism-5", IT::prism(5));
-  add("prism-80-rotated", IT::prism(80, 1));
-  add("prism-300-rotated", IT::prism(300, 2));
-  add("grid-rotated", IT::random_diagonal_grid(40, 40, 1, 1));
-  add("grid-45000", IT::random_diagonal_grid(150, 150, 1));
-  add("grid-45000-rotated", IT::random_diagonal_grid(150, 150, 1, 3));
+  add("prism-5", samples::prism(5));
+  add("prism-80-rotated", samples::prism(80, 1));
+  add("prism-300-rotated", samples::prism(300, 2));
+  add("grid-rotated", samples::random_diagonal_grid(40, 40, 1, 1));
+  add("grid-45000", samples::random_diagonal_grid(150, 150, 1));
+  add("grid-45000-rotated", samples::random_diagonal_grid(150, 150, 1, 3));
   add("box-20", box(20, 1));
   add("box-20-rotated", rotated(box(20, 1), 1));
   add("box-80", box(80, 2));
 
   // Many flips.
-  add("sheared-grid-0.3", IT::sheared_grid(40, 40, 0.3));
-  add("sheared-grid-20", IT::sheared_grid(40, 40, 20));
-  add("sheared-grid-200", IT::sheared_grid(20, 20, 200));
-  add("sheared-grid-rotated", rotated(IT::sheared_grid(40, 40, 5), 1));
-  add("strip-100", IT::strip(100, 20));
-  add("strip-thin", IT::strip(1000, 60, 1e-3));
-  add("strip-wide", IT::strip(1000, 60, 30));
-  add("pillow-20", IT::pillow(20));
-  add("pillow-100-rotated", rotated(IT::pillow(100), 1));
-  add("pillow-100-thin", IT::pillow(100, 1e-4));
-  add("pillow-1000", IT::pillow(1000));
-  add("tube-1", IT::helical_tube(60, 1));
-  add("tube-1000", IT::helical_tube(60, 1000));
-  add("tube-1e6", IT::helical_tube(60, 1e6));
+  add("sheared-grid-0.3", samples::sheared_grid(40, 40, 0.3));
+  add("sheared-grid-20", samples::sheared_grid(40, 40, 20));
+  add("sheared-grid-200", samples::sheared_grid(20, 20, 200));
+  add("sheared-grid-rotated", rotated(samples::sheared_grid(40, 40, 5), 1));
+  add("strip-100", samples::strip(100, 20));
+  add("strip-thin", samples::strip(1000, 60, 1e-3));
+  add("strip-wide", samples::strip(1000, 60, 30));
+  add("pillow-20", samples::pillow(20));
+  add("pillow-100-rotated", rotated(samples::pillow(100), 1));
+  add("pillow-100-thin", samples::pillow(100, 1e-4));
+  add("pillow-1000", samples::pillow(1000));
+  add("tube-1", samples::helical_tube(60, 1));
+  add("tube-1000", samples::helical_tube(60, 1000));
+  add("tube-1e6", samples::helical_tube(60, 1e6));
 
   // Caps and slivers.
-  add("cap-0", IT::cap(0));
-  add("cap-0-rotated", IT::cap(0, 1));
-  add("cap-1e-5", IT::cap(1e-5));
-  add("cap-1e-10-rotated", IT::cap(1e-10, 1));
-  add("cap-1e-15", IT::cap(1e-15));
-  add("cap-1e-15-rotated", IT::cap(1e-15, 2));
-  add("slivers-1e-3", IT::sliver_sheet(40, 1e-3, 1e-3));
-  add("slivers-1e-6", IT::sliver_sheet(40, 1e-6, 1e-6));
-  add("slivers-1e-12", IT::sliver_sheet(40, 1e-12, 1e-12));
+  add("cap-0", samples::cap(0));
+  add("cap-0-rotated", samples::cap(0, 1));
+  add("cap-1e-5", samples::cap(1e-5));
+  add("cap-1e-10-rotated", samples::cap(1e-10, 1));
+  add("cap-1e-15", samples::cap(1e-15));
+  add("cap-1e-15-rotated", samples::cap(1e-15, 2));
+  add("slivers-1e-3", samples::sliver_sheet(40, 1e-3, 1e-3));
+  add("slivers-1e-6", samples::sliver_sheet(40, 1e-6, 1e-6));
+  add("slivers-1e-12", samples::sliver_sheet(40, 1e-12, 1e-12));
 
   // Units, and few digits.
-  add("sphere-unit-1e-20", scaled(IT::bumpy_sphere(40, 21), 1e-20));
-  add("sphere-unit-1e20", scaled(IT::bumpy_sphere(40, 21), 1e20));
-  add("sphere-unit-1e-120", scaled(IT::bumpy_sphere(40, 21), 1e-120));
-  add("sphere-unit-1e120", scaled(IT::bumpy_sphere(40, 21), 1e120));
-  add("sphere-moved-1e8", moved(IT::bumpy_sphere(40, 21), 1e8));
-  add("sphere-moved-1e12", moved(IT::bumpy_sphere(40, 21), 1e12));
+  add("sphere-unit-1e-20", scaled(samples::bumpy_sphere(40, 21), 1e-20));
+  add("sphere-unit-1e20", scaled(samples::bumpy_sphere(40, 21), 1e20));
+  add("sphere-unit-1e-120", scaled(samples::bumpy_sphere(40, 21), 1e-120));
+  add("sphere-unit-1e120", scaled(samples::bumpy_sphere(40, 21), 1e120));
+  add("sphere-moved-1e8", moved(samples::bumpy_sphere(40, 21), 1e8));
+  add("sphere-moved-1e12", moved(samples::bumpy_sphere(40, 21), 1e12));
 
   // Gluings.
-  add("one-vertex-torus-sheared-10", IT::sheared_one_vertex_torus(10));
-  add("one-vertex-torus-sheared-1000", IT::sheared_one_vertex_torus(1000));
-  add("one-vertex-torus-sheared-50000", IT::sheared_one_vertex_torus(50000));
-  add("self-glued-sphere", IT::self_glued_sphere(1, 5, 1.9));
-  add("gluing-20", IT::random_gluing(20, 1, false, true));
-  add("gluing-300", IT::random_gluing(300, 2, false, true));
-  add("gluing-300-border", IT::random_gluing(300, 3, true, true));
-  add("gluing-5000", IT::random_gluing(5000, 4, false, true));
+  add("one-vertex-torus-sheared-10", samples::sheared_one_vertex_torus(10));
+  add("one-vertex-torus-sheared-1000", samples::sheared_one_vertex_torus(1000));
+  add("one-vertex-torus-sheared-50000", samples::sheared_one_vertex_torus(50000));
+  add("self-glued-sphere", samples::self_glued_sphere(1, 5, 1.9));
+  add("gluing-20", samples::random_gluing(20, 1, false, true));
+  add("gluing-300", samples::random_gluing(300, 2, false, true));
+  add("gluing-300-border", samples::random_gluing(300, 3, true, true));
+  add("gluing-5000", samples::random_gluing(5000, 4, false, true));
   return result;
 }
 

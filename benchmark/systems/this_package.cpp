@@ -55,7 +55,4 @@ Result run(Task task, const Surface& surface)
 
 } // namespace
 
-int main(int argc, char** argv)
-{
-  return run_system(argc, argv, run);
-}
+int main(int argc, char** argv) { return run_system(argc, argv, run); }

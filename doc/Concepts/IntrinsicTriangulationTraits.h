@@ -22,7 +22,7 @@ number type say that it cannot tell; the algorithms then report the edge and do 
 \cgalHasModel `CGAL::Intrinsic_triangulations::Half_angle_traits`
 \cgalHasModel `CGAL::Intrinsic_triangulations::Filtered_edge_length_traits`
 
-\sa `IntrinsicFlipVisitor`
+\sa `IntrinsicTriangulationVisitor`
 */
 class IntrinsicTriangulationTraits
 {

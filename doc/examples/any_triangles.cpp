@@ -66,8 +66,8 @@ int main()
   walls.add({0, 0, n / 2}, {1, 0, 0}, {0, 1, 0}, n, n); // and one across it
 
   const IT::Tufted_Laplacian Laplacian = IT::tufted_Laplacian(walls.points, walls.triangles);
-  std::cout << Laplacian.report.nonmanifold_edges << " edges with more than two faces, " << Laplacian.report.border_edges
-            << " with one; " << Laplacian.flips.flips << " flips\n"
+  std::cout << Laplacian.report.nonmanifold_edges << " edges with more than two faces, "
+            << Laplacian.report.border_edges << " with one; " << Laplacian.flips.flips << " flips\n"
             << "smallest weight: " << Laplacian.minimum_weight << '\n';
 
   // L u = 0 but at two vertices, where u is 0 and 1.
@@ -83,7 +83,7 @@ int main()
   std::cout << "the field is between " << u.minCoeff() << " and " << u.maxCoeff() << '\n';
 
   // With non-negative weights, each value is a mean of its neighbours': none is beyond those that were given.
-  const bool is_good = Laplacian.report.nonmanifold_edges > 0 && Laplacian.minimum_weight >= 0 && u.minCoeff() >= -1e-12 &&
-                       u.maxCoeff() <= 1 + 1e-12;
+  const bool is_good = Laplacian.report.nonmanifold_edges > 0 && Laplacian.minimum_weight >= 0 &&
+                       u.minCoeff() >= -1e-12 && u.maxCoeff() <= 1 + 1e-12;
   return is_good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -33,7 +33,7 @@ using Matrix = Eigen::SparseMatrix<double>;
 
 namespace {
 
-Mesh mesh_of(const IT::Indexed_triangles& sample)
+Mesh mesh_of(const samples::Indexed_triangles& sample)
 {
   Mesh mesh;
   for (const auto& p : sample.points)
@@ -44,11 +44,10 @@ Mesh mesh_of(const IT::Indexed_triangles& sample)
 }
 
 // Solves for the free entries of u; the others are kept.
-void minimize_bi_Laplacian(const IT::Laplace_Beltrami_operator& Laplacian,
-                           const std::vector<bool>& is_free, Eigen::VectorXd& u)
+void minimize_bi_Laplacian(const IT::Laplace_Beltrami_operator& Laplacian, const std::vector<bool>& is_free,
+                           Eigen::VectorXd& u)
 {
-  const Eigen::VectorXd inverse_mass =
-    Eigen::VectorXd(Laplacian.mass.diagonal()).cwiseInverse();
+  const Eigen::VectorXd inverse_mass = Eigen::VectorXd(Laplacian.mass.diagonal()).cwiseInverse();
   const Matrix energy = Laplacian.stiffness * inverse_mass.asDiagonal() * Laplacian.stiffness;
   std::vector<Eigen::Triplet<double>> entries;
   int columns = 0;
@@ -63,8 +62,7 @@ void minimize_bi_Laplacian(const IT::Laplace_Beltrami_operator& Laplacian,
 }
 
 // The largest error of the sheet that is bent by its rim.
-double error(const Mesh& mesh, const IT::Laplace_Beltrami_operator& Laplacian, std::size_t columns,
-             std::size_t rows)
+double error(const Mesh& mesh, const IT::Laplace_Beltrami_operator& Laplacian, std::size_t columns, std::size_t rows)
 {
   Eigen::VectorXd exact(Eigen::Index(mesh.number_of_vertices()));
   std::vector<bool> is_free(mesh.number_of_vertices(), false);
@@ -87,7 +85,7 @@ double error(const Mesh& mesh, const IT::Laplace_Beltrami_operator& Laplacian, s
 int main()
 {
   const std::size_t columns = 30, rows = 20;
-  IT::Indexed_triangles sheet = IT::sheared_grid(columns, rows, 0);
+  samples::Indexed_triangles sheet = samples::sheared_grid(columns, rows, 0);
   for (std::array<double, 3>& p : sheet.points) {
     p[0] += 2.5 * std::sin(p[1] * p[1]) + 0.3 * std::sin(37 * p[0] + 11 * p[1]);
     p[1] += 0.3 * std::sin(23 * p[0] + 5 * p[1]);
@@ -95,7 +93,6 @@ int main()
   const Mesh mesh = mesh_of(sheet);
   const double extrinsic = error(mesh, IT::extrinsic_Laplacian(mesh), columns, rows),
                intrinsic = error(mesh, IT::intrinsic_Delaunay_Laplacian(mesh), columns, rows);
-  std::cout << "largest error of the bent sheet: extrinsic " << extrinsic << ", intrinsic "
-            << intrinsic << '\n';
+  std::cout << "largest error of the bent sheet: extrinsic " << extrinsic << ", intrinsic " << intrinsic << '\n';
   return intrinsic < 0.02 && intrinsic < extrinsic / 5 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -9,9 +9,9 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/point_location.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
 #include <CGAL/Intrinsic_triangulations/transfer_matrices.h>
 
@@ -27,7 +27,7 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_trait
 
 int main()
 {
-  const IT::Indexed_triangles mesh = IT::bumpy_sphere(40, 21);
+  const samples::Indexed_triangles mesh = samples::bumpy_sphere(40, 21);
   Triangulation idt(IT::make_Delta_complex_from_triangles(mesh.points.size(), mesh.triangles), mesh.points);
   IT::flip_to_Delaunay(idt);
 
@@ -40,8 +40,7 @@ int main()
   Eigen::VectorXd start = Eigen::VectorXd::Zero(stiffness.rows());
   start[0] = 1;
   const Eigen::SparseMatrix<double> matrix = mass.intrinsic + 0.1 * stiffness;
-  const Eigen::VectorXd heat =
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(mass.intrinsic * start);
+  const Eigen::VectorXd heat = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(mass.intrinsic * start);
 
   // On the overlay the solution is linear on each face: nothing is lost.
   const IT::Delta_complex& complex = idt.connectivity();
@@ -56,8 +55,7 @@ int main()
   const double t = subdivision.positions().on_input_edge(x);
   const IT::Surface_point at_crossing = location.input_to_intrinsic({h, {1 - t, t, 0}}),
                           middle = location.input_to_intrinsic({h, {1, 1, 0}});
-  std::cout << "in the middle of input edge " << h.idx() / 2 << ": "
-            << IT::interpolate(complex, heat, middle) << '\n';
+  std::cout << "in the middle of input edge " << h.idx() / 2 << ": " << IT::interpolate(complex, heat, middle) << '\n';
 
   // For the vertices of the mesh, the function on its triangles that is nearest in the mean square.
   const Eigen::VectorXd on_mesh = IT::L2_projection_to_input(mass)(heat);

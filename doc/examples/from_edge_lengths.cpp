@@ -35,10 +35,9 @@ int main()
   // In a parallelogram, 6² + d² = 2 (3² + 4²), so that the other diagonal has length √14.
   std::cout.precision(17);
   for (IT::Edge_index e : triangulation.connectivity().edges())
-    std::cout << "edge " << e.idx() << (triangulation.connectivity().is_loop(e) ? ", a loop" : "")
-              << ": length " << triangulation.length(e) << '\n';
+    std::cout << "edge " << e.idx() << (triangulation.connectivity().is_loop(e) ? ", a loop" : "") << ": length "
+              << triangulation.length(e) << '\n';
   const double d = triangulation.length(IT::Edge_index(2));
-  const bool is_fine = report.status == IT::Flip_status::DELAUNAY && report.flips == 1 &&
-                       d == 3.7416573867739413;
+  const bool is_fine = report.status == IT::Flip_status::DELAUNAY && report.flips == 1 && d == 3.7416573867739413;
   return is_fine ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -54,7 +54,7 @@ int main()
   std::cout << ", then " << network.length(0) << '\n';
 
   // From a vertex in the middle, 0.3 radians above its horizontal edge.
-  const IT::Delta_complex& complex = triangulation.exact_geometry().correspondence().input();
+  const IT::Delta_complex& complex = triangulation.input();
   IT::Halfedge_index horizontal;
   for (IT::Halfedge_index h : complex.halfedges())
     if (complex.source(h).idx() == 8 && complex.target(h).idx() == 9)

@@ -86,6 +86,7 @@ int main()
   const std::size_t components = CGAL::Polygon_mesh_processing::connected_components(idt, component);
   std::cout << components << " connected component\n";
 
-  const bool is_fine = intrinsic_stretch < 1.998 && input_stretch > 6 && smallest_weight >= 0 && most_crossings > 1 && components == 1;
+  const bool is_fine =
+    intrinsic_stretch < 1.998 && input_stretch > 6 && smallest_weight >= 0 && most_crossings > 1 && components == 1;
   return is_fine ? EXIT_SUCCESS : EXIT_FAILURE;
 }

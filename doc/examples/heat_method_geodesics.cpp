@@ -39,8 +39,7 @@ Triangulation sheared_torus()
   IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(n * n, triangles);
   std::vector<double> lengths;
   for (IT::Edge_index e : complex.edges()) {
-    const std::size_t a = complex.source(complex.halfedge(e)).idx(),
-                      b = complex.target(complex.halfedge(e)).idx();
+    const std::size_t a = complex.source(complex.halfedge(e)).idx(), b = complex.target(complex.halfedge(e)).idx();
     lengths.push_back(a / n == b / n ? 1 : std::hypot(a % n == b % n ? 5 : 6, 1));
   }
   return Triangulation::from_lengths(complex, lengths);

@@ -38,11 +38,10 @@ namespace {
 // Where a vertex of the refined triangulation lies.
 std::array<double, 3> place(const Triangulation& t, const Points& points, IT::Vertex_index v)
 {
-  const IT::Correspondence& correspondence = t.exact_geometry().correspondence();
-  if (!correspondence.is_inserted(v))
+  if (!t.is_inserted(v))
     return points[v.idx()];
-  const IT::Surface_point& point = correspondence.location(v);
-  const IT::Delta_complex& input = correspondence.input();
+  const IT::Surface_point& point = t.location(v);
+  const IT::Delta_complex& input = t.input();
   std::array<double, 3> result{};
   IT::Halfedge_index h = point.halfedge;
   for (double weight : point.coordinates) {
@@ -54,12 +53,14 @@ std::array<double, 3> place(const Triangulation& t, const Points& points, IT::Ve
 }
 
 // The overlay shows the part as it is, with the values of the intrinsic triangulation.
-void write_vtk(const char* path, const IT::Common_subdivision& subdivision, const Points& points, const std::vector<double>& values)
+void write_vtk(const char* path, const IT::Common_subdivision& subdivision, const Points& points,
+               const std::vector<double>& values)
 {
   const IT::Overlay& overlay = subdivision.overlay();
   std::ofstream os(path);
   os.precision(17);
-  os << "# vtk DataFile Version 3.0\ntemperature\nASCII\nDATASET POLYDATA\nPOINTS " << overlay.number_of_vertices() << " double\n";
+  os << "# vtk DataFile Version 3.0\ntemperature\nASCII\nDATASET POLYDATA\nPOINTS " << overlay.number_of_vertices()
+     << " double\n";
   for (IT::Overlay::Vertex v : overlay.vertices()) {
     const auto [x, y, z] = subdivision.point(v, points);
     os << x << ' ' << y << ' ' << z << '\n';
@@ -111,17 +112,16 @@ int main(int argc, char** argv)
 
   // The bend is kept as one line of edges. Nothing is refined for the sliver's sake.
   Triangulation t(IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
-  IT::Refinement_criteria criteria;
-  criteria.maximum_edge_length = 0.2;
-  criteria.minimum_size = 1e-3;
-  const std::vector<bool> is_sharp = IT::sharp_edges(t.connectivity(), points, 30, criteria.minimum_size);
-  const IT::Refinement_report report = IT::refine_Delaunay(
-    t, criteria, CGAL::parameters::edge_is_constrained_map(boost::make_function_property_map<IT::Edge_index, bool>([&](IT::Edge_index e) {
-      return bool(is_sharp[e.idx()]);
-    })));
+  const double smallest = 1e-3;
+  const std::vector<bool> is_sharp = IT::sharp_edges(t.connectivity(), points, 30, smallest);
+  const IT::Refinement_report report =
+    IT::refine_Delaunay(t, CGAL::parameters::maximum_edge_length(0.2).minimum_size(smallest).edge_is_constrained_map(
+                             boost::make_function_property_map<IT::Edge_index, bool>(
+                               [&](IT::Edge_index e) { return bool(is_sharp[e.idx()]); })));
   const IT::Delta_complex& complex = t.connectivity();
-  std::cout << std::count(is_sharp.begin(), is_sharp.end(), true) << " sharp edges, " << report.insertions + report.segment_splits
-            << " new vertices, " << report.unrefined.size() << " faces left\n";
+  std::cout << std::count(is_sharp.begin(), is_sharp.end(), true) << " sharp edges, "
+            << report.insertions + report.segment_splits << " new vertices, " << report.unrefined.size()
+            << " faces left\n";
 
   // The matrix has natural borders: without more, they are insulated. Heat flows in at 1 for each unit of length.
   const Eigen::SparseMatrix<double> stiffness = IT::stiffness_matrix(t);
@@ -131,7 +131,8 @@ int main(int argc, char** argv)
   for (IT::Edge_index e : complex.edges()) {
     if (!complex.is_border(e))
       continue;
-    const std::array<IT::Vertex_index, 2> ends = {complex.source(complex.halfedge(e)), complex.target(complex.halfedge(e))};
+    const std::array<IT::Vertex_index, 2> ends = {complex.source(complex.halfedge(e)),
+                                                  complex.target(complex.halfedge(e))};
     const auto p = place(t, points, ends[0]), q = place(t, points, ends[1]);
     for (IT::Vertex_index v : ends) {
       if (p[1] == -1 && q[1] == -1)

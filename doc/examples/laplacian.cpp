@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
-#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
@@ -42,21 +42,19 @@ Eigen::VectorXd harmonic_function(const Triangulation& t, const Eigen::VectorXd&
 
   const Matrix stiffness = IT::stiffness_matrix(t);
   const Eigen::SimplicialLDLT<Matrix> solver(select.transpose() * stiffness * select);
-  return boundary_values -
-         select * solver.solve(select.transpose() * (stiffness * boundary_values));
+  return boundary_values - select * solver.solve(select.transpose() * (stiffness * boundary_values));
 }
 
 // Prints, and returns, the smallest and the largest value.
-std::array<double, 2> range_of_values(const char* name, const Triangulation& t,
-                                      const Eigen::VectorXd& boundary_values)
+std::array<double, 2> range_of_values(const char* name, const Triangulation& t, const Eigen::VectorXd& boundary_values)
 {
   const std::vector<double> weights = IT::cotangent_weights(t);
   std::size_t negative = 0;
   for (IT::Edge_index e : t.connectivity().edges())
     negative += !t.connectivity().is_border(e) && weights[e.idx()] < 0;
   const Eigen::VectorXd u = harmonic_function(t, boundary_values);
-  std::cout << name << ": " << negative << " negative weights, values from " << u.minCoeff()
-            << " to " << u.maxCoeff() << '\n';
+  std::cout << name << ": " << negative << " negative weights, values from " << u.minCoeff() << " to " << u.maxCoeff()
+            << '\n';
   return {u.minCoeff(), u.maxCoeff()};
 }
 
@@ -65,9 +63,8 @@ std::array<double, 2> range_of_values(const char* name, const Triangulation& t,
 int main()
 {
   const std::size_t columns = 20, rows = 20;
-  const IT::Indexed_triangles sheet = IT::sheared_grid(columns, rows, 2);
-  Triangulation t(IT::make_Delta_complex_from_triangles(sheet.points.size(), sheet.triangles),
-                  sheet.points);
+  const samples::Indexed_triangles sheet = samples::sheared_grid(columns, rows, 2);
+  Triangulation t(IT::make_Delta_complex_from_triangles(sheet.points.size(), sheet.triangles), sheet.points);
 
   // 1 in the middle of the lowest row, 0 on the rest of the boundary.
   Eigen::VectorXd values = Eigen::VectorXd::Zero(Eigen::Index(sheet.points.size()));

@@ -28,7 +28,7 @@ using Matrix = Eigen::SparseMatrix<double>;
 
 namespace {
 
-Mesh mesh_of(const IT::Indexed_triangles& sample)
+Mesh mesh_of(const samples::Indexed_triangles& sample)
 {
   Mesh mesh;
   for (const auto& p : sample.points)
@@ -46,8 +46,7 @@ Eigen::MatrixXd positions(const Mesh& mesh)
   return x;
 }
 
-Eigen::MatrixXd flow(const IT::Laplace_Beltrami_operator& Laplacian, const Eigen::MatrixXd& x,
-                     double h)
+Eigen::MatrixXd flow(const IT::Laplace_Beltrami_operator& Laplacian, const Eigen::MatrixXd& x, double h)
 {
   const Eigen::SimplicialLDLT<Matrix> solver(Laplacian.mass + h * Laplacian.stiffness);
   return solver.solve(Laplacian.mass * x);
@@ -65,24 +64,22 @@ double worst_dent(const IT::Laplace_Beltrami_operator& Laplacian, double h)
 
 int main()
 {
-  const Mesh mesh = mesh_of(IT::bumpy_sphere(40, 21)); // needles and obtuse triangles
+  const Mesh mesh = mesh_of(samples::bumpy_sphere(40, 21)); // needles and obtuse triangles
   const IT::Laplace_Beltrami_operator extrinsic = IT::extrinsic_Laplacian(mesh),
                                       intrinsic = IT::intrinsic_Delaunay_Laplacian(mesh);
   const double h = 1e-3;
   const Eigen::MatrixXd before = positions(mesh), after = flow(intrinsic, before, h);
   const double dent_extrinsic = worst_dent(extrinsic, h), dent_intrinsic = worst_dent(intrinsic, h);
-  std::cout << "spike of height 1, deepest dent after one step: extrinsic " << dent_extrinsic
-            << ", intrinsic " << dent_intrinsic << '\n';
+  std::cout << "spike of height 1, deepest dent after one step: extrinsic " << dent_extrinsic << ", intrinsic "
+            << dent_intrinsic << '\n';
 
   // The flow makes the area smaller, and moves the center of mass not at all.
   const double dirichlet_before = (before.transpose() * intrinsic.stiffness * before).trace(),
                dirichlet_after = (after.transpose() * intrinsic.stiffness * after).trace();
   const double drift = (Eigen::VectorXd(intrinsic.mass.diagonal()).transpose() * (after - before)).norm();
-  std::cout << "Dirichlet energy " << dirichlet_before << " -> " << dirichlet_after << ", drift "
-            << drift << '\n';
-  const bool stays_in_box =
-    ((after.colwise().maxCoeff() - before.colwise().maxCoeff()).maxCoeff() <= 1e-12) &&
-    ((before.colwise().minCoeff() - after.colwise().minCoeff()).maxCoeff() <= 1e-12);
+  std::cout << "Dirichlet energy " << dirichlet_before << " -> " << dirichlet_after << ", drift " << drift << '\n';
+  const bool stays_in_box = ((after.colwise().maxCoeff() - before.colwise().maxCoeff()).maxCoeff() <= 1e-12) &&
+                            ((before.colwise().minCoeff() - after.colwise().minCoeff()).maxCoeff() <= 1e-12);
   const bool is_fine = dent_extrinsic < -1e-4 && dent_intrinsic > -1e-12 && stays_in_box &&
                        dirichlet_after < dirichlet_before && drift < 1e-9;
   return is_fine ? EXIT_SUCCESS : EXIT_FAILURE;

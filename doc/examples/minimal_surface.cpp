@@ -28,7 +28,7 @@ using Matrix = Eigen::SparseMatrix<double>;
 
 namespace {
 
-Mesh mesh_of(const IT::Indexed_triangles& sample)
+Mesh mesh_of(const samples::Indexed_triangles& sample)
 {
   Mesh mesh;
   for (const auto& p : sample.points)
@@ -62,8 +62,7 @@ bool step(Mesh& mesh, const IT::Laplace_Beltrami_operator& Laplacian)
   const Eigen::SimplicialLDLT<Matrix> solver(select.transpose() * Laplacian.stiffness * select);
   if (solver.info() != Eigen::Success)
     return false;
-  const Eigen::MatrixXd y =
-    x - select * solver.solve(select.transpose() * (Laplacian.stiffness * x));
+  const Eigen::MatrixXd y = x - select * solver.solve(select.transpose() * (Laplacian.stiffness * x));
   for (Mesh::Vertex_index v : mesh.vertices())
     mesh.point(v) = Point(y(v.idx(), 0), y(v.idx(), 1), y(v.idx(), 2));
   return true;
@@ -73,7 +72,7 @@ bool step(Mesh& mesh, const IT::Laplace_Beltrami_operator& Laplacian)
 
 int main()
 {
-  const Mesh lantern = mesh_of(IT::Schwarz_lantern(16, 64));
+  const Mesh lantern = mesh_of(samples::Schwarz_lantern(16, 64));
   const double start = area(lantern);
 
   // With the extrinsic operator, triangles fold, and their weights pull to the wrong side.
@@ -84,8 +83,7 @@ int main()
     is_solved = step(extrinsic, IT::extrinsic_Laplacian(extrinsic));
     ++extrinsic_steps;
   }
-  std::cout << "extrinsic: area " << start << " -> " << area(extrinsic) << " in "
-            << extrinsic_steps << " steps\n";
+  std::cout << "extrinsic: area " << start << " -> " << area(extrinsic) << " in " << extrinsic_steps << " steps\n";
 
   Mesh intrinsic = lantern;
   for (int i = 0; i < 100; ++i)

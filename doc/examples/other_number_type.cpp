@@ -22,7 +22,7 @@
 namespace IT = CGAL::Intrinsic_triangulations;
 
 template <class Traits>
-IT::Flip_report run(const char* name, const IT::Indexed_triangles& surface)
+IT::Flip_report run(const char* name, const samples::Indexed_triangles& surface)
 {
   std::vector<typename Traits::Point_data> points;
   for (const auto& p : surface.points)
@@ -39,7 +39,7 @@ IT::Flip_report run(const char* name, const IT::Indexed_triangles& surface)
 int main()
 {
   // Corners on circles: after the rotation, rounding decides what is a tie.
-  const IT::Indexed_triangles prism = IT::prism(24, 1);
+  const samples::Indexed_triangles prism = samples::prism(24, 1);
 
   const IT::Flip_report exact = run<IT::Filtered_edge_length_traits>("filtered", prism);
   run<IT::Edge_length_traits<double>>("double", prism);

@@ -6,7 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/overlay_surface_mesh.h>
+#include <CGAL/Intrinsic_triangulations/surface_mesh_adaptors.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -25,8 +25,8 @@ int main()
 {
   // Two triangles with a fold along their common edge, which is flipped.
   Mesh mesh;
-  const auto i = mesh.add_vertex({0, 0, 0}), j = mesh.add_vertex({4, 0, 0}),
-             k = mesh.add_vertex({2, 1, 0}), l = mesh.add_vertex({2, 0, 1});
+  const auto i = mesh.add_vertex({0, 0, 0}), j = mesh.add_vertex({4, 0, 0}), k = mesh.add_vertex({2, 1, 0}),
+             l = mesh.add_vertex({2, 0, 1});
   mesh.add_face(i, j, k);
   mesh.add_face(j, i, l);
   const auto idt = IT::intrinsic_Delaunay_triangulation(mesh).triangulation;
@@ -34,8 +34,7 @@ int main()
   Mesh overlay = IT::overlay_to_surface_mesh(IT::Common_subdivision(idt), mesh);
   // Each of these maps is there already: that, and no new one, is returned.
   const auto input_face = overlay.add_property_map<Mesh::Face_index, std::uint32_t>("f:input_face").first;
-  const auto intrinsic_face =
-    overlay.add_property_map<Mesh::Face_index, std::uint32_t>("f:intrinsic_face").first;
+  const auto intrinsic_face = overlay.add_property_map<Mesh::Face_index, std::uint32_t>("f:intrinsic_face").first;
   for (auto f : overlay.faces())
     std::cout << "a piece of input face " << input_face[f] << " and intrinsic face " << intrinsic_face[f] << '\n';
 
@@ -55,8 +54,7 @@ int main()
   std::ostringstream file;
   CGAL::IO::write_PLY(file, overlay); // with kinds, labels, faces and values
   std::cout << file.str();
-  return overlay.number_of_vertices() == 5 && overlay.number_of_faces() == 4 &&
-             std::abs(value[crossing] - 2) < 1e-12
+  return overlay.number_of_vertices() == 5 && overlay.number_of_faces() == 4 && std::abs(value[crossing] - 2) < 1e-12
            ? EXIT_SUCCESS
            : EXIT_FAILURE;
 }

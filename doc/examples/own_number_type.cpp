@@ -26,10 +26,7 @@ struct Dual
   Dual(double x = 0, double d = 0) : value(x), derivative(d) {}
   friend Dual operator+(Dual a, Dual b) { return {a.value + b.value, a.derivative + b.derivative}; }
   friend Dual operator-(Dual a, Dual b) { return {a.value - b.value, a.derivative - b.derivative}; }
-  friend Dual operator*(Dual a, Dual b)
-  {
-    return {a.value * b.value, a.derivative * b.value + a.value * b.derivative};
-  }
+  friend Dual operator*(Dual a, Dual b) { return {a.value * b.value, a.derivative * b.value + a.value * b.derivative}; }
   friend Dual operator/(Dual a, Dual b)
   {
     return {a.value / b.value, (a.derivative - a.value / b.value * b.derivative) / b.value};
@@ -43,8 +40,7 @@ struct Dual
 // What CGAL has to know of a number type.
 namespace CGAL {
 template <>
-class Algebraic_structure_traits<Dual>
-  : public Algebraic_structure_traits_base<Dual, Field_with_sqrt_tag>
+class Algebraic_structure_traits<Dual> : public Algebraic_structure_traits_base<Dual, Field_with_sqrt_tag>
 {
 public:
   using Is_exact = Tag_false;
@@ -73,7 +69,7 @@ public:
 } // namespace CGAL
 
 // The triangulation when vertex 0 lies higher by `step`.
-auto triangulation_of(const IT::Indexed_triangles& surface, double step)
+auto triangulation_of(const samples::Indexed_triangles& surface, double step)
 {
   std::vector<IT::Edge_length_traits<Dual>::Point_data> points;
   for (const auto& p : surface.points)
@@ -87,7 +83,7 @@ auto triangulation_of(const IT::Indexed_triangles& surface, double step)
 
 int main()
 {
-  const IT::Indexed_triangles surface = IT::bumpy_sphere(20, 11);
+  const samples::Indexed_triangles surface = samples::bumpy_sphere(20, 11);
   const double step = 1e-6;
   const auto idt = triangulation_of(surface, 0), moved = triangulation_of(surface, step);
   double largest = 0, error = 0;

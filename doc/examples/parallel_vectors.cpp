@@ -5,7 +5,7 @@
 
 #include <CGAL/Intrinsic_triangulations.h>
 #include <CGAL/Intrinsic_triangulations/Vector_heat_method.h>
-#include <CGAL/Intrinsic_triangulations/vertex_frames.h>
+#include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 

@@ -6,8 +6,9 @@
 //
 //   points_and_triangles [MESH]
 
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/read_polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <array>
 #include <cstdint>
@@ -28,15 +29,15 @@ int main(int argc, char** argv)
 
     const auto [idt, report] = IT::intrinsic_Delaunay_triangulation(points, triangles);
     std::vector<std::uint32_t> sources, targets;
-    std::vector<double> weights;
+    const std::vector<double> weights = IT::element_numbers(idt).cotangent_weights;
     const IT::Delta_complex& complex = idt.connectivity();
     for (IT::Edge_index e : complex.edges()) {
       sources.push_back(complex.source(complex.halfedge(e)).idx());
       targets.push_back(complex.target(complex.halfedge(e)).idx());
-      weights.push_back(idt.cotangent_weight(e));
     }
-    std::cout << points.size() << " vertices, " << weights.size() << " edges, " << report.flips << " flips; edge 0 joins "
-              << sources[0] << " and " << targets[0] << ", its weight is " << weights[0] << '\n';
+    std::cout << points.size() << " vertices, " << weights.size() << " edges, " << report.flips
+              << " flips; edge 0 joins " << sources[0] << " and " << targets[0] << ", its weight is " << weights[0]
+              << '\n';
   } catch (const IT::Invalid_surface_error& error) {
     std::cerr << error.what() << '\n'; // the file, the element at fault, and what to do
     return EXIT_FAILURE;

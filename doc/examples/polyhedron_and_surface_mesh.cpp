@@ -34,8 +34,8 @@ std::vector<double> sorted_lengths(const TriangleMesh& mesh)
   for (IT::Edge_index e : idt.connectivity().edges())
     lengths.push_back(idt.length(e));
   std::sort(lengths.begin(), lengths.end());
-  std::cout << lengths.size() << " edges, " << report.flips << " flips, from "
-            << lengths.front() << " to " << lengths.back() << '\n';
+  std::cout << lengths.size() << " edges, " << report.flips << " flips, from " << lengths.front() << " to "
+            << lengths.back() << '\n';
   return lengths;
 }
 
@@ -43,7 +43,7 @@ std::vector<double> sorted_lengths(const TriangleMesh& mesh)
 
 int main()
 {
-  const IT::Indexed_triangles sample = IT::bumpy_sphere(40, 21);
+  const samples::Indexed_triangles sample = samples::bumpy_sphere(40, 21);
   Mesh mesh;
   for (const auto& p : sample.points)
     mesh.add_vertex({p[0], p[1], p[2]});
@@ -53,10 +53,8 @@ int main()
   CGAL::copy_face_graph(mesh, polyhedron);
 
   // Decisions are exact and lengths within 1 ulp, in whatever order edges are flipped.
-  const std::vector<double> of_mesh = sorted_lengths(mesh),
-                            of_polyhedron = sorted_lengths(polyhedron);
-  const bool is_fine =
-    std::equal(of_mesh.begin(), of_mesh.end(), of_polyhedron.begin(), of_polyhedron.end(),
-               [](double a, double b) { return a - b <= 1e-15 * a && b - a <= 1e-15 * a; });
+  const std::vector<double> of_mesh = sorted_lengths(mesh), of_polyhedron = sorted_lengths(polyhedron);
+  const bool is_fine = std::equal(of_mesh.begin(), of_mesh.end(), of_polyhedron.begin(), of_polyhedron.end(),
+                                  [](double a, double b) { return a - b <= 1e-15 * a && b - a <= 1e-15 * a; });
   return is_fine ? EXIT_SUCCESS : EXIT_FAILURE;
 }

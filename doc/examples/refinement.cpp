@@ -7,7 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/angles.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
@@ -45,22 +45,21 @@ double area(const Triangulation& t)
 
 int main()
 {
-  const IT::Indexed_triangles dome = IT::bumpy_dome();
+  const samples::Indexed_triangles dome = samples::bumpy_dome();
   Triangulation t(IT::make_Delta_complex_from_triangles(dome.points.size(), dome.triangles), dome.points);
   const double area_before = area(t);
   std::cout << "smallest angle " << smallest_angle(t) << " degrees\n";
   IT::flip_to_Delaunay(t);
   std::cout << "after flips    " << smallest_angle(t) << '\n';
 
-  IT::Refinement_criteria criteria;
-  criteria.minimum_angle = 25;
-  const IT::Refinement_report report = IT::refine_Delaunay(t, criteria);
+  const IT::Refinement_report report = IT::refine_Delaunay(t, CGAL::parameters::minimum_angle(25));
   std::cout << "refined        " << smallest_angle(t) << ", with " << report.insertions << " vertices in faces and "
             << report.segment_splits << " on the border\n";
-  const bool is_refined = report.status == IT::Refinement_status::REFINED && report.unrefined.empty() && smallest_angle(t) >= 25;
+  const bool is_refined =
+    report.status == IT::Refinement_status::REFINED && report.unrefined.empty() && smallest_angle(t) >= 25;
 
   // In the middle of face 0 of the input. The coordinates need not sum to 1.
-  const IT::Delta_complex& input = t.exact_geometry().correspondence().input();
+  const IT::Delta_complex& input = t.input();
   const IT::Vertex_index v = IT::insert_vertex(t, {input.halfedge(IT::Face_index(0)), {1, 1, 1}});
   std::cout << "vertex " << v.idx() << " sees " << IT::cone_angle(t, v) / CGAL_PI << " pi around it\n";
 

@@ -10,8 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/overlay_surface_mesh.h>
-#include <CGAL/Intrinsic_triangulations/parameterization_quality.h>
+#include <CGAL/Intrinsic_triangulations/surface_mesh_adaptors.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -29,7 +28,7 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 int main(int argc, char* argv[])
 {
-  const IT::Indexed_triangles sample = IT::disk_with_spike();
+  const samples::Indexed_triangles sample = samples::disk_with_spike();
   Mesh mesh;
   for (const auto& p : sample.points)
     mesh.add_vertex({p[0], p[1], p[2]});
@@ -47,8 +46,7 @@ int main(int argc, char* argv[])
   Mesh overlay = IT::overlay_to_surface_mesh(IT::Common_subdivision(idt), mesh);
   IT::triangulate_overlay_faces(overlay);
   // The map is there already: that, and no new one, is returned.
-  const auto place =
-    overlay.add_property_map<Mesh::Halfedge_index, IT::Surface_point>("h:intrinsic_point").first;
+  const auto place = overlay.add_property_map<Mesh::Halfedge_index, IT::Surface_point>("h:intrinsic_point").first;
   std::ostringstream obj;
   obj.precision(17);
   for (auto v : overlay.vertices())
@@ -58,8 +56,8 @@ int main(int argc, char* argv[])
     std::ostringstream face;
     std::vector<std::array<double, 2>> image;
     for (auto h : overlay.halfedges_around_face(overlay.halfedge(f))) {
-      image.push_back({IT::interpolate(idt.connectivity(), us, place[h]),
-                       IT::interpolate(idt.connectivity(), vs, place[h])});
+      image.push_back(
+        {IT::interpolate(idt.connectivity(), us, place[h]), IT::interpolate(idt.connectivity(), vs, place[h])});
       obj << "vt " << (1 + image.back()[0]) / 2 << ' ' << (1 + image.back()[1]) / 2 << '\n';
       face << ' ' << overlay.target(h).idx() + 1 << '/' << ++corners;
     }
@@ -71,8 +69,7 @@ int main(int argc, char* argv[])
   if (argc > 1) // Blender and MeshLab open it; any picture will do as texture
     std::ofstream(argv[1]) << obj.str();
 
-  std::cout << overlay.number_of_faces() << " textured triangles, " << turned_over
-            << " turned over\n";
+  std::cout << overlay.number_of_faces() << " textured triangles, " << turned_over << " turned over\n";
   const bool is_fine = turned_over == 0 && mesh.number_of_faces() < overlay.number_of_faces() &&
                        IT::check_parameterization(idt.connectivity(), uv).is_locally_injective();
   return is_fine ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -6,6 +6,7 @@
 
 #include "samples/sample_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/surface_mesh_adaptors.h>
 
@@ -24,7 +25,7 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 int main()
 {
   // A sample, so that no file is needed; CGAL::IO::read_polygon_mesh() reads one.
-  const IT::Indexed_triangles sample = IT::bumpy_sphere();
+  const samples::Indexed_triangles sample = samples::bumpy_sphere();
   Mesh mesh;
   for (const auto& p : sample.points)
     mesh.add_vertex(Kernel::Point_3(p[0], p[1], p[2]));
@@ -33,15 +34,13 @@ int main()
 
   const auto [idt, report] = IT::intrinsic_Delaunay_triangulation(mesh);
 
-  std::cout << "vertices " << mesh.number_of_vertices() << ", edges " << mesh.number_of_edges()
-            << ", flips " << report.flips << '\n';
+  std::cout << "vertices " << mesh.number_of_vertices() << ", edges " << mesh.number_of_edges() << ", flips "
+            << report.flips << '\n';
 
   // An edge keeps its number: it is the edge of the mesh, or what flips have made of that.
-  double longest = 0, smallest_weight = 1;
-  for (IT::Edge_index e : idt.connectivity().edges()) {
-    longest = (std::max)(longest, idt.length(e));
-    smallest_weight = (std::min)(smallest_weight, idt.cotangent_weight(e));
-  }
+  const IT::Element_numbers numbers = IT::element_numbers(idt);
+  const double longest = *std::max_element(numbers.lengths.begin(), numbers.lengths.end()),
+               smallest_weight = *std::min_element(numbers.cotangent_weights.begin(), numbers.cotangent_weights.end());
   std::cout << "longest edge " << longest << ", smallest weight " << smallest_weight << '\n';
 
   // Connectivity and lengths as a Surface_mesh, for algorithms that work on one.

@@ -7,9 +7,9 @@
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
-#include <CGAL/Intrinsic_triangulations/angles.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/overlay_surface_mesh.h>
+#include <CGAL/Intrinsic_triangulations/surface_mesh_adaptors.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -111,11 +111,13 @@ int main(int argc, char** argv)
   // 2. The intrinsic Delaunay triangulation of the same surface, with the same vertices.
   auto [t, report] = IT::intrinsic_Delaunay_triangulation(mesh);
   const double error_of_Delaunay = largest_error(t, wave_of_mesh);
-  std::cout << report.flips << " flips: smallest angle " << smallest_angle(t) << " degrees, error " << error_of_Delaunay << '\n';
+  std::cout << report.flips << " flips: smallest angle " << smallest_angle(t) << " degrees, error " << error_of_Delaunay
+            << '\n';
 
   // 3. New vertices on the same surface, until no angle is below 25 degrees.
   const IT::Refinement_report refinement = IT::refine_Delaunay(t);
-  std::cout << refinement.insertions + refinement.segment_splits << " new vertices: smallest angle " << smallest_angle(t) << " degrees\n";
+  std::cout << refinement.insertions + refinement.segment_splits << " new vertices: smallest angle "
+            << smallest_angle(t) << " degrees\n";
 
   // 4. The equation on the refined triangulation. New vertices come after those of the mesh.
   const IT::Common_subdivision subdivision(t);
@@ -144,7 +146,7 @@ int main(int argc, char** argv)
   }
   std::cout << "the overlay has " << overlay.number_of_faces() << " faces\n";
 
-  const bool is_fine = refinement.status == IT::Refinement_status::REFINED && smallest_angle(t) >= 25 && error_of_Delaunay < error_as_given &&
-                       error_of_refined < error_of_Delaunay;
+  const bool is_fine = refinement.status == IT::Refinement_status::REFINED && smallest_angle(t) >= 25 &&
+                       error_of_Delaunay < error_as_given && error_of_refined < error_of_Delaunay;
   return is_fine ? EXIT_SUCCESS : EXIT_FAILURE;
 }

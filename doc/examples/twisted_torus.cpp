@@ -3,7 +3,7 @@
 //
 // A flat torus that is sheared so far that Delaunay flips, one by one, would take years.
 
-#include <CGAL/Intrinsic_triangulations/fast_forward.h>
+#include <CGAL/Intrinsic_triangulations/untwist.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <array>
@@ -24,15 +24,19 @@ int main()
   torus.complex = IT::make_Delta_complex_from_gluing(2, glued_sides);
   torus.squared_lengths = {1, n * n + 1, (n + 1) * (n + 1) + 1};
 
-  const auto [idt, report, untwisting] = IT::intrinsic_Delaunay_triangulation(torus, CGAL::parameters::fast_forward(true));
+  const auto [idt, report, untwisting] =
+    IT::intrinsic_Delaunay_triangulation(torus, CGAL::parameters::fast_forward(true));
 
   // It is the square torus: each of the two sides of the square, and one of its diagonals.
-  std::cout << untwisting.number_of_flips << " flips in " << untwisting.twists.size() << " twist, " << report.flips << " after it\n";
+  std::cout << untwisting.number_of_flips << " flips in " << untwisting.twists.size() << " twist, " << report.flips
+            << " after it\n";
   double sum = 0;
   for (IT::Edge_index e : idt.connectivity().edges()) {
-    std::cout << "length " << idt.length(e) << ", crosses " << untwisting.crossings.number_of_crossings(e) << " edges of the input\n";
+    std::cout << "length " << idt.length(e) << ", crosses " << untwisting.crossings.number_of_crossings(e)
+              << " edges of the input\n";
     sum += idt.length(e) * idt.length(e);
   }
-  const bool is_fine = report.status == IT::Flip_status::DELAUNAY && untwisting.number_of_flips >= n - 1 && sum > 3.999 && sum < 4.001;
+  const bool is_fine =
+    report.status == IT::Flip_status::DELAUNAY && untwisting.number_of_flips >= n - 1 && sum > 3.999 && sum < 4.001;
   return is_fine ? EXIT_SUCCESS : EXIT_FAILURE;
 }

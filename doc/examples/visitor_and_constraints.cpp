@@ -8,8 +8,10 @@
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -22,14 +24,14 @@
 namespace IT = CGAL::Intrinsic_triangulations;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 
-// A model of IntrinsicFlipVisitor.
+// A model of IntrinsicTriangulationVisitor.
 struct Counter
 {
   std::uint64_t limit;
   std::uint64_t flips = 0;
   bool has_flipped_constrained = false;
 
-  bool go_further(std::uint64_t /* tests */, std::uint64_t) { return flips < limit; }
+  bool go_further(const IT::Progress&) { return flips < limit; }
   void after_flip(IT::Edge_index e)
   {
     ++flips;
@@ -39,18 +41,24 @@ struct Counter
 
 int main()
 {
-  const IT::Indexed_triangles sample = IT::sheared_grid();
-  Triangulation triangulation(
-    IT::make_Delta_complex_from_triangles(sample.points.size(), sample.triangles), sample.points);
+  const samples::Indexed_triangles sample = samples::sheared_grid();
+  Triangulation triangulation(IT::make_Delta_complex_from_triangles(sample.points.size(), sample.triangles),
+                              sample.points);
 
   // Every tenth edge stays. Any readable property map on Edge_index will do.
-  const auto is_constrained = boost::make_function_property_map<IT::Edge_index>(
-    [](IT::Edge_index e) { return e.idx() % 10 == 0; });
+  const auto is_constrained =
+    boost::make_function_property_map<IT::Edge_index>([](IT::Edge_index e) { return e.idx() % 10 == 0; });
 
   Counter visitor{100}; // by reference, or the algorithm would count in a copy
   const auto np = CGAL::parameters::edge_is_constrained_map(is_constrained).visitor(std::ref(visitor));
-  const IT::Flip_report first = IT::flip_to_Delaunay(triangulation, np);
-  std::cout << "stopped after " << first.flips << " flips\n";
+  bool is_cancelled = false;
+  try {
+    IT::flip_to_Delaunay(triangulation, np);
+  } catch (const IT::Cancelled_error&) {
+    is_cancelled = true;
+  }
+  std::cout << "stopped after " << visitor.flips << " flips\n";
+  const bool is_stopped = is_cancelled && visitor.flips == 100;
 
   visitor.limit = UINT64_MAX; // a triangulation is valid whenever a run ends
   const IT::Flip_report second = IT::flip_to_Delaunay(triangulation, np);
@@ -65,7 +73,6 @@ int main()
     }
   std::cout << not_Delaunay << " edges are not Delaunay, all of them constrained\n";
 
-  const bool is_fine = first.status == IT::Flip_status::CANCELLED && first.flips == 100 &&
-                       second.status == IT::Flip_status::DELAUNAY && !visitor.has_flipped_constrained;
+  const bool is_fine = is_stopped && second.status == IT::Flip_status::DELAUNAY && !visitor.has_flipped_constrained;
   return is_fine ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -6,7 +6,7 @@
 #include "system/Interruption.h"
 #include "system/Stopwatch.h"
 #include "system/child_process.h"
-#include "kernels/Kernel.h"
+#include "number_types/run.h"
 #include "input/repair.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
@@ -39,8 +39,6 @@ const char* status_text(IT::Flip_status status)
     return "undecided";
   case IT::Flip_status::BUDGET_EXHAUSTED:
     return "flip budget";
-  case IT::Flip_status::CANCELLED:
-    return "time limit";
   }
   return "";
 }
@@ -68,10 +66,8 @@ std::vector<Geodesic> sorted_geodesics(const Outcome& outcome, const Predicate& 
     if (!is_wanted(e))
       continue;
     const IT::Halfedge_index h = outcome.connectivity.halfedge(e);
-    const std::uint32_t v = outcome.connectivity.source(h).idx(),
-                        w = outcome.connectivity.target(h).idx();
-    result.push_back({(std::min)(v, w), (std::max)(v, w), outcome.crossings[e.idx()],
-                      outcome.exact_lengths[e.idx()]});
+    const std::uint32_t v = outcome.connectivity.source(h).idx(), w = outcome.connectivity.target(h).idx();
+    result.push_back({(std::min)(v, w), (std::max)(v, w), outcome.crossings[e.idx()], outcome.exact_lengths[e.idx()]});
   }
   std::sort(result.begin(), result.end());
   return result;
@@ -80,9 +76,8 @@ std::vector<Geodesic> sorted_geodesics(const Outcome& outcome, const Predicate& 
 // The interior edges that each Delaunay triangulation of the surface has.
 std::vector<Geodesic> necessary_edges(const Outcome& exact)
 {
-  return sorted_geodesics(exact, [&](IT::Edge_index e) {
-    return !exact.connectivity.is_border(e) && !exact.is_tie[e.idx()];
-  });
+  return sorted_geodesics(exact,
+                          [&](IT::Edge_index e) { return !exact.connectivity.is_border(e) && !exact.is_tie[e.idx()]; });
 }
 
 // Both lengths are exact but for the last digits.
@@ -93,12 +88,10 @@ std::uint64_t count_missing(const std::vector<Geodesic>& necessary, const Outcom
   auto candidate = found.begin();
   for (const Geodesic& edge : necessary) {
     const double tolerance = 1e-12 * edge.length;
-    while (candidate != found.end() &&
-           (candidate->key() < edge.key() ||
-            (candidate->key() == edge.key() && candidate->length < edge.length - tolerance)))
+    while (candidate != found.end() && (candidate->key() < edge.key() || (candidate->key() == edge.key() &&
+                                                                          candidate->length < edge.length - tolerance)))
       ++candidate;
-    if (candidate != found.end() && candidate->key() == edge.key() &&
-        candidate->length <= edge.length + tolerance)
+    if (candidate != found.end() && candidate->key() == edge.key() && candidate->length <= edge.length + tolerance)
       ++candidate;
     else
       ++missing;
@@ -112,15 +105,14 @@ double largest_length_error(const Outcome& outcome)
   for (std::size_t e = 0; e < outcome.numbers.lengths.size(); ++e)
     if (outcome.exact_lengths[e] > 0) {
       const double error = std::abs(outcome.numbers.lengths[e] / outcome.exact_lengths[e] - 1);
-      result = (std::max)(result, std::isfinite(error) ? error
-                                                       : (std::numeric_limits<double>::max)());
+      result = (std::max)(result, std::isfinite(error) ? error : (std::numeric_limits<double>::max)());
     }
   return result;
 }
 
-Kernel_options kernel_options(const Compared_type& type, const Requested_results& wanted)
+Run_options make_run_options(const Compared_type& type, const Requested_results& wanted)
 {
-  Kernel_options options;
+  Run_options options;
   options.number_type = type.number_type;
   if (type.precision)
     options.precision = *type.precision;
@@ -132,9 +124,8 @@ class Surface_comparer
 {
 public:
   Surface_comparer(const Surface& surface, const Comparison_options& options)
-    : surface_(surface), options_(options),
-      counts_wrong_decisions_(options.counts_wrong_decisions.value_or(
-        surface.connectivity.number_of_edges() < large_number_of_edges))
+    : surface_(surface), options_(options), counts_wrong_decisions_(options.counts_wrong_decisions.value_or(
+                                              surface.connectivity.number_of_edges() < large_number_of_edges))
   {}
 
   Surface_comparison run()
@@ -156,7 +147,7 @@ private:
     wanted.crossings = wanted.tessellation = wanted.exact_lengths = true;
     const auto goes_on = [](std::uint64_t, std::uint64_t) { return !is_interrupted(); };
     const Outcome exact =
-      idt::run({surface_, kernel_options({Number_type::FILTERED, {}}, wanted), goes_on, has_time_to_decide, {}});
+      idt::run({surface_, make_run_options({Number_type::FILTERED, {}}, wanted), goes_on, has_time_to_decide, {}});
     if (!exact.failure.empty())
       throw IT::Undecided_error(surface_.path + ": " + exact.failure);
     if (exact.report.status != IT::Flip_status::DELAUNAY)
@@ -175,7 +166,7 @@ private:
     const auto goes_on = [&](std::uint64_t, std::uint64_t) {
       return !is_interrupted() && stopwatch.seconds() < options_.time_limit;
     };
-    return idt::run({surface_, kernel_options(type, wanted), goes_on, has_time_to_decide, {}});
+    return idt::run({surface_, make_run_options(type, wanted), goes_on, has_time_to_decide, {}});
   }
 
   // In a process of its own, for a decision can take for ever with some number types, and
@@ -184,8 +175,8 @@ private:
   {
     Comparison_row row;
     row.type = type;
-    const Child_result child = run_in_child_process(
-      [&](const Say_function& say) { examine(type, say); }, options_.time_limit + 1);
+    const Child_result child =
+      run_in_child_process([&](const Say_function& say) { examine(type, say); }, options_.time_limit + 1);
     for (const std::string& line : child.lines)
       take_over(Json::parse(line), row);
     if (row.status.empty())
@@ -199,7 +190,7 @@ private:
     row.type = type;
     try {
       const Outcome outcome = flip(type, Requested_results::nothing());
-      row.status = status_text(outcome.report.status);
+      row.status = outcome.are_flips_cancelled ? "time limit" : status_text(outcome.report.status);
       row.flips = outcome.report.flips;
       row.tests = outcome.report.tests;
       row.seconds = outcome.build_seconds + outcome.flip_seconds;
@@ -269,8 +260,7 @@ private:
       for (std::size_t i = 0; i < times.size(); ++i) {
         const Comparison_row& row = result_.rows[i];
         const bool is_slow = row.type.number_type == Number_type::CORE ||
-                             row.type.number_type == Number_type::HALF_ANGLE_CORE ||
-                             spent[i] > options_.time_limit;
+                             row.type.number_type == Number_type::HALF_ANGLE_CORE || spent[i] > options_.time_limit;
         if (!row.has_ended() || is_slow)
           continue;
         const Outcome outcome = flip(row.type, Requested_results::nothing());
@@ -314,8 +304,7 @@ std::string title(const Compared_type& type)
 
 bool Comparison_row::has_ended() const
 {
-  return status == "done" || status == "not flippable" || status == "inconsistent" ||
-         status == "undecided";
+  return status == "done" || status == "not flippable" || status == "inconsistent" || status == "undecided";
 }
 
 bool Comparison_row::is_wrong() const

@@ -6,7 +6,7 @@
 #ifndef IDT_COMPARISON_H
 #define IDT_COMPARISON_H
 
-#include "kernels/Number_type.h"
+#include "number_types/Number_type.h"
 #include "input/Surface.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -68,7 +68,7 @@ struct Surface_comparison
   std::string path;
   Surface_counts counts; // of the exact result
   std::size_t ties = 0;
-  std::optional<std::vector<CGAL::Intrinsic_triangulations::Repair>> repairs; // if it was asked for
+  Repairs repairs; // if it was asked for
   std::vector<std::string> warnings;
   std::vector<Comparison_row> rows;
 };

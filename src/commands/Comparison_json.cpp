@@ -21,10 +21,7 @@ Json value(const std::optional<T>& x)
 }
 
 // JSON has no infinity.
-Json value(const std::optional<double>& x)
-{
-  return x && std::isfinite(*x) ? Json(*x) : Json(nullptr);
-}
+Json value(const std::optional<double>& x) { return x && std::isfinite(*x) ? Json(*x) : Json(nullptr); }
 
 } // namespace
 
@@ -50,14 +47,10 @@ Json to_json_value(const Surface_comparison& comparison)
   Json rows = Json::array();
   for (const Comparison_row& row : comparison.rows)
     rows.push_back(to_json_value(row));
-  return {{"surface", comparison.path},
-          {"vertices", comparison.counts.vertices},
-          {"edges", comparison.counts.edges},
-          {"faces", comparison.counts.faces},
-          {"ties", comparison.ties},
-          {"repair", to_json_value(comparison.repairs)},
-          {"warnings", comparison.warnings},
-          {"number_types", std::move(rows)}};
+  return {{"surface", comparison.path},       {"vertices", comparison.counts.vertices},
+          {"edges", comparison.counts.edges}, {"faces", comparison.counts.faces},
+          {"ties", comparison.ties},          {"repair", to_json_value(comparison.repairs)},
+          {"warnings", comparison.warnings},  {"number_types", std::move(rows)}};
 }
 
 Json to_json_value(const Comparison_total& total)

@@ -9,7 +9,8 @@
 #include "system/Interruption.h"
 #include "system/Progress.h"
 
-#include <CGAL/Intrinsic_triangulations/Index.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <cstdint>
 
@@ -19,12 +20,11 @@ namespace idt {
 struct Flip_watch
 {
   Progress& progress;
-  bool go_further(std::uint64_t tests, std::uint64_t flips)
+  bool go_further(const CGAL::Intrinsic_triangulations::Progress& done)
   {
-    progress.show_flips(tests, flips);
+    progress.show_flips(done.tests, done.flips);
     return !is_interrupted();
   }
-  void after_flip(CGAL::Intrinsic_triangulations::Edge_index) {}
 };
 
 } // namespace idt

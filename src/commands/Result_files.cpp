@@ -22,7 +22,8 @@ namespace idt {
 
 void Result_files::add_options(CLI::App& command, CLI::Option* repair)
 {
-  command.add_flag("--verbose", is_verbose, "report also how edges were decided, where the input lies in the result, and what took how long");
+  command.add_flag("--verbose", is_verbose,
+                   "report also how edges were decided, where the input lies in the result, and what took how long");
   command.add_option("--stats", stats, "write what the verbose report says as a JSON object")->type_name("F.json");
   command
     .add_option("--edges", edges,
@@ -34,9 +35,7 @@ void Result_files::add_options(CLI::App& command, CLI::Option* repair)
                 "write the Laplace-Beltrami operator as a Matrix Market file: positive "
                 "semidefinite, entries -(cot + cot)/2, natural boundary conditions")
     ->type_name("F.mtx");
-  command
-    .add_option("--mass", mass,
-                "write the lumped mass matrix: a third of the area around each vertex")
+  command.add_option("--mass", mass, "write the lumped mass matrix: a third of the area around each vertex")
     ->type_name("F.mtx");
   command
     .add_option("--crossings", crossings,
@@ -45,10 +44,13 @@ void Result_files::add_options(CLI::App& command, CLI::Option* repair)
     ->type_name("F.csv");
   CLI::Option* const overlay_option =
     command
-      .add_option("--overlay", overlay,
-                  "write the overlay of input and result as a mesh of polygons; with --overlay-triangles, also as F.stl or F.ts")
+      .add_option(
+        "--overlay", overlay,
+        "write the overlay of input and result as a mesh of polygons; with --overlay-triangles, also as F.stl or F.ts")
       ->type_name("F.(ply|off|obj|vtp)");
-  command.add_flag("--overlay-triangles", has_overlay_triangles, "cut the polygons of --overlay into triangles, for programs that take no others")
+  command
+    .add_flag("--overlay-triangles", has_overlay_triangles,
+              "cut the polygons of --overlay into triangles, for programs that take no others")
     ->needs(overlay_option);
   set_words(command.add_option("--overlay-format", overlay_format, "the format of --overlay -, on the standard output"),
             {"ply", "off", "obj", "vtp", "stl", "ts"})
@@ -70,18 +72,20 @@ void Result_files::check_paths(const std::vector<std::string>& inputs) const
     return;
   const std::optional<Mesh_format> format = format_of_overlay();
   if (!format || (!has_overlay_triangles && !holds_polygons(*format)))
-    throw Usage_error("--overlay: " + name_with_format(overlay, overlay_format) + " does not end in " + mesh_extensions(!has_overlay_triangles) +
-                      (format ? ": the overlay has faces with more than three corners, which --overlay-triangles cuts" : ""));
+    throw Usage_error(
+      "--overlay: " + name_with_format(overlay, overlay_format) + " does not end in " +
+      mesh_extensions(!has_overlay_triangles) +
+      (format ? ": the overlay has faces with more than three corners, which --overlay-triangles cuts" : ""));
 }
 
 void Result_files::check_surface(const Surface& surface) const
 {
   using CGAL::Intrinsic_triangulations::Invalid_surface_error;
   if (!overlay.empty() && !surface.has_points())
-    throw Invalid_surface_error(
-      Invalid_surface_error::Defect::UNREADABLE, 0, 1,
-      surface.path + ": --overlay needs a surface in space, and this one has edge lengths alone" +
-        (surface.mollification ? ", since --mollify has changed them" : ""));
+    throw Invalid_surface_error(Invalid_surface_error::Defect::UNREADABLE, 0, 1,
+                                surface.path +
+                                  ": --overlay needs a surface in space, and this one has edge lengths alone" +
+                                  (surface.mollification ? ", since --mollify has changed them" : ""));
 }
 
 void Result_files::add_to(Requested_results& wanted) const
@@ -109,7 +113,10 @@ void Result_files::write(Triangulation_result& result) const
   write_one("mass", mass, [&](std::ostream& os) { write_mass(os, result); });
   if (result.outcome.subdivision) {
     write_one("crossings", crossings, [&](std::ostream& os) { write_crossings(os, result); });
-    write_one("overlay", overlay, [&](std::ostream& os) { write_overlay(os, *result.outcome.subdivision, result.surface.points, *format_of_overlay(), has_overlay_triangles); });
+    write_one("overlay", overlay, [&](std::ostream& os) {
+      write_overlay(os, *result.outcome.subdivision, result.surface.points, *format_of_overlay(),
+                    has_overlay_triangles);
+    });
   }
   write_json(stats, statistics(result));
 }

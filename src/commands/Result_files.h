@@ -29,7 +29,10 @@ struct Result_files
   // Declares the options that all triangulations have. \param repair the option without which there is no repair map
   void add_options(CLI::App& command, CLI::Option* repair);
 
-  std::vector<std::string> paths() const { return {stats, edges, Laplacian, mass, crossings, overlay, points, repair_map, vertex_map}; }
+  std::vector<std::string> paths() const
+  {
+    return {stats, edges, Laplacian, mass, crossings, overlay, points, repair_map, vertex_map};
+  }
 
   // \exception Usage_error if a file would replace another, or an input, or has no format for an overlay
   void check_paths(const std::vector<std::string>& inputs) const;
@@ -44,7 +47,10 @@ struct Result_files
   void write(Triangulation_result& result) const;
 
 private:
-  std::optional<Mesh_format> format_of_overlay() const { return find_mesh_format(name_with_format(overlay, overlay_format)); }
+  std::optional<Mesh_format> format_of_overlay() const
+  {
+    return find_mesh_format(name_with_format(overlay, overlay_format));
+  }
 };
 
 } // namespace idt

@@ -47,11 +47,15 @@ Smallest_size::Smallest_size(const Surface& surface)
 
 double Smallest_size::largest() const { return std::ldexp(extent_, levels.back()); }
 
-bool Smallest_size::is_exceeded(const IT::Refinement_progress& progress) { return covers(progress.size) && ++number_ > maximum_; }
+bool Smallest_size::is_exceeded(const IT::Refinement_progress& progress)
+{
+  return covers(progress.size) && ++number_ > maximum_;
+}
 
 void Smallest_size::increase()
 {
-  size_ = std::ldexp(extent_, *std::find_if(levels.begin(), levels.end(), [this](int level) { return std::ldexp(extent_, level) > size_; }));
+  size_ = std::ldexp(extent_, *std::find_if(levels.begin(), levels.end(),
+                                            [this](int level) { return std::ldexp(extent_, level) > size_; }));
   number_ = 0;
 }
 
@@ -59,8 +63,8 @@ std::string Smallest_size::text() const
 {
   if (size_ == 0)
     return "0: no place needs one";
-  return in_short(size_) + ", chosen as 2^" + std::to_string(std::ilogb(size_ / extent_)) + " of the box: smaller sides need more than " +
-         with_separators(maximum_) + " new vertices";
+  return in_short(size_) + ", chosen as 2^" + std::to_string(std::ilogb(size_ / extent_)) +
+         " of the box: smaller sides need more than " + with_separators(maximum_) + " new vertices";
 }
 
 void Budget_warning::look(const IT::Refinement_progress& progress, const std::function<Short_side()>& where)
@@ -72,8 +76,8 @@ void Budget_warning::look(const IT::Refinement_progress& progress, const std::fu
     return;
   is_written_ = true;
   std::cerr << erased_progress() << "idt: " << path_ << ": after " << with_separators(progress.points)
-            << " new vertices, about " << with_separators(estimate_) << " more are needed at least, now for sides of " << idt::text(where())
-            << ": the budget of " << with_separators(budget_)
+            << " new vertices, about " << with_separators(estimate_) << " more are needed at least, now for sides of "
+            << idt::text(where()) << ": the budget of " << with_separators(budget_)
             << " will not suffice; try a larger --minimum-size, or a larger --maximum-points" << std::endl;
 }
 

@@ -7,7 +7,7 @@
 #define IDT_SMALLEST_SIZE_H
 
 #include "input/Surface.h"
-#include "kernels/Kernel.h"
+#include "number_types/run.h"
 
 #include <cstdint>
 #include <functional>
@@ -45,7 +45,8 @@ class Budget_warning
 {
 public:
   Budget_warning(std::string path, std::uint64_t budget) : path_(std::move(path)), budget_(budget) {}
-  void look(const CGAL::Intrinsic_triangulations::Refinement_progress& progress, const std::function<Short_side()>& where);
+  void look(const CGAL::Intrinsic_triangulations::Refinement_progress& progress,
+            const std::function<Short_side()>& where);
 
 private:
   std::string path_;

@@ -47,9 +47,8 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
     const bool is_beginning = word.size() > 2 && other.compare(0, word.size(), word) == 0;
     return is_beginning ? std::size_t(1) : edit_distance(word, other);
   };
-  const auto nearest = std::min_element(words.begin(), words.end(), [&](const std::string& a, const std::string& b) {
-    return distance(a) < distance(b);
-  });
+  const auto nearest = std::min_element(
+    words.begin(), words.end(), [&](const std::string& a, const std::string& b) { return distance(a) < distance(b); });
   if (nearest == words.end() || 3 * distance(*nearest) > word.size())
     return std::string();
   return "; did you mean " + *nearest + "?";
@@ -77,10 +76,7 @@ std::map<const CLI::Option*, std::vector<std::string>>& all_words()
   return words;
 }
 
-bool takes_value(const CLI::Option& option)
-{
-  return option.nonpositional() && option.get_items_expected_max() > 0;
-}
+bool takes_value(const CLI::Option& option) { return option.nonpositional() && option.get_items_expected_max() > 0; }
 
 } // namespace
 
@@ -113,7 +109,8 @@ void parse(CLI::App& app, int argc, const char* const* argv)
     if (unknown.empty())
       throw;
     const std::string word = unknown.front().substr(0, unknown.front().find('='));
-    throw CLI::ParseError(CLI::ExtrasError({unknown.front()}).what() + suggestion(word, possible_words(app, word[0] == '-')),
+    throw CLI::ParseError(CLI::ExtrasError({unknown.front()}).what() +
+                            suggestion(word, possible_words(app, word[0] == '-')),
                           CLI::ExitCodes::ExtrasError);
   };
   try {

@@ -25,9 +25,8 @@ using Json = nlohmann::ordered_json;
 struct Compare_options
 {
   std::vector<std::string> inputs;
-  std::vector<std::string> number_types = {
-    "half-angle-double", "float", "double", "long-double", "float128", "interval",
-    "mpfr", "core", "half-angle-core", "filtered"};
+  std::vector<std::string> number_types = {"half-angle-double", "float", "double", "long-double",     "float128",
+                                           "interval",          "mpfr",  "core",   "half-angle-core", "filtered"};
   std::vector<int> precisions = {64, 128, 256, 512};
   std::string json_path;
   bool counts_decisions = false;
@@ -55,40 +54,34 @@ std::string cell(const std::optional<T>& number)
   return number ? std::to_string(*number) : "-";
 }
 
-std::string cell(const std::optional<double>& number)
-{
-  return number ? in_short(*number) : "-";
-}
+std::string cell(const std::optional<double>& number) { return number ? in_short(*number) : "-"; }
 
 void write(std::ostream& os, const Surface_comparison& comparison)
 {
   os << comparison.path << '\n'
      << "  " << counted(comparison.counts.vertices, "vertex", "vertices") << ", "
-     << counted(comparison.counts.edges, "edge", "edges") << ", "
-     << counted(comparison.ties, "tie", "ties") << '\n';
-  std::vector<std::vector<std::string>> lines = {
-    {"  number type", "status", "flips", "tests", "wrong tests", "not Del.", "inverted", "missing",
-     "length error", "time [s]", "x double"}};
+     << counted(comparison.counts.edges, "edge", "edges") << ", " << counted(comparison.ties, "tie", "ties") << '\n';
+  std::vector<std::vector<std::string>> lines = {{"  number type", "status", "flips", "tests", "wrong tests",
+                                                  "not Del.", "inverted", "missing", "length error", "time [s]",
+                                                  "x double"}};
   for (const Comparison_row& row : comparison.rows)
-    lines.push_back({"  " + title(row.type), row.status, cell(row.flips), cell(row.tests),
-                     cell(row.wrong_decisions), cell(row.not_Delaunay), cell(row.inverted_faces),
-                     cell(row.missing_edges), cell(row.length_error), cell(row.seconds),
-                     cell(row.ratio_to_double)});
+    lines.push_back({"  " + title(row.type), row.status, cell(row.flips), cell(row.tests), cell(row.wrong_decisions),
+                     cell(row.not_Delaunay), cell(row.inverted_faces), cell(row.missing_edges), cell(row.length_error),
+                     cell(row.seconds), cell(row.ratio_to_double)});
   write_aligned(os, lines);
 }
 
 void write(std::ostream& os, const std::vector<Comparison_total>& totals)
 {
-  std::vector<std::vector<std::string>> lines = {
-    {"  number type", "surfaces", "refused", "not ended", "wrong", "unnoticed", "wrong tests",
-     "not Del.", "inverted", "missing", "length error", "x double"}};
+  std::vector<std::vector<std::string>> lines = {{"  number type", "surfaces", "refused", "not ended", "wrong",
+                                                  "unnoticed", "wrong tests", "not Del.", "inverted", "missing",
+                                                  "length error", "x double"}};
   for (const Comparison_total& total : totals)
-    lines.push_back({"  " + title(total.type), std::to_string(total.surfaces),
-                     std::to_string(total.refused), std::to_string(total.not_ended),
-                     std::to_string(total.wrong), std::to_string(total.unnoticed),
-                     std::to_string(total.wrong_decisions), std::to_string(total.not_Delaunay), std::to_string(total.inverted_faces),
-                     std::to_string(total.missing_edges), cell(total.length_error),
-                     cell(total.ratio_to_double)});
+    lines.push_back({"  " + title(total.type), std::to_string(total.surfaces), std::to_string(total.refused),
+                     std::to_string(total.not_ended), std::to_string(total.wrong), std::to_string(total.unnoticed),
+                     std::to_string(total.wrong_decisions), std::to_string(total.not_Delaunay),
+                     std::to_string(total.inverted_faces), std::to_string(total.missing_edges),
+                     cell(total.length_error), cell(total.ratio_to_double)});
   os << "all together\n";
   write_aligned(os, lines);
 }
@@ -157,8 +150,7 @@ const char* const columns_help =
 void add_compare_command(CLI::App& app, Selected_command& selected)
 {
   const auto options = std::make_shared<Compare_options>();
-  CLI::App& command =
-    *app.add_subcommand("compare", "Compare number types: errors, failures and time");
+  CLI::App& command = *app.add_subcommand("compare", "Compare number types: errors, failures and time");
   command.footer(columns_help);
   command.add_option("INPUT", options->inputs, "as for `idt triangulate`")->required();
   set_words(command.add_option("--number-types", options->number_types,
@@ -181,22 +173,17 @@ void add_compare_command(CLI::App& app, Selected_command& selected)
     ->type_name("S")
     ->capture_default_str();
   command
-    .add_option("--repetitions", options->comparison.repetitions,
-                "runs at least, of which the time is the median")
+    .add_option("--repetitions", options->comparison.repetitions, "runs at least, of which the time is the median")
     ->type_name("N")
     ->check(CLI::Range(1, 1000))
     ->capture_default_str();
   add_repair_option(command, options->comparison.is_repaired);
-  CLI::Option* const count = command.add_flag("--count-decisions", options->counts_decisions,
-                                              "count wrong tests for large surfaces too");
-  command
-    .add_flag("--no-count-decisions", options->leaves_decisions,
-              "do not count wrong tests, whatever the size")
+  CLI::Option* const count =
+    command.add_flag("--count-decisions", options->counts_decisions, "count wrong tests for large surfaces too");
+  command.add_flag("--no-count-decisions", options->leaves_decisions, "do not count wrong tests, whatever the size")
     ->excludes(count);
-  command.add_option("--json", options->json_path, "write the tables as a JSON object")
-    ->type_name("F.json");
-  command.callback(
-    [options, &selected] { selected = [options] { return run_compare(*options); }; });
+  command.add_option("--json", options->json_path, "write the tables as a JSON object")->type_name("F.json");
+  command.callback([options, &selected] { selected = [options] { return run_compare(*options); }; });
 }
 
 } // namespace idt

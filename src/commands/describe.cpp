@@ -22,9 +22,8 @@ Apps subcommands(const CLI::App& app)
 
 Options options(const CLI::App& app, bool are_positional)
 {
-  return app.get_options([are_positional](const CLI::Option* option) {
-    return option->nonpositional() != are_positional;
-  });
+  return app.get_options(
+    [are_positional](const CLI::Option* option) { return option->nonpositional() != are_positional; });
 }
 
 // Text that roff shows as it is: a hyphen is a minus sign, and no line begins a request.
@@ -55,8 +54,7 @@ std::string type_name(const CLI::Option& option)
 void write_literally(std::ostream& os, const std::string& text)
 {
   if (!text.empty())
-    os << ".PP\n.nf\n"
-       << escaped(text) << (text.back() == '\n' ? "" : "\n") << ".fi\n";
+    os << ".PP\n.nf\n" << escaped(text) << (text.back() == '\n' ? "" : "\n") << ".fi\n";
 }
 
 void write_manual_page(std::ostream& os, const CLI::App& app)
@@ -66,26 +64,22 @@ void write_manual_page(std::ostream& os, const CLI::App& app)
   for (const CLI::App* command : subcommands(app)) {
     os << ".B idt " << command->get_name() << "\n[\\fIOPTION\\fR]...";
     for (const CLI::Option* option : options(*command, true))
-      os << " \\fI" << escaped(option->get_name(true)) << "\\fR"
-         << (option->get_items_expected_max() > 1 ? "..." : "");
+      os << " \\fI" << escaped(option->get_name(true)) << "\\fR" << (option->get_items_expected_max() > 1 ? "..." : "");
     os << "\n.br\n";
   }
   os << ".SH COMMANDS\n";
   for (const CLI::App* command : subcommands(app)) {
-    os << ".SS idt " << command->get_name() << '\n'
-       << escaped(command->get_description()) << ".\n";
+    os << ".SS idt " << command->get_name() << '\n' << escaped(command->get_description()) << ".\n";
     for (const bool are_positional : {true, false})
       for (const CLI::Option* option : options(*command, are_positional)) {
         os << ".TP\n\\fB" << escaped(option->get_name(are_positional, !are_positional)) << "\\fR";
         if (!are_positional && option->get_items_expected_max() > 0)
           os << " \\fI" << escaped(type_name(*option)) << "\\fR";
-        os << '\n'
-           << escaped(option->get_description()) << '\n';
+        os << '\n' << escaped(option->get_description()) << '\n';
       }
     write_literally(os, command->get_footer());
   }
-  os << ".SH EXIT STATUS\n"
-     << escaped(app.get_footer());
+  os << ".SH EXIT STATUS\n" << escaped(app.get_footer());
 }
 
 std::string joined(const std::vector<std::string>& words)
@@ -123,7 +117,8 @@ void write_bash_completion(std::ostream& os, const CLI::App& app)
     for (const CLI::Option* option : command->get_options())
       if (const std::string values = joined(words_of(*option)); !values.empty())
         os << "      \"" << command->get_name() << ' '
-           << (option->nonpositional() ? "--" + option->get_lnames().front() : command->get_name()) << "\") words=\"" << values << "\" ;;\n";
+           << (option->nonpositional() ? "--" + option->get_lnames().front() : command->get_name()) << "\") words=\""
+           << values << "\" ;;\n";
   os << "    esac\n  fi\n"
      << "  mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$word\")\n}\n"
      << "complete -o default -F _idt idt\n";

@@ -10,7 +10,7 @@
 #include "input/Triangle_soup.h"
 #include "input/gluing_file.h"
 #include "input/mesh_file.h"
-#include "kernels/make_triangulation.h"
+#include "number_types/make_triangulation.h"
 #include "output/Output_file.h"
 #include "output/write_distances.h"
 #include "output/write_json.h"
@@ -22,14 +22,14 @@
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Heat_method.h>
+#include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/Vector_heat_method.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
-#include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
-#include <CGAL/Intrinsic_triangulations/vertex_frames.h>
 
 #include <nlohmann/json.hpp>
 
@@ -123,7 +123,8 @@ void check(const Distance_options& options)
     throw Usage_error("--overlay needs --cover none: the tufted cover is no triangulation of the input");
   const std::optional<Mesh_format> overlay_format = options.overlay_format();
   if (!options.overlay_path.empty() && overlay_format != Mesh_format::PLY && overlay_format != Mesh_format::VTP)
-    throw Usage_error(options.overlay_path + ": the overlay with distances is written as a file whose name ends in .ply or .vtp");
+    throw Usage_error(options.overlay_path +
+                      ": the overlay with distances is written as a file whose name ends in .ply or .vtp");
   if (options.has_vectors && options.output_path.empty())
     throw Usage_error("--vectors needs -o, the file that they are written to");
   if (options.time_coefficient && !(*options.time_coefficient > 0 && std::isfinite(*options.time_coefficient)))
@@ -135,38 +136,28 @@ void check(const Distance_options& options)
   check_output_paths({path, options.overlay_path, options.stats_path}, {options.input});
 }
 
-IT::Heat_method_options library_options(const Distance_options& options)
+auto library_options(const Distance_options& options)
 {
-  const std::map<std::string, IT::Heat_boundary> boundaries = {{"neumann", IT::Heat_boundary::NEUMANN},
+  const std::map<std::string, IT::Heat_boundary> boundaries = {{"", IT::Heat_boundary::NEUMANN},
+                                                               {"neumann", IT::Heat_boundary::NEUMANN},
                                                                {"dirichlet", IT::Heat_boundary::DIRICHLET},
                                                                {"average", IT::Heat_boundary::AVERAGED}};
-  IT::Heat_method_options result;
-  if (!options.boundary.empty())
-    result.boundary = boundaries.at(options.boundary);
-  if (options.time_coefficient)
-    result.time_coefficient = *options.time_coefficient;
-  result.go_further = [] { return !is_interrupted(); };
-  return result;
+  return CGAL::parameters::heat_boundary(boundaries.at(options.boundary))
+    .time_coefficient(options.time_coefficient.value_or(1))
+    .visitor([] { return !is_interrupted(); });
 }
 
-struct Refinement_watch : IT::Default_refinement_visitor
+struct Refinement_watch
 {
-  explicit Refinement_watch(Progress& progress) : progress(progress) {}
-  bool go_further(std::uint64_t points, std::uint64_t)
+  bool go_further(const IT::Progress& done)
   {
-    progress.show_points(points, refinement.waiting_faces, refinement.size);
+    progress.show_points(done.insertions, refinement.waiting_faces, refinement.size);
     return !is_interrupted();
   }
   void before_step(const IT::Refinement_progress& step) { refinement = step; }
   Progress& progress;
-  IT::Refinement_progress refinement;
+  IT::Refinement_progress refinement = {};
 };
-
-void require(bool is_finished)
-{
-  if (!is_finished)
-    throw IT::Cancelled_error("the triangulation was cancelled");
-}
 
 void set_number_of_vertices(const Distance_options& options, std::size_t n, Distance_result& result)
 {
@@ -194,14 +185,16 @@ std::array<double, 2> compare(const std::vector<double>& distances, const std::v
 
 // \param surface a triangulation, or a tufted cover
 template <class Any_surface>
-void find_distances(const Distance_options& options, const Any_surface& surface, Progress& progress, Distance_result& result)
+void find_distances(const Distance_options& options, const Any_surface& surface, Progress& progress,
+                    Distance_result& result)
 {
   const std::size_t n = result.surface.number_of_vertices;
   std::vector<IT::Vertex_index> sources;
   for (std::uint64_t v : options.sources)
     sources.push_back(IT::Vertex_index(IT::Vertex_index::size_type(v)));
-  IT::Geodesic_distance_options geodesic_options;
-  geodesic_options.go_further = [] { return !is_interrupted(); };
+  const auto geodesic_options = [](double tolerance) {
+    return CGAL::parameters::tolerance(tolerance).visitor([] { return !is_interrupted(); });
+  };
   if (options.is_by_heat()) {
     progress.begin("building and factoring the matrix of the heat");
     IT::Heat_method<> heat(surface, library_options(options));
@@ -213,16 +206,14 @@ void find_distances(const Distance_options& options, const Any_surface& surface,
     result.number_of_bounded_distances = heat.number_of_bounded_distances();
   } else {
     progress.begin("following straight ways");
-    if (options.method == "exact")
-      geodesic_options.tolerance = 0;
-    IT::Geodesic_distances found = IT::geodesic_distances(surface, sources, geodesic_options);
+    IT::Geodesic_distances found =
+      IT::geodesic_distances(surface, sources, geodesic_options(options.method == "exact" ? 0 : 0.001));
     result.is_complete = found.is_complete;
     result.surface.distances = std::move(found.distances);
   }
   if (options.is_compared) {
     progress.begin("following all straight ways");
-    geodesic_options.tolerance = 0;
-    const IT::Geodesic_distances exact = IT::geodesic_distances(surface, sources, geodesic_options);
+    const IT::Geodesic_distances exact = IT::geodesic_distances(surface, sources, geodesic_options(0));
     result.is_complete = result.is_complete && exact.is_complete;
     result.errors = compare(result.surface.distances, exact.distances);
   }
@@ -232,11 +223,11 @@ void find_distances(const Distance_options& options, const Any_surface& surface,
 }
 
 // The first axis of the tangent plane of each source, carried to the vertices that are nearest to it; and for one source the logarithmic map.
-void find_vectors(const Distance_options& options, const Triangulation& triangulation, const std::vector<std::array<double, 3>>& points,
-                  Distance_result& result)
+void find_vectors(const Distance_options& options, const Triangulation& triangulation,
+                  const std::vector<std::array<double, 3>>& points, Distance_result& result)
 {
   const std::size_t n = result.surface.number_of_vertices;
-  const IT::Vector_heat_method heat(triangulation, std::nullopt, [] { return !is_interrupted(); });
+  const IT::Vector_heat_method heat(triangulation, CGAL::parameters::visitor([] { return !is_interrupted(); }));
   std::vector<std::pair<IT::Vertex_index, IT::Planar_vector<double>>> axes;
   for (std::uint64_t v : std::set<std::uint64_t>(options.sources.begin(), options.sources.end()))
     axes.push_back({IT::Vertex_index(IT::Vertex_index::size_type(v)), {1, 0}});
@@ -245,7 +236,8 @@ void find_vectors(const Distance_options& options, const Triangulation& triangul
   const auto frames = points.empty() ? std::vector<IT::Vertex_frame>() : IT::vertex_frames(triangulation, points);
   for (std::size_t v = 0; v < n; ++v) {
     const IT::Planar_vector<double>& z = transported[v];
-    const std::array<double, 3> vector = points.empty() ? std::array<double, 3>{z.x(), z.y(), 0} : frames[v].in_space(z);
+    const std::array<double, 3> vector =
+      points.empty() ? std::array<double, 3>{z.x(), z.y(), 0} : frames[v].in_space(z);
     axis.values.insert(axis.values.end(), vector.begin(), vector.begin() + std::ptrdiff_t(axis.components));
   }
   result.surface.vectors.push_back(std::move(axis));
@@ -261,8 +253,8 @@ void find_vectors(const Distance_options& options, const Triangulation& triangul
 void find_on_cover(const Distance_options& options, IT::Tufted_cover cover, Progress& progress, Stopwatch& stopwatch,
                    Distance_result& result)
 {
-  const IT::Flip_report report = IT::flip_to_Delaunay(cover.triangulation, CGAL::parameters::visitor(Flip_watch{progress}));
-  require(report.status == IT::Flip_status::DELAUNAY);
+  const IT::Flip_report report =
+    IT::flip_to_Delaunay(cover.triangulation, CGAL::parameters::visitor(Flip_watch{progress}));
   result.flips = report.flips;
   result.triangulation_seconds = stopwatch.restart();
   find_distances(options, cover, progress, result);
@@ -308,15 +300,14 @@ void find_on_surface(const Distance_options& options, Distance_result& result)
   Progress progress(options.input, "triangulating");
   auto triangulation = make_triangulation<Triangulation::Traits>(surface);
   const IT::Flip_report report = IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(Flip_watch{progress}));
-  require(report.status == IT::Flip_status::DELAUNAY);
   result.flips = report.flips;
   if (options.is_refined) {
     triangulation.set_interruption([] { return !is_interrupted(); }); // a single decision can take long
     const IT::Refinement_report refinement =
-      IT::refine_Delaunay(triangulation, IT::Refinement_criteria(), CGAL::parameters::visitor(Refinement_watch(progress)));
-    require(refinement.status != IT::Refinement_status::CANCELLED);
+      IT::refine_Delaunay(triangulation, CGAL::parameters::visitor(Refinement_watch{progress}));
     result.flips += refinement.flips;
-    result.number_of_inserted_vertices = triangulation.connectivity().number_of_vertices() - complex.number_of_vertices();
+    result.number_of_inserted_vertices =
+      triangulation.connectivity().number_of_vertices() - complex.number_of_vertices();
   }
   result.triangulation_seconds = stopwatch.restart();
   if (!options.overlay_path.empty()) {
@@ -344,8 +335,9 @@ Json statistics(const Distance_options& options, const Distance_result& result)
                {"sources", options.sources},
                {"inserted", result.number_of_inserted_vertices},
                {"flips", result.flips},
-               {"method", options.is_by_heat() ? "heat" : options.method.empty() ? "approximate"
-                                                                                 : options.method},
+               {"method", options.is_by_heat()     ? "heat"
+                          : options.method.empty() ? "approximate"
+                                                   : options.method},
                {"largest_distance", result.largest_distance()},
                {"unreachable", result.number_of_unreachable_vertices()},
                {"is_complete", result.is_complete},
@@ -370,7 +362,8 @@ std::string accuracy(const Distance_options& options, const Distance_result& res
   if (!result.is_complete)
     return "some distances may be too large, up to those along edges: too many straight ways had to be followed";
   if (result.errors)
-    return "mean error " + in_short(100 * (*result.errors)[0]) + " %, largest " + in_short(100 * (*result.errors)[1]) + " %";
+    return "mean error " + in_short(100 * (*result.errors)[0]) + " %, largest " + in_short(100 * (*result.errors)[1]) +
+           " %";
   if (result.is_far_from_right())
     return "far from right: see the warning";
   if (options.is_by_heat())
@@ -383,8 +376,8 @@ void write_report(std::ostream& os, const Distance_options& options, const Dista
   os << options.input << "\n  input             " << counted(result.surface.number_of_vertices, "vertex", "vertices");
   if (result.number_of_inserted_vertices > 0)
     os << "\n  inserted          " << counted(result.number_of_inserted_vertices, "vertex", "vertices");
-  os << "\n  flips             " << with_separators(result.flips) << "\n  largest distance  " << in_short(result.largest_distance())
-     << "\n  accuracy          " << accuracy(options, result);
+  os << "\n  flips             " << with_separators(result.flips) << "\n  largest distance  "
+     << in_short(result.largest_distance()) << "\n  accuracy          " << accuracy(options, result);
   if (const std::size_t n = result.number_of_unreachable_vertices())
     os << "\n  unreachable       " << counted(n, "vertex", "vertices");
   os << "\n  time              " << seconds_text(result.triangulation_seconds + result.distance_seconds) << '\n';
@@ -401,11 +394,14 @@ Exit_status run_distance(const Distance_options& options)
       else
         find_on_surface(options, result);
     } catch (const IT::Numerical_error& error) {
-      throw IT::Numerical_error(error.what() + std::string(options.time_coefficient > 1 ? "; try a smaller --time" : ""));
+      throw IT::Numerical_error(error.what() +
+                                std::string(options.time_coefficient > 1 ? "; try a smaller --time" : ""));
     }
     if (result.is_far_from_right()) {
-      result.warnings.push_back("heat gave " + std::to_string(result.number_of_bounded_distances) + " of " + std::to_string(result.surface.number_of_vertices) +
-                                " distances which are shorter than straight lines or longer than paths along edges, by more than 5 %: others are far from right, "
+      result.warnings.push_back("heat gave " + std::to_string(result.number_of_bounded_distances) + " of " +
+                                std::to_string(result.surface.number_of_vertices) +
+                                " distances which are shorter than straight lines or longer than paths along edges, by "
+                                "more than 5 %: others are far from right, "
                                 "too; leave --method heat away");
       std::cerr << "idt: " << path << ": " << result.warnings.back() << std::endl;
     }
@@ -416,7 +412,8 @@ Exit_status run_distance(const Distance_options& options)
     if (result.surface.points.empty() && result.subdivision)
       throw Usage_error(options.overlay_path + ": " + path + " has lengths alone, no points");
     write_file(options.overlay_path, [&](std::ostream& os) {
-      write_overlay(os, *result.subdivision, result.surface.points, *options.overlay_format(), false, {result.overlay_distances});
+      write_overlay(os, *result.subdivision, result.surface.points, *options.overlay_format(), false,
+                    {result.overlay_distances});
     });
     write_file(output, [&](std::ostream& os) {
       if (type == ".csv")
@@ -439,10 +436,13 @@ void add_distance_command(CLI::App& app, Selected_command& selected)
 {
   const auto options = std::make_shared<Distance_options>();
   CLI::App& command = *app.add_subcommand("distance", "Find the distance of all vertices from some of them");
-  command.footer("Distances are the lengths of shortest paths on an intrinsic Delaunay triangulation, or those of the heat\n"
-                 "method. They are zero at the sources, and infinite where no source is connected. Vertices are counted from\n"
-                 "zero.\n");
-  command.add_option("INPUT", options->input, "a mesh, or a .gluing file of triangles with lengths; - is the standard input")->required();
+  command.footer(
+    "Distances are the lengths of shortest paths on an intrinsic Delaunay triangulation, or those of the heat\n"
+    "method. They are zero at the sources, and infinite where no source is connected. Vertices are counted from\n"
+    "zero.\n");
+  command
+    .add_option("INPUT", options->input, "a mesh, or a .gluing file of triangles with lengths; - is the standard input")
+    ->required();
   command.add_option("--source", options->sources, "the vertices with distance zero")
     ->type_name("V[,V...]")
     ->delimiter(',')
@@ -455,34 +455,45 @@ void add_distance_command(CLI::App& app, Selected_command& selected)
     ->type_name("F.(csv|ply|vtp)");
   command
     .add_option("--overlay", options->overlay_path,
-                "write the overlay of input and triangulation, as `idt triangulate` does, with the distance at each of its vertices")
+                "write the overlay of input and triangulation, as `idt triangulate` does, with the distance at each of "
+                "its vertices")
     ->type_name("F.(ply|vtp)");
-  set_words(command.add_option("--format", options->format, "the format of -o -, or --overlay -, on the standard output"), {"csv", "ply", "vtp"})
+  set_words(
+    command.add_option("--format", options->format, "the format of -o -, or --overlay -, on the standard output"),
+    {"csv", "ply", "vtp"})
     ->type_name("EXT")
     ->capture_default_str();
-  set_words(command.add_option("--cover", options->cover,
-                               "tufted: on a closed surface over any triangles; none: on the triangles themselves, which have to be an "
-                               "oriented surface"),
+  set_words(command.add_option(
+              "--cover", options->cover,
+              "tufted: on a closed surface over any triangles; none: on the triangles themselves, which have to be an "
+              "oriented surface"),
             {"tufted", "none"})
     ->capture_default_str();
-  set_words(command.add_option("--method", options->method,
-                               "approximate: straight ways are followed over the faces, those that are nearly the same together; exact: all of "
-                               "them; heat: by the spread of heat. approximate by default, and heat with --boundary or --time"),
-            {"approximate", "exact", "heat"});
-  command.add_flag("--compare-exact", options->is_compared, "report the mean and the largest error, against the exact distances");
+  set_words(
+    command.add_option(
+      "--method", options->method,
+      "approximate: straight ways are followed over the faces, those that are nearly the same together; exact: all of "
+      "them; heat: by the spread of heat. approximate by default, and heat with --boundary or --time"),
+    {"approximate", "exact", "heat"});
+  command.add_flag("--compare-exact", options->is_compared,
+                   "report the mean and the largest error, against the exact distances");
   set_words(command.add_option("--boundary", options->boundary,
-                               "what heat does at the border: neumann, none leaves, as by default; dirichlet, it is cold there; average, the mean "
+                               "what heat does at the border: neumann, none leaves, as by default; dirichlet, it is "
+                               "cold there; average, the mean "
                                "of both"),
             {"neumann", "dirichlet", "average"});
   command.add_flag("--refine", options->is_refined, "insert vertices first until no angle is below 25 degrees");
   command
     .add_option("--time", options->time_coefficient,
-                "for how long heat spreads, in units of the squared mean length of the edges: the larger, the smoother; 1 by default")
+                "for how long heat spreads, in units of the squared mean length of the edges: the larger, the "
+                "smoother; 1 by default")
     ->type_name("T");
   command.add_flag("--vectors", options->has_vectors,
-                   "also write the first axis of the source, carried parallelly to each vertex, and for one source its logarithmic map");
+                   "also write the first axis of the source, carried parallelly to each vertex, and for one source its "
+                   "logarithmic map");
   add_repair_option(command, options->is_repaired);
-  command.add_option("--stats", options->stats_path, "write what the report says as a JSON object")->type_name("F.json");
+  command.add_option("--stats", options->stats_path, "write what the report says as a JSON object")
+    ->type_name("F.json");
   command.callback([options, &selected] { selected = [options] { return run_distance(*options); }; });
 }
 

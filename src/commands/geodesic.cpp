@@ -8,7 +8,7 @@
 #include "input/Surface.h"
 #include "input/formats/vtp.h"
 #include "input/mesh_file.h"
-#include "kernels/make_triangulation.h"
+#include "number_types/make_triangulation.h"
 #include "output/Output_file.h"
 #include "output/write_json.h"
 #include "system/Interruption.h"
@@ -18,12 +18,9 @@
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
-#include <CGAL/Intrinsic_triangulations/cut_along_path.h>
+#include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
-#include <CGAL/Intrinsic_triangulations/geodesic_points.h>
-#include <CGAL/Intrinsic_triangulations/locate.h>
-#include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
@@ -62,7 +59,10 @@ struct Geodesic_options
   bool is_repaired = false;
 
   // What tells the format of the curve.
-  std::string extension() const { return std::filesystem::path(name_with_format(output_path, format)).extension().string(); }
+  std::string extension() const
+  {
+    return std::filesystem::path(name_with_format(output_path, format)).extension().string();
+  }
 };
 
 // A vertex, or a point in space.
@@ -112,10 +112,13 @@ void check(const Geodesic_options& options)
   if (options.direction && (!options.to.empty() || !options.via.empty() || options.is_closed))
     throw Usage_error("a line in a direction has no --to, --via or --closed");
   if (!options.direction && options.to.empty() && !options.is_closed)
-    throw Usage_error("a path needs --to, a closed one --via or --to with --closed, and a line --direction and --length");
+    throw Usage_error(
+      "a path needs --to, a closed one --via or --to with --closed, and a line --direction and --length");
   if (options.is_closed && options.via.size() + (options.to.empty() ? 0 : 1) < 2)
-    throw Usage_error("--closed needs two of --via and --to beside --from: the curve begins as the one through these vertices");
-  if (options.direction && (!std::isfinite(*options.direction) || !std::isfinite(*options.length) || *options.length < 0))
+    throw Usage_error(
+      "--closed needs two of --via and --to beside --from: the curve begins as the one through these vertices");
+  if (options.direction &&
+      (!std::isfinite(*options.direction) || !std::isfinite(*options.length) || *options.length < 0))
     throw Usage_error("--direction and --length have to be finite, and the length not negative");
   if (options.is_shortest && (options.direction || options.is_closed))
     throw Usage_error("--shortest is for paths: without --direction and --closed");
@@ -123,18 +126,17 @@ void check(const Geodesic_options& options)
     throw Usage_error("a line in a direction begins at a vertex: --from V");
   const std::optional<Mesh_format> cut_format = find_mesh_format(options.cut_path);
   if (!options.cut_path.empty() && (!cut_format || cut_format == Mesh_format::STL))
-    throw Usage_error(options.cut_path + ": the surface that is cut open is written as a file whose name ends in .off, .obj, .ply, .ts or .vtp");
+    throw Usage_error(
+      options.cut_path +
+      ": the surface that is cut open is written as a file whose name ends in .off, .obj, .ply, .ts or .vtp");
   const std::string type = options.extension();
   if (!options.output_path.empty() && type != ".obj" && type != ".csv" && type != ".ply" && type != ".vtp")
-    throw Usage_error(options.output_path + ": a curve is written as a file whose name ends in .obj, .csv, .ply or .vtp");
+    throw Usage_error(options.output_path +
+                      ": a curve is written as a file whose name ends in .obj, .csv, .ply or .vtp");
   check_output_paths({options.output_path, options.cut_path, options.stats_path}, {options.input});
 }
 
-struct Visitor
-{
-  bool go_further(std::uint64_t, std::uint64_t) { return !is_interrupted(); }
-  void after_flip(IT::Edge_index) {}
-};
+bool goes_on() { return !is_interrupted(); }
 
 std::string name(IT::Geodesic_status status)
 {
@@ -155,9 +157,10 @@ std::string name(IT::Geodesic_status status)
 
 IT::Vertex_index vertex(const Triangulation& triangulation, std::uint64_t number)
 {
-  const std::uint64_t n = triangulation.exact_geometry().correspondence().input().number_of_vertices();
+  const std::uint64_t n = triangulation.input().number_of_vertices();
   if (number >= n)
-    throw Usage_error("there is no vertex " + std::to_string(number) + ": the surface has " + std::to_string(n) + ", counted from 0");
+    throw Usage_error("there is no vertex " + std::to_string(number) + ": the surface has " + std::to_string(n) +
+                      ", counted from 0");
   return IT::Vertex_index(IT::Vertex_index::size_type(number));
 }
 
@@ -171,27 +174,20 @@ IT::Vertex_index vertex(const Surface& surface, Triangulation& triangulation, co
   return IT::vertex_at_point(triangulation, IT::locate(surface.connectivity, surface.points, stop.point));
 }
 
-struct Flips : IT::Default_flip_visitor
-{
-  bool go_further(std::uint64_t, std::uint64_t) { return !is_interrupted(); }
-};
-
 // Where the curve begins, on edges from stop to stop; and the length of the shortest path.
 std::vector<IT::Halfedge_index> first_path(const Geodesic_options& options, Triangulation& triangulation,
                                            const std::vector<IT::Vertex_index>& stops, Curve& curve)
 {
   std::vector<IT::Halfedge_index> result;
-  IT::Geodesic_distance_options distance_options;
-  distance_options.go_further = [] { return !is_interrupted(); };
   if (options.is_shortest) {
     curve.distance = 0;
-    if (IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(Flips())).status != IT::Flip_status::DELAUNAY)
-      throw IT::Cancelled_error(options.input + ": the search for the path was cancelled");
+    IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(&goes_on));
   }
   for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
     std::vector<IT::Halfedge_index> part;
     if (options.is_shortest) {
-      IT::Shortest_path found = IT::shortest_path(triangulation, stops[i], stops[i + 1], distance_options);
+      IT::Shortest_path found =
+        IT::shortest_path(triangulation, stops[i], stops[i + 1], CGAL::parameters::visitor(&goes_on));
       *curve.distance += found.distance;
       part = std::move(found.halfedges);
     } else {
@@ -220,9 +216,7 @@ Curve find_path(const Geodesic_options& options, const Surface& surface, Triangu
     network.fix(stops[i]);
   if (!options.is_shortest)
     curve.initial_length = network.length(p);
-  curve.report = network.shorten(CGAL::parameters::visitor(Visitor()));
-  if (network.status(p) == IT::Geodesic_status::UNFINISHED)
-    throw IT::Cancelled_error(options.input + ": the search for the path was cancelled");
+  curve.report = network.shorten(CGAL::parameters::visitor(&goes_on));
   curve.length = network.length(p);
   curve.is_geodesic = network.is_geodesic(p);
   curve.status = name(network.status(p));
@@ -238,7 +232,7 @@ IT::Halfedge_index reference(const IT::Delta_complex& complex, IT::Vertex_index 
 {
   const IT::Halfedge_index first = complex.halfedge(v);
   if (!first.is_valid())
-    throw IT::Invalid_point_error("vertex " + std::to_string(v.idx()) + " belongs to no face: choose one that does");
+    throw IT::Invalid_argument_error("vertex " + std::to_string(v.idx()) + " belongs to no face: choose one that does");
   IT::Halfedge_index best = first, h = first;
   if (!complex.is_border(first))
     do {
@@ -251,7 +245,8 @@ IT::Halfedge_index reference(const IT::Delta_complex& complex, IT::Vertex_index 
 
 Curve trace(const Geodesic_options& options, const Triangulation& triangulation)
 {
-  const IT::Halfedge_index h = reference(triangulation.connectivity(), vertex(triangulation, *Stop("--from", options.from).vertex));
+  const IT::Halfedge_index h =
+    reference(triangulation.connectivity(), vertex(triangulation, *Stop("--from", options.from).vertex));
   IT::Traced_geodesic line =
     IT::trace_geodesic(triangulation, IT::direction_at_vertex(triangulation, h, *options.direction), *options.length,
                        std::size_t(options.maximum_number_of_faces));
@@ -329,7 +324,8 @@ void write_vtp(std::ostream& os, const IT::Delta_complex& input, const Curve& cu
 // The barycentric coordinates belong to the vertices that are named beside them.
 void write_csv(std::ostream& os, const IT::Delta_complex& input, const Curve& curve, const Points& points)
 {
-  os << "face,vertex_0,vertex_1,vertex_2,coordinate_0,coordinate_1,coordinate_2" << (points.empty() ? "\n" : ",x,y,z\n");
+  os << "face,vertex_0,vertex_1,vertex_2,coordinate_0,coordinate_1,coordinate_2"
+     << (points.empty() ? "\n" : ",x,y,z\n");
   for (std::size_t i = 0; i < curve.points.size(); ++i) {
     const IT::Surface_point& p = curve.points[i];
     const IT::Halfedge_index h = p.halfedge;
@@ -373,7 +369,8 @@ void write_report(std::ostream& os, const Geodesic_options& options, const Curve
   if (curve.initial_length)
     os << " (along edges: " << in_short(*curve.initial_length) << ')';
   if (curve.distance)
-    os << "\n  distance  " << in_full(*curve.distance) << (curve.is_shortest() ? "; the path is shortest" : "; the path is not shortest");
+    os << "\n  distance  " << in_full(*curve.distance)
+       << (curve.is_shortest() ? "; the path is shortest" : "; the path is not shortest");
   os << "\n  segments  " << with_separators(curve.points.empty() ? 0 : curve.points.size() - 1) << "\n  flips     "
      << with_separators(curve.report.flips) << "\n  time      " << seconds_text(seconds) << '\n';
 }
@@ -416,7 +413,9 @@ Exit_status run_geodesic(const Geodesic_options& options)
     write_json(options.stats_path, json_value(options, surface, curve, seconds));
     write_report(std::cout, options, curve, seconds);
     flush_standard_output();
-    return curve.is_geodesic && curve.status != "unfinished" && (!curve.distance || curve.is_shortest()) ? Exit_status::DONE : Exit_status::NOT_FINISHED;
+    return curve.is_geodesic && curve.status != "unfinished" && (!curve.distance || curve.is_shortest())
+             ? Exit_status::DONE
+             : Exit_status::NOT_FINISHED;
   });
 }
 
@@ -426,18 +425,22 @@ void add_geodesic_command(CLI::App& app, Selected_command& selected)
 {
   const auto options = std::make_shared<Geodesic_options>();
   CLI::App& command = *app.add_subcommand("geodesic", "Find straight lines on a surface");
-  command.footer("A path or a closed curve begins along edges and is shortened by flips until it is proven to be\n"
-                 "locally shortest. A line is followed over the faces, with exact decisions. Vertices are counted from\n"
-                 "zero. The exit status is 4 if a curve could not be made locally shortest, or shortest with --shortest, or a\n"
-                 "line came to --maximum-faces.\n");
+  command.footer(
+    "A path or a closed curve begins along edges and is shortened by flips until it is proven to be\n"
+    "locally shortest. A line is followed over the faces, with exact decisions. Vertices are counted from\n"
+    "zero. The exit status is 4 if a curve could not be made locally shortest, or shortest with --shortest, or a\n"
+    "line came to --maximum-faces.\n");
   command.add_option("INPUT", options->input, "as for `idt triangulate`")->required();
-  command.add_option("--from", options->from, "where it begins: a vertex, or the point of the surface that is nearest to a point in space")
+  command
+    .add_option("--from", options->from,
+                "where it begins: a vertex, or the point of the surface that is nearest to a point in space")
     ->type_name("V|X,Y,Z")
     ->required();
   command.add_option("--to", options->to, "where a path ends")->type_name("V|X,Y,Z");
   command
-    .add_option("--via", options->via,
-                "a vertex or point in between; can be repeated. A path goes on to pass through it, a closed curve only begins so")
+    .add_option(
+      "--via", options->via,
+      "a vertex or point in between; can be repeated. A path goes on to pass through it, a closed curve only begins so")
     ->type_name("V|X,Y,Z")
     ->expected(1)
     ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -448,8 +451,7 @@ void add_geodesic_command(CLI::App& app, Selected_command& selected)
                      "a line instead: in this direction, an angle on the surface in radians, counterclockwise from the "
                      "neighbour with the smallest number, or from the border");
   command.add_option("--length", options->length, "how long the line is");
-  command
-    .add_option("--maximum-faces", options->maximum_number_of_faces, "end the line after N faces")
+  command.add_option("--maximum-faces", options->maximum_number_of_faces, "end the line after N faces")
     ->type_name("N")
     ->transform(whole_number())
     ->capture_default_str();
@@ -457,11 +459,14 @@ void add_geodesic_command(CLI::App& app, Selected_command& selected)
     .add_option("-o,--output", options->output_path,
                 "write the curve: as a polyline, or its points with input face and barycentric coordinates (CSV)")
     ->type_name("F.(obj|csv|ply|vtp)");
-  command.add_option("--cut", options->cut_path, "write the surface, cut open along the curve")->type_name("F.(off|obj|ply|ts|vtp)");
-  set_words(command.add_option("--format", options->format, "the format of -o -, on the standard output"), {"csv", "obj", "ply", "vtp"})
+  command.add_option("--cut", options->cut_path, "write the surface, cut open along the curve")
+    ->type_name("F.(off|obj|ply|ts|vtp)");
+  set_words(command.add_option("--format", options->format, "the format of -o -, on the standard output"),
+            {"csv", "obj", "ply", "vtp"})
     ->type_name("EXT")
     ->capture_default_str();
-  command.add_option("--stats", options->stats_path, "write what the report says as a JSON object")->type_name("F.json");
+  command.add_option("--stats", options->stats_path, "write what the report says as a JSON object")
+    ->type_name("F.json");
   add_repair_option(command, options->is_repaired);
   command.callback([options, &selected] { selected = [options] { return run_geodesic(*options); }; });
 }

@@ -17,7 +17,7 @@
 #include "system/Stopwatch.h"
 #include "system/text.h"
 
-#include <CGAL/Intrinsic_triangulations/smallest_eigenvalues.h>
+#include <CGAL/Intrinsic_triangulations/eigenvalues.h>
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 
 #include <nlohmann/json.hpp>
@@ -58,24 +58,23 @@ struct Laplacian_result
   std::size_t dropped_faces() const { return small_faces + Laplacian.report.dropped_faces(); }
 };
 
-IT::Tufted_Laplacian_options library_options(const Laplacian_options& options)
+template <class Visitor>
+auto library_options(const Laplacian_options& options, const Visitor& visitor)
 {
-  IT::Tufted_Laplacian_options result;
-  result.mass_type = options.mass_type == "lumped" ? IT::Mass_type::LUMPED : IT::Mass_type::GALERKIN;
-  result.cover = options.cover == "tufted" ? IT::Surface_cover::TUFTED : IT::Surface_cover::NONE;
   const std::map<std::string, IT::Coincident_vertices> policies = {{"error", IT::Coincident_vertices::ERROR},
                                                                    {"merge", IT::Coincident_vertices::MERGE},
                                                                    {"drop", IT::Coincident_vertices::DROP}};
-  result.coincident_vertices = policies.at(options.coincident_vertices);
-  result.is_welded = options.is_welded;
-  result.mollification = options.mollification;
-  return result;
+  return CGAL::parameters::mass_type(options.mass_type == "lumped" ? IT::Mass_type::LUMPED : IT::Mass_type::GALERKIN)
+    .surface_cover(options.cover == "tufted" ? IT::Surface_cover::TUFTED : IT::Surface_cover::NONE)
+    .coincident_vertices(policies.at(options.coincident_vertices))
+    .is_welded(options.is_welded)
+    .mollification(options.mollification)
+    .visitor(visitor);
 }
 
 void find_operator(const Laplacian_options& options, Laplacian_result& result)
 {
   Stopwatch stopwatch;
-  const IT::Tufted_Laplacian_options wanted = library_options(options);
   if (is_gluing_file(options.input)) {
     IT::Delta_complex complex;
     std::vector<double> lengths;
@@ -89,7 +88,7 @@ void find_operator(const Laplacian_options& options, Laplacian_result& result)
     result.number_of_faces = complex.number_of_faces();
     result.read_seconds = stopwatch.restart();
     Progress progress(options.input, "building matrices");
-    result.Laplacian = IT::tufted_Laplacian(complex, lengths, wanted, CGAL::parameters::visitor(Flip_watch{progress}));
+    result.Laplacian = IT::tufted_Laplacian(complex, lengths, library_options(options, Flip_watch{progress}));
   } else {
     const Triangle_soup soup = read_triangle_soup(options.input);
     result.number_of_faces = soup.number_of_faces;
@@ -99,7 +98,7 @@ void find_operator(const Laplacian_options& options, Laplacian_result& result)
     result.read_seconds = stopwatch.restart();
     Progress progress(options.input, "building matrices");
     result.Laplacian =
-      IT::tufted_Laplacian(soup.points, soup.triangles, wanted, CGAL::parameters::visitor(Flip_watch{progress}));
+      IT::tufted_Laplacian(soup.points, soup.triangles, library_options(options, Flip_watch{progress}));
   }
   result.seconds = stopwatch.seconds();
 }
@@ -147,8 +146,7 @@ void write_report(std::ostream& os, const Laplacian_options& options, const Lapl
     os << ", " << with_separators(result.triangulated_faces) << " cut into triangles";
   os << "\n  not manifold      " << counted(report.nonmanifold_edges, "edge", "edges") << ", "
      << counted(report.nonmanifold_vertices, "vertex", "vertices") << "; "
-     << counted(report.border_edges, "border edge", "border edges")
-     << (report.is_orientable ? "" : "; not orientable");
+     << counted(report.border_edges, "border edge", "border edges") << (report.is_orientable ? "" : "; not orientable");
   const auto line = [&os](std::size_t number, const char* singular, const char* plural, const char* why) {
     if (number > 0)
       os << "\n  dropped           " << counted(number, singular, plural) << ' ' << why;
@@ -166,9 +164,8 @@ void write_report(std::ostream& os, const Laplacian_options& options, const Lapl
   if (options.mollification > 0)
     os << "\n  mollification     " << counted(report.mollification.number_of_changed_edges, "edge", "edges")
        << " longer, by a factor of 1 + " << in_short(report.mollification.largest_relative_change) << " at most";
-  os << "\n  flips             " << with_separators(result.Laplacian.flips.flips)
-     << "\n  smallest weight   " << in_short(result.Laplacian.minimum_weight)
-     << "\n  time              " << seconds_text(result.seconds) << '\n';
+  os << "\n  flips             " << with_separators(result.Laplacian.flips.flips) << "\n  smallest weight   "
+     << in_short(result.Laplacian.minimum_weight) << "\n  time              " << seconds_text(result.seconds) << '\n';
   for (std::size_t i = 0; i < result.eigenvalues.size(); ++i)
     os << (i == 0 ? "  eigenvalues       " : "                    ") << in_full(result.eigenvalues[i]) << '\n';
 }
@@ -190,8 +187,9 @@ Exit_status run_Laplacian(const Laplacian_options& options)
     });
     write_file(options.mass_path, [&](std::ostream& os) {
       write_symmetric_matrix(os,
-                             options.mass_type == "lumped" ? "lumped mass: a third of the area of the faces at each vertex"
-                                                           : "mass of linear finite elements",
+                             options.mass_type == "lumped"
+                               ? "lumped mass: a third of the area of the faces at each vertex"
+                               : "mass of linear finite elements",
                              result.Laplacian.mass);
     });
     write_json(options.stats_path, statistics(options, result));
@@ -212,39 +210,47 @@ void add_Laplacian_command(CLI::App& app, Selected_command& selected)
                  "duplicate faces, several components and vertices without faces. No length is changed\n"
                  "unless --mollify is given, and no entry off the diagonal is positive, except at the border\n"
                  "with --cover none.\n");
-  command.add_option("INPUT", options->input, "a mesh (OFF, OBJ, PLY, STL, TS), or a .gluing file of triangles with lengths; - is the standard input")
+  command
+    .add_option("INPUT", options->input,
+                "a mesh (OFF, OBJ, PLY, STL, TS), or a .gluing file of triangles with lengths; - is the standard input")
     ->required();
   command
-    .add_option("--stiffness", options->stiffness_path,
-                "write the operator as a Matrix Market file: positive semidefinite, entries -(cot + cot)/2, rows in the order "
-                "of the vertices")
+    .add_option(
+      "--stiffness", options->stiffness_path,
+      "write the operator as a Matrix Market file: positive semidefinite, entries -(cot + cot)/2, rows in the order "
+      "of the vertices")
     ->type_name("L.mtx");
   command.add_option("--mass", options->mass_path, "write the mass matrix")->type_name("M.mtx");
-  set_words(command.add_option("--mass-type", options->mass_type,
-                               "lumped: a third of the area around each vertex; galerkin: that of linear finite elements"),
-            {"lumped", "galerkin"})
+  set_words(
+    command.add_option("--mass-type", options->mass_type,
+                       "lumped: a third of the area around each vertex; galerkin: that of linear finite elements"),
+    {"lumped", "galerkin"})
     ->capture_default_str();
-  set_words(command.add_option("--cover", options->cover,
-                               "tufted: two copies of each face, glued around each edge, where the surface is not closed; none: the faces "
-                               "themselves, which have to be an orientable surface, with a fixed border"),
-            {"tufted", "none"})
+  set_words(
+    command.add_option(
+      "--cover", options->cover,
+      "tufted: two copies of each face, glued around each edge, where the surface is not closed; none: the faces "
+      "themselves, which have to be an orientable surface, with a fixed border"),
+    {"tufted", "none"})
     ->capture_default_str();
-  set_words(command.add_option("--coincident-vertices", options->coincident_vertices,
-                               "what to do where an edge joins two vertices at the same place: an error, merge them, or drop its faces"),
+  set_words(command.add_option(
+              "--coincident-vertices", options->coincident_vertices,
+              "what to do where an edge joins two vertices at the same place: an error, merge them, or drop its faces"),
             {"error", "merge", "drop"})
     ->capture_default_str();
   command.add_flag("--weld", options->is_welded, "merge all vertices at the same place first");
   command
-    .add_option("--mollify", options->mollification,
-                "lengthen all edges by the same amount, so that each triangle inequality holds with a margin of D times "
-                "the mean length")
+    .add_option(
+      "--mollify", options->mollification,
+      "lengthen all edges by the same amount, so that each triangle inequality holds with a margin of D times "
+      "the mean length")
     ->type_name("D")
     ->check(CLI::Range(0., 1e6));
-  command
-    .add_option("--eigenvalues", options->number_of_eigenvalues, "print the K smallest eigenvalues")
+  command.add_option("--eigenvalues", options->number_of_eigenvalues, "print the K smallest eigenvalues")
     ->type_name("K")
     ->check(CLI::Range(1, 10000));
-  command.add_option("--stats", options->stats_path, "write what the report says as a JSON object")->type_name("F.json");
+  command.add_option("--stats", options->stats_path, "write what the report says as a JSON object")
+    ->type_name("F.json");
   command.callback([options, &selected] { selected = [options] { return run_Laplacian(*options); }; });
 }
 

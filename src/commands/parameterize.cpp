@@ -17,10 +17,9 @@
 #include "commands/triangulate.h"
 #include "output/write_textured_mesh.h"
 
-#include <CGAL/Intrinsic_triangulations/Progress_function.h>
 #include <CGAL/Intrinsic_triangulations/circle_pattern_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
-#include <CGAL/Intrinsic_triangulations/parameterization_quality.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <nlohmann/json.hpp>
 
@@ -89,37 +88,32 @@ void check(Parameterize_options& options)
 }
 
 // \param progress is asked as often as the method allows: a single linear system is solved in one go
-void find_map(const Parameterize_options& options, Result& result,
-              const IT::Progress_function& progress)
+void find_map(const Parameterize_options& options, Result& result, const IT::Progress_function& progress)
 {
   if (!progress(0))
     throw IT::Cancelled_error("the search for the map was cancelled");
   const bool is_intrinsic = options.Laplacian == "intrinsic";
   const Outcome& outcome = result.triangulation.outcome;
-  const IT::Delta_complex& complex =
-    is_intrinsic ? outcome.connectivity : result.triangulation.surface.connectivity;
-  const Numbers& numbers = is_intrinsic ? outcome.numbers : outcome.input_numbers;
+  const IT::Delta_complex& complex = is_intrinsic ? outcome.connectivity : result.triangulation.surface.connectivity;
+  const IT::Element_numbers& numbers = is_intrinsic ? outcome.numbers : outcome.input_numbers;
   if (options.method == "circle-pattern") {
-    result.pattern =
-      IT::circle_pattern_parameterization(complex, numbers.lengths, numbers.areas, progress);
+    result.pattern = IT::circle_pattern_parameterization(complex, numbers.lengths, numbers.areas,
+                                                         CGAL::parameters::visitor(std::ref(progress)));
     result.uv = result.pattern->uv;
     return;
   }
-  require_finite_weights(result.triangulation.surface, complex, numbers.weights);
+  require_finite_weights(result.triangulation.surface, complex, numbers.cotangent_weights);
   if (options.boundary == "natural") {
-    result.uv =
-      IT::natural_parameterization(complex, numbers.weights, numbers.lengths, numbers.areas);
+    result.uv = IT::natural_parameterization(complex, numbers.cotangent_weights, numbers.lengths, numbers.areas);
     return;
   }
   std::vector<double> lengths;
   for (IT::Halfedge_index h : IT::disk_boundary(complex))
     lengths.push_back(numbers.lengths[complex.edge(h).idx()]);
-  result.uv =
-    IT::harmonic_parameterization(complex, numbers.weights, IT::positions_on_circle(lengths));
+  result.uv = IT::harmonic_parameterization(complex, numbers.cotangent_weights, IT::positions_on_circle(lengths));
 }
 
-Quality quality(const IT::Delta_complex& complex, const Numbers& numbers,
-                const IT::Planar_points& uv)
+Quality quality(const IT::Delta_complex& complex, const IT::Element_numbers& numbers, const IT::Planar_points& uv)
 {
   Quality quality;
   quality.check = IT::check_parameterization(complex, uv);
@@ -144,13 +138,13 @@ Json json_value(const std::optional<IT::Circle_pattern>& pattern)
 {
   if (!pattern)
     return nullptr;
-  return {{"clipped_edges", pattern->input.number_of_clipped_edges},
-          {"largest_change_of_angle", pattern->input.largest_change},
+  return {{"clipped_edges", pattern->number_of_clipped_edges},
+          {"largest_change_of_angle", pattern->largest_change},
           {"gradient", pattern->gradient},
           {"iterations", pattern->iterations}};
 }
 
-Json json_value(const std::optional<Weight_summary>& weights)
+Json json_value(const std::optional<IT::Weight_summary>& weights)
 {
   Json json;
   json["min_weight"] = weights->smallest ? number(*weights->smallest) : Json(nullptr);
@@ -199,12 +193,13 @@ std::string warning(const Parameterize_options& options, const Result& result)
   const IT::Parameterization_check& check = (is_intrinsic ? result.on_intrinsic : result.on_input).check;
   if (check.is_locally_injective())
     return {};
-  const IT::Halfedge_index h = complex.halfedge(check.flipped.empty() ? check.collapsed.front() : check.flipped.front());
+  const IT::Halfedge_index h =
+    complex.halfedge(check.flipped.empty() ? check.collapsed.front() : check.flipped.front());
   const std::size_t i = complex.source(h).idx(), j = complex.target(h).idx(), k = complex.target(complex.next(h)).idx();
   const std::string other = alternative(options);
   return counted(check.flipped.size(), "triangle", "triangles") + " of the map turned over and " +
-         with_separators(check.collapsed.size()) + " collapsed, first the one with corners " + std::to_string(i) + ", " +
-         std::to_string(j) + " and " + std::to_string(k) + " at (" + in_full(result.uv[i][0]) + ", " +
+         with_separators(check.collapsed.size()) + " collapsed, first the one with corners " + std::to_string(i) +
+         ", " + std::to_string(j) + " and " + std::to_string(k) + " at (" + in_full(result.uv[i][0]) + ", " +
          in_full(result.uv[i][1]) + "); " +
          (other.empty() // no weight is negative and the boundary is convex: the exact map has none
             ? "they are so small that the last place of coordinates does not tell their corners apart: cut the surface "
@@ -215,27 +210,24 @@ std::string warning(const Parameterize_options& options, const Result& result)
 std::string text(const Quality& quality)
 {
   return counted(quality.check.flipped.size(), "triangle", "triangles") + " flipped, " +
-         with_separators(quality.check.collapsed.size()) + " collapsed; distortion " +
-         in_short(quality.summary.mean) + " in the mean, " +
-         in_short(quality.summary.percentile_99) + " at 99 % of the area, " +
+         with_separators(quality.check.collapsed.size()) + " collapsed; distortion " + in_short(quality.summary.mean) +
+         " in the mean, " + in_short(quality.summary.percentile_99) + " at 99 % of the area, " +
          in_short(quality.summary.maximum) + " at most";
 }
 
 void write_report(std::ostream& os, const Parameterize_options& options, const Result& result)
 {
   const Outcome& outcome = result.triangulation.outcome;
-  os << options.input << "\n  map               " << options.Laplacian << ' ' << options.method
-     << ", boundary " << (options.boundary == "disk" ? "on the unit circle" : "natural")
-     << "\n  flips             " << with_separators(outcome.report.flips)
-     << "\n  negative weights  " << with_separators(outcome.weights_before->negative)
-     << " before, " << with_separators(outcome.weights_after->negative) << " after\n";
+  os << options.input << "\n  map               " << options.Laplacian << ' ' << options.method << ", boundary "
+     << (options.boundary == "disk" ? "on the unit circle" : "natural") << "\n  flips             "
+     << with_separators(outcome.report.flips) << "\n  negative weights  "
+     << with_separators(outcome.weights_before->negative) << " before, "
+     << with_separators(outcome.weights_after->negative) << " after\n";
   if (result.pattern)
-    os << "  circle pattern    "
-       << counted(result.pattern->input.number_of_clipped_edges, "edge", "edges")
+    os << "  circle pattern    " << counted(result.pattern->number_of_clipped_edges, "edge", "edges")
        << " clipped, gradient " << in_short(result.pattern->gradient) << '\n';
-  os << "  over the input    " << text(result.on_input) << "\n  over the iDT      "
-     << text(result.on_intrinsic) << "\n  time              " << seconds_text(result.seconds)
-     << '\n';
+  os << "  over the input    " << text(result.on_input) << "\n  over the iDT      " << text(result.on_intrinsic)
+     << "\n  time              " << seconds_text(result.seconds) << '\n';
 }
 
 // The distortion of each face of the overlay by both maps; nothing where it is infinite.
@@ -274,14 +266,14 @@ Exit_status run_parameterize(Parameterize_options options)
 {
   check(options);
   Result result;
-  Kernel_options kernel;
-  kernel.wanted = Requested_results::nothing();
-  kernel.wanted.weights = kernel.wanted.lengths = kernel.wanted.numbers =
-    kernel.wanted.input_numbers = true;
-  kernel.wanted.crossings = kernel.wanted.overlay =
+  Run_options run_options;
+  run_options.wanted = Requested_results::nothing();
+  run_options.wanted.weights = run_options.wanted.lengths = run_options.wanted.numbers =
+    run_options.wanted.input_numbers = true;
+  run_options.wanted.crossings = run_options.wanted.overlay =
     !options.uv_path.empty() || !options.distortion_path.empty();
   const Exit_status status = for_each_input({options.input}, [&](const std::string& path) {
-    result.triangulation = triangulate(load_surface(path, {std::nullopt, options.is_repaired}), kernel);
+    result.triangulation = triangulate(load_surface(path, {std::nullopt, options.is_repaired}), run_options);
     const Exit_status status = exit_status(result.triangulation.outcome);
     if (status != Exit_status::DONE) {
       std::cerr << "idt: " << path << ": " << describe_status(result.triangulation) << std::endl;
@@ -299,12 +291,12 @@ Exit_status run_parameterize(Parameterize_options options)
     } catch (const IT::Invalid_surface_error& error) {
       if (std::string(error.what()).find(path) == 0)
         throw;
-      throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(),
-                                      path + ": " + error.what());
+      throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(), path + ": " + error.what());
     } catch (const IT::Numerical_error& error) {
       const std::string other = alternative(options);
-      throw IT::Numerical_error(path + ": " + error.what() +
-                                (other.empty() ? "; cut the surface open along its length, or map a part of it" : "; try " + other));
+      throw IT::Numerical_error(
+        path + ": " + error.what() +
+        (other.empty() ? "; cut the surface open along its length, or map a part of it" : "; try " + other));
     } catch (const IT::Cancelled_error& error) {
       throw IT::Cancelled_error(path + ": " + error.what());
     }
@@ -326,8 +318,7 @@ Exit_status run_parameterize(Parameterize_options options)
 void add_parameterize_command(CLI::App& app, Selected_command& selected)
 {
   const auto options = std::make_shared<Parameterize_options>();
-  CLI::App& command =
-    *app.add_subcommand("parameterize", "Map a disk to the plane, harmonically or conformally");
+  CLI::App& command = *app.add_subcommand("parameterize", "Map a disk to the plane, harmonically or conformally");
   command.footer("The surface must be a disk: one component with one boundary and no handle. Orientation\n"
                  "is decided exactly, for the map that is linear on the input triangles and for the one\n"
                  "that is linear on the intrinsic Delaunay triangles. Distortion is the ratio of the\n"
@@ -350,20 +341,16 @@ void add_parameterize_command(CLI::App& app, Selected_command& selected)
                 "write the surface with the texture coordinates that are linear on the intrinsic "
                 "triangles, as the overlay; beside it F.mtl and F.png with a checkerboard")
     ->type_name("F.obj");
-  command
-    .add_option("--uv-input", options->uv_input_path,
-                "the same, linear on the input triangles")
+  command.add_option("--uv-input", options->uv_input_path, "the same, linear on the input triangles")
     ->type_name("F.obj");
   command
     .add_option("--distortion", options->distortion_path,
                 "write the distortion of both on each face of the overlay: "
                 "input_face,intrinsic_face,over_input,over_intrinsic")
     ->type_name("F.csv");
-  command.add_option("--json", options->json_path, "write what the report says as a JSON object")
-    ->type_name("F.json");
+  command.add_option("--json", options->json_path, "write what the report says as a JSON object")->type_name("F.json");
   add_repair_option(command, options->is_repaired);
-  command.callback(
-    [options, &selected] { selected = [options] { return run_parameterize(*options); }; });
+  command.callback([options, &selected] { selected = [options] { return run_parameterize(*options); }; });
 }
 
 } // namespace idt

@@ -72,9 +72,10 @@ void constrain_sharp_edges(const Surface& surface, double degrees, Refinement_op
   using CGAL::Intrinsic_triangulations::Invalid_surface_error;
   if (!surface.has_points())
     throw Invalid_surface_error(Invalid_surface_error::Defect::UNREADABLE, 0, 1,
-                                surface.path + ": --constrain-angle needs a surface in space, and this one has edge lengths alone");
-  const std::vector<bool> is_sharp =
-    CGAL::Intrinsic_triangulations::sharp_edges(surface.connectivity, surface.points, degrees, refinement.criteria.minimum_size);
+                                surface.path +
+                                  ": --constrain-angle needs a surface in space, and this one has edge lengths alone");
+  const std::vector<bool> is_sharp = CGAL::Intrinsic_triangulations::sharp_edges(
+    surface.connectivity, surface.points, degrees, refinement.criteria.minimum_size);
   refinement.is_constrained.resize(is_sharp.size());
   for (std::size_t e = 0; e < is_sharp.size(); ++e)
     if (is_sharp[e])
@@ -83,18 +84,20 @@ void constrain_sharp_edges(const Surface& surface, double degrees, Refinement_op
 
 std::uint64_t budget(const Surface& surface, const Refine_options& options)
 {
-  return options.refinement.maximum_number_of_points.value_or(10 * std::uint64_t(surface.connectivity.number_of_vertices()) + 1000000);
+  return options.refinement.maximum_number_of_points.value_or(
+    10 * std::uint64_t(surface.connectivity.number_of_vertices()) + 1000000);
 }
 
 // Begins anew with a larger smallest size where that was not given and is too small.
-Triangulation_result refine_surface(Surface surface, Kernel_options kernel, const Refine_options& options)
+Triangulation_result refine_surface(Surface surface, Run_options run_options, const Refine_options& options)
 {
   Smallest_size chosen(surface);
   Budget_warning warning(surface.path, budget(surface, options));
-  Refinement_options& refinement = *kernel.refinement;
+  Refinement_options& refinement = *run_options.refinement;
   const std::vector<bool> is_constrained =
     options.constraints.empty() ? std::vector<bool>() : read_constraints(options.constraints, surface);
-  refinement.gives_up = [&](const CGAL::Intrinsic_triangulations::Refinement_progress& progress, const std::function<Short_side()>& where) {
+  refinement.gives_up = [&](const CGAL::Intrinsic_triangulations::Refinement_progress& progress,
+                            const std::function<Short_side()>& where) {
     if (options.minimum_size || !chosen.covers(progress.size)) {
       warning.look(progress, where);
       return false;
@@ -106,7 +109,7 @@ Triangulation_result refine_surface(Surface surface, Kernel_options kernel, cons
     refinement.is_constrained = is_constrained;
     if (options.constrained_angle)
       constrain_sharp_edges(surface, *options.constrained_angle, refinement);
-    Triangulation_result result = triangulate(std::move(surface), kernel);
+    Triangulation_result result = triangulate(std::move(surface), run_options);
     if (!result.outcome.refinement || !result.outcome.refinement->is_given_up) {
       result.smallest_size = options.minimum_size ? in_short(*options.minimum_size) : chosen.text();
       return result;
@@ -123,13 +126,13 @@ Exit_status refine_file(const std::string& path, const Refine_options& options)
   options.files.check_surface(surface);
   if (!options.flattened.empty() && !surface.has_points())
     throw Usage_error(path + ": --flatten needs a surface in space, and this one has edge lengths alone");
-  Kernel_options kernel;
-  kernel.refinement = options.refinement;
-  options.files.add_to(kernel.wanted);
-  kernel.wanted.overlay = kernel.wanted.overlay || !options.flattened.empty();
-  kernel.wanted.shapes = true;
-  kernel.wanted.verification = options.is_verified;
-  Triangulation_result result = refine_surface(std::move(surface), kernel, options);
+  Run_options run_options;
+  run_options.refinement = options.refinement;
+  options.files.add_to(run_options.wanted);
+  run_options.wanted.overlay = run_options.wanted.overlay || !options.flattened.empty();
+  run_options.wanted.shapes = true;
+  run_options.wanted.verification = options.is_verified;
+  Triangulation_result result = refine_surface(std::move(surface), run_options, options);
   result.flat_tolerance = options.flat_tolerance;
   result.flat_deviation = deviation;
   if (!options.flattened.empty() && result.outcome.subdivision) {
@@ -161,7 +164,8 @@ Exit_status run_refine(const Refine_options& options)
 void add_refine_command(CLI::App& app, Selected_command& selected)
 {
   const auto options = std::make_shared<Refine_options>();
-  CLI::App& command = *app.add_subcommand("refine", "Insert vertices until no triangle is too thin or too large, by Delaunay refinement");
+  CLI::App& command =
+    *app.add_subcommand("refine", "Insert vertices until no triangle is too thin or too large, by Delaunay refinement");
   command.footer("No length of the surface changes: vertices are added to it, after its own, and the\n"
                  "triangulation is intrinsic Delaunay but for constrained edges. Where the input leaves no\n"
                  "choice, a face stays below the bound; --stats and the report count such faces by reason:\n"
@@ -170,7 +174,8 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
                  "budget, there was no time or no point left. The status is 4 for the last of these alone.\n");
   command.add_option("INPUT", options->input, "as for `idt triangulate`")->required();
   command
-    .add_option("--minimum-angle", options->refinement.criteria.minimum_angle, "no angle is to be smaller, in degrees; at most 30")
+    .add_option("--minimum-angle", options->refinement.criteria.minimum_angle,
+                "no angle is to be smaller, in degrees; at most 30")
     ->type_name("A")
     ->capture_default_str();
   command
@@ -183,7 +188,8 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
     ->type_name("L");
   command
     .add_option("--minimum-size", options->minimum_size,
-                "insert no vertex for a face with a side shorter than S: so refinement ends soon where sheets and slivers are thinner than what "
+                "insert no vertex for a face with a side shorter than S: so refinement ends soon where sheets and "
+                "slivers are thinner than what "
                 "matters (default: 0, or up to 2^-14 of the box where smaller sides need many vertices)")
     ->type_name("S");
   command
@@ -192,43 +198,51 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
     ->type_name("N")
     ->transform(whole_number());
   command
-    .add_option("--constrain-angle", options->constrained_angle,
-                "keep the edges whose two faces have normals that differ by more than D degrees: they are split, and not flipped")
+    .add_option(
+      "--constrain-angle", options->constrained_angle,
+      "keep the edges whose two faces have normals that differ by more than D degrees: they are split, and not flipped")
     ->type_name("D");
-  CLI::Option* const constraints =
-    command
-      .add_option("--constraints", options->constraints,
-                  "keep these edges as well: pairs of vertices, one pair a line, or a line on the surface as `idt geodesic` writes it as CSV, "
-                  "along which faces are cut first")
-      ->type_name("F.csv");
+  CLI::Option* const constraints = command
+                                     .add_option("--constraints", options->constraints,
+                                                 "keep these edges as well: pairs of vertices, one pair a line, or a "
+                                                 "line on the surface as `idt geodesic` writes it as CSV, "
+                                                 "along which faces are cut first")
+                                     ->type_name("F.csv");
   command
     .add_option("--kept-edges", options->kept_edges,
-                "write the edges of --constrain-angle and --constraints: pairs of vertices, which --constraints reads, or lines in space")
+                "write the edges of --constrain-angle and --constraints: pairs of vertices, which --constraints reads, "
+                "or lines in space")
     ->type_name("F.(csv|vtp)");
-  CLI::Option* const flat =
-    command.add_flag("--remove-flat-vertices", options->removes_flat_vertices,
-                     "first remove the vertices in flat sides and on straight edges, exactly: the surface stays the same, and its "
-                     "vertices and faces get other numbers");
+  CLI::Option* const flat = command.add_flag(
+    "--remove-flat-vertices", options->removes_flat_vertices,
+    "first remove the vertices in flat sides and on straight edges, exactly: the surface stays the same, and its "
+    "vertices and faces get other numbers");
   command
     .add_option("--flat-tolerance", options->flat_tolerance,
-                "remove vertices that are off by little as well, such as those of a part that was turned: no point of the surface moves by more than D")
+                "remove vertices that are off by little as well, such as those of a part that was turned: no point of "
+                "the surface moves by more than D")
     ->type_name("D")
     ->needs(flat);
-  command.add_option("--vertex-map", options->files.vertex_map, "write which vertices of the input are left, as CSV: vertex,input")
+  command
+    .add_option("--vertex-map", options->files.vertex_map,
+                "write which vertices of the input are left, as CSV: vertex,input")
     ->type_name("F.csv")
     ->needs(flat);
   CLI::Option* const repair = add_repair_option(command, options->is_repaired);
-  command.add_flag("--verify", options->is_verified,
-                   "afterwards decide every interior edge that is not constrained once more, exactly and from the input alone; "
-                   "status 4 if one is not Delaunay");
+  command.add_flag(
+    "--verify", options->is_verified,
+    "afterwards decide every interior edge that is not constrained once more, exactly and from the input alone; "
+    "status 4 if one is not Delaunay");
   command
     .add_option("--points", options->files.points,
-                "write where the new vertices lie as CSV: vertex,input_face,b0,b1,b2,x,y,z; the barycentric coordinates are exact once "
+                "write where the new vertices lie as CSV: vertex,input_face,b0,b1,b2,x,y,z; the barycentric "
+                "coordinates are exact once "
                 "they are divided by their sum, the place in space is rounded")
     ->type_name("F.csv");
   command
     .add_option("--flatten", options->flattened,
-                "write the result as a mesh of straight triangles, for other solvers: another surface, and the report says how far away; "
+                "write the result as a mesh of straight triangles, for other solvers: another surface, and the report "
+                "says how far away; "
                 "--overlay and --laplacian have the same surface")
     ->type_name("F.(vtp|ply|off|obj|stl)");
   options->files.add_options(command, repair);

@@ -10,7 +10,6 @@
 
 #include "samples/sample_surfaces.h"
 
-#include <CGAL/Intrinsic_triangulations/Delta_complex_io.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <filesystem>
@@ -34,16 +33,14 @@ struct Sample_options
 };
 
 // \param format OFF if none is given
-void write_surface(std::ostream& os, const IT::Indexed_triangles& surface,
-                   std::optional<Mesh_format> format)
+void write_surface(std::ostream& os, const samples::Indexed_triangles& surface, std::optional<Mesh_format> format)
 {
   write_mesh(os, surface.points, surface.triangles, format.value_or(Mesh_format::OFF));
 }
 
-void write_surface(std::ostream& os, const IT::Glued_triangles& surface, std::optional<Mesh_format>)
+void write_surface(std::ostream& os, const samples::Glued_triangles& surface, std::optional<Mesh_format>)
 {
-  const IT::Delta_complex complex =
-    IT::make_Delta_complex_from_gluing(surface.number_of_faces, surface.glued_sides);
+  const IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(surface.number_of_faces, surface.glued_sides);
   std::vector<double> lengths(complex.number_of_edges());
   for (IT::Face_index f : complex.faces()) {
     IT::Halfedge_index h = complex.halfedge(f);
@@ -54,8 +51,8 @@ void write_surface(std::ostream& os, const IT::Glued_triangles& surface, std::op
 }
 
 // A gluing has no place in space that a mesh file could hold.
-const char* extension(const IT::Indexed_triangles&) { return ".off"; }
-const char* extension(const IT::Glued_triangles&) { return ".gluing"; }
+const char* extension(const samples::Indexed_triangles&) { return ".off"; }
+const char* extension(const samples::Glued_triangles&) { return ".gluing"; }
 
 std::string path_with_extension(const Sample_options& options, const std::string& extension)
 {
@@ -83,7 +80,7 @@ Exit_status run_sample(const Sample_options& options)
   if (options.lists_names) {
     if (!options.path.empty())
       throw Usage_error("sample: --list writes to the standard output, without -o");
-    for (const IT::Sample& sample : IT::sample_names())
+    for (const samples::Sample& sample : samples::sample_names())
       std::cout << sample.name << '\n';
     return Exit_status::DONE;
   }
@@ -97,7 +94,7 @@ Exit_status run_sample(const Sample_options& options)
       if (!is_printed)
         std::cout << path << '\n';
     },
-    IT::make_sample(options.name));
+    samples::make_sample(options.name));
   return Exit_status::DONE;
 }
 
@@ -105,9 +102,8 @@ std::string sample_help()
 {
   std::ostringstream text;
   text << "Names:\n";
-  for (const IT::Sample& sample : IT::sample_names())
-    text << "  " << sample.name
-         << std::string(sample.name.size() < 26 ? 26 - sample.name.size() : 1, ' ')
+  for (const samples::Sample& sample : samples::sample_names())
+    text << "  " << sample.name << std::string(sample.name.size() < 26 ? 26 - sample.name.size() : 1, ' ')
          << sample.description << '\n';
   return text.str();
 }
@@ -120,14 +116,15 @@ void add_sample_command(CLI::App& app, Selected_command& selected)
   CLI::App& command = *app.add_subcommand("sample", "Write one of the built-in surfaces");
   command.footer(sample_help());
   std::vector<std::string> names;
-  for (const IT::Sample& sample : IT::sample_names())
+  for (const samples::Sample& sample : samples::sample_names())
     names.push_back(sample.name);
   set_words(command.add_option("NAME", options->name, "which one; see below"), names, false);
   command
     .add_option("-o,--output", options->path,
-                "write to this file and print its name; " + mesh_extensions(false) + " tells the format, "
-                                                                                     "and without an extension .off is added, or "
-                                                                                     ".gluing for a surface that has lengths alone (default: the standard output)")
+                "write to this file and print its name; " + mesh_extensions(false) +
+                  " tells the format, "
+                  "and without an extension .off is added, or "
+                  ".gluing for a surface that has lengths alone (default: the standard output)")
     ->type_name("F");
   command.add_flag("--list", options->lists_names, "print the names, one to a line");
   command.callback([options, &selected] { selected = [options] { return run_sample(*options); }; });

@@ -13,8 +13,7 @@
 #include "commands/triangulate.h"
 
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
-#include <CGAL/Intrinsic_triangulations/condition_number.h>
-#include <CGAL/Intrinsic_triangulations/weight_histogram.h>
+#include <CGAL/Intrinsic_triangulations/eigenvalues.h>
 
 #include <nlohmann/json.hpp>
 
@@ -43,7 +42,7 @@ struct Operator_summary
 {
   IT::Extreme_eigenvalues eigenvalues;
   IT::Weight_histogram histogram;
-  Weight_summary weights;
+  IT::Weight_summary weights;
 };
 
 struct Row
@@ -56,7 +55,7 @@ struct Row
   std::optional<std::uint64_t> crossings;
   std::optional<double> minimum_angle; // of the result, in degrees
   std::optional<double> seconds;       // to build and to flip
-  std::optional<std::vector<IT::Repair>> repairs;
+  Repairs repairs;
   std::vector<std::string> warnings;
   const Paper_row* paper = nullptr;
   // Of the Laplace-Beltrami operators before and after the flips.
@@ -73,10 +72,7 @@ std::optional<double> condition_ratio(const Row& row)
   return row.after->eigenvalues.condition_number() / row.before->eigenvalues.condition_number();
 }
 
-std::string table_cell(const std::optional<std::uint64_t>& number)
-{
-  return number ? std::to_string(*number) : "-";
-}
+std::string table_cell(const std::optional<std::uint64_t>& number) { return number ? std::to_string(*number) : "-"; }
 
 std::string table_cell(const std::optional<double>& number) { return number ? in_short(*number) : "-"; }
 
@@ -162,8 +158,8 @@ Json json_row(const Row& row)
 
 void write_table(std::ostream& os, const std::vector<Row>& rows)
 {
-  std::vector<Line> lines = {{"model", "V", "flips", "simple", "longest", "cond ratio",
-                              "crossings", "min angle", "time [s]"}};
+  std::vector<Line> lines = {
+    {"model", "V", "flips", "simple", "longest", "cond ratio", "crossings", "min angle", "time [s]"}};
   for (const Row& row : rows) {
     lines.push_back(line(row));
     if (row.paper != nullptr)
@@ -173,7 +169,7 @@ void write_table(std::ostream& os, const std::vector<Row>& rows)
 }
 
 Operator_summary summarize(const Surface& surface, const IT::Delta_complex& complex, const std::vector<double>& weights,
-                           const Weight_summary& weight_summary)
+                           const IT::Weight_summary& weight_summary)
 {
   require_finite_weights(surface, complex, weights);
   // A weight of an equilateral triangulation is 1.15; far out, only slivers are to be counted.
@@ -187,9 +183,10 @@ void find_condition(const Triangulation_result& result, Row& row)
   const Outcome& outcome = result.outcome;
   try {
     const Progress progress(result.surface.path, "factoring, and finding eigenvalues");
-    row.before =
-      summarize(result.surface, result.surface.connectivity, outcome.input_numbers.weights, *outcome.weights_before);
-    row.after = summarize(result.surface, outcome.connectivity, outcome.numbers.weights, *outcome.weights_after);
+    row.before = summarize(result.surface, result.surface.connectivity, outcome.input_numbers.cotangent_weights,
+                           *outcome.weights_before);
+    row.after =
+      summarize(result.surface, outcome.connectivity, outcome.numbers.cotangent_weights, *outcome.weights_after);
   } catch (const IT::Error& error) {
     std::cerr << "idt: " << result.surface.path << ": no condition number: " << error.what()
               << "; --without-condition leaves it out" << std::endl;
@@ -199,16 +196,17 @@ void find_condition(const Triangulation_result& result, Row& row)
 Exit_status run_table(const Table_options& options)
 {
   check_output_paths({options.json_path}, options.inputs);
-  Kernel_options kernel_options;
-  kernel_options.wanted = Requested_results::nothing();
-  kernel_options.wanted.crossings = kernel_options.wanted.shapes = true;
-  kernel_options.wanted.weights = kernel_options.wanted.numbers =
-    kernel_options.wanted.input_numbers = !options.without_condition;
+  Run_options run_options;
+  run_options.wanted = Requested_results::nothing();
+  run_options.wanted.crossings = run_options.wanted.shapes = true;
+  run_options.wanted.weights = run_options.wanted.numbers = run_options.wanted.input_numbers =
+    !options.without_condition;
   std::vector<Row> rows;
   const Exit_status status = for_each_input(options.inputs, [&](const std::string& path) {
     rows.emplace_back();
     rows.back().model = std::filesystem::path(path).stem().string();
-    const Triangulation_result result = triangulate(load_surface(path, {std::nullopt, options.is_repaired}), kernel_options);
+    const Triangulation_result result =
+      triangulate(load_surface(path, {std::nullopt, options.is_repaired}), run_options);
     Row& row = rows.back();
     row.vertices = result.counts.vertices;
     row.flips = result.outcome.report.flips;
@@ -219,8 +217,7 @@ Exit_status run_table(const Table_options& options)
     }
     if (result.outcome.shapes)
       row.minimum_angle = result.outcome.shapes->minimum_angle;
-    row.seconds =
-      result.surface.build_seconds + result.outcome.build_seconds + result.outcome.flip_seconds;
+    row.seconds = result.surface.build_seconds + result.outcome.build_seconds + result.outcome.flip_seconds;
     row.repairs = repairs(result.surface);
     row.warnings = result.surface.warnings;
     row.paper = find_paper_row(row.model, result.counts.vertices);
@@ -248,8 +245,7 @@ Exit_status run_table(const Table_options& options)
 void add_table_command(CLI::App& app, Selected_command& selected)
 {
   const auto options = std::make_shared<Table_options>();
-  CLI::App& command =
-    *app.add_subcommand("table", "Show flips, crossings and condition of surfaces as a table");
+  CLI::App& command = *app.add_subcommand("table", "Show flips, crossings and condition of surfaces as a table");
   command.footer("V: vertices; simple: intrinsic edges that cross exactly one input edge; longest:\n"
                  "the largest number of segments in one intrinsic edge; cond ratio: condition number\n"
                  "of the intrinsic Laplacian over that of the extrinsic one, both for the inner\n"
@@ -262,8 +258,7 @@ void add_table_command(CLI::App& app, Selected_command& selected)
   add_repair_option(command, options->is_repaired);
   command.add_flag("--without-condition", options->without_condition,
                    "leave out the condition numbers, which take longer than all the rest");
-  command.add_option("--json", options->json_path, "write the rows as a JSON array of objects")
-    ->type_name("F.json");
+  command.add_option("--json", options->json_path, "write the rows as a JSON array of objects")->type_name("F.json");
   command.callback([options, &selected] { selected = [options] { return run_table(*options); }; });
 }
 

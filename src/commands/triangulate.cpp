@@ -39,9 +39,9 @@ struct Triangulate_options
   Result_files files;
 };
 
-Kernel_options kernel_options(const Triangulate_options& options)
+Run_options make_run_options(const Triangulate_options& options)
 {
-  Kernel_options result;
+  Run_options result;
   result.number_type = *find_number_type(options.number_type);
   result.precision = options.precision;
   result.maximum_number_of_flips = options.maximum_number_of_flips;
@@ -66,13 +66,13 @@ void check(const Triangulate_options& options)
 }
 
 Exit_status triangulate_file(const std::string& path, const Triangulate_options& options,
-                             const Kernel_options& kernel, const Load_options& load, bool& is_first)
+                             const Run_options& run_options, const Load_options& load, bool& is_first)
 {
   Surface surface = load_surface(path, load);
   options.files.check_surface(surface);
   if (options.is_fast)
     untwist(surface);
-  Triangulation_result result = triangulate(std::move(surface), kernel);
+  Triangulation_result result = triangulate(std::move(surface), run_options);
   options.files.write(result);
   if (!is_first)
     std::cout << '\n';
@@ -92,7 +92,7 @@ bool may_end_the_process(Number_type number_type)
 }
 
 // Runs it in a child process, so that an abort ends only that.
-Exit_status run_in_subprocess(const std::string& path, const Kernel_options& kernel,
+Exit_status run_in_subprocess(const std::string& path, const Run_options& run_options,
                               const std::function<Exit_status()>& triangulate_input, bool& is_first)
 {
   constexpr int has_report = 256;
@@ -108,9 +108,9 @@ Exit_status run_in_subprocess(const std::string& path, const Kernel_options& ker
   if (!end && is_interrupted())
     throw CGAL::Intrinsic_triangulations::Cancelled_error(path + ": cancelled");
   if (!end)
-    throw CGAL::Intrinsic_triangulations::Undecided_error(
-      path + ": as " + name(kernel.number_type) + ": the number type cannot go on with these numbers; " +
-      name(Number_type::FILTERED) + " can");
+    throw CGAL::Intrinsic_triangulations::Undecided_error(path + ": as " + name(run_options.number_type) +
+                                                          ": the number type cannot go on with these numbers; " +
+                                                          name(Number_type::FILTERED) + " can");
   is_first = is_first && *end < has_report;
   return static_cast<Exit_status>(*end % has_report);
 }
@@ -118,7 +118,7 @@ Exit_status run_in_subprocess(const std::string& path, const Kernel_options& ker
 Exit_status run_triangulate(const Triangulate_options& options)
 {
   check(options);
-  const Kernel_options kernel = kernel_options(options);
+  const Run_options run_options = make_run_options(options);
   Load_options load;
   load.is_repaired = options.is_repaired;
   if (options.mollification)
@@ -126,9 +126,10 @@ Exit_status run_triangulate(const Triangulate_options& options)
 
   bool is_first = true;
   return for_each_input(options.inputs, [&](const std::string& path) {
-    const auto triangulate_input = [&] { return triangulate_file(path, options, kernel, load, is_first); };
-    return may_end_the_process(kernel.number_type) ? run_in_subprocess(path, kernel, triangulate_input, is_first)
-                                                   : triangulate_input();
+    const auto triangulate_input = [&] { return triangulate_file(path, options, run_options, load, is_first); };
+    return may_end_the_process(run_options.number_type)
+             ? run_in_subprocess(path, run_options, triangulate_input, is_first)
+             : triangulate_input();
   });
 }
 
@@ -146,7 +147,7 @@ std::string number_type_help()
 
 } // namespace
 
-Triangulation_result triangulate(Surface surface, const Kernel_options& options)
+Triangulation_result triangulate(Surface surface, const Run_options& options)
 {
   Triangulation_result result;
   result.options = options;
@@ -181,19 +182,19 @@ Triangulation_result triangulate(Surface surface, const Kernel_options& options)
 void add_triangulate_command(CLI::App& app, Selected_command& selected)
 {
   const auto options = std::make_shared<Triangulate_options>();
-  CLI::App& command = *app.add_subcommand(
-    "triangulate", "Flip edges until the triangulation of each surface is intrinsic Delaunay");
-  command.footer(number_type_help() +
-                 "\nSeveral inputs are worked on one after the other; the status is that of the\n"
-                 "first that failed. An output file appears when it is complete. Ctrl-C ends the\n"
-                 "flips and writes what there is, and everything within a second; a second one\n"
-                 "ends everything at once.\n");
+  CLI::App& command =
+    *app.add_subcommand("triangulate", "Flip edges until the triangulation of each surface is intrinsic Delaunay");
+  command.footer(number_type_help() + "\nSeveral inputs are worked on one after the other; the status is that of the\n"
+                                      "first that failed. An output file appears when it is complete. Ctrl-C ends the\n"
+                                      "flips and writes what there is, and everything within a second; a second one\n"
+                                      "ends everything at once.\n");
   command
     .add_option("INPUT", options->inputs,
                 "meshes of triangles (OFF, OBJ, PLY, STL, TS), or .gluing files of triangles "
                 "with lengths; - is the standard input")
     ->required();
-  set_words(command.add_option("--number-type", options->number_type, "what to compute with; see below"), number_type_names(), false)
+  set_words(command.add_option("--number-type", options->number_type, "what to compute with; see below"),
+            number_type_names(), false)
     ->type_name("NT")
     ->capture_default_str();
   command.add_option("--precision", options->precision, "bits of a number at least, for mpfr")
@@ -206,18 +207,18 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
                 "else the larger of 10,000,000 and 100 times the number of edges)")
     ->type_name("N")
     ->transform(whole_number());
-  set_words(command.add_option_function<std::string>(
-              "--tie-proof", [options](const std::string& word) { options->are_ties_proven = word == "proven"; },
-              "what the exact decisions of filtered and of --verify accept as a tie: probable (an error below 2^-128 where "
-              "a proof would be costly), or proven (then a tie without a proof ends the run)"),
-            {"probable", "proven"})
+  set_words(
+    command.add_option_function<std::string>(
+      "--tie-proof", [options](const std::string& word) { options->are_ties_proven = word == "proven"; },
+      "what the exact decisions of filtered and of --verify accept as a tie: probable (an error below 2^-128 where "
+      "a proof would be costly), or proven (then a tie without a proof ends the run)"),
+    {"probable", "proven"})
     ->default_str("probable");
-  CLI::Option* const mollify =
-    command
-      .add_option("--mollify", options->mollification,
-                  "first lengthen all edges by the same amount, so that each triangle "
-                  "inequality holds with a margin of D times the mean length")
-      ->type_name("D");
+  CLI::Option* const mollify = command
+                                 .add_option("--mollify", options->mollification,
+                                             "first lengthen all edges by the same amount, so that each triangle "
+                                             "inequality holds with a margin of D times the mean length")
+                                 ->type_name("D");
   command
     .add_flag("--mollify-local", options->is_mollification_local,
               "lengthen only edges of triangles that lack the margin")
@@ -227,11 +228,11 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
                    "afterwards decide every interior edge once more, exactly and from the input "
                    "alone, whatever the number type; status 4 if one is not Delaunay");
   command.add_flag("--fast-forward", options->is_fast,
-                   "of a gluing, first make the flips within tubes of two triangles, any number of them at once; overlay and crossings are those "
+                   "of a gluing, first make the flips within tubes of two triangles, any number of them at once; "
+                   "overlay and crossings are those "
                    "with the gluing that this leaves, only --edges counts crossings with the one that was given");
   options->files.add_options(command, repair);
-  command.callback(
-    [options, &selected] { selected = [options] { return run_triangulate(*options); }; });
+  command.callback([options, &selected] { selected = [options] { return run_triangulate(*options); }; });
 }
 
 } // namespace idt

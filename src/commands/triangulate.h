@@ -10,7 +10,7 @@ namespace idt {
 
 // Makes a surface Delaunay, with a progress line; what the subcommands that need an intrinsic
 // triangulation begin with.
-Triangulation_result triangulate(Surface surface, const Kernel_options& options);
+Triangulation_result triangulate(Surface surface, const Run_options& options);
 
 } // namespace idt
 

@@ -15,10 +15,11 @@
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <iostream>
 #include <numeric>
 #include <optional>
@@ -50,15 +51,14 @@ void load_mesh(Surface& surface, bool is_repaired)
   surface.read_seconds = stopwatch.restart();
   if (is_repaired) {
     surface.repair = repair(input);
-    for (const IT::Repair& repair : surface.repair->repairs)
-      std::cerr << "idt: " << surface.path << ": repaired: " << repair_message(repair) << std::endl;
+    for (const std::string& message : messages(surface.repair->repairs))
+      std::cerr << "idt: " << surface.path << ": repaired: " << message << std::endl;
   }
 
   // What can be built was examined on the way, as far as the faces are concerned. The whole
   // examination is for those who have to be told something.
   const auto build = [&] {
-    surface.connectivity =
-      IT::make_Delta_complex_from_triangles(input.points.size(), input.triangles);
+    surface.connectivity = IT::make_Delta_complex_from_triangles(input.points.size(), input.triangles);
   };
   bool is_built = false;
   try {
@@ -72,9 +72,9 @@ void load_mesh(Surface& surface, bool is_repaired)
     const IT::Surface_report report = examine(input);
     if (report.first_fatal() != nullptr)
       refuse(report, surface.path, is_repaired);
-    for (IT::Finding_kind kind :
-         {IT::Finding_kind::ZERO_AREA_FACE, IT::Finding_kind::UNREFERENCED_VERTEX})
-      if (const IT::Finding* finding = report.find(kind))
+    using Defect = IT::Invalid_surface_error::Defect;
+    for (Defect defect : {Defect::DEGENERATE_FACE, Defect::UNREFERENCED_VERTEX})
+      if (const IT::Finding* finding = report.find(defect))
         surface.warnings.push_back(IT::message(*finding));
     if (!is_built)
       build();
@@ -93,7 +93,8 @@ void load_gluing(Surface& surface)
   });
   surface.connectivity = std::move(gluing.complex);
   surface.squared_lengths = std::move(gluing.squared_lengths);
-  surface.lengths = surface.squared_lengths.empty() ? std::move(gluing.lengths) : rounded_lengths(surface.squared_lengths);
+  surface.lengths =
+    surface.squared_lengths.empty() ? std::move(gluing.lengths) : rounded_lengths(surface.squared_lengths);
   surface.read_seconds = stopwatch.seconds();
   if (surface.connectivity.number_of_faces() == 0)
     throw IT::Invalid_surface_error(IT::Invalid_surface_error::Defect::EMPTY, 0, 1,
@@ -134,11 +135,10 @@ Surface load_surface(const std::string& path, const Load_options& options)
   const Stopwatch stopwatch;
   std::vector<double> lengths = lengths_of(surface);
   try {
-    surface.mollification = IT::mollify_lengths(surface.connectivity, lengths,
-                                                mollification->delta, mollification->is_local);
+    surface.mollification =
+      IT::mollify_lengths(surface.connectivity, lengths, mollification->delta, mollification->is_local);
   } catch (const IT::Invalid_surface_error& error) {
-    throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(),
-                                    path + ": " + error.what());
+    throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(), path + ": " + error.what());
   }
   // Points say more than rounded lengths: they are kept as long as they are true.
   if (surface.mollification->number_of_changed_edges > 0) {
@@ -153,16 +153,14 @@ Surface load_surface(const std::string& path, const Load_options& options)
 void untwist(Surface& surface)
 {
   if (surface.has_points())
-    throw Usage_error(surface.path + ": --fast-forward is for gluings; no edge can wind around a surface in space very often");
+    throw Usage_error(surface.path +
+                      ": --fast-forward is for gluings; no edge can wind around a surface in space very often");
   const Stopwatch stopwatch;
-  struct Watch : IT::Default_flip_visitor
-  {
-    bool go_further(std::uint64_t, std::uint64_t) { return !is_interrupted(); }
-  };
   try {
     if (surface.squared_lengths.empty())
       surface.squared_lengths = IT::squared_lengths(surface.lengths);
-    surface.untwisting = IT::untwist(surface.connectivity, surface.squared_lengths, CGAL::parameters::visitor(Watch()));
+    surface.untwisting = IT::untwist(surface.connectivity, surface.squared_lengths,
+                                     CGAL::parameters::visitor([] { return !is_interrupted(); }));
   } catch (const IT::Invalid_surface_error& error) {
     throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(), surface.path + ": " + error.what());
   }
@@ -177,13 +175,7 @@ Surface_counts count_elements(const IT::Delta_complex& complex)
   counts.edges = complex.number_of_edges();
   counts.faces = complex.number_of_faces();
 
-  std::vector<std::uint32_t> parent(counts.vertices);
-  std::iota(parent.begin(), parent.end(), 0u);
-  const auto root = [&](std::uint32_t v) {
-    while (parent[v] != v)
-      v = parent[v] = parent[parent[v]];
-    return v;
-  };
+  boost::disjoint_sets_with_storage<> pieces(counts.vertices);
   // The larger ends of edges, vertex by vertex of their smaller ends.
   std::vector<std::uint32_t> ends(counts.edges), last(counts.vertices + 1, 0);
   const auto for_each_edge_of_two_vertices = [&](const auto& function) {
@@ -195,7 +187,7 @@ Surface_counts count_elements(const IT::Delta_complex& complex)
     }
   };
   for_each_edge_of_two_vertices([&](std::uint32_t v, std::uint32_t w) {
-    parent[root(v)] = root(w);
+    pieces.union_set(v, w);
     ++last[v + 1];
   });
   std::partial_sum(last.begin(), last.end(), last.begin());
@@ -218,11 +210,10 @@ Surface_counts count_elements(const IT::Delta_complex& complex)
   for (IT::Vertex_index v : complex.vertices())
     if (complex.halfedge(v).is_valid()) {
       ++used_vertices;
-      counts.components += parent[v.idx()] == v.idx();
+      counts.components += pieces.find_set(v.idx()) == v.idx();
     }
-  counts.euler_characteristic = static_cast<long long>(used_vertices) -
-                                static_cast<long long>(counts.edges) +
-                                static_cast<long long>(counts.faces);
+  counts.euler_characteristic =
+    static_cast<long long>(used_vertices) - static_cast<long long>(counts.edges) + static_cast<long long>(counts.faces);
   return counts;
 }
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// An input surface as the kernels take it, whatever kind of file it came from.
+// An input surface as the number types take it, whatever kind of file it came from.
 
 #ifndef IDT_SURFACE_H
 #define IDT_SURFACE_H
@@ -9,18 +9,26 @@
 #include "system/Stopwatch.h"
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Repaired_polygons.h>
 #include <CGAL/Intrinsic_triangulations/mollify.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/untwist.h>
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+namespace CGAL::Intrinsic_triangulations {
+struct Repair;
+}
+
 namespace idt {
+
+// One entry for each kind of repair, none if nothing had to be done; null if no repair was asked for. Few want to know
+// more about them.
+using Repairs = std::shared_ptr<const std::vector<CGAL::Intrinsic_triangulations::Repair>>;
 
 // What is done to the lengths before anything else, if it is asked for.
 struct Mollification_options
@@ -39,7 +47,7 @@ struct Load_options
 // What was mended, and where the vertices and faces of the surface come from.
 struct Repair_report
 {
-  std::vector<CGAL::Intrinsic_triangulations::Repair> repairs; // empty if nothing had to be done
+  Repairs repairs;
   std::vector<std::size_t> input_vertices, input_faces;
 };
 

@@ -5,7 +5,7 @@
 
 #include "input/read_surface.h"
 
-#include <CGAL/Intrinsic_triangulations/internal/validation/triangulate_polygon.h>
+#include <CGAL/Intrinsic_triangulations/repair_polygons.h>
 
 #include <algorithm>
 #include <utility>
@@ -29,7 +29,7 @@ void add_polygon(const Surface_input& input, std::size_t face, Triangle_soup& so
   std::vector<std::array<double, 3>> places;
   for (std::uint32_t v : polygon)
     places.push_back(input.points[v]);
-  for (const auto& [i, j, k] : CGAL::Intrinsic_triangulations::internal::triangulate_polygon(places))
+  for (const auto& [i, j, k] : CGAL::Intrinsic_triangulations::triangulate_polygon(places))
     soup.triangles.push_back({polygon.first[i], polygon.first[j], polygon.first[k]});
 }
 

@@ -5,7 +5,7 @@
 
 #include "input/formats/vtp.h"
 
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
 #include <algorithm>
@@ -28,7 +28,8 @@ namespace IT = CGAL::Intrinsic_triangulations;
 class Constraint_reader
 {
 public:
-  Constraint_reader(const std::string& path, Surface& surface) : path_(path), surface_(surface), complex_(surface.connectivity)
+  Constraint_reader(const std::string& path, Surface& surface)
+    : path_(path), surface_(surface), complex_(surface.connectivity)
   {}
 
   std::vector<bool> operator()()
@@ -67,7 +68,8 @@ private:
   [[noreturn]] void fail(const std::string& what) const
   {
     throw IT::Invalid_surface_error(IT::Invalid_surface_error::Defect::UNREADABLE, line_, 1,
-                                    path_ + (line_ > 0 ? ", line " + std::to_string(line_) : std::string()) + ": " + what);
+                                    path_ + (line_ > 0 ? ", line " + std::to_string(line_) : std::string()) + ": " +
+                                      what);
   }
 
   template <std::size_t n>
@@ -86,7 +88,8 @@ private:
   IT::Vertex_index vertex(double number) const
   {
     if (!(number >= 0 && number < double(complex_.number_of_vertices())) || number != double(std::uint32_t(number)))
-      fail("there is no such vertex: the surface has " + std::to_string(complex_.number_of_vertices()) + ", counted from 0");
+      fail("there is no such vertex: the surface has " + std::to_string(complex_.number_of_vertices()) +
+           ", counted from 0");
     return IT::Vertex_index(std::uint32_t(number));
   }
 
@@ -121,8 +124,9 @@ private:
         corners.emplace_back(vertex(row[1 + i]), row[4 + i]);
     if (corners.empty())
       fail("the coordinates are not positive");
-    const IT::Vertex_index v = corners.size() == 1 ? corners[0].first : corners.size() == 2 ? on_edge(corners)
-                                                                                            : in_face(corners);
+    const IT::Vertex_index v = corners.size() == 1   ? corners[0].first
+                               : corners.size() == 2 ? on_edge(corners)
+                                                     : in_face(corners);
     if (last_ && *last_ != v)
       constrain(*last_, v);
     last_ = v;
@@ -136,7 +140,8 @@ private:
     }
     const auto h = halfedge(corners[0].first, corners[1].first);
     if (!h || complex_.is_self_glued(complex_.edge(*h)))
-      fail("no edge joins vertex " + std::to_string(corners[0].first.idx()) + " and vertex " + std::to_string(corners[1].first.idx()));
+      fail("no edge joins vertex " + std::to_string(corners[0].first.idx()) + " and vertex " +
+           std::to_string(corners[1].first.idx()));
     const IT::Vertex_index v = complex_.split_edge(*h);
     const bool is_kept = edges_.count(complex_.edge(*h)) != 0;
     add_place(corners);
@@ -154,7 +159,8 @@ private:
       const auto& [x, at_x] = corners[i % 3];
       const auto& [y, at_y] = corners[(i + 1 + i / 3) % 3];
       const auto cut = cuts_.find({x, y});
-      if (cut != cuts_.end() && cut->second.first == last_ && at_y * (1 - cut->second.second) > at_x * cut->second.second)
+      if (cut != cuts_.end() && cut->second.first == last_ &&
+          at_y * (1 - cut->second.second) > at_x * cut->second.second)
         side = side_of_face(*last_, y, corners[(i + 2 - i / 3) % 3].first);
     }
     if (!side)
@@ -200,11 +206,13 @@ std::vector<bool> read_constraints(const std::string& path, Surface& surface)
 {
   if (!surface.has_points())
     throw IT::Invalid_surface_error(IT::Invalid_surface_error::Defect::UNREADABLE, 0, 1,
-                                    surface.path + ": --constraints needs a surface in space, and this one has edge lengths alone");
+                                    surface.path +
+                                      ": --constraints needs a surface in space, and this one has edge lengths alone");
   return Constraint_reader(path, surface)();
 }
 
-void write_constraints(std::ostream& os, const std::string& path, const Surface& surface, const std::vector<bool>& is_constrained)
+void write_constraints(std::ostream& os, const std::string& path, const Surface& surface,
+                       const std::vector<bool>& is_constrained)
 {
   const IT::Delta_complex& complex = surface.connectivity;
   const bool are_lines = find_mesh_format(path) == Mesh_format::VTP;

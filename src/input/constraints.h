@@ -21,7 +21,8 @@ namespace idt {
 std::vector<bool> read_constraints(const std::string& path, Surface& surface);
 
 // Writes the edges that have a flag: to .csv pairs of vertices that read_constraints() reads, to .vtp lines in space.
-void write_constraints(std::ostream& os, const std::string& path, const Surface& surface, const std::vector<bool>& is_constrained);
+void write_constraints(std::ostream& os, const std::string& path, const Surface& surface,
+                       const std::vector<bool>& is_constrained);
 
 } // namespace idt
 

@@ -21,15 +21,17 @@ namespace IT = CGAL::Intrinsic_triangulations;
 double remove_flat_vertices(Surface& surface, std::optional<double> tolerance)
 {
   if (!surface.has_points())
-    throw Usage_error(surface.path + ": --remove-flat-vertices needs a surface in space, and this one has edge lengths alone");
+    throw Usage_error(surface.path +
+                      ": --remove-flat-vertices needs a surface in space, and this one has edge lengths alone");
   Progress progress(surface.path, "removing flat vertices");
   const std::size_t number_before = surface.points.size();
   IT::Flat_vertex_removal removal;
   try {
-    removal = IT::remove_nearly_flat_vertices(surface.connectivity, surface.points, tolerance.value_or(0), [&progress](double fraction) {
-      progress.show("removing flat vertices", fraction);
-      return !is_interrupted();
-    });
+    removal = IT::remove_nearly_flat_vertices(surface.connectivity, surface.points, tolerance.value_or(0),
+                                              [&progress](double fraction) {
+                                                progress.show("removing flat vertices", fraction);
+                                                return !is_interrupted();
+                                              });
   } catch (const IT::Cancelled_error& error) {
     throw IT::Cancelled_error(surface.path + ": " + error.what());
   }

@@ -6,15 +6,15 @@
 #include "input/formats/Watched_file.h"
 #include "input/standard_input.h"
 
-#include <CGAL/Intrinsic_triangulations/Crossing_counts.h>
-#include <CGAL/Intrinsic_triangulations/exact_gluing_io.h>
+#include <CGAL/Intrinsic_triangulations/untwist.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <istream>
 #include <new>
 #include <utility>
@@ -34,10 +34,11 @@ bool is_gluing_file(const std::string& path)
 IT::Exact_gluing read_exact_gluing_file(const std::string& name, const IT::Progress_function& progress)
 {
   const std::string path = readable_file(name);
-  const std::uintmax_t size = IT::internal::check_file(path);
+  const std::uintmax_t size = IT::readable_file_size(path);
   if (size == 0)
-    IT::internal::refuse_file(path, "the file is empty");
-  IT::internal::find_encoding(path); // refuses UTF-16
+    refuse_file(path, "the file is empty");
+  if (const int first = std::ifstream(path, std::ios::binary).get(); first == 0xfe || first == 0xff)
+    refuse_file(path, "the text is in UTF-16: save it as ASCII or UTF-8");
   Watched_file file(path, size, progress);
   const auto stop_if_cancelled = [&] {
     if (file.is_cancelled())
@@ -53,12 +54,12 @@ IT::Exact_gluing read_exact_gluing_file(const std::string& name, const IT::Progr
     stop_if_cancelled();
     throw IT::Invalid_surface_error(e.defect(), e.element(), e.count(), path + ": " + e.what());
   } catch (const std::bad_alloc&) {
-    IT::internal::refuse_file(path, "there is not enough memory for this file");
+    refuse_file(path, "there is not enough memory for this file");
   }
 }
 
-void read_gluing_file(const std::string& path, IT::Delta_complex& connectivity,
-                      std::vector<double>& lengths, const IT::Progress_function& progress)
+void read_gluing_file(const std::string& path, IT::Delta_complex& connectivity, std::vector<double>& lengths,
+                      const IT::Progress_function& progress)
 {
   IT::Exact_gluing gluing = read_exact_gluing_file(path, progress);
   connectivity = std::move(gluing.complex);

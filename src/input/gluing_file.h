@@ -7,9 +7,9 @@
 #define IDT_GLUING_FILE_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Progress_function.h>
-#include <CGAL/Intrinsic_triangulations/exact_gluing_io.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
+#include <CGAL/Intrinsic_triangulations/untwist.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 
 #include <ostream>
 #include <string>
@@ -28,8 +28,7 @@ CGAL::Intrinsic_triangulations::Exact_gluing
 read_exact_gluing_file(const std::string& path, const CGAL::Intrinsic_triangulations::Progress_function& progress = {});
 
 // The same for those who can only use lengths that are doubles: of squared lengths, the roots are rounded.
-void read_gluing_file(const std::string& path,
-                      CGAL::Intrinsic_triangulations::Delta_complex& connectivity,
+void read_gluing_file(const std::string& path, CGAL::Intrinsic_triangulations::Delta_complex& connectivity,
                       std::vector<double>& lengths,
                       const CGAL::Intrinsic_triangulations::Progress_function& progress = {});
 

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
 
 namespace idt {
 namespace {
@@ -24,19 +23,16 @@ struct Named_format
   bool holds_polygons;
 };
 
-const Named_format formats[] = {
-  {Mesh_format::PLY, ".ply", true},
-  {Mesh_format::OFF, ".off", true},
-  {Mesh_format::OBJ, ".obj", true},
-  {Mesh_format::VTP, ".vtp", true},
-  {Mesh_format::STL, ".stl", false},
-  {Mesh_format::TS, ".ts", false}};
+const Named_format formats[] = {{Mesh_format::PLY, ".ply", true},  {Mesh_format::OFF, ".off", true},
+                                {Mesh_format::OBJ, ".obj", true},  {Mesh_format::VTP, ".vtp", true},
+                                {Mesh_format::STL, ".stl", false}, {Mesh_format::TS, ".ts", false}};
 
 } // namespace
 
 std::optional<Mesh_format> find_mesh_format(const std::string& path)
 {
-  std::string extension = std::filesystem::path(path).extension().string();
+  const std::string name = path.substr(path.find_last_of('/') + 1);
+  std::string extension = name.substr((std::min)(name.rfind('.'), name.size()));
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   for (const Named_format& format : formats)
@@ -118,8 +114,8 @@ void write_mesh(std::ostream& os, const std::vector<std::array<double, 3>>& poin
     for (const auto& triangle : triangles) {
       os << "facet normal 0 0 0\nouter loop\n";
       for (std::uint32_t v : triangle)
-        os << "vertex " << in_full(points[v][0]) << ' ' << in_full(points[v][1]) << ' '
-           << in_full(points[v][2]) << '\n';
+        os << "vertex " << in_full(points[v][0]) << ' ' << in_full(points[v][1]) << ' ' << in_full(points[v][2])
+           << '\n';
       os << "endloop\nendfacet\n";
     }
     os << "endsolid\n";

@@ -57,7 +57,8 @@ void for_each_coordinate(const std::vector<Named_values>& arrays, std::size_t el
 
 // Writes bytes, the lowest first on any machine, with a property of type double for each coordinate of the values.
 void write_ply(std::ostream& os, const std::vector<std::array<double, 3>>& points,
-               const std::vector<std::array<std::uint32_t, 3>>& triangles, const std::vector<Named_values>& at_points = {});
+               const std::vector<std::array<std::uint32_t, 3>>& triangles,
+               const std::vector<Named_values>& at_points = {});
 
 // Writes triangles, coordinates with all their digits: PLY is binary, with doubles, and STL
 // is text, whose binary form has floats alone.

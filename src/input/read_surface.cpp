@@ -10,10 +10,9 @@
 #include "input/standard_input.h"
 #include "system/Interruption.h"
 #include "system/Progress.h"
+#include "system/text.h"
 
-#include <CGAL/Intrinsic_triangulations/internal/files/conversion_advice.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
-#include <CGAL/Intrinsic_triangulations/read_polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <iostream>
 #include <utility>
@@ -34,14 +33,14 @@ void check_name(const std::string& path)
   const std::string name = path.substr(path.find_last_of('/') + 1);
   const std::size_t dot = name.rfind('.');
   if (dot == std::string::npos)
-    IT::internal::refuse_file(path, "the name has no extension that tells the format (" + known + ")");
-  if (IT::internal::soup_format(path) != IT::internal::Soup_format::UNKNOWN)
-    return;
-  if (find_mesh_format(path) != Mesh_format::VTP)
-    IT::internal::refuse_file(path, "the extension " + IT::internal::quote(name.substr(dot)) + " is not known (" + known + ")" +
-                                      IT::internal::conversion_advice(path));
+    refuse_file(path, "the name has no extension that tells the format (" + known + ")");
+  const std::optional<Mesh_format> format = find_mesh_format(path);
+  if (!format)
+    refuse_file(path, "the extension " + quoted(name.substr(dot)) + " is not known (" + known + ")" +
+                        IT::conversion_advice(path));
 #ifndef IDT_READS_VTP
-  IT::internal::refuse_file(path, "VTP files can be read only if the command is built with VTK (" + known + ")");
+  if (format == Mesh_format::VTP)
+    refuse_file(path, "VTP files can be read only if the command is built with VTK (" + known + ")");
 #endif
 }
 
@@ -59,7 +58,7 @@ IT::Polygon_soup read(const std::string& path, const IT::Progress_function& prog
 Surface_input read_surface(const std::string& path, const IT::Progress_function& progress)
 {
   const std::string file = readable_file(path);
-  IT::internal::check_file(file);
+  IT::readable_file_size(file); // which is there, or this says why not
   check_name(file);
   return {read(file, progress), path};
 }

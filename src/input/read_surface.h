@@ -7,8 +7,8 @@
 #ifndef IDT_READ_SURFACE_H
 #define IDT_READ_SURFACE_H
 
-#include <CGAL/Intrinsic_triangulations/Polygon_soup.h>
-#include <CGAL/Intrinsic_triangulations/Progress_function.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 
 #include <string>
@@ -21,8 +21,8 @@ struct Surface_input : CGAL::Intrinsic_triangulations::Polygon_soup
   std::string path;
 };
 
-// Reads a file with CGAL::Intrinsic_triangulations::read_polygon_soup(), which says what is thrown; and VTP if the command was
-// built with VTK.
+// Reads a file with CGAL::Intrinsic_triangulations::read_polygon_soup(), which says what is thrown; and VTP if the
+// command was built with VTK.
 //
 // \param path the name of the file
 // \return the points and polygons; whether they are a surface is another

@@ -8,7 +8,10 @@
 
 #include <CGAL/Intrinsic_triangulations/repair_polygons.h>
 
+#include <nlohmann/json.hpp>
+
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -28,8 +31,7 @@ Repair_report repair(Surface_input& input)
   } catch (const IT::Cancelled_error&) {
     throw IT::Cancelled_error(input.path + ": cancelled while it was repaired");
   } catch (const IT::Invalid_surface_error& error) {
-    throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(),
-                                    input.path + ": " + error.what());
+    throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(), input.path + ": " + error.what());
   }
   input.points = std::move(repaired.points);
   input.first_corner.clear();
@@ -37,21 +39,30 @@ Repair_report repair(Surface_input& input)
   input.triangles.clear();
   input.triangles.reserve(repaired.triangles.size());
   for (const auto& [a, b, c] : repaired.triangles)
-    input.triangles.push_back({{static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
-                                static_cast<std::uint32_t>(c)}});
-  return {std::move(repaired.repairs), std::move(repaired.input_vertices),
-          std::move(repaired.input_faces)};
+    input.triangles.push_back(
+      {{static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)}});
+  return {std::make_shared<const std::vector<IT::Repair>>(std::move(repaired.repairs)),
+          std::move(repaired.input_vertices), std::move(repaired.input_faces)};
 }
 
-bool is_repairable(const IT::Finding& finding) { return IT::is_repairable(finding.kind); }
+bool is_repairable(const IT::Finding& finding) { return IT::is_repairable(finding.defect); }
 
-std::string repair_message(const IT::Repair& repair) { return IT::message(repair); }
-
-std::optional<std::vector<IT::Repair>> repairs(const Surface& surface)
+std::vector<std::string> messages(const Repairs& repairs)
 {
-  if (!surface.repair)
-    return std::nullopt;
-  return surface.repair->repairs;
+  std::vector<std::string> result;
+  for (const IT::Repair& repair : *repairs)
+    result.push_back(IT::message(repair));
+  return result;
+}
+
+nlohmann::ordered_json to_json_value(const Repairs& repairs)
+{
+  if (!repairs)
+    return nullptr;
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const IT::Repair& repair : *repairs)
+    json.push_back({{"kind", IT::name(repair.kind)}, {"count", repair.count}, {"first", repair.elements}});
+  return json;
 }
 
 void write_repair_map(std::ostream& os, const Surface& surface)

@@ -7,11 +7,10 @@
 #include "input/Surface.h"
 #include "input/read_surface.h"
 
-#include <CGAL/Intrinsic_triangulations/Surface_report.h>
+#include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -26,15 +25,14 @@ Repair_report repair(Surface_input& input);
 // Whether that mends what was found.
 bool is_repairable(const CGAL::Intrinsic_triangulations::Finding& finding);
 
-// What was done, in a sentence.
-std::string repair_message(const CGAL::Intrinsic_triangulations::Repair& repair);
+// What was done, a sentence for each kind of repair.
+std::vector<std::string> messages(const Repairs& repairs);
 
-// What was done to a surface; nothing unless it was asked for.
-std::optional<std::vector<CGAL::Intrinsic_triangulations::Repair>> repairs(const Surface& surface);
+// What was done to a surface.
+inline Repairs repairs(const Surface& surface) { return surface.repair ? surface.repair->repairs : nullptr; }
 
 // The same as an array of kinds with numbers and first elements, or null.
-nlohmann::ordered_json
-to_json_value(const std::optional<std::vector<CGAL::Intrinsic_triangulations::Repair>>& repairs);
+nlohmann::ordered_json to_json_value(const Repairs& repairs);
 
 // For each vertex and face where it comes from, as comma-separated values:
 // `element,index,input`. \pre the surface was repaired

@@ -6,9 +6,6 @@
 #include "system/Interruption.h"
 #include "system/system_calls.h"
 
-#include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
-
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -55,7 +52,7 @@ private:
 
   [[noreturn]] static void refuse()
   {
-    IT::internal::refuse_file("-", std::string("the standard input cannot be stored in a temporary file: ") + std::strerror(errno));
+    refuse_file("-", std::string("the standard input cannot be stored in a temporary file: ") + std::strerror(errno));
   }
 
   // Waits so that an interruption ends the waiting. Returns what comes first.
@@ -69,7 +66,7 @@ private:
       if (size == 0)
         return begin;
       if (size < 0 && errno != EAGAIN)
-        IT::internal::refuse_file("-", std::string("the standard input cannot be read: ") + std::strerror(errno));
+        refuse_file("-", std::string("the standard input cannot be read: ") + std::strerror(errno));
       if (size < 0)
         continue;
       if (begin.size() < 4096)
@@ -83,7 +80,7 @@ private:
   static std::string extension(const std::string& begin)
   {
     if (begin.empty())
-      IT::internal::refuse_file("-", "the standard input is empty");
+      refuse_file("-", "the standard input is empty");
     std::istringstream text(begin);
     std::string word;
     while (text >> word && word[0] == '#')
@@ -105,7 +102,8 @@ private:
     const bool is_solid = word.size() >= 5 && (word.compare(0, 5, "solid") == 0 || word.compare(0, 5, "SOLID") == 0);
     if (is_solid || begin.find('\0') != std::string::npos)
       return ".stl";
-    IT::internal::refuse_file("-", "the format of the standard input is not recognized: write it to a file, whose name tells the format");
+    refuse_file("-",
+                "the format of the standard input is not recognized: write it to a file, whose name tells the format");
   }
 
   std::string folder_, name_;

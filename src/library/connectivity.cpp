@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Connectivity, and what relates it to that of the input.
+// What is compiled once of the connectivity and of its text format.
 
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Correspondence_impl.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_checks_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_splits_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Normal_coordinates_impl.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_io_impl.h>

@@ -3,8 +3,8 @@
 //
 // What is compiled once of covers.
 
-#include <CGAL/Intrinsic_triangulations/internal/cover/Cleaned_triangles_impl.h>
+#include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/internal/cover/Cover_builder_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/cover/Cover_of_complex_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/gluing/Faces_around_edge_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/cover/Flat_face_remover.h>
 #include <CGAL/Intrinsic_triangulations/internal/cover/Flat_face_remover_impl.h>

@@ -1,9 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What is compiled once of reading files.
+// What is compiled once of the readers of files.
 
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_io_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/conversion_advice_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/read_polygon_soup_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/text_file_impl.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/polygon_soup_impl.h>

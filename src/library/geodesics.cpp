@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What is compiled once of geodesics: sums of angles, the points that an edge passes, and traced lines.
+// What is compiled once of geodesics.
 
-#include <CGAL/Intrinsic_triangulations/internal/exact/Angle_sum_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/Linked_paths.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Linked_paths_impl.h>
+#include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/geodesic_points_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/trace_geodesic_impl.h>

@@ -3,4 +3,5 @@
 //
 // What is compiled once of twists.
 
-#include <CGAL/Intrinsic_triangulations/internal/flips/untwist_impl.h>
+#include <CGAL/Intrinsic_triangulations/untwist.h>
+#include <CGAL/Intrinsic_triangulations/internal/twists/untwist_impl.h>

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What is compiled once of the validation.
+// What is compiled once of the examination of surfaces.
 
-#include <CGAL/Intrinsic_triangulations/internal/gluing/Surface_gluer_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/reports/Surface_report_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/polygon_texts_impl.h>
+#include <CGAL/Intrinsic_triangulations/validate_triangles.h>
+#include <CGAL/Intrinsic_triangulations/internal/validation/validate_triangles_impl.h>
+#include <CGAL/Intrinsic_triangulations/remove_flat_vertices.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/remove_flat_vertices_impl.h>
+#include <CGAL/Intrinsic_triangulations/sharp_edges.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/sharp_edges_impl.h>

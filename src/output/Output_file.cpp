@@ -41,7 +41,8 @@ int create_beside(const std::string& target, std::string& temporary)
   for (int attempt = 0; attempt < 1000; ++attempt) {
     // A name may have 255 bytes.
     const fs::path path(target);
-    temporary = (path.parent_path() / path.filename().string().substr(0, 200)).string() + ".part-" + std::to_string(process_number()) + "-" + std::to_string(attempt);
+    temporary = (path.parent_path() / path.filename().string().substr(0, 200)).string() + ".part-" +
+                std::to_string(process_number()) + "-" + std::to_string(attempt);
     const int error_number = create_new_file(temporary, is_old);
     if (error_number == 0)
       return 0;
@@ -160,8 +161,7 @@ void Output_file::fail(int error_number) const
                      (error_number == 0 ? "" : std::string(": ") + std::strerror(error_number)));
 }
 
-void check_output_paths(const std::vector<std::string>& outputs,
-                        const std::vector<std::string>& inputs)
+void check_output_paths(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs)
 {
   const auto is_same_file = [](const std::string& a, const std::string& b) {
     if (a == "-" || b == "-")

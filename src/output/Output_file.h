@@ -70,8 +70,7 @@ void route_reports(bool is_quiet, bool is_output_taken);
 
 // Refuses output files that would replace each other or an input.
 // \exception Usage_error
-void check_output_paths(const std::vector<std::string>& outputs,
-                        const std::vector<std::string>& inputs);
+void check_output_paths(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 
 // Writes what is waiting for the standard output.
 // \exception Output_error if it could not be written, the first time that this is found out

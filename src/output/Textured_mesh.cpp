@@ -18,8 +18,7 @@ Textured_mesh make_map_over_input(const Surface& surface, const IT::Planar_point
   mesh.faces.reserve(complex.number_of_faces());
   for (IT::Face_index f : complex.faces()) {
     const IT::Halfedge_index h = complex.halfedge(f);
-    mesh.faces.push_back({complex.source(h).idx(), complex.target(h).idx(),
-                          complex.target(complex.next(h)).idx()});
+    mesh.faces.push_back({complex.source(h).idx(), complex.target(h).idx(), complex.target(complex.next(h)).idx()});
   }
   return mesh;
 }

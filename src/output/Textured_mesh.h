@@ -8,10 +8,10 @@
 #define IDT_TEXTURED_MESH_H
 
 #include "input/Surface.h"
-#include "kernels/Kernel.h"
+#include "number_types/run.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/disk_boundary.h>
+#include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
 
 #include <array>
 #include <cstddef>
@@ -29,16 +29,13 @@ struct Textured_mesh
 // The map that is linear on each input triangle: the input itself.
 // \param uv the image of each vertex
 // \pre the surface has points
-Textured_mesh
-make_map_over_input(const Surface& surface,
-                    const CGAL::Intrinsic_triangulations::Planar_points& uv);
+Textured_mesh make_map_over_input(const Surface& surface, const CGAL::Intrinsic_triangulations::Planar_points& uv);
 
 // The map that is linear on each intrinsic triangle. On the surface in space it is linear on
 // the faces of the overlay alone (section 2.3 of the paper), whose order these faces have.
-Textured_mesh
-make_map_over_intrinsic(const Surface& surface,
-                        const CGAL::Intrinsic_triangulations::Common_subdivision& subdivision,
-                        const CGAL::Intrinsic_triangulations::Planar_points& uv);
+Textured_mesh make_map_over_intrinsic(const Surface& surface,
+                                      const CGAL::Intrinsic_triangulations::Common_subdivision& subdivision,
+                                      const CGAL::Intrinsic_triangulations::Planar_points& uv);
 
 } // namespace idt
 

@@ -17,9 +17,8 @@ std::string first_of(const std::vector<IT::Edge_index>& edges, const IT::Delta_c
 {
   const IT::Edge_index e = *std::min_element(edges.begin(), edges.end());
   const IT::Halfedge_index h = complex.halfedge(e);
-  std::string text = "edge " + std::to_string(e.idx()) + " (joins vertices " +
-                     std::to_string(complex.source(h).idx()) + " and " +
-                     std::to_string(complex.target(h).idx()) + ")";
+  std::string text = "edge " + std::to_string(e.idx()) + " (joins vertices " + std::to_string(complex.source(h).idx()) +
+                     " and " + std::to_string(complex.target(h).idx()) + ")";
   if (edges.size() > 1)
     text += " and " + with_separators(edges.size() - 1) + " more";
   return text;
@@ -31,16 +30,21 @@ std::string describe_refinement(const Outcome& outcome)
   if (!outcome.refinement)
     return {};
   const IT::Refinement_report& report = outcome.refinement->report;
+  if (outcome.refinement->is_cancelled)
+    return "not refined: cancelled; ";
   switch (report.status) {
   case IT::Refinement_status::REFINED:
-    return report.unrefined.empty() ? "refined, " : "refined but for " + counted(report.unrefined.size(), "face", "faces") + ", ";
+    return report.unrefined.empty() ? "refined, "
+                                    : "refined but for " + counted(report.unrefined.size(), "face", "faces") + ", ";
   case IT::Refinement_status::BUDGET_EXHAUSTED:
-    return "not refined: the budget of " + counted(report.insertions + report.segment_splits, "new vertex", "new vertices") + " is spent, " +
+    return "not refined: the budget of " +
+           counted(report.insertions + report.segment_splits, "new vertex", "new vertices") + " is spent, " +
            counted(unrefined_faces(outcome)["budget"], "face is", "faces are") + " left for that, with sides down to " +
            text(*outcome.refinement->smallest_left) + " (try a larger --maximum-points" +
-           (outcome.refinement->sufficient_size > 0 ? ", or --minimum-size " + in_short(outcome.refinement->sufficient_size) : "") + "); ";
-  case IT::Refinement_status::CANCELLED:
-    return "not refined: cancelled; ";
+           (outcome.refinement->sufficient_size > 0
+              ? ", or --minimum-size " + in_short(outcome.refinement->sufficient_size)
+              : "") +
+           "); ";
   }
   return {};
 }
@@ -77,28 +81,29 @@ std::string text(const Short_side& side)
 {
   std::string result = in_short(side.length);
   if (side.place)
-    result += " at (" + in_short((*side.place)[0]) + ", " + in_short((*side.place)[1]) + ", " + in_short((*side.place)[2]) + ')';
+    result += " at (" + in_short((*side.place)[0]) + ", " + in_short((*side.place)[1]) + ", " +
+              in_short((*side.place)[2]) + ')';
   return result;
 }
 
 Exit_status exit_status(const Outcome& outcome)
 {
   const bool is_done = outcome.report.status == IT::Flip_status::DELAUNAY &&
-                       (!outcome.refinement || outcome.refinement->report.status == IT::Refinement_status::REFINED) &&
-                       outcome.failure.empty() &&
-                       (!outcome.verification || outcome.verification->is_Delaunay());
+                       (!outcome.refinement || (!outcome.refinement->is_cancelled &&
+                                                outcome.refinement->report.status == IT::Refinement_status::REFINED)) &&
+                       outcome.failure.empty() && (!outcome.verification || outcome.verification->is_Delaunay());
   return is_done ? Exit_status::DONE : Exit_status::NOT_FINISHED;
 }
 
 const char* status_word(const Outcome& outcome)
 {
-  if (outcome.is_interrupted)
+  if (outcome.is_interrupted || outcome.are_flips_cancelled)
     return "interrupted";
   switch (outcome.report.status) {
   case IT::Flip_status::DELAUNAY:
     if (outcome.refinement && outcome.refinement->report.status == IT::Refinement_status::BUDGET_EXHAUSTED)
       return "point budget";
-    if (outcome.refinement && outcome.refinement->report.status == IT::Refinement_status::CANCELLED && outcome.failure.empty())
+    if (outcome.refinement && outcome.refinement->is_cancelled && outcome.failure.empty())
       return "interrupted";
     if (!outcome.failure.empty())
       return "incomplete";
@@ -111,8 +116,6 @@ const char* status_word(const Outcome& outcome)
     return "undecided";
   case IT::Flip_status::BUDGET_EXHAUSTED:
     return "flip budget";
-  case IT::Flip_status::CANCELLED:
-    return "interrupted";
   }
   return "";
 }
@@ -125,14 +128,14 @@ std::string describe_verification(const Outcome& outcome)
            counted(verification.ties, "tie", "ties");
   std::string text;
   if (!verification.not_Delaunay.empty())
-    text = "by the exact check, " + first_of(verification.not_Delaunay, outcome.connectivity) +
-           " should have been flipped";
+    text =
+      "by the exact check, " + first_of(verification.not_Delaunay, outcome.connectivity) + " should have been flipped";
   if (!verification.inverted.empty()) {
     const auto first = std::min_element(verification.inverted.begin(), verification.inverted.end());
     if (!text.empty())
       text += "; ";
-    text += counted(verification.inverted.size(), "face is", "faces are") +
-            " inside out, the first is face " + std::to_string(first->idx());
+    text += counted(verification.inverted.size(), "face is", "faces are") + " inside out, the first is face " +
+            std::to_string(first->idx());
   }
   return text;
 }
@@ -142,40 +145,37 @@ std::string describe_status(const Triangulation_result& result)
   const Outcome& outcome = result.outcome;
   const IT::Flip_report& report = outcome.report;
   if (!outcome.failure.empty())
-    return (report.status == IT::Flip_status::DELAUNAY ? "not known in full: " : "not finished: ") +
-           outcome.failure;
+    return (report.status == IT::Flip_status::DELAUNAY ? "not known in full: " : "not finished: ") + outcome.failure;
+  if (outcome.are_flips_cancelled)
+    return "not finished: cancelled";
   // What was not finished need not be Delaunay.
-  const bool is_finished =
-    report.status != IT::Flip_status::BUDGET_EXHAUSTED && report.status != IT::Flip_status::CANCELLED;
-  if (is_finished && outcome.verification && !outcome.verification->is_Delaunay())
+  if (report.status != IT::Flip_status::BUDGET_EXHAUSTED && outcome.verification &&
+      !outcome.verification->is_Delaunay())
     return "not Delaunay: " + describe_verification(outcome);
   switch (report.status) {
   case IT::Flip_status::DELAUNAY:
     return describe_refinement(outcome) + (outcome.verification ? "Delaunay, verified" : "Delaunay");
   case IT::Flip_status::INCONSISTENT:
     // Either diagonal of a tie is right, whatever rounding makes of it.
-    return std::string(outcome.verification ? "verified Delaunay, but only by luck: "
-                                            : "not Delaunay: ") +
+    return std::string(outcome.verification ? "verified Delaunay, but only by luck: " : "not Delaunay: ") +
            "near a tie the rounded decisions contradict each other: " +
            first_of(report.inconsistent, outcome.connectivity) +
            " failed the test again after the flip; try --number-type " + name(Number_type::FILTERED);
   case IT::Flip_status::NOT_FLIPPABLE:
     // Exact numbers come to that beside faces of zero area, and CORE where roots are below 2^-1075.
-    if (result.options.number_type == Number_type::CORE ||
-        result.options.number_type == Number_type::HALF_ANGLE_CORE)
+    if (result.options.number_type == Number_type::CORE || result.options.number_type == Number_type::HALF_ANGLE_CORE)
       return "not Delaunay: beside a face whose area is zero, or too small for CORE, " +
              first_of(report.not_flippable, outcome.connectivity) +
-             " should be flipped and cannot; try --number-type " + name(Number_type::FILTERED) + ", which passes such faces";
-    return "not Delaunay: rounding leaves " +
-           first_of(report.not_flippable, outcome.connectivity) +
+             " should be flipped and cannot; try --number-type " + name(Number_type::FILTERED) +
+             ", which passes such faces";
+    return "not Delaunay: rounding leaves " + first_of(report.not_flippable, outcome.connectivity) +
            " that should be flipped and cannot; try --number-type " + name(Number_type::FILTERED);
   case IT::Flip_status::UNDECIDED:
     return std::string("undecided: ") + name(result.options.number_type) + " cannot tell for " +
            first_of(report.undecided, outcome.connectivity) + "; try --number-type " + name(Number_type::FILTERED);
   case IT::Flip_status::BUDGET_EXHAUSTED:
-    return "not finished: the budget of " + counted(report.flips, "flip", "flips") + " is spent; try a larger --maximum-flips";
-  case IT::Flip_status::CANCELLED:
-    return "not finished: cancelled";
+    return "not finished: the budget of " + counted(report.flips, "flip", "flips") +
+           " is spent; try a larger --maximum-flips";
   }
   return std::string();
 }

@@ -9,7 +9,7 @@
 
 #include "system/Exit_status.h"
 #include "input/Surface.h"
-#include "kernels/Kernel.h"
+#include "number_types/run.h"
 #include "output/flatten.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -28,14 +28,14 @@ namespace idt {
 struct Triangulation_result
 {
   Surface surface;
-  Kernel_options options;
+  Run_options options;
   Outcome outcome;
-  std::string smallest_size;                                // of a refinement, and why it was chosen
-  std::optional<double> flat_tolerance;                     // how far the removal of flat vertices might move the surface, if at all
-  double flat_deviation = 0;                                // and how far it has done so at most
-  std::optional<Flattened_surface> flattened;               // if it was asked for
-  Surface_counts counts;                                    // of the intrinsic triangulation
-  double count_seconds = 0;                                 // for `counts`
+  std::string smallest_size;                  // of a refinement, and why it was chosen
+  std::optional<double> flat_tolerance;       // how far the removal of flat vertices might move the surface, if at all
+  double flat_deviation = 0;                  // and how far it has done so at most
+  std::optional<Flattened_surface> flattened; // if it was asked for
+  Surface_counts counts;                      // of the intrinsic triangulation
+  double count_seconds = 0;                   // for `counts`
   std::vector<std::pair<const char*, double>> file_seconds; // for each file, by the option that asked for it
 
   // For all of them.

@@ -22,7 +22,8 @@ Flattened_surface flatten(const IT::Common_subdivision& subdivision, const std::
     result.points.push_back(subdivision.point(IT::Overlay::Vertex(v.idx()), points));
   for (IT::Face_index f : complex.faces()) {
     const IT::Halfedge_index h = complex.halfedge(f);
-    const std::uint32_t a = complex.source(h).idx(), b = complex.target(h).idx(), c = complex.target(complex.next(h)).idx();
+    const std::uint32_t a = complex.source(h).idx(), b = complex.target(h).idx(),
+                        c = complex.target(complex.next(h)).idx();
     if (a == b || b == c || c == a)
       ++result.number_of_other_faces;
     else

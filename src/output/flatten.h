@@ -26,7 +26,8 @@ struct Flattened_surface
 };
 
 // \param points those of the input
-Flattened_surface flatten(const CGAL::Intrinsic_triangulations::Common_subdivision& subdivision, const std::vector<std::array<double, 3>>& points);
+Flattened_surface flatten(const CGAL::Intrinsic_triangulations::Common_subdivision& subdivision,
+                          const std::vector<std::array<double, 3>>& points);
 
 } // namespace idt
 

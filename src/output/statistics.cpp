@@ -39,13 +39,9 @@ Json stages(const Outcome& outcome)
   if (!outcome.stages)
     return nullptr;
   const IT::Stage_counts& counts = *outcome.stages;
-  return {{"filter", counts[Stage::FILTER]},
-          {"coplanar", counts[Stage::COPLANAR]},
-          {"unfolding", counts[Stage::UNFOLDING]},
-          {"rational", counts[Stage::RATIONAL]},
-          {"multiprecision", counts[Stage::MULTIPRECISION]},
-          {"algebraic", counts[Stage::ALGEBRAIC]},
-          {"congruence", counts[Stage::CONGRUENCE]},
+  return {{"filter", counts[Stage::FILTER]},       {"coplanar", counts[Stage::COPLANAR]},
+          {"unfolding", counts[Stage::UNFOLDING]}, {"multiprecision", counts[Stage::MULTIPRECISION]},
+          {"algebraic", counts[Stage::ALGEBRAIC]}, {"congruence", counts[Stage::CONGRUENCE]},
           {"modular", counts[Stage::MODULAR]}};
 }
 
@@ -142,7 +138,8 @@ Json refinement_statistics(const Triangulation_result& result)
   json["minimum_size"] = number(result.options.refinement->criteria.minimum_size);
   json["shortest_left"] = outcome.refinement ? shortest_left(*outcome.refinement) : Json(nullptr);
   json["minimum_angle_degrees"] = member(outcome.shapes, &Shape_summary::minimum_angle);
-  json["minimum_angle_degrees_of_refined_faces"] = outcome.shapes ? number(outcome.shapes->minimum_refined_angle) : Json(nullptr);
+  json["minimum_angle_degrees_of_refined_faces"] =
+    outcome.shapes ? number(outcome.shapes->minimum_refined_angle) : Json(nullptr);
   json["maximum_circumradius"] = outcome.shapes ? number(outcome.shapes->maximum_circumradius) : Json(nullptr);
   json["unrefined"] = Json::object();
   for (const auto& [reason, faces] : unrefined_faces(outcome))
@@ -170,7 +167,7 @@ nlohmann::ordered_json statistics(const Triangulation_result& result)
   const Surface_counts& counts = result.counts;
   const Outcome& outcome = result.outcome;
   const std::optional<Crossing_summary>& crossings = outcome.crossing_summary;
-  const std::optional<Weight_summary>&before = outcome.weights_before, &after = outcome.weights_after;
+  const std::optional<IT::Weight_summary>&before = outcome.weights_before, &after = outcome.weights_after;
 
   Json json;
   json["vertices"] = counts.vertices;
@@ -193,10 +190,10 @@ nlohmann::ordered_json statistics(const Triangulation_result& result)
   json["multiple_edges"] = counts.multiple_edges;
   json["min_weight_before"] = before ? number(before->smallest) : Json(nullptr);
   json["min_weight_after"] = after ? number(after->smallest) : Json(nullptr);
-  json["negative_weights_before"] = member(before, &Weight_summary::negative);
-  json["negative_weights_after"] = member(after, &Weight_summary::negative);
-  json["infinite_weights_before"] = member(before, &Weight_summary::infinite);
-  json["infinite_weights_after"] = member(after, &Weight_summary::infinite);
+  json["negative_weights_before"] = member(before, &IT::Weight_summary::negative);
+  json["negative_weights_after"] = member(after, &IT::Weight_summary::negative);
+  json["infinite_weights_before"] = member(before, &IT::Weight_summary::infinite);
+  json["infinite_weights_after"] = member(after, &IT::Weight_summary::infinite);
   if (result.surface.untwisting)
     json["fast_forward"] = fast_forward(result);
   json["verification"] = verification(outcome);

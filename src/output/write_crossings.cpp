@@ -13,8 +13,7 @@ namespace idt {
 void write_crossings(std::ostream& os, const Triangulation_result& result)
 {
   namespace IT = CGAL::Intrinsic_triangulations;
-  const IT::Delta_complex &intrinsic = result.outcome.connectivity,
-                          &input = result.surface.connectivity;
+  const IT::Delta_complex &intrinsic = result.outcome.connectivity, &input = result.surface.connectivity;
   const IT::Overlay& overlay = result.outcome.subdivision->overlay();
   const IT::Overlay_positions& positions = result.outcome.subdivision->positions();
   os << "source,target,edge,position,input_source,input_target,t,u\n";

@@ -21,8 +21,8 @@ void write_edges(std::ostream& os, const Triangulation_result& result)
     const IT::Halfedge_index h = outcome.connectivity.halfedge(edge);
     text << outcome.connectivity.source(h).idx() << ',' << outcome.connectivity.target(h).idx() << ','
          << outcome.numbers.lengths[e] << ',';
-    if (std::isfinite(outcome.numbers.weights[e])) // beside a face of zero area there is no cotangent
-      text << outcome.numbers.weights[e];
+    if (std::isfinite(outcome.numbers.cotangent_weights[e])) // beside a face of zero area there is no cotangent
+      text << outcome.numbers.cotangent_weights[e];
     text << ',';
     if (outcome.original_crossings) {
       const auto& crossings = *outcome.original_crossings;

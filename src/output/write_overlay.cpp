@@ -8,7 +8,6 @@
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/internal/overlay/convex_polygon_triangulation.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -33,9 +32,11 @@ enum class Vertex_kind : std::uint8_t {
 class Overlay_writer
 {
 public:
-  Overlay_writer(const IT::Common_subdivision& subdivision, const std::vector<std::array<double, 3>>& points, bool are_triangles,
-                 const std::vector<Named_values>& values)
-    : subdivision_(subdivision), overlay_(subdivision_.overlay()), points_(points), values_(values), are_triangles_(are_triangles), number_of_faces_(overlay_.number_of_faces()), number_of_edges_(overlay_.number_of_segments())
+  Overlay_writer(const IT::Common_subdivision& subdivision, const std::vector<std::array<double, 3>>& points,
+                 bool are_triangles, const std::vector<Named_values>& values)
+    : subdivision_(subdivision), overlay_(subdivision_.overlay()), points_(points), values_(values),
+      are_triangles_(are_triangles), number_of_faces_(overlay_.number_of_faces()),
+      number_of_edges_(overlay_.number_of_segments())
   {
     if (are_triangles_)
       for (IT::Overlay::Face f : overlay_.faces()) {
@@ -63,13 +64,16 @@ public:
     os << "element face " << number_of_faces_
        << "\nproperty list uchar int vertex_indices\nproperty uint input_face\nproperty uint intrinsic_face\n";
     if (!are_triangles_)
-      os << "element edge " << overlay_.number_of_segments() << "\nproperty int vertex1\nproperty int vertex2\nproperty uchar label\n";
+      os << "element edge " << overlay_.number_of_segments()
+         << "\nproperty int vertex1\nproperty int vertex2\nproperty uchar label\n";
     os << "end_header\n";
     write_elements(os, overlay_.number_of_vertices(), [this](Long_text& text, std::size_t i) {
       const IT::Overlay::Vertex v(static_cast<std::uint32_t>(i));
       for (double x : subdivision_.point(v, points_))
         text.add_bytes(x);
-      text.add_bytes(std::uint8_t(kind(v))).add_bytes(std::uint32_t(input_edge(v))).add_bytes(std::uint32_t(intrinsic_edge(v)));
+      text.add_bytes(std::uint8_t(kind(v)))
+        .add_bytes(std::uint32_t(input_edge(v)))
+        .add_bytes(std::uint32_t(intrinsic_edge(v)));
       for_each_coordinate(values_, i, [&text](double x) { text.add_bytes(x); });
     });
     write_faces(os, [this](Long_text& text, IT::Overlay::Face f, const Corners& corners) {
@@ -83,15 +87,16 @@ public:
     write_elements(os, overlay_.number_of_segments(), [this](Long_text& text, std::size_t i) {
       const IT::Overlay::Segment s(static_cast<std::uint32_t>(i));
       const IT::Overlay::Halfedge h = overlay_.halfedge(s);
-      text.add_bytes(overlay_.target(h).idx()).add_bytes(overlay_.source(h).idx()).add_bytes(std::uint8_t(overlay_.label(s)));
+      text.add_bytes(overlay_.target(h).idx())
+        .add_bytes(overlay_.source(h).idx())
+        .add_bytes(std::uint8_t(overlay_.label(s)));
     });
   }
 
   // In the form of CGAL::IO::write_OFF().
   void write_off(std::ostream& os) const
   {
-    os << "OFF\n"
-       << overlay_.number_of_vertices() << ' ' << number_of_faces_ << " 0\n\n";
+    os << "OFF\n" << overlay_.number_of_vertices() << ' ' << number_of_faces_ << " 0\n\n";
     write_vertices(os, "");
     write_faces(os, [](Long_text& text, IT::Overlay::Face, const Corners& corners) {
       text << corners.size() << ' ';
@@ -106,13 +111,12 @@ public:
   void write_obj(std::ostream& os) const
   {
     const char* const line = "# ------------------------------------------\n\n";
-    os << "# file written from a CGAL tool in Wavefront obj format\n# " << overlay_.number_of_vertices() << " vertices\n# "
-       << 2 * number_of_edges_ << " halfedges\n# " << number_of_faces_ << " facets\n\n\n# "
+    os << "# file written from a CGAL tool in Wavefront obj format\n# " << overlay_.number_of_vertices()
+       << " vertices\n# " << 2 * number_of_edges_ << " halfedges\n# " << number_of_faces_ << " facets\n\n\n# "
        << overlay_.number_of_vertices() << " vertices\n"
        << line;
     write_vertices(os, "v ");
-    os << "\n# " << number_of_faces_ << " facets\n"
-       << line;
+    os << "\n# " << number_of_faces_ << " facets\n" << line;
     write_faces(os, [](Long_text& text, IT::Overlay::Face, const Corners& corners) {
       text << "f ";
       for (std::uint32_t v : corners)
@@ -125,13 +129,15 @@ public:
   // Segments are lines, in front of the faces.
   void write_vtp(std::ostream& os) const
   {
-    Named_values kinds{"kind", {}, 1, "UInt8"}, input_edges{"input_edge", {}, 1, "Int32"}, intrinsic_edges{"intrinsic_edge", {}, 1, "Int32"};
+    Named_values kinds{"kind", {}, 1, "UInt8"}, input_edges{"input_edge", {}, 1, "Int32"},
+      intrinsic_edges{"intrinsic_edge", {}, 1, "Int32"};
     for (IT::Overlay::Vertex v : overlay_.vertices()) {
       kinds.values.push_back(double(kind(v)));
       input_edges.values.push_back(input_edge(v));
       intrinsic_edges.values.push_back(intrinsic_edge(v));
     }
-    Named_values labels{"label", {}, 1, "Int32"}, input_faces{"input_face", {}, 1, "Int32"}, intrinsic_faces{"intrinsic_face", {}, 1, "Int32"};
+    Named_values labels{"label", {}, 1, "Int32"}, input_faces{"input_face", {}, 1, "Int32"},
+      intrinsic_faces{"intrinsic_face", {}, 1, "Int32"};
     Flat_polygons lines, polygons;
     const auto add_cell = [&](double label, double input_face, double intrinsic_face) {
       labels.values.push_back(label);
@@ -206,7 +212,10 @@ private:
                                      : Vertex_kind::INPUT;
   }
   // The numbers of edges are below 2^31.
-  std::int32_t input_edge(IT::Overlay::Vertex v) const { return overlay_.is_crossing(v) ? std::int32_t(overlay_.input_edge(v).idx()) : -1; }
+  std::int32_t input_edge(IT::Overlay::Vertex v) const
+  {
+    return overlay_.is_crossing(v) ? std::int32_t(overlay_.input_edge(v).idx()) : -1;
+  }
   std::int32_t intrinsic_edge(IT::Overlay::Vertex v) const
   {
     return overlay_.is_crossing(v) ? std::int32_t(overlay_.intrinsic_edge(v).idx()) : -1;
@@ -219,9 +228,8 @@ private:
     const Corners corners = corners_of(f);
     if (!are_triangles_ || corners.size() == 3)
       return visit(corners);
-    IT::internal::Convex_polygon_triangulation(places(corners)).for_each_triangle([&](std::size_t a, std::size_t b, std::size_t c) {
+    for (const auto& [a, b, c] : IT::triangulate_convex_polygon(places(corners)))
       visit(Corners{corners[a], corners[b], corners[c]});
-    });
   }
 
   // Calls `write(text, f, corners)` for each face of the file, a part of face f of the overlay.
@@ -252,8 +260,9 @@ private:
 
 } // namespace
 
-void write_overlay(std::ostream& os, const IT::Common_subdivision& subdivision, const std::vector<std::array<double, 3>>& points,
-                   Mesh_format format, bool are_triangles, const std::vector<Named_values>& values)
+void write_overlay(std::ostream& os, const IT::Common_subdivision& subdivision,
+                   const std::vector<std::array<double, 3>>& points, Mesh_format format, bool are_triangles,
+                   const std::vector<Named_values>& values)
 {
   const Overlay_writer writer(subdivision, points, are_triangles, values);
   switch (format) {

@@ -5,7 +5,7 @@
 
 #include "system/text.h"
 
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 
 namespace idt {
 
@@ -19,7 +19,8 @@ std::array<double, 3> place(const Surface& surface, const IT::Surface_point& poi
   std::array<double, 3> result{};
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t axis = 0; axis < 3; ++axis)
-      result[axis] += point.coordinates[i] / (a + b + c) * surface.points[surface.connectivity.source(sides[i]).idx()][axis];
+      result[axis] +=
+        point.coordinates[i] / (a + b + c) * surface.points[surface.connectivity.source(sides[i]).idx()][axis];
   return result;
 }
 
@@ -33,7 +34,7 @@ void write_points(std::ostream& os, const Triangulation_result& result)
   for (const IT::Surface_point& point : result.outcome.refinement->points) {
     const IT::Face_index f = surface.connectivity.face(point.halfedge);
     os << vertex++ << ',' << f.idx();
-    for (double x : IT::internal::coordinates_from(surface.connectivity, point, surface.connectivity.halfedge(f)))
+    for (double x : IT::coordinates_from(surface.connectivity, point, surface.connectivity.halfedge(f)))
       os << ',' << in_full(x);
     if (surface.has_points())
       for (double x : place(surface, point))

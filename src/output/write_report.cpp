@@ -30,17 +30,14 @@ private:
 std::string stages_text(const CGAL::Intrinsic_triangulations::Stage_counts& counts)
 {
   using CGAL::Intrinsic_triangulations::Stage;
-  return with_separators(counts[Stage::FILTER]) + " by the filter, " +
-         with_separators(counts[Stage::COPLANAR]) + " in a plane, " +
-         with_separators(counts[Stage::UNFOLDING]) + " by unfolding, " +
-         with_separators(counts[Stage::RATIONAL]) + " rational, " +
+  return with_separators(counts[Stage::FILTER]) + " by the filter, " + with_separators(counts[Stage::COPLANAR]) +
+         " in a plane, " + with_separators(counts[Stage::UNFOLDING]) + " by unfolding, " +
          with_separators(counts[Stage::MULTIPRECISION]) + " in multiple precision, " +
-         with_separators(counts[Stage::ALGEBRAIC]) + " algebraic, " +
-         with_separators(counts[Stage::CONGRUENCE]) + " by symmetry, " +
-         with_separators(counts[Stage::MODULAR]) + " in finite fields";
+         with_separators(counts[Stage::ALGEBRAIC]) + " algebraic, " + with_separators(counts[Stage::CONGRUENCE]) +
+         " by symmetry, " + with_separators(counts[Stage::MODULAR]) + " in finite fields";
 }
 
-std::string weights_text(const Weight_summary& summary)
+std::string weights_text(const CGAL::Intrinsic_triangulations::Weight_summary& summary)
 {
   std::string text = summary.smallest ? "smallest " + in_short(*summary.smallest) + ", " +
                                           with_separators(summary.negative) + " negative"
@@ -73,7 +70,7 @@ std::string shapes_text(const Outcome& outcome)
   return text + ", largest circumradius " + in_short(shapes.maximum_circumradius);
 }
 
-std::string number_type_text(const Kernel_options& options)
+std::string number_type_text(const Run_options& options)
 {
   std::string text = name(options.number_type);
   if (options.number_type == Number_type::MPFR)
@@ -119,42 +116,42 @@ std::string times_text(const Triangulation_result& result)
   return times;
 }
 
-} // namespace
-
-void write_report(std::ostream& os, const Triangulation_result& result, bool is_verbose)
+// What was read, and what was done to it before the flips.
+void write_surface(Report_writer& report, const Triangulation_result& result, bool is_verbose)
 {
   const Surface_counts& counts = result.counts;
-  const Outcome& outcome = result.outcome;
   const Surface& surface = result.surface;
-
-  os << surface.path << '\n';
-  Report_writer report(os);
   report.line("surface", counted(counts.vertices, "vertex", "vertices") + ", " +
-                           counted(counts.edges, "edge", "edges") + ", " +
-                           counted(counts.faces, "face", "faces"));
-  report.line("topology",
-              counted(counts.components, "component", "components") + ", " +
-                counted(counts.boundary_edges, "boundary edge", "boundary edges") +
-                ", Euler characteristic " + std::to_string(counts.euler_characteristic));
+                           counted(counts.edges, "edge", "edges") + ", " + counted(counts.faces, "face", "faces"));
+  report.line("topology", counted(counts.components, "component", "components") + ", " +
+                            counted(counts.boundary_edges, "boundary edge", "boundary edges") +
+                            ", Euler characteristic " + std::to_string(counts.euler_characteristic));
   for (const std::string& note : surface.warnings)
     report.line("note", note);
   if (surface.mollification)
-    report.line("mollified",
-                counted(surface.mollification->number_of_changed_edges, "edge", "edges") +
-                  " longer by at most " + in_short(surface.mollification->epsilon) + " (" +
-                  in_short(100 * surface.mollification->largest_relative_change) + " %)");
+    report.line("mollified", counted(surface.mollification->number_of_changed_edges, "edge", "edges") +
+                               " longer by at most " + in_short(surface.mollification->epsilon) + " (" +
+                               in_short(100 * surface.mollification->largest_relative_change) + " %)");
   if (surface.input_vertices)
-    report.line("flat sides", counted(surface.number_of_removed_vertices, "vertex", "vertices") + " removed" +
-                                (result.flat_tolerance ? "; the surface has moved by at most " + in_short(result.flat_deviation) + ", of " +
-                                                           in_short(*result.flat_tolerance) + " allowed"
-                                                       : std::string()));
+    report.line("flat sides",
+                counted(surface.number_of_removed_vertices, "vertex", "vertices") + " removed" +
+                  (result.flat_tolerance ? "; the surface has moved by at most " + in_short(result.flat_deviation) +
+                                             ", of " + in_short(*result.flat_tolerance) + " allowed"
+                                         : std::string()));
   if (is_verbose || result.options.number_type != default_number_type)
     report.line("number type", number_type_text(result.options));
   if (surface.untwisting)
-    report.line("fast forward", surface.untwisting->number_of_flips.str() + (surface.untwisting->number_of_flips == 1 ? " flip in " : " flips in ") +
+    report.line("fast forward", surface.untwisting->number_of_flips.str() +
+                                  (surface.untwisting->number_of_flips == 1 ? " flip in " : " flips in ") +
                                   counted(surface.untwisting->twists.size(), "twist", "twists"));
-  report.line("flips", with_separators(outcome.report.flips) + " in " +
-                         with_separators(outcome.report.tests) + " tests");
+}
+
+// Flips and new vertices.
+void write_changes(Report_writer& report, const Triangulation_result& result)
+{
+  const Outcome& outcome = result.outcome;
+  report.line("flips",
+              with_separators(outcome.report.flips) + " in " + with_separators(outcome.report.tests) + " tests");
   if (outcome.refinement)
     write_refinement(report, result);
   if (outcome.shapes)
@@ -164,11 +161,24 @@ void write_report(std::ostream& os, const Triangulation_result& result, bool is_
   if (outcome.refinement && outcome.refinement->smallest_left)
     report.line("shortest left", "a side of " + text(*outcome.refinement->smallest_left));
   if (result.flattened)
-    report.line("flattened", "another surface, of " + counted(result.flattened->triangles.size(), "straight triangle", "straight triangles") +
+    report.line("flattened", "another surface, of " +
+                               counted(result.flattened->triangles.size(), "straight triangle", "straight triangles") +
                                ", up to " + in_short(result.flattened->deviation) + " away" +
                                (result.flattened->number_of_other_faces > 0
-                                  ? "; without " + counted(result.flattened->number_of_other_faces, "face", "faces") + " with two equal corners"
+                                  ? "; without " + counted(result.flattened->number_of_other_faces, "face", "faces") +
+                                      " with two equal corners"
                                   : ""));
+}
+
+} // namespace
+
+void write_report(std::ostream& os, const Triangulation_result& result, bool is_verbose)
+{
+  const Outcome& outcome = result.outcome;
+  os << result.surface.path << '\n';
+  Report_writer report(os);
+  write_surface(report, result, is_verbose);
+  write_changes(report, result);
   if (is_verbose)
     write_details(report, result);
   if (outcome.weights_before)
@@ -178,7 +188,8 @@ void write_report(std::ostream& os, const Triangulation_result& result, bool is_
   if (outcome.verification)
     report.line("verification", describe_verification(outcome));
 
-  report.line("time", (is_verbose ? times_text(result) + "; " : "") + seconds_text(surface.stopwatch.seconds()) + (is_verbose ? " in all" : ""));
+  report.line("time", (is_verbose ? times_text(result) + "; " : "") + seconds_text(result.surface.stopwatch.seconds()) +
+                        (is_verbose ? " in all" : ""));
   if (is_verbose)
     report.line("peak memory", in_short(double(peak_memory_bytes()) / (1 << 20)) + " MiB");
   report.line("status", describe_status(result));

@@ -16,17 +16,13 @@
 namespace idt {
 namespace {
 
-std::string big_endian(std::uint32_t x)
-{
-  return {char(x >> 24), char(x >> 16), char(x >> 8), char(x)};
-}
+std::string big_endian(std::uint32_t x) { return {char(x >> 24), char(x >> 16), char(x >> 8), char(x)}; }
 
 std::string png_chunk(const std::string& type_and_data)
 {
   boost::crc_32_type crc;
   crc.process_bytes(type_and_data.data(), type_and_data.size());
-  return big_endian(std::uint32_t(type_and_data.size() - 4)) + type_and_data +
-         big_endian(crc.checksum());
+  return big_endian(std::uint32_t(type_and_data.size() - 4)) + type_and_data + big_endian(crc.checksum());
 }
 
 // One bit for each pixel, not compressed: a PNG file needs no library then. `squares` in each
@@ -46,12 +42,12 @@ std::string checkerboard_png(std::uint32_t squares)
     b = (b + a) % 65521;
   }
   const auto length = std::uint16_t(rows.size());
-  const std::string stored = {'\x78', '\x01', '\x01', char(length), char(length >> 8),
-                              char(~length), char(std::uint16_t(~length) >> 8)};
-  const std::string header = "IHDR" + big_endian(size) + big_endian(size) +
-                             std::string({1, 0, 0, 0, 0}); // one bit, grey
-  return "\x89PNG\r\n\x1a\n" + png_chunk(header) +
-         png_chunk("IDAT" + stored + rows + big_endian(b << 16 | a)) + png_chunk("IEND");
+  const std::string stored = {
+    '\x78', '\x01', '\x01', char(length), char(length >> 8), char(~length), char(std::uint16_t(~length) >> 8)};
+  const std::string header =
+    "IHDR" + big_endian(size) + big_endian(size) + std::string({1, 0, 0, 0, 0}); // one bit, grey
+  return "\x89PNG\r\n\x1a\n" + png_chunk(header) + png_chunk("IDAT" + stored + rows + big_endian(b << 16 | a)) +
+         png_chunk("IEND");
 }
 
 } // namespace
@@ -76,15 +72,14 @@ void write_textured_mesh(const std::string& obj_path, const Textured_mesh& mesh)
 
   Output_file obj(paths[0]), material(paths[1]), image(paths[2]);
   image.stream() << checkerboard_png(32);
-  material.stream() << "newmtl checkerboard\nKd 1 1 1\nmap_Kd "
-                    << std::filesystem::path(paths[2]).filename().string() << '\n';
+  material.stream() << "newmtl checkerboard\nKd 1 1 1\nmap_Kd " << std::filesystem::path(paths[2]).filename().string()
+                    << '\n';
   std::ostream& os = obj.stream();
   os << "mtllib " << std::filesystem::path(paths[1]).filename().string() << '\n';
   for (const std::array<double, 3>& p : mesh.points)
     os << "v " << in_full(p[0]) << ' ' << in_full(p[1]) << ' ' << in_full(p[2]) << '\n';
   for (const std::array<double, 2>& p : mesh.uv)
-    os << "vt " << in_full((p[0] - low[0]) / size) << ' ' << in_full((p[1] - low[1]) / size)
-       << '\n';
+    os << "vt " << in_full((p[0] - low[0]) / size) << ' ' << in_full((p[1] - low[1]) / size) << '\n';
   os << "usemtl checkerboard\n";
   for (const std::vector<std::size_t>& face : mesh.faces) {
     os << 'f';

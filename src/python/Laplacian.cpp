@@ -7,9 +7,8 @@
 #include "python/arrays.h"
 #include "python/bindings.h"
 
+#include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
-
-#include <CGAL/Named_function_parameters.h>
 
 namespace idt_python {
 
@@ -19,12 +18,10 @@ py::tuple Laplacian_of_triangles(const Doubles& points, const Indices& triangles
 {
   const Rows<double> rows(points);
   const auto faces = copied_rows(triangles);
-  IT::Tufted_Laplacian_options options;
-  options.mollification = mollification;
-  options.go_further = &Signal_watch::goes_on;
-  options.mass_type = is_lumped ? IT::Mass_type::LUMPED : IT::Mass_type::GALERKIN;
-  IT::Tufted_Laplacian result = without_lock(
-    [&] { return IT::tufted_Laplacian(rows, faces, options, CGAL::parameters::visitor(Signal_visitor())); });
+  const auto options = CGAL::parameters::mollification(mollification)
+                         .mass_type(is_lumped ? IT::Mass_type::LUMPED : IT::Mass_type::GALERKIN)
+                         .visitor(Signal_visitor());
+  IT::Tufted_Laplacian result = without_lock([&] { return IT::tufted_Laplacian(rows, faces, options); });
   return py::make_tuple(to_sparse(std::move(result.stiffness)), to_sparse(std::move(result.mass)));
 }
 

@@ -6,9 +6,9 @@
 #ifndef INTRINSIC_TRIANGULATIONS_PYTHON_SIGNAL_WATCH_H
 #define INTRINSIC_TRIANGULATIONS_PYTHON_SIGNAL_WATCH_H
 
-#include <CGAL/Intrinsic_triangulations/Index.h>
-#include <CGAL/Intrinsic_triangulations/Refinement_report.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <pybind11/pybind11.h>
 
@@ -99,10 +99,7 @@ auto without_lock(const Function& function)
 // The visitor of flips, of refinement and of paths.
 struct Signal_visitor
 {
-  bool go_further(std::uint64_t, std::uint64_t) { return ++calls % 16 != 0 || Signal_watch::goes_on(); }
-  void after_flip(IT::Edge_index) {}
-  void before_step(const IT::Refinement_progress&) {}
-  void after_insertion(IT::Vertex_index) {}
+  bool go_further(const IT::Progress&) { return ++calls % 16 != 0 || Signal_watch::goes_on(); }
 
   std::uint64_t calls = 0;
 };

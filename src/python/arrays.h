@@ -146,7 +146,8 @@ py::array_t<T> to_array(std::vector<T>&& values)
 template <class T>
 py::array_t<T> to_array(std::vector<T>&& values, std::size_t number_of_columns)
 {
-  const std::vector<py::ssize_t> shape = {py::ssize_t(values.size() / number_of_columns), py::ssize_t(number_of_columns)};
+  const std::vector<py::ssize_t> shape = {py::ssize_t(values.size() / number_of_columns),
+                                          py::ssize_t(number_of_columns)};
   auto [kept, owner] = handed_over(std::move(values));
   return py::array_t<T>(shape, kept->data(), owner);
 }
@@ -158,7 +159,8 @@ py::tuple to_sparse(Eigen::SparseMatrix<Number>&& matrix)
   matrix.makeCompressed();
   auto [kept, owner] = handed_over(std::move(matrix));
   const py::ssize_t n = kept->nonZeros();
-  return py::make_tuple(py::array_t<Number>(n, kept->valuePtr(), owner), py::array_t<int>(n, kept->innerIndexPtr(), owner),
+  return py::make_tuple(py::array_t<Number>(n, kept->valuePtr(), owner),
+                        py::array_t<int>(n, kept->innerIndexPtr(), owner),
                         py::array_t<int>(py::ssize_t(kept->cols() + 1), kept->outerIndexPtr(), owner),
                         py::make_tuple(kept->rows(), kept->cols()));
 }

@@ -52,6 +52,10 @@ const char* name_of(IT::Invalid_surface_error::Defect defect)
     return "TRIANGLE_INEQUALITY";
   case Defect::DEGENERATE_FACE:
     return "DEGENERATE_FACE";
+  case Defect::UNREFERENCED_VERTEX:
+    return "UNREFERENCED_VERTEX";
+  case Defect::SEVERAL_COMPONENTS:
+    return "SEVERAL_COMPONENTS";
   case Defect::WRONG_TOPOLOGY:
     return "WRONG_TOPOLOGY";
   case Defect::UNREADABLE:
@@ -60,10 +64,7 @@ const char* name_of(IT::Invalid_surface_error::Defect defect)
   return "";
 }
 
-py::object class_of(const char* name)
-{
-  return py::module_::import("intrinsic_triangulations._errors").attr(name);
-}
+py::object class_of(const char* name) { return py::module_::import("intrinsic_triangulations._errors").attr(name); }
 
 // What a function of this package can do about it.
 const char* advice(IT::Invalid_surface_error::Defect defect)
@@ -84,10 +85,7 @@ const char* advice(IT::Invalid_surface_error::Defect defect)
   }
 }
 
-void raise(const char* name, const IT::Error& error)
-{
-  PyErr_SetString(class_of(name).ptr(), error.what());
-}
+void raise(const char* name, const IT::Error& error) { PyErr_SetString(class_of(name).ptr(), error.what()); }
 
 void translate(std::exception_ptr exception)
 {
@@ -101,7 +99,10 @@ void translate(std::exception_ptr exception)
     const std::string in_cpp = ", as repair_polygons() does";
     if (const std::size_t at = text.find(in_cpp); at != std::string::npos)
       text.erase(at, in_cpp.size());
-    PyErr_SetObject(cls.ptr(), cls(text + advice(error.defect()), name_of(error.defect()), error.element(), error.count()).ptr());
+    PyErr_SetObject(cls.ptr(),
+                    cls(text + advice(error.defect()), name_of(error.defect()), error.element(), error.count()).ptr());
+  } catch (const IT::Invalid_argument_error& error) {
+    raise("InvalidArgumentError", error);
   } catch (const IT::Invalid_point_error& error) {
     raise("InvalidPointError", error);
   } catch (const IT::Undecided_error& error) {
@@ -119,9 +120,6 @@ void translate(std::exception_ptr exception)
 
 } // namespace
 
-void register_errors()
-{
-  py::register_local_exception_translator(&translate);
-}
+void register_errors() { py::register_local_exception_translator(&translate); }
 
 } // namespace idt_python

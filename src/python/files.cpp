@@ -7,9 +7,10 @@
 #include "python/arrays.h"
 #include "python/bindings.h"
 
-#include <CGAL/Intrinsic_triangulations/internal/gluing/Surface_gluer.h>
-#include <CGAL/Intrinsic_triangulations/read_polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -32,7 +33,8 @@ py::tuple read_mesh(const std::string& file_name)
   for (std::size_t f = 0; f < soup.number_of_faces(); ++f)
     corners.insert(corners.end(), soup.polygon(f).begin(), soup.polygon(f).end());
   std::vector<std::int64_t> first_corner(soup.first_corner.begin(), soup.first_corner.end());
-  return py::make_tuple(to_array(std::move(coordinates), 3), to_array(std::move(corners)), to_array(std::move(first_corner)));
+  return py::make_tuple(to_array(std::move(coordinates), 3), to_array(std::move(corners)),
+                        to_array(std::move(first_corner)));
 }
 
 // Which triangles are turned so that they agree.
@@ -41,13 +43,8 @@ py::array turned_faces(const Doubles& points, const Indices& triangles)
   const auto rows = copied_rows(points);
   const auto faces = copied_rows(triangles);
   return to_array(without_lock([&] {
-    const IT::internal::Points places(rows.begin(), rows.end());
-    const IT::internal::Surface_gluer gluer(places, faces);
-    std::vector<std::int64_t> result;
-    for (std::size_t f = 0; f < faces.size(); ++f)
-      if (gluer.is_turned(f))
-        result.push_back(std::int64_t(f));
-    return result;
+    const std::vector<std::size_t> turned = IT::turned_triangles(rows, faces);
+    return std::vector<std::int64_t>(turned.begin(), turned.end());
   }));
 }
 

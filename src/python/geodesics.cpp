@@ -10,13 +10,10 @@
 #include "python/tangent_direction.h"
 
 #include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
-#include <CGAL/Intrinsic_triangulations/cut_along_path.h>
+#include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
-#include <CGAL/Intrinsic_triangulations/geodesic_points.h>
-#include <CGAL/Intrinsic_triangulations/locate.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
@@ -58,8 +55,8 @@ struct Stop
 
 py::tuple to_tuple(Path&& path)
 {
-  return py::make_tuple(to_array(std::move(path.positions), 3), path.points.to_arrays(), path.length, path.initial_length,
-                        path.is_geodesic, path.status, path.flips, path.distance);
+  return py::make_tuple(to_array(std::move(path.positions), 3), path.points.to_arrays(), path.length,
+                        path.initial_length, path.is_geodesic, path.status, path.flips, path.distance);
 }
 
 const char* name_of(IT::Geodesic_status status)
@@ -77,9 +74,10 @@ class Surface_in_space
 {
 public:
   Surface_in_space(Points points, const std::vector<std::array<std::uint32_t, 3>>& triangles)
-    : points_(std::move(points)), surface_(Triangulation(IT::make_Delta_complex_from_triangles(points_.size(), triangles), points_))
+    : points_(std::move(points)),
+      surface_(Triangulation(IT::make_Delta_complex_from_triangles(points_.size(), triangles), points_))
   {
-    surface_.use([](const Triangulation& t) { return &t.exact_geometry(); }); // prepared, for all copies
+    surface_.use([](const Triangulation& t) { return &t.input(); }); // prepared, for all copies
   }
 
   // From stop to stop.
@@ -89,13 +87,15 @@ public:
     return copy.use([&](Triangulation& t) {
       std::vector<IT::Vertex_index> vertices;
       for (const Stop& stop : stops)
-        vertices.push_back(stop.vertex != Stop::no_vertex ? IT::Vertex_index(stop.vertex) : IT::vertex_at_point(t, nearest(t, stop.point)));
+        vertices.push_back(stop.vertex != Stop::no_vertex ? IT::Vertex_index(stop.vertex)
+                                                          : IT::vertex_at_point(t, nearest(t, stop.point)));
       if (is_closed)
         vertices.push_back(vertices.front());
       Path result;
-      const std::vector<IT::Halfedge_index> start = is_shortest ? shortest_path(t, vertices, result) : edge_path(t, vertices);
+      const std::vector<IT::Halfedge_index> start =
+        is_shortest ? shortest_path(t, vertices, result) : edge_path(t, vertices);
       if (is_closed && start.empty())
-        throw IT::Invalid_point_error("a closed curve needs two different vertices");
+        throw IT::Invalid_argument_error("a closed curve needs two different vertices");
       IT::Geodesic_path_network<IT::Filtered_edge_length_traits> network(t);
       const std::size_t p = is_closed ? network.add_closed_path(start) : network.add_path(start);
       result.initial_length = network.length(p);
@@ -124,14 +124,15 @@ public:
   }
 
   // Cut open along a path that is given by faces and coordinates: points, triangles, their faces, and where new vertices lie.
-  py::tuple cut_along_path(const std::vector<std::uint32_t>& faces, const std::vector<std::array<double, 3>>& coordinates)
+  py::tuple cut_along_path(const std::vector<std::uint32_t>& faces,
+                           const std::vector<std::array<double, 3>>& coordinates)
   {
     Point_table locations;
     const IT::Cut_surface cut = surface_.use([&](const Triangulation& t) {
       std::vector<IT::Surface_point> path;
       for (std::size_t i = 0; i < faces.size(); ++i)
         path.push_back({surface_.input_sides()[faces[i]], coordinates[i]});
-      IT::Cut_surface result = IT::cut_along_path(t.exact_geometry().correspondence().input(), points_, path);
+      IT::Cut_surface result = IT::cut_along_path(t.input(), points_, path);
       for (const IT::Surface_point& p : result.locations)
         append(t, p, locations);
       return result;
@@ -143,17 +144,20 @@ public:
     for (const auto& triangle : cut.triangles)
       corners.insert(corners.end(), triangle.begin(), triangle.end());
     return py::make_tuple(to_array(std::move(points), 3), to_array(std::move(corners), 3),
-                          to_array(std::vector<std::int64_t>(cut.input_faces.begin(), cut.input_faces.end())), locations.to_arrays());
+                          to_array(std::vector<std::int64_t>(cut.input_faces.begin(), cut.input_faces.end())),
+                          locations.to_arrays());
   }
 
-  Path trace_from_vertex(std::uint32_t v, const std::array<double, 3>& vector, const std::optional<std::uint64_t>& maximum_number)
+  Path trace_from_vertex(std::uint32_t v, const std::array<double, 3>& vector,
+                         const std::optional<std::uint64_t>& maximum_number)
   {
     return surface_.use([&](const Triangulation& t) {
       const IT::Delta_complex& complex = t.connectivity();
       if (v >= complex.number_of_vertices() || !complex.halfedge(IT::Vertex_index(v)).is_valid())
-        throw IT::Invalid_point_error("there is no vertex " + std::to_string(v) + " with faces: there are " +
-                                      std::to_string(complex.number_of_vertices()) + " vertices, counted from 0");
-      return trace(t, Tangent_directions(complex, points_).at_vertex(IT::Vertex_index(v), Eigen::Vector3d(vector.data())),
+        throw IT::Invalid_argument_error("there is no vertex " + std::to_string(v) + " with faces: there are " +
+                                         std::to_string(complex.number_of_vertices()) + " vertices, counted from 0");
+      return trace(t,
+                   Tangent_directions(complex, points_).at_vertex(IT::Vertex_index(v), Eigen::Vector3d(vector.data())),
                    maximum_number);
     });
   }
@@ -164,10 +168,11 @@ public:
     return surface_.use([&](const Triangulation& t) {
       const IT::Delta_complex& complex = t.connectivity();
       if (f >= complex.number_of_faces())
-        throw IT::Invalid_point_error("there is no face " + std::to_string(f) + ": there are " +
-                                      std::to_string(complex.number_of_faces()) + ", counted from 0");
+        throw IT::Invalid_argument_error("there is no face " + std::to_string(f) + ": there are " +
+                                         std::to_string(complex.number_of_faces()) + ", counted from 0");
       const IT::Surface_point start = {complex.halfedge(IT::Face_index(f)), coordinates};
-      return trace(t, Tangent_directions(complex, points_).in_face(start, Eigen::Vector3d(vector.data())), maximum_number);
+      return trace(t, Tangent_directions(complex, points_).in_face(start, Eigen::Vector3d(vector.data())),
+                   maximum_number);
     });
   }
 
@@ -182,16 +187,16 @@ private:
     return result;
   }
 
-  static std::vector<IT::Halfedge_index> shortest_path(Triangulation& t, const std::vector<IT::Vertex_index>& stops, Path& path)
+  static std::vector<IT::Halfedge_index> shortest_path(Triangulation& t, const std::vector<IT::Vertex_index>& stops,
+                                                       Path& path)
   {
     IT::flip_to_Delaunay(t, CGAL::parameters::visitor(Signal_visitor()));
     Signal_watch::check();
-    IT::Geodesic_distance_options options;
-    options.go_further = &Signal_watch::goes_on;
     path.distance = 0;
     std::vector<IT::Halfedge_index> result;
     for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
-      const IT::Shortest_path part = IT::shortest_path(t, stops[i], stops[i + 1], options);
+      const IT::Shortest_path part =
+        IT::shortest_path(t, stops[i], stops[i + 1], CGAL::parameters::visitor(&Signal_watch::goes_on));
       *path.distance += part.distance;
       result.insert(result.end(), part.halfedges.begin(), part.halfedges.end());
     }
@@ -200,23 +205,26 @@ private:
 
   IT::Surface_point nearest(const Triangulation& t, const std::array<double, 3>& p) const
   {
-    return IT::locate(t.exact_geometry().correspondence().input(), points_, p);
+    return IT::locate(t.input(), points_, p);
   }
 
   // A border halfedge may point to the vertex, but its opposite has a face.
   static IT::Surface_point at_input_vertex(const Triangulation& t, IT::Vertex_index v)
   {
-    const IT::Delta_complex& input = t.exact_geometry().correspondence().input();
+    const IT::Delta_complex& input = t.input();
     return {input.opposite(input.halfedge(v)), {1, 0, 0}};
   }
 
   // \param maximum_number after how many faces the line is cut off; without, too many of them are an error
-  Path trace(const Triangulation& t, const Tangent_direction& start, const std::optional<std::uint64_t>& maximum_number) const
+  Path trace(const Triangulation& t, const Tangent_direction& start,
+             const std::optional<std::uint64_t>& maximum_number) const
   {
-    const IT::Traced_geodesic line = IT::trace_geodesic(t, start.direction, start.length, std::size_t(maximum_number.value_or(most_faces)));
+    const IT::Traced_geodesic line =
+      IT::trace_geodesic(t, start.direction, start.length, std::size_t(maximum_number.value_or(most_faces)));
     if (line.status == IT::Trace_status::BUDGET_EXHAUSTED && !maximum_number)
-      throw IT::Invalid_point_error("the line crosses more than a million faces within " + std::to_string(line.length) + " of its length " +
-                                    std::to_string(start.length) + ": give a shorter vector, or max_iterations");
+      throw IT::Invalid_point_error("the line crosses more than a million faces within " + std::to_string(line.length) +
+                                    " of its length " + std::to_string(start.length) +
+                                    ": give a shorter vector, or max_iterations");
     Path result;
     for (const IT::Surface_point& point : line.points)
       append(t, point, result);
@@ -231,14 +239,14 @@ private:
 
   void append(const Triangulation& t, const IT::Surface_point& point, Path& path) const
   {
-    const IT::Delta_complex& input = t.exact_geometry().correspondence().input();
+    const IT::Delta_complex& input = t.input();
     for (double x : IT::point_in_space(input, points_, point))
       path.positions.push_back(x);
     append(t, point, path.points);
   }
   void append(const Triangulation& t, const IT::Surface_point& point, Point_table& table) const
   {
-    const IT::Delta_complex& input = t.exact_geometry().correspondence().input();
+    const IT::Delta_complex& input = t.input();
     table.append(input, point, surface_.input_sides()[input.face(point.halfedge).idx()]);
   }
 
@@ -264,7 +272,8 @@ void add_geodesics(py::module_& module)
     .def(py::init(&surface_in_space), py::arg("points").noconvert(), py::arg("triangles").noconvert())
     .def(
       "path",
-      [](Surface_in_space& s, const Indices& vertices, const Doubles& points, bool is_closed, bool is_shortest, std::uint64_t maximum_number) {
+      [](Surface_in_space& s, const Indices& vertices, const Doubles& points, bool is_closed, bool is_shortest,
+         std::uint64_t maximum_number) {
         const auto v = copied(vertices);
         const auto p = copied_rows(points);
         require(v.size() == p.size(), "there are not as many points as vertices");
@@ -273,7 +282,8 @@ void add_geodesics(py::module_& module)
           stops.push_back({v[i], p[i]});
         return to_tuple(without_lock([&] { return s.path(stops, is_closed, is_shortest, maximum_number); }));
       },
-      py::arg("vertices").noconvert(), py::arg("points").noconvert(), py::arg("is_closed"), py::arg("is_shortest"), py::arg("maximum_number"))
+      py::arg("vertices").noconvert(), py::arg("points").noconvert(), py::arg("is_closed"), py::arg("is_shortest"),
+      py::arg("maximum_number"))
     .def("locate", &Surface_in_space::locate)
     .def("cut_along_path",
          [](Surface_in_space& s, const Indices& faces, const Doubles& coordinates) {
@@ -283,13 +293,15 @@ void add_geodesics(py::module_& module)
            return s.cut_along_path(f, c);
          })
     .def("trace_from_vertex",
-         [](Surface_in_space& s, std::uint32_t v, const std::array<double, 3>& vector, const std::optional<std::uint64_t>& maximum_number) {
+         [](Surface_in_space& s, std::uint32_t v, const std::array<double, 3>& vector,
+            const std::optional<std::uint64_t>& maximum_number) {
            return to_tuple(s.trace_from_vertex(v, vector, maximum_number));
          })
-    .def("trace_from_face", [](Surface_in_space& s, std::uint32_t f, const std::array<double, 3>& coordinates,
-                               const std::array<double, 3>& vector, const std::optional<std::uint64_t>& maximum_number) {
-      return to_tuple(s.trace_from_face(f, coordinates, vector, maximum_number));
-    });
+    .def("trace_from_face",
+         [](Surface_in_space& s, std::uint32_t f, const std::array<double, 3>& coordinates,
+            const std::array<double, 3>& vector, const std::optional<std::uint64_t>& maximum_number) {
+           return to_tuple(s.trace_from_face(f, coordinates, vector, maximum_number));
+         });
 }
 
 } // namespace idt_python

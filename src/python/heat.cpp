@@ -8,11 +8,9 @@
 #include "python/bindings.h"
 
 #include <CGAL/Intrinsic_triangulations/Heat_method.h>
+#include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
-#include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
-
-#include <CGAL/Named_function_parameters.h>
 
 #include <memory>
 #include <mutex>
@@ -21,16 +19,14 @@ namespace idt_python {
 
 namespace {
 
-IT::Heat_method_options heat_options(double time_coefficient, int boundary, bool keeps_ridges)
+auto heat_options(double time_coefficient, int boundary, bool keeps_ridges)
 {
-  IT::Heat_method_options options;
-  options.time_coefficient = time_coefficient;
-  options.boundary = boundary == 0   ? IT::Heat_boundary::NEUMANN
-                     : boundary == 1 ? IT::Heat_boundary::DIRICHLET
-                                     : IT::Heat_boundary::AVERAGED;
-  options.keeps_ridges = keeps_ridges;
-  options.go_further = &Signal_watch::goes_on;
-  return options;
+  return CGAL::parameters::time_coefficient(time_coefficient)
+    .heat_boundary(boundary == 0   ? IT::Heat_boundary::NEUMANN
+                   : boundary == 1 ? IT::Heat_boundary::DIRICHLET
+                                   : IT::Heat_boundary::AVERAGED)
+    .keeps_ridges(keeps_ridges)
+    .visitor(&Signal_watch::goes_on);
 }
 
 // Calls from several threads of Python wait for each other.
@@ -60,28 +56,24 @@ private:
 
 IT::Tufted_cover Delaunay_cover(const Rows<double>& points, const std::vector<std::array<std::uint32_t, 3>>& triangles)
 {
-  IT::Tufted_cover_options options;
-  options.go_further = &Signal_watch::goes_on;
-  IT::Tufted_cover cover = IT::make_tufted_cover(points, triangles, options);
+  IT::Tufted_cover cover = IT::make_tufted_cover(points, triangles, CGAL::parameters::visitor(&Signal_watch::goes_on));
   cover.triangulation.set_interruption(&Signal_watch::goes_on);
-  const IT::Flip_report report = IT::flip_to_Delaunay(cover.triangulation, CGAL::parameters::visitor(Signal_visitor()));
-  if (report.status == IT::Flip_status::CANCELLED)
-    throw IT::Cancelled_error("cancelled while edges were flipped");
+  IT::flip_to_Delaunay(cover.triangulation, CGAL::parameters::visitor(Signal_visitor()));
   return cover;
 }
 
-std::unique_ptr<Heat> heat_on_any_triangles(const Doubles& points, const Indices& triangles, double time_coefficient, int boundary,
-                                            bool keeps_ridges)
+std::unique_ptr<Heat> heat_on_any_triangles(const Doubles& points, const Indices& triangles, double time_coefficient,
+                                            int boundary, bool keeps_ridges)
 {
   const Rows<double> rows(points);
   const auto faces = copied_rows(triangles);
-  const IT::Heat_method_options options = heat_options(time_coefficient, boundary, keeps_ridges);
+  const auto options = heat_options(time_coefficient, boundary, keeps_ridges);
   return without_lock([&] { return std::make_unique<Heat>(IT::Heat_method<>(Delaunay_cover(rows, faces), options)); });
 }
 
 std::unique_ptr<Heat> heat_on_surface(Surface& surface, double time_coefficient, int boundary, bool keeps_ridges)
 {
-  const IT::Heat_method_options options = heat_options(time_coefficient, boundary, keeps_ridges);
+  const auto options = heat_options(time_coefficient, boundary, keeps_ridges);
   return surface.use([&](const Triangulation& t) { return std::make_unique<Heat>(IT::Heat_method<>(t, options)); });
 }
 
@@ -98,10 +90,9 @@ py::array geodesic_distances(const Doubles& points, const Indices& triangles, co
   std::vector<IT::Vertex_index> vertices;
   for (std::uint32_t v : copied(sources))
     vertices.push_back(IT::Vertex_index(v));
-  IT::Geodesic_distance_options options;
-  options.tolerance = tolerance;
-  options.go_further = &Signal_watch::goes_on;
-  return to_array(without_lock([&] { return IT::geodesic_distances(Delaunay_cover(rows, faces), vertices, options).distances; }));
+  const auto options = CGAL::parameters::tolerance(tolerance).visitor(&Signal_watch::goes_on);
+  return to_array(
+    without_lock([&] { return IT::geodesic_distances(Delaunay_cover(rows, faces), vertices, options).distances; }));
 }
 
 py::array extend(Heat& heat, const Indices& vertices, const Doubles& values, double elsewhere)
@@ -119,8 +110,9 @@ py::array extend(Heat& heat, const Indices& vertices, const Doubles& values, dou
 
 void add_heat(py::module_& module)
 {
-  module.def("heat_on_any_triangles", &heat_on_any_triangles, py::arg("points").noconvert(), py::arg("triangles").noconvert(),
-             py::arg("time_coefficient"), py::arg("boundary"), py::arg("keeps_ridges"));
+  module.def("heat_on_any_triangles", &heat_on_any_triangles, py::arg("points").noconvert(),
+             py::arg("triangles").noconvert(), py::arg("time_coefficient"), py::arg("boundary"),
+             py::arg("keeps_ridges"));
   module.def("heat_on_surface", &heat_on_surface, py::arg("surface"), py::arg("time_coefficient"), py::arg("boundary"),
              py::arg("keeps_ridges"));
   module.def("geodesic_distances", &geodesic_distances, py::arg("points").noconvert(), py::arg("triangles").noconvert(),

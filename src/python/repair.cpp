@@ -29,10 +29,11 @@ py::tuple repair(const Doubles& points, const Indices& corners, const std::vecto
   std::vector<std::vector<std::size_t>> polygons;
   for (std::size_t f = 0; f + 1 < first_corner.size(); ++f) {
     require(first_corner[f] <= first_corner[f + 1] && first_corner[f + 1] <= all.size(), "a face has no corners");
-    polygons.emplace_back(all.begin() + std::ptrdiff_t(first_corner[f]), all.begin() + std::ptrdiff_t(first_corner[f + 1]));
+    polygons.emplace_back(all.begin() + std::ptrdiff_t(first_corner[f]),
+                          all.begin() + std::ptrdiff_t(first_corner[f + 1]));
   }
-  IT::Repaired_polygons repaired = without_lock(
-    [&] { return IT::repair_polygons(rows, polygons, [](double) { return Signal_watch::goes_on(); }); });
+  IT::Repaired_polygons repaired =
+    without_lock([&] { return IT::repair_polygons(rows, polygons, [](double) { return Signal_watch::goes_on(); }); });
   std::vector<double> coordinates;
   for (const auto& p : repaired.points)
     coordinates.insert(coordinates.end(), p.begin(), p.end());

@@ -9,7 +9,7 @@
 #include "python/surface_points.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/point_location.h>
+#include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
 #include <CGAL/Intrinsic_triangulations/transfer_matrices.h>
 
@@ -27,8 +27,8 @@ class Subdivision
 {
 public:
   Subdivision(const Triangulation& triangulation, std::vector<IT::Halfedge_index> input_sides)
-    : subdivision_(triangulation, [](double) { return Signal_watch::goes_on(); }), location_(subdivision_),
-      input_sides_(std::move(input_sides))
+    : subdivision_(triangulation, CGAL::parameters::visitor([] { return Signal_watch::goes_on(); })),
+      location_(subdivision_), input_sides_(std::move(input_sides))
   {}
 
   const IT::Common_subdivision& get() const { return subdivision_; }
@@ -92,10 +92,7 @@ py::tuple faces_of_polygons(const Subdivision& s)
   return py::make_tuple(to_array(std::move(input)), to_array(std::move(intrinsic)));
 }
 
-std::int64_t edge_or_none(IT::Halfedge_index h)
-{
-  return h.is_valid() ? std::int64_t(h.idx() >> 1) : -1;
-}
+std::int64_t edge_or_none(IT::Halfedge_index h) { return h.is_valid() ? std::int64_t(h.idx() >> 1) : -1; }
 
 py::tuple segments(const Subdivision& s)
 {
@@ -148,12 +145,13 @@ py::tuple mass_matrices(const Subdivision& s)
 void check_face(const IT::Delta_complex& complex, std::uint32_t f)
 {
   if (f >= complex.number_of_faces())
-    throw IT::Invalid_point_error("there is no face " + std::to_string(f) + ": there are " +
-                                  std::to_string(complex.number_of_faces()));
+    throw IT::Invalid_argument_error("there is no face " + std::to_string(f) + ": there are " +
+                                     std::to_string(complex.number_of_faces()));
 }
 
 template <class Locate>
-py::tuple locate(const IT::Delta_complex& from, const Indices& faces, const Doubles& coordinates, const Locate& locate_point)
+py::tuple locate(const IT::Delta_complex& from, const Indices& faces, const Doubles& coordinates,
+                 const Locate& locate_point)
 {
   const auto of_faces = copied(faces);
   const auto rows = copied_rows(coordinates);
@@ -202,9 +200,13 @@ void add_subdivision(py::module_& module)
     .def("faces_of_polygons", &faces_of_polygons)
     .def("segments", &segments)
     .def("input_matrix",
-         [](const Subdivision& s) { return to_sparse(without_lock([&] { return IT::input_interpolation_matrix(s.get()); })); })
+         [](const Subdivision& s) {
+           return to_sparse(without_lock([&] { return IT::input_interpolation_matrix(s.get()); }));
+         })
     .def("intrinsic_matrix",
-         [](const Subdivision& s) { return to_sparse(without_lock([&] { return IT::intrinsic_interpolation_matrix(s.get()); })); })
+         [](const Subdivision& s) {
+           return to_sparse(without_lock([&] { return IT::intrinsic_interpolation_matrix(s.get()); }));
+         })
     .def("interpolate_corners", &interpolate_corners, py::arg("values").noconvert())
     .def("mass_matrices", &mass_matrices)
     .def("to_intrinsic", &to_intrinsic, py::arg("faces").noconvert(), py::arg("coordinates").noconvert())

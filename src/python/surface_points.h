@@ -9,7 +9,7 @@
 #include "python/arrays.h"
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 
 #include <array>
 #include <cstdint>
@@ -28,7 +28,7 @@ public:
               CGAL::Intrinsic_triangulations::Halfedge_index first_side)
   {
     faces_.push_back(complex.face(first_side).idx());
-    for (double x : CGAL::Intrinsic_triangulations::internal::coordinates_from(complex, point, first_side))
+    for (double x : CGAL::Intrinsic_triangulations::coordinates_from(complex, point, first_side))
       coordinates_.push_back(x);
   }
 

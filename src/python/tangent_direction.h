@@ -8,9 +8,10 @@
 #define INTRINSIC_TRIANGULATIONS_PYTHON_TANGENT_DIRECTION_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/angles.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+
+#include <CGAL/number_type_config.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -62,9 +63,10 @@ public:
     const Vector normal = normal_at(v);
     const Vector projected = in_plane(vector, normal);
     if (!(projected.norm() > 0))
-      throw IT::Invalid_point_error("at vertex " + std::to_string(v.idx()) + ", the direction has no part along the surface");
+      throw IT::Invalid_point_error("at vertex " + std::to_string(v.idx()) +
+                                    ", the direction has no part along the surface");
     std::optional<Tangent_direction> found;
-    IT::internal::for_each_halfedge_from(complex_, v, [&](IT::Halfedge_index h) {
+    for_each_halfedge_from(v, [&](IT::Halfedge_index h) {
       if (found || complex_.is_border(h))
         return;
       const Vector first = in_plane(edge_vector(h), normal), last = in_plane(-edge_vector(complex_.prev(h)), normal);
@@ -75,11 +77,28 @@ public:
       found = Tangent_direction{turned(h, fraction), projected.norm()};
     });
     if (!found)
-      throw IT::Invalid_point_error("at vertex " + std::to_string(v.idx()) + ", the direction leads away from the surface");
+      throw IT::Invalid_point_error("at vertex " + std::to_string(v.idx()) +
+                                    ", the direction leads away from the surface");
     return *found;
   }
 
 private:
+  // Counterclockwise, and on the border from border to border.
+  template <class Visit>
+  void for_each_halfedge_from(IT::Vertex_index v, const Visit& visit) const
+  {
+    if (!complex_.halfedge(v).is_valid())
+      return;
+    const IT::Halfedge_index first = complex_.opposite(complex_.halfedge(v));
+    IT::Halfedge_index h = first;
+    do {
+      visit(h);
+      if (complex_.is_border(h))
+        return;
+      h = complex_.next_around_source(h);
+    } while (h != first);
+  }
+
   Vector point(IT::Vertex_index v) const { return Vector(points_[v.idx()].data()); }
   Vector edge_vector(IT::Halfedge_index h) const { return point(complex_.target(h)) - point(complex_.source(h)); }
 
@@ -102,7 +121,7 @@ private:
   Vector normal_at(IT::Vertex_index v) const
   {
     Vector sum = Vector::Zero();
-    IT::internal::for_each_halfedge_from(complex_, v, [&](IT::Halfedge_index h) {
+    for_each_halfedge_from(v, [&](IT::Halfedge_index h) {
       if (!complex_.is_border(h))
         sum += edge_vector(h).cross(-edge_vector(complex_.prev(h))).stableNormalized() * corner_angle(h);
     });

@@ -9,8 +9,7 @@
 #include "python/surface_points.h"
 
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
-#include <CGAL/Intrinsic_triangulations/angles.h>
-#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
@@ -212,9 +211,8 @@ void check_marks(const Triangulation& t, const std::vector<bool>& is_constrained
 {
   const std::size_t n = t.connectivity().number_of_edges();
   if (!is_constrained.empty() && is_constrained.size() != n)
-    throw IT::Invalid_surface_error(IT::Invalid_surface_error::Defect::BAD_INDEX, 0, 1,
-                                    "there are " + std::to_string(is_constrained.size()) + " marks of constrained edges for " +
-                                      std::to_string(n) + " edges");
+    throw IT::Invalid_argument_error("there are " + std::to_string(is_constrained.size()) +
+                                     " marks of constrained edges for " + std::to_string(n) + " edges");
 }
 
 py::tuple flip_to_Delaunay(Surface& surface, const std::optional<Booleans>& constrained, std::uint64_t maximum_number)
@@ -256,7 +254,8 @@ const char* name_of(IT::Refinement_obstacle obstacle)
 }
 
 py::tuple refine(Surface& surface, double minimum_angle, double maximum_circumradius, double maximum_edge_length,
-                 const std::optional<Booleans>& constrained, const std::optional<std::uint64_t>& maximum_number, double minimum_size)
+                 const std::optional<Booleans>& constrained, const std::optional<std::uint64_t>& maximum_number,
+                 double minimum_size)
 {
   require(minimum_size >= 0, "minimum_size is negative");
   require(minimum_angle >= 0 && minimum_angle <= 30, "minimum_angle is not between 0 and 30 degrees");
@@ -265,10 +264,14 @@ py::tuple refine(Surface& surface, double minimum_angle, double maximum_circumra
   const IT::Refinement_report report = surface.use([&](Triangulation& t) {
     check_marks(t, is_constrained);
     return IT::refine_Delaunay(
-      t, {minimum_angle, maximum_circumradius, maximum_edge_length, false, minimum_size},
-      parameters::edge_is_constrained_map(Constrained_edges(is_constrained))
-        .visitor(Signal_visitor())
-        .maximum_number(maximum_number ? *maximum_number : 10 * std::uint64_t(t.connectivity().number_of_vertices()) + 1000000));
+      t, parameters::minimum_angle(minimum_angle)
+           .maximum_circumradius(maximum_circumradius)
+           .maximum_edge_length(maximum_edge_length)
+           .minimum_size(minimum_size)
+           .edge_is_constrained_map(Constrained_edges(is_constrained))
+           .visitor(Signal_visitor())
+           .maximum_number(maximum_number ? *maximum_number
+                                          : 10 * std::uint64_t(t.connectivity().number_of_vertices()) + 1000000));
   });
   Numbers unrefined;
   py::list reasons;
@@ -276,8 +279,8 @@ py::tuple refine(Surface& surface, double minimum_angle, double maximum_circumra
     unrefined.push_back(f.face.idx());
     reasons.append(name_of(f.reason));
   }
-  return py::make_tuple(report.status == IT::Refinement_status::REFINED, report.insertions, report.segment_splits, report.flips,
-                        to_array(std::move(unrefined)), reasons);
+  return py::make_tuple(report.status == IT::Refinement_status::REFINED, report.insertions, report.segment_splits,
+                        report.flips, to_array(std::move(unrefined)), reasons);
 }
 
 py::array sharp_edges(Surface& surface, const Doubles& points, double degrees, double minimum_size)
@@ -287,7 +290,7 @@ py::array sharp_edges(Surface& surface, const Doubles& points, double degrees, d
   const std::vector<std::array<double, 3>> places = copied_rows(points);
   return to_array(surface.use([&](const Triangulation& t) {
     Numbers result;
-    for (bool is_sharp : IT::sharp_edges(t.exact_geometry().correspondence().input(), places, degrees, minimum_size))
+    for (bool is_sharp : IT::sharp_edges(t.input(), places, degrees, minimum_size))
       result.push_back(is_sharp);
     return result;
   }));
@@ -311,11 +314,10 @@ py::tuple inserted_vertices(Surface& surface)
 {
   return surface
     .use([&](const Triangulation& t) {
-      const IT::Correspondence& correspondence = t.exact_geometry().correspondence();
-      const IT::Delta_complex& input = correspondence.input();
+      const IT::Delta_complex& input = t.input();
       Point_table result;
       for (auto v = input.number_of_vertices(); v < t.connectivity().number_of_vertices(); ++v) {
-        IT::Surface_point point = correspondence.location(IT::Vertex_index(v));
+        IT::Surface_point point = t.location(IT::Vertex_index(v));
         const double sum = point.coordinates[0] + point.coordinates[1] + point.coordinates[2];
         for (double& x : point.coordinates)
           x /= sum;
@@ -344,7 +346,8 @@ void add_triangulation(py::module_& module)
                 py::arg("number_of_vertices"))
     .def_static("from_gluing", &from_gluing, py::arg("first").noconvert(), py::arg("second").noconvert(),
                 py::arg("lengths").noconvert())
-    .def("copy", [](const Surface& surface) { return without_lock([&] { return std::make_unique<Surface>(surface); }); })
+    .def("copy",
+         [](const Surface& surface) { return without_lock([&] { return std::make_unique<Surface>(surface); }); })
     .def("number_of_vertices", count(&IT::Delta_complex::number_of_vertices))
     .def("number_of_edges", count(&IT::Delta_complex::number_of_edges))
     .def("number_of_faces", count(&IT::Delta_complex::number_of_faces))

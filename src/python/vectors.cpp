@@ -7,9 +7,9 @@
 #include "python/arrays.h"
 #include "python/bindings.h"
 
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/Vector_heat_method.h>
-#include <CGAL/Intrinsic_triangulations/connection_Laplacian.h>
-#include <CGAL/Intrinsic_triangulations/vertex_frames.h>
+#include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 
 #include <pybind11/stl.h>
 
@@ -26,7 +26,10 @@ using Vector_heat = IT::Vector_heat_method;
 
 std::unique_ptr<Vector_heat> vector_heat(Surface& surface, const std::optional<double>& time_coefficient)
 {
-  return surface.use([&](const Triangulation& t) { return std::make_unique<Vector_heat>(t, time_coefficient, &Signal_watch::goes_on); });
+  return surface.use([&](const Triangulation& t) {
+    return std::make_unique<Vector_heat>(
+      t, CGAL::parameters::time_coefficient(time_coefficient).visitor(&Signal_watch::goes_on));
+  });
 }
 
 py::array to_rows(const std::vector<Vector_heat::Vector>& vectors)
@@ -71,8 +74,8 @@ py::tuple frames(Surface& surface, const Doubles& points)
 {
   const auto p = copied_rows(points);
   const std::vector<IT::Vertex_frame> found = surface.use([&](const Triangulation& t) {
-    if (p.size() != t.exact_geometry().correspondence().input().number_of_vertices())
-      throw IT::Invalid_surface_error(IT::Invalid_surface_error::Defect::BAD_INDEX, p.size(), 1, "there is not a point for each vertex");
+    if (p.size() != t.input().number_of_vertices())
+      throw IT::Invalid_argument_error("there is not a point for each vertex");
     return IT::vertex_frames(t, p);
   });
   std::vector<double> x, y, normal;

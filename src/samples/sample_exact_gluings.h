@@ -8,10 +8,9 @@
 
 #include "samples/sample_surface_tools.h"
 
-#include <CGAL/Intrinsic_triangulations/Crossing_counts.h>
-#include <CGAL/Intrinsic_triangulations/exact_gluing_io.h>
+#include <CGAL/Intrinsic_triangulations/untwist.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 
 #include <array>
 #include <cstddef>
@@ -19,18 +18,20 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace samples {
+
+namespace IT = CGAL::Intrinsic_triangulations;
 
 // Triangles with a squared length for each side, glued.
-inline Exact_gluing exact_gluing(std::size_t number_of_faces, const std::vector<std::array<std::uint32_t, 2>>& glued_sides,
-                                 const std::vector<Rational>& squared_side_lengths)
+inline IT::Exact_gluing exact_gluing(std::size_t number_of_faces,
+                                     const std::vector<std::array<std::uint32_t, 2>>& glued_sides,
+                                     const std::vector<IT::Rational>& squared_side_lengths)
 {
-  Exact_gluing gluing;
-  gluing.complex = make_Delta_complex_from_gluing(number_of_faces, glued_sides);
+  IT::Exact_gluing gluing;
+  gluing.complex = IT::make_Delta_complex_from_gluing(number_of_faces, glued_sides);
   gluing.squared_lengths.resize(gluing.complex.number_of_edges());
-  for (Face_index f : gluing.complex.faces()) {
-    Halfedge_index h = gluing.complex.halfedge(f);
+  for (IT::Face_index f : gluing.complex.faces()) {
+    IT::Halfedge_index h = gluing.complex.halfedge(f);
     for (std::size_t i = 0; i < 3; ++i, h = gluing.complex.next(h))
       gluing.squared_lengths[gluing.complex.edge(h).idx()] = squared_side_lengths[3 * f.idx() + i];
   }
@@ -41,28 +42,28 @@ inline Exact_gluing exact_gluing(std::size_t number_of_faces, const std::vector<
 //
 // Euler characteristic 0; 1 vertex, 3 edges, 2 faces.
 // \param u, v vectors that are linearly independent
-inline Exact_gluing lattice_torus(const std::array<Integer, 2>& u, const std::array<Integer, 2>& v)
+inline IT::Exact_gluing lattice_torus(const std::array<IT::Integer, 2>& u, const std::array<IT::Integer, 2>& v)
 {
-  internal::require_sample_argument(u[0] * v[1] != u[1] * v[0], "two vectors span no lattice");
-  const auto square = [](const Integer& x, const Integer& y) { return Rational(x * x + y * y); };
-  const Rational a = square(u[0], u[1]), b = square(v[0], v[1]), c = square(u[0] + v[0], u[1] + v[1]);
+  require_sample_argument(u[0] * v[1] != u[1] * v[0], "two vectors span no lattice");
+  const auto square = [](const IT::Integer& x, const IT::Integer& y) { return IT::Rational(x * x + y * y); };
+  const IT::Rational a = square(u[0], u[1]), b = square(v[0], v[1]), c = square(u[0] + v[0], u[1] + v[1]);
   return exact_gluing(2, {{0, 3}, {1, 4}, {2, 5}}, {a, b, c, a, b, c});
 }
 
 // The same as sheared_one_vertex_torus() of a double, without rounding: the lattice of (1, 0) and (shear, 1).
-inline Exact_gluing sheared_one_vertex_torus(const Integer& shear)
+inline IT::Exact_gluing sheared_one_vertex_torus(const IT::Integer& shear)
 {
-  return lattice_torus({Integer(1), Integer(0)}, {shear, Integer(1)});
+  return lattice_torus({IT::Integer(1), IT::Integer(0)}, {shear, IT::Integer(1)});
 }
 
 // The lattice of (F, F') and (F', F'') with three consecutive Fibonacci numbers, whose reduction takes as many twists as possible for their size.
 // \param n the index of the first, at least 2
-inline Exact_gluing Fibonacci_torus(std::size_t n)
+inline IT::Exact_gluing Fibonacci_torus(std::size_t n)
 {
-  internal::require_sample_argument(n >= 2, "a Fibonacci torus needs three numbers");
-  Integer a(1), b(1), c(0); // F1, F1, F0
+  require_sample_argument(n >= 2, "a Fibonacci torus needs three numbers");
+  IT::Integer a(1), b(1), c(0); // F1, F1, F0
   for (std::size_t i = 1; i < n; ++i) {
-    const Integer sum = a + b;
+    const IT::Integer sum = a + b;
     c = std::move(b);
     b = std::move(a);
     a = sum;
@@ -75,13 +76,13 @@ struct Tubed_triangles
 {
   std::size_t number_of_faces = 0;
   std::vector<std::array<std::uint32_t, 2>> glued_sides;
-  std::vector<Rational> squared_side_lengths;
+  std::vector<IT::Rational> squared_side_lengths;
 
   // Opens the surface along a pair of glued sides, which form a loop, and glues a tube into the gap.
   // \param pair the index of the pair of sides
   // \param squared_height the square of the height of the tube
   // \param shear by how many times its circumference an edge from the first side of the pair to the second is slanted
-  void insert_tube(std::size_t pair, const Rational& squared_height, const Rational& shear)
+  void insert_tube(std::size_t pair, const IT::Rational& squared_height, const IT::Rational& shear)
   {
     const std::uint32_t second = glued_sides[pair][1];
     const std::uint32_t top = append_tube(glued_sides[pair][0], squared_height, shear);
@@ -90,10 +91,11 @@ struct Tubed_triangles
 
   // The same at a side that is not glued, and is a loop; the other end of the tube is on the border.
   // \return the side at that end
-  std::uint32_t append_tube(std::uint32_t side, const Rational& squared_height, const Rational& shear)
+  std::uint32_t append_tube(std::uint32_t side, const IT::Rational& squared_height, const IT::Rational& shear)
   {
-    const Rational a = squared_side_lengths[side];
-    const Rational right = shear * shear * a + squared_height, left = (shear + 1) * (shear + 1) * a + squared_height;
+    const IT::Rational a = squared_side_lengths[side];
+    const IT::Rational right = shear * shear * a + squared_height,
+                       left = (shear + 1) * (shear + 1) * a + squared_height;
     const auto lower = static_cast<std::uint32_t>(3 * number_of_faces), upper = lower + 3;
     number_of_faces += 2;
     squared_side_lengths.insert(squared_side_lengths.end(), {a, right, left, a, right, left});
@@ -103,21 +105,20 @@ struct Tubed_triangles
     return upper;
   }
 
-  Exact_gluing gluing() const { return exact_gluing(number_of_faces, glued_sides, squared_side_lengths); }
+  IT::Exact_gluing gluing() const { return exact_gluing(number_of_faces, glued_sides, squared_side_lengths); }
 };
 
 // Two equilateral triangles, glued along a side, and twice along a tube of length one, which is sheared: a surface of genus 2.
 //
 // Euler characteristic -2; 1 vertex, 9 edges, 6 faces.
-inline Exact_gluing sheared_genus_two(const Integer& first_shear, const Integer& second_shear)
+inline IT::Exact_gluing sheared_genus_two(const IT::Integer& first_shear, const IT::Integer& second_shear)
 {
-  Tubed_triangles triangles{2, {{0, 3}, {1, 4}, {2, 5}}, std::vector<Rational>(6, Rational(1))};
-  triangles.insert_tube(0, Rational(1), Rational(first_shear));
-  triangles.insert_tube(1, Rational(1), Rational(second_shear));
+  Tubed_triangles triangles{2, {{0, 3}, {1, 4}, {2, 5}}, std::vector<IT::Rational>(6, IT::Rational(1))};
+  triangles.insert_tube(0, IT::Rational(1), IT::Rational(first_shear));
+  triangles.insert_tube(1, IT::Rational(1), IT::Rational(second_shear));
   return triangles.gluing();
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace samples
 
 #endif // IDT_SAMPLES_SAMPLE_EXACT_GLUINGS_H

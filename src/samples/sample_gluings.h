@@ -17,18 +17,13 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-
-namespace internal {
+namespace samples {
 
 inline void require_triangle_inequality(double a, double b, double c)
 {
   require_sample_argument(a > 0 && b > 0 && c > 0 && a < b + c && b < c + a && c < a + b,
                           "three lengths violate the strict triangle inequality");
 }
-
-} // namespace internal
 
 // A flat torus made of two congruent triangles, with one vertex.
 //
@@ -38,7 +33,7 @@ inline void require_triangle_inequality(double a, double b, double c)
 // \param a,b,c the lengths of the edges, which satisfy the strict triangle inequality
 inline Glued_triangles one_vertex_torus(double a = 1, double b = 1.25, double c = 2)
 {
-  internal::require_triangle_inequality(a, b, c);
+  require_triangle_inequality(a, b, c);
   // The second triangle is the first, turned by half a turn.
   return {2, {{0, 3}, {1, 4}, {2, 5}}, {a, b, c, a, b, c}};
 }
@@ -64,7 +59,7 @@ inline Glued_triangles sheared_one_vertex_torus(double shear = 100)
 // \param base the length of the third side, below twice the leg
 inline Glued_triangles self_glued_triangle(double leg = 1, double base = 1)
 {
-  internal::require_triangle_inequality(leg, leg, base);
+  require_triangle_inequality(leg, leg, base);
   return {1, {{0, 1}}, {leg, leg, base}};
 }
 
@@ -77,8 +72,8 @@ inline Glued_triangles self_glued_triangle(double leg = 1, double base = 1)
 // \param base the length of the common base, below twice the legs
 inline Glued_triangles self_glued_sphere(double first_leg = 1, double second_leg = 1.5, double base = 1)
 {
-  internal::require_triangle_inequality(first_leg, first_leg, base);
-  internal::require_triangle_inequality(second_leg, second_leg, base);
+  require_triangle_inequality(first_leg, first_leg, base);
+  require_triangle_inequality(second_leg, second_leg, base);
   return {2, {{0, 1}, {3, 4}, {2, 5}}, {first_leg, first_leg, base, second_leg, second_leg, base}};
 }
 
@@ -96,12 +91,10 @@ inline Glued_triangles self_glued_sphere(double first_leg = 1, double second_leg
 inline Glued_triangles random_gluing(std::size_t number_of_faces, std::uint64_t seed, bool with_boundary = false,
                                      bool connected = false)
 {
-  internal::require_sample_argument(number_of_faces >= 1, "a gluing has a face at least");
-  internal::require_sample_argument(number_of_faces < std::numeric_limits<std::uint32_t>::max() / 3,
-                                    "too many faces");
-  internal::require_sample_argument(with_boundary || number_of_faces % 2 == 0,
-                                    "a closed surface has an even number of faces");
-  internal::Sample_random random(seed);
+  require_sample_argument(number_of_faces >= 1, "a gluing has a face at least");
+  require_sample_argument(number_of_faces < std::numeric_limits<std::uint32_t>::max() / 3, "too many faces");
+  require_sample_argument(with_boundary || number_of_faces % 2 == 0, "a closed surface has an even number of faces");
+  Sample_random random(seed);
   Glued_triangles gluing;
   gluing.number_of_faces = number_of_faces;
   gluing.side_lengths.resize(3 * number_of_faces);
@@ -138,7 +131,6 @@ inline Glued_triangles random_gluing(std::size_t number_of_faces, std::uint64_t 
   return gluing;
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace samples
 
 #endif // IDT_SAMPLES_SAMPLE_GLUINGS_H

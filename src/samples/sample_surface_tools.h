@@ -19,9 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace samples {
 
 constexpr double sample_pi = 3.14159265358979323846;
 
@@ -78,8 +76,8 @@ inline void rotate_sample(std::vector<std::array<double, 3>>& points, std::uint6
 
 inline void append_triangle(Indexed_triangles& surface, std::size_t a, std::size_t b, std::size_t c)
 {
-  surface.triangles.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
-                               static_cast<std::uint32_t>(c)});
+  surface.triangles.push_back(
+    {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
 }
 
 // Which diagonal splits the cell whose lowest corner is (column, row):
@@ -95,11 +93,10 @@ enum class Diagonal {
 // points, an open one has a cell less.
 // `diagonal(column, row)` is called once for each cell, row by row.
 template <typename Diagonal_of_cell>
-void append_grid(Indexed_triangles& surface, std::size_t columns, std::size_t rows,
-                 bool columns_closed, bool rows_closed, Diagonal_of_cell diagonal)
+void append_grid(Indexed_triangles& surface, std::size_t columns, std::size_t rows, bool columns_closed,
+                 bool rows_closed, Diagonal_of_cell diagonal)
 {
-  require_sample_argument(columns < std::numeric_limits<std::uint32_t>::max() / (rows + 1),
-                          "too many vertices");
+  require_sample_argument(columns < std::numeric_limits<std::uint32_t>::max() / (rows + 1), "too many vertices");
   const std::size_t cell_columns = columns_closed ? columns : columns - 1;
   const std::size_t cell_rows = rows_closed ? rows : rows - 1;
   surface.triangles.reserve(surface.triangles.size() + 2 * cell_columns * cell_rows);
@@ -134,8 +131,6 @@ inline void append_fan(Indexed_triangles& surface, std::size_t first, std::size_
   }
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace samples
 
 #endif // IDT_SAMPLES_SAMPLE_SURFACE_TOOLS_H

@@ -12,8 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace samples {
 
 // Triangles in space that share points by index.
 struct Indexed_triangles
@@ -40,7 +39,6 @@ struct Glued_triangles
   std::vector<double> side_lengths;
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace samples
 
 #endif // IDT_SAMPLES_SAMPLE_SURFACE_TYPES_H

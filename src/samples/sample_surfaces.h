@@ -17,8 +17,7 @@
 #include <variant>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace samples {
 
 // The name of a sample surface and a one-line description.
 struct Sample
@@ -26,8 +25,6 @@ struct Sample
   std::string name;        ///< the argument of `make_sample()`
   std::string description; ///< one line
 };
-
-namespace internal {
 
 using Sample_surface = std::variant<Indexed_triangles, Glued_triangles>;
 
@@ -48,10 +45,8 @@ inline const std::vector<Named_sample>& named_samples()
      []() -> Sample_surface { return disk_with_spike(); }},
     {"bumpy-dome", "an open dome with smooth bumps, whose triangles wind around it",
      []() -> Sample_surface { return bumpy_dome(); }},
-    {"torus", "a torus with a regular grid of triangles",
-     []() -> Sample_surface { return torus(); }},
-    {"bad-torus", "a torus with random bad triangles",
-     []() -> Sample_surface { return bad_torus(); }},
+    {"torus", "a torus with a regular grid of triangles", []() -> Sample_surface { return torus(); }},
+    {"bad-torus", "a torus with random bad triangles", []() -> Sample_surface { return bad_torus(); }},
     {"prism", "a prism over a regular polygon with 80 corners, full of ties",
      []() -> Sample_surface { return prism(); }},
     {"Schwarz-lantern", "a cylinder folded into flat obtuse triangles",
@@ -60,31 +55,25 @@ inline const std::vector<Named_sample>& named_samples()
      []() -> Sample_surface { return helical_tube(); }},
     {"one-vertex-torus", "a flat torus of two triangles, given by lengths alone",
      []() -> Sample_surface { return one_vertex_torus(); }},
-    {"cap", "a kite with a chain of vertices 1e-10 away from its diagonal",
-     []() -> Sample_surface { return cap(); }},
-    {"sliver-sheet", "a wavy sheet squeezed to a width of 1e-9",
-     []() -> Sample_surface { return sliver_sheet(); }},
+    {"cap", "a kite with a chain of vertices 1e-10 away from its diagonal", []() -> Sample_surface { return cap(); }},
+    {"sliver-sheet", "a wavy sheet squeezed to a width of 1e-9", []() -> Sample_surface { return sliver_sheet(); }},
     {"pillow", "a flat pillow of 300 vertices that needs more than 45,000 flips",
      []() -> Sample_surface { return pillow(); }},
-    {"strip", "a long thin strip that needs 298,110 flips",
-     []() -> Sample_surface { return strip(); }},
+    {"strip", "a long thin strip that needs 298,110 flips", []() -> Sample_surface { return strip(); }},
     {"random-diagonal-grid", "unit squares split at random, where every diagonal is a tie",
      []() -> Sample_surface { return random_diagonal_grid(); }},
-    {"sheared-grid", "a grid of squares sheared along its rows",
-     []() -> Sample_surface { return sheared_grid(); }},
+    {"sheared-grid", "a grid of squares sheared along its rows", []() -> Sample_surface { return sheared_grid(); }},
     {"latitude-longitude-sphere", "a sphere with meridians, circles of latitude and pole fans",
      []() -> Sample_surface { return latitude_longitude_sphere(); }},
   };
   return samples;
 }
 
-} // namespace internal
-
 // returns the names that `make_sample()` accepts, with descriptions.
 inline std::vector<Sample> sample_names()
 {
   std::vector<Sample> samples;
-  for (const internal::Named_sample& sample : internal::named_samples())
+  for (const Named_sample& sample : named_samples())
     samples.push_back({sample.name, sample.description});
   return samples;
 }
@@ -94,7 +83,7 @@ inline std::vector<Sample> sample_names()
 inline std::variant<Indexed_triangles, Glued_triangles> make_sample(const std::string& name)
 {
   std::string known;
-  for (const internal::Named_sample& sample : internal::named_samples()) {
+  for (const Named_sample& sample : named_samples()) {
     if (name == sample.name)
       return sample.make();
     known += known.empty() ? "" : ", ";
@@ -103,7 +92,6 @@ inline std::variant<Indexed_triangles, Glued_triangles> make_sample(const std::s
   throw std::invalid_argument("unknown sample surface \"" + name + "\"; known are " + known);
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace samples
 
 #endif // IDT_SAMPLES_SAMPLE_SURFACES_H

@@ -15,21 +15,16 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace samples {
 
 // \cond SKIP_IN_MANUAL
-namespace internal {
-
 // Moves a point of the unit sphere along its radius.
 inline std::array<double, 3> bumped(double x, double y, double z, double bump_height)
 {
-  const double radius =
-    1 + bump_height * std::sin(6 * x + 1) * std::sin(5 * y + 2) * std::sin(7 * z + 0.5);
+  const double radius = 1 + bump_height * std::sin(6 * x + 1) * std::sin(5 * y + 2) * std::sin(7 * z + 0.5);
   return {radius * x, radius * y, radius * z};
 }
 
-} // namespace internal
 // \endcond
 
 // The unit sphere with meridians and parallels, each cell split in two,
@@ -41,19 +36,18 @@ inline std::array<double, 3> bumped(double x, double y, double z, double bump_he
 // \param rows the number of bands from pole to pole, at least 2
 inline Indexed_triangles latitude_longitude_sphere(std::size_t columns = 60, std::size_t rows = 30)
 {
-  internal::require_sample_argument(columns >= 3 && rows >= 2, "a sphere has 3 columns and 2 rows at least");
+  require_sample_argument(columns >= 3 && rows >= 2, "a sphere has 3 columns and 2 rows at least");
   Indexed_triangles surface;
   for (std::size_t row = 1; row < rows; ++row)
     for (std::size_t column = 0; column < columns; ++column) {
-      const double latitude = internal::sample_pi * (static_cast<double>(row) / rows - 0.5);
-      const double longitude = 2 * internal::sample_pi * column / columns;
-      surface.points.push_back({std::cos(latitude) * std::cos(longitude),
-                                std::cos(latitude) * std::sin(longitude), std::sin(latitude)});
+      const double latitude = sample_pi * (static_cast<double>(row) / rows - 0.5);
+      const double longitude = 2 * sample_pi * column / columns;
+      surface.points.push_back(
+        {std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude), std::sin(latitude)});
     }
-  internal::append_grid(surface, columns, rows - 1, true, false,
-                        [](std::size_t, std::size_t) { return internal::Diagonal::RISING; });
-  internal::append_fan(surface, 0, columns, {0, 0, -1}, false);
-  internal::append_fan(surface, (rows - 2) * columns, columns, {0, 0, 1}, true);
+  append_grid(surface, columns, rows - 1, true, false, [](std::size_t, std::size_t) { return Diagonal::RISING; });
+  append_fan(surface, 0, columns, {0, 0, -1}, false);
+  append_fan(surface, (rows - 2) * columns, columns, {0, 0, 1}, true);
   return surface;
 }
 
@@ -68,32 +62,29 @@ inline Indexed_triangles latitude_longitude_sphere(std::size_t columns = 60, std
 // \param rows the number of bands from pole to pole, at least 2
 // \param bump_height the largest change of the radius 1, in [0, 1)
 // \param seed of the random shifts and diagonals
-inline Indexed_triangles bumpy_sphere(std::size_t columns = 100, std::size_t rows = 51,
-                                      double bump_height = 0.3, std::uint64_t seed = 1)
+inline Indexed_triangles bumpy_sphere(std::size_t columns = 100, std::size_t rows = 51, double bump_height = 0.3,
+                                      std::uint64_t seed = 1)
 {
-  internal::require_sample_argument(columns >= 3 && rows >= 2, "a sphere has 3 columns and 2 rows at least");
-  internal::require_sample_argument(bump_height >= 0 && bump_height < 1, "a bump height lies in [0, 1)");
+  require_sample_argument(columns >= 3 && rows >= 2, "a sphere has 3 columns and 2 rows at least");
+  require_sample_argument(bump_height >= 0 && bump_height < 1, "a bump height lies in [0, 1)");
   const double largest_shift = 0.2; // of a cell; below 1/4 all cells stay convex
   const double twist = 1;           // radians from the equator to a pole
-  internal::Sample_random random(seed);
+  Sample_random random(seed);
   Indexed_triangles surface;
   for (std::size_t row = 1; row < rows; ++row)
     for (std::size_t column = 0; column < columns; ++column) {
       const double row_shift = random.uniform(-largest_shift, largest_shift);
       const double column_shift = random.uniform(-largest_shift, largest_shift);
       const double height = 2 * (row + row_shift) / rows - 1; // in (-1, 1)
-      const double latitude = 0.5 * internal::sample_pi * height;
-      const double longitude = 2 * internal::sample_pi * (column + column_shift) / columns + twist * height;
-      surface.points.push_back(internal::bumped(std::cos(latitude) * std::cos(longitude),
-                                                std::cos(latitude) * std::sin(longitude),
-                                                std::sin(latitude), bump_height));
+      const double latitude = 0.5 * sample_pi * height;
+      const double longitude = 2 * sample_pi * (column + column_shift) / columns + twist * height;
+      surface.points.push_back(bumped(std::cos(latitude) * std::cos(longitude),
+                                      std::cos(latitude) * std::sin(longitude), std::sin(latitude), bump_height));
     }
-  internal::append_grid(surface, columns, rows - 1, true, false, [&random](std::size_t, std::size_t) {
-    return random.coin() ? internal::Diagonal::RISING : internal::Diagonal::FALLING;
-  });
-  internal::append_fan(surface, 0, columns, internal::bumped(0, 0, -1, bump_height), false);
-  internal::append_fan(surface, (rows - 2) * columns, columns,
-                       internal::bumped(0, 0, 1, bump_height), true);
+  append_grid(surface, columns, rows - 1, true, false,
+              [&random](std::size_t, std::size_t) { return random.coin() ? Diagonal::RISING : Diagonal::FALLING; });
+  append_fan(surface, 0, columns, bumped(0, 0, -1, bump_height), false);
+  append_fan(surface, (rows - 2) * columns, columns, bumped(0, 0, 1, bump_height), true);
   return surface;
 }
 
@@ -109,24 +100,23 @@ inline Indexed_triangles bumpy_sphere(std::size_t columns = 100, std::size_t row
 // \param rings the number of rings, the boundary included, at least 1
 // \param height of the spike over the disk of radius 1
 // \param width the distance from the axis at which the height has fallen by the factor e
-inline Indexed_triangles disk_with_spike(std::size_t columns = 40, std::size_t rings = 25,
-                                         double height = 3, double width = 0.1)
+inline Indexed_triangles disk_with_spike(std::size_t columns = 40, std::size_t rings = 25, double height = 3,
+                                         double width = 0.1)
 {
-  internal::require_sample_argument(columns >= 3 && rings >= 1, "a disk has 3 columns and 1 ring at least");
-  internal::require_sample_argument(width > 0, "a spike has a positive width");
+  require_sample_argument(columns >= 3 && rings >= 1, "a disk has 3 columns and 1 ring at least");
+  require_sample_argument(width > 0, "a spike has a positive width");
   const double twist = 2; // radians from the axis to the boundary
   Indexed_triangles surface;
   for (std::size_t ring = 1; ring <= rings; ++ring)
     for (std::size_t column = 0; column < columns; ++column) {
       const double radius = static_cast<double>(ring) / rings;
       // Clockwise, so that triangles are counterclockwise when seen from above.
-      const double angle = -2 * internal::sample_pi * column / columns + twist * radius;
-      surface.points.push_back({radius * std::cos(angle), radius * std::sin(angle),
-                                height * std::exp(-(radius / width) * (radius / width))});
+      const double angle = -2 * sample_pi * column / columns + twist * radius;
+      surface.points.push_back(
+        {radius * std::cos(angle), radius * std::sin(angle), height * std::exp(-(radius / width) * (radius / width))});
     }
-  internal::append_grid(surface, columns, rings, true, false,
-                        [](std::size_t, std::size_t) { return internal::Diagonal::RISING; });
-  internal::append_fan(surface, 0, columns, {0, 0, height}, false);
+  append_grid(surface, columns, rings, true, false, [](std::size_t, std::size_t) { return Diagonal::RISING; });
+  append_fan(surface, 0, columns, {0, 0, height}, false);
   return surface;
 }
 
@@ -147,11 +137,11 @@ inline Indexed_triangles disk_with_spike(std::size_t columns = 40, std::size_t r
 inline Indexed_triangles bumpy_dome(std::size_t columns = 24, std::size_t rows = 18, double bump_height = 0.2,
                                     double twist = 8, std::uint64_t seed = 1)
 {
-  internal::require_sample_argument(columns >= 3 && rows >= 1, "a dome has 3 columns and 1 row at least");
-  internal::require_sample_argument(bump_height >= 0 && bump_height < 1, "a bump height lies in [0, 1)");
-  const double largest_shift = 0.24;                 // of a cell; below 1/4 all cells stay convex
-  const double boundary = 0.7 * internal::sample_pi; // radians from the pole
-  internal::Sample_random random(seed);
+  require_sample_argument(columns >= 3 && rows >= 1, "a dome has 3 columns and 1 row at least");
+  require_sample_argument(bump_height >= 0 && bump_height < 1, "a bump height lies in [0, 1)");
+  const double largest_shift = 0.24;       // of a cell; below 1/4 all cells stay convex
+  const double boundary = 0.7 * sample_pi; // radians from the pole
+  Sample_random random(seed);
   Indexed_triangles surface;
   for (std::size_t row = 1; row <= rows; ++row)
     for (std::size_t column = 0; column < columns; ++column) {
@@ -159,16 +149,14 @@ inline Indexed_triangles bumpy_dome(std::size_t columns = 24, std::size_t rows =
       const double column_shift = random.uniform(-largest_shift, largest_shift);
       const double height = (row + row_shift) / rows; // 0 at the pole, 1 at the boundary
       // Clockwise, so that triangles are counterclockwise when seen from outside.
-      const double longitude =
-        -2 * internal::sample_pi * (column + column_shift) / columns + twist * height;
-      surface.points.push_back(internal::bumped(std::sin(boundary * height) * std::cos(longitude),
-                                                std::sin(boundary * height) * std::sin(longitude),
-                                                std::cos(boundary * height), bump_height));
+      const double longitude = -2 * sample_pi * (column + column_shift) / columns + twist * height;
+      surface.points.push_back(bumped(std::sin(boundary * height) * std::cos(longitude),
+                                      std::sin(boundary * height) * std::sin(longitude), std::cos(boundary * height),
+                                      bump_height));
     }
-  internal::append_grid(surface, columns, rows, true, false, [&random](std::size_t, std::size_t) {
-    return random.coin() ? internal::Diagonal::RISING : internal::Diagonal::FALLING;
-  });
-  internal::append_fan(surface, 0, columns, internal::bumped(0, 0, 1, bump_height), false);
+  append_grid(surface, columns, rows, true, false,
+              [&random](std::size_t, std::size_t) { return random.coin() ? Diagonal::RISING : Diagonal::FALLING; });
+  append_fan(surface, 0, columns, bumped(0, 0, 1, bump_height), false);
   return surface;
 }
 
@@ -182,20 +170,19 @@ inline Indexed_triangles bumpy_dome(std::size_t columns = 24, std::size_t rows =
 // \param tube_radius for the distance 1 between the axis and the middle of the tube, in (0, 1)
 inline Indexed_triangles torus(std::size_t columns = 60, std::size_t rows = 30, double tube_radius = 0.4)
 {
-  internal::require_sample_argument(columns >= 3 && rows >= 3, "a torus has 3 columns and 3 rows at least");
-  internal::require_sample_argument(tube_radius > 0 && tube_radius < 1, "a tube radius lies in (0, 1)");
+  require_sample_argument(columns >= 3 && rows >= 3, "a torus has 3 columns and 3 rows at least");
+  require_sample_argument(tube_radius > 0 && tube_radius < 1, "a tube radius lies in (0, 1)");
   Indexed_triangles surface;
   surface.points.reserve(columns * rows);
   for (std::size_t row = 0; row < rows; ++row)
     for (std::size_t column = 0; column < columns; ++column) {
-      const double around_axis = 2 * internal::sample_pi * column / columns;
-      const double around_tube = 2 * internal::sample_pi * row / rows;
+      const double around_axis = 2 * sample_pi * column / columns;
+      const double around_tube = 2 * sample_pi * row / rows;
       const double distance = 1 + tube_radius * std::cos(around_tube);
-      surface.points.push_back({distance * std::cos(around_axis), distance * std::sin(around_axis),
-                                tube_radius * std::sin(around_tube)});
+      surface.points.push_back(
+        {distance * std::cos(around_axis), distance * std::sin(around_axis), tube_radius * std::sin(around_tube)});
     }
-  internal::append_grid(surface, columns, rows, true, true,
-                        [](std::size_t, std::size_t) { return internal::Diagonal::RISING; });
+  append_grid(surface, columns, rows, true, true, [](std::size_t, std::size_t) { return Diagonal::RISING; });
   return surface;
 }
 
@@ -212,25 +199,24 @@ inline Indexed_triangles torus(std::size_t columns = 60, std::size_t rows = 30, 
 // \param seed of the random shifts and diagonals
 inline Indexed_triangles bad_torus(std::size_t columns = 100, std::size_t rows = 100, std::uint64_t seed = 1)
 {
-  internal::require_sample_argument(columns >= 3 && rows >= 3, "a torus has 3 columns and 3 rows at least");
+  require_sample_argument(columns >= 3 && rows >= 3, "a torus has 3 columns and 3 rows at least");
   const double largest_shift = 0.2; // of a cell; below 1/4 all cells stay convex
   const double tube_radius = 0.32;  // of the distance 1; sets how much longer than wide the cells are
-  internal::Sample_random random(seed);
+  Sample_random random(seed);
   Indexed_triangles surface;
   surface.points.reserve(columns * rows);
   for (std::size_t row = 0; row < rows; ++row)
     for (std::size_t column = 0; column < columns; ++column) {
       const double column_shift = random.uniform(-largest_shift, largest_shift);
       const double row_shift = random.uniform(-largest_shift, largest_shift);
-      const double around_axis = 2 * internal::sample_pi * (column + column_shift) / columns;
-      const double around_tube = 2 * internal::sample_pi * (row + row_shift) / rows;
+      const double around_axis = 2 * sample_pi * (column + column_shift) / columns;
+      const double around_tube = 2 * sample_pi * (row + row_shift) / rows;
       const double distance = 1 + tube_radius * std::cos(around_tube);
-      surface.points.push_back({distance * std::cos(around_axis), distance * std::sin(around_axis),
-                                tube_radius * std::sin(around_tube)});
+      surface.points.push_back(
+        {distance * std::cos(around_axis), distance * std::sin(around_axis), tube_radius * std::sin(around_tube)});
     }
-  internal::append_grid(surface, columns, rows, true, true, [&random](std::size_t, std::size_t) {
-    return random.coin() ? internal::Diagonal::RISING : internal::Diagonal::FALLING;
-  });
+  append_grid(surface, columns, rows, true, true,
+              [&random](std::size_t, std::size_t) { return random.coin() ? Diagonal::RISING : Diagonal::FALLING; });
   return surface;
 }
 
@@ -248,18 +234,18 @@ inline Indexed_triangles bad_torus(std::size_t columns = 100, std::size_t rows =
 // \param pitch the step along the axis in tube radii, at most 1e7, so that areas are not lost in rounding
 inline Indexed_triangles helical_tube(std::size_t number_of_vertices = 60, double pitch = 30)
 {
-  internal::require_sample_argument(number_of_vertices >= 4, "a helical tube has 4 vertices at least");
-  internal::require_sample_argument(pitch > 0 && pitch <= 1e7, "a pitch lies in (0, 1e7]");
+  require_sample_argument(number_of_vertices >= 4, "a helical tube has 4 vertices at least");
+  require_sample_argument(pitch > 0 && pitch <= 1e7, "a pitch lies in (0, 1e7]");
   const double turn = std::acos(-2.0 / 3.0); // that of a stack of regular tetrahedra
   Indexed_triangles surface;
   for (std::size_t vertex = 0; vertex < number_of_vertices; ++vertex)
     surface.points.push_back({std::cos(turn * vertex), std::sin(turn * vertex), pitch * vertex});
-  internal::append_triangle(surface, 0, 2, 1);
+  append_triangle(surface, 0, 2, 1);
   for (std::size_t vertex = 0; vertex + 3 < number_of_vertices; ++vertex) {
-    internal::append_triangle(surface, vertex, vertex + 1, vertex + 3);
-    internal::append_triangle(surface, vertex, vertex + 3, vertex + 2);
+    append_triangle(surface, vertex, vertex + 1, vertex + 3);
+    append_triangle(surface, vertex, vertex + 3, vertex + 2);
   }
-  internal::append_triangle(surface, number_of_vertices - 3, number_of_vertices - 2, number_of_vertices - 1);
+  append_triangle(surface, number_of_vertices - 3, number_of_vertices - 2, number_of_vertices - 1);
   return surface;
 }
 
@@ -275,20 +261,18 @@ inline Indexed_triangles helical_tube(std::size_t number_of_vertices = 60, doubl
 // \param rows the number of bands, at least 1
 inline Indexed_triangles Schwarz_lantern(std::size_t columns = 16, std::size_t rows = 64)
 {
-  internal::require_sample_argument(columns >= 3 && rows >= 1, "a lantern has 3 columns and 1 row at least");
+  require_sample_argument(columns >= 3 && rows >= 1, "a lantern has 3 columns and 1 row at least");
   Indexed_triangles surface;
   for (std::size_t row = 0; row <= rows; ++row)
     for (std::size_t column = 0; column < columns; ++column) {
-      const double angle = 2 * internal::sample_pi * (column + (row % 2 == 0 ? 0.0 : 0.5)) / columns;
+      const double angle = 2 * sample_pi * (column + (row % 2 == 0 ? 0.0 : 0.5)) / columns;
       surface.points.push_back({std::cos(angle), std::sin(angle), static_cast<double>(row) / rows});
     }
-  internal::append_grid(surface, columns, rows + 1, true, false, [](std::size_t, std::size_t row) {
-    return row % 2 == 0 ? internal::Diagonal::FALLING : internal::Diagonal::RISING;
-  });
+  append_grid(surface, columns, rows + 1, true, false,
+              [](std::size_t, std::size_t row) { return row % 2 == 0 ? Diagonal::FALLING : Diagonal::RISING; });
   return surface;
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace samples
 
 #endif // IDT_SAMPLES_SAMPLE_SURFACES_CURVED_H

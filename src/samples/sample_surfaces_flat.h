@@ -15,8 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace samples {
 
 // A prism over a regular polygon of radius 1, of height 5.
 //
@@ -28,20 +27,19 @@ namespace Intrinsic_triangulations {
 // \param rotation_seed of the rigid rotation, 0 for none
 inline Indexed_triangles prism(std::size_t n = 80, std::uint64_t rotation_seed = 0)
 {
-  internal::require_sample_argument(n >= 3, "a prism has 3 sides at least");
+  require_sample_argument(n >= 3, "a prism has 3 sides at least");
   Indexed_triangles surface;
   for (double height : {0.0, 5.0})
     for (std::size_t corner = 0; corner < n; ++corner) {
-      const double angle = 2 * internal::sample_pi * corner / n;
+      const double angle = 2 * sample_pi * corner / n;
       surface.points.push_back({std::cos(angle), std::sin(angle), height});
     }
-  internal::append_grid(surface, n, 2, true, false,
-                        [](std::size_t, std::size_t) { return internal::Diagonal::RISING; });
+  append_grid(surface, n, 2, true, false, [](std::size_t, std::size_t) { return Diagonal::RISING; });
   for (std::size_t corner = 1; corner + 1 < n; ++corner) {
-    internal::append_triangle(surface, 0, corner + 1, corner);
-    internal::append_triangle(surface, n, n + corner, n + corner + 1);
+    append_triangle(surface, 0, corner + 1, corner);
+    append_triangle(surface, n, n + corner, n + corner + 1);
   }
-  internal::rotate_sample(surface.points, rotation_seed);
+  rotate_sample(surface.points, rotation_seed);
   return surface;
 }
 
@@ -57,22 +55,22 @@ inline Indexed_triangles prism(std::size_t n = 80, std::uint64_t rotation_seed =
 // \param rotation_seed of the rigid rotation, 0 for none
 inline Indexed_triangles cap(double bulge = 1e-10, std::uint64_t rotation_seed = 0)
 {
-  internal::require_sample_argument(bulge >= 0 && bulge < 1, "a bulge lies in [0, 1)");
+  require_sample_argument(bulge >= 0 && bulge < 1, "a bulge lies in [0, 1)");
   const std::size_t last = 20, above = last + 1, below = last + 2;
   Indexed_triangles surface;
   for (std::size_t k = 0; k <= last; ++k) {
     // Both ends lie on the line, which sin(pi) misses by a rounding error.
-    const double lift = std::sin(internal::sample_pi * static_cast<double>(std::min(k, last - k)) / last);
+    const double lift = std::sin(sample_pi * static_cast<double>(std::min(k, last - k)) / last);
     surface.points.push_back({static_cast<double>(k) / last, bulge * lift, 0});
   }
   surface.points.push_back({0.5, 1, 0});
   surface.points.push_back({0.5, -1, 0});
   for (std::size_t k = 0; k < last; ++k)
-    internal::append_triangle(surface, k, k + 1, above);
+    append_triangle(surface, k, k + 1, above);
   for (std::size_t k = 1; k < last; ++k)
-    internal::append_triangle(surface, 0, k + 1, k);
-  internal::append_triangle(surface, 0, below, last);
-  internal::rotate_sample(surface.points, rotation_seed);
+    append_triangle(surface, 0, k + 1, k);
+  append_triangle(surface, 0, below, last);
+  rotate_sample(surface.points, rotation_seed);
   return surface;
 }
 
@@ -89,9 +87,9 @@ inline Indexed_triangles cap(double bulge = 1e-10, std::uint64_t rotation_seed =
 // \param scale_z the scale of the waves, in [0, 1]
 inline Indexed_triangles sliver_sheet(std::size_t n = 40, double scale_x = 1e-9, double scale_z = 1e-9)
 {
-  internal::require_sample_argument(n >= 2, "a sheet has 2 vertices in each direction at least");
-  internal::require_sample_argument(scale_x >= 1e-12 && scale_x <= 1, "the scale of x lies in [1e-12, 1]");
-  internal::require_sample_argument(scale_z >= 0 && scale_z <= 1, "the scale of z lies in [0, 1]");
+  require_sample_argument(n >= 2, "a sheet has 2 vertices in each direction at least");
+  require_sample_argument(scale_x >= 1e-12 && scale_x <= 1, "the scale of x lies in [1e-12, 1]");
+  require_sample_argument(scale_z >= 0 && scale_z <= 1, "the scale of z lies in [0, 1]");
   Indexed_triangles surface;
   for (std::size_t row = 0; row < n; ++row)
     for (std::size_t column = 0; column < n; ++column) {
@@ -100,8 +98,7 @@ inline Indexed_triangles sliver_sheet(std::size_t n = 40, double scale_x = 1e-9,
       const double y_shift = 0.3 / n * std::sin(40 * x + 17 * y);
       surface.points.push_back({scale_x * x, y + y_shift, scale_z * z});
     }
-  internal::append_grid(surface, n, n, false, false,
-                        [](std::size_t, std::size_t) { return internal::Diagonal::RISING; });
+  append_grid(surface, n, n, false, false, [](std::size_t, std::size_t) { return Diagonal::RISING; });
   return surface;
 }
 
@@ -115,19 +112,18 @@ inline Indexed_triangles sliver_sheet(std::size_t n = 40, double scale_x = 1e-9,
 // \param rows the number of squares upwards, at least 1
 // \param seed of the random diagonals
 // \param rotation_seed of the rigid rotation, 0 for none
-inline Indexed_triangles random_diagonal_grid(std::size_t columns = 40, std::size_t rows = 40,
-                                              std::uint64_t seed = 1, std::uint64_t rotation_seed = 0)
+inline Indexed_triangles random_diagonal_grid(std::size_t columns = 40, std::size_t rows = 40, std::uint64_t seed = 1,
+                                              std::uint64_t rotation_seed = 0)
 {
-  internal::require_sample_argument(columns >= 1 && rows >= 1, "a grid has a square at least");
+  require_sample_argument(columns >= 1 && rows >= 1, "a grid has a square at least");
   Indexed_triangles surface;
   for (std::size_t row = 0; row <= rows; ++row)
     for (std::size_t column = 0; column <= columns; ++column)
       surface.points.push_back({static_cast<double>(column), static_cast<double>(row), 0});
-  internal::Sample_random random(seed);
-  internal::append_grid(surface, columns + 1, rows + 1, false, false, [&random](std::size_t, std::size_t) {
-    return random.coin() ? internal::Diagonal::RISING : internal::Diagonal::FALLING;
-  });
-  internal::rotate_sample(surface.points, rotation_seed);
+  Sample_random random(seed);
+  append_grid(surface, columns + 1, rows + 1, false, false,
+              [&random](std::size_t, std::size_t) { return random.coin() ? Diagonal::RISING : Diagonal::FALLING; });
+  rotate_sample(surface.points, rotation_seed);
   return surface;
 }
 
@@ -142,13 +138,12 @@ inline Indexed_triangles random_diagonal_grid(std::size_t columns = 40, std::siz
 // \param shear by how much each row of points is shifted against the one below
 inline Indexed_triangles sheared_grid(std::size_t columns = 40, std::size_t rows = 40, double shear = 5)
 {
-  internal::require_sample_argument(columns >= 1 && rows >= 1, "a grid has a square at least");
+  require_sample_argument(columns >= 1 && rows >= 1, "a grid has a square at least");
   Indexed_triangles surface;
   for (std::size_t row = 0; row <= rows; ++row)
     for (std::size_t column = 0; column <= columns; ++column)
       surface.points.push_back({column + shear * row, static_cast<double>(row), 0});
-  internal::append_grid(surface, columns + 1, rows + 1, false, false,
-                        [](std::size_t, std::size_t) { return internal::Diagonal::RISING; });
+  append_grid(surface, columns + 1, rows + 1, false, false, [](std::size_t, std::size_t) { return Diagonal::RISING; });
   return surface;
 }
 
@@ -166,9 +161,8 @@ inline Indexed_triangles sheared_grid(std::size_t columns = 40, std::size_t rows
 // \param width the distance between the two rows; the points in a row are 1 apart
 inline Indexed_triangles strip(std::size_t n = 5000, std::size_t shift = 60, double width = 1)
 {
-  internal::require_sample_argument(n >= 2 && shift < n,
-                                    "a strip has 2 points a row at least, and more than the shift");
-  internal::require_sample_argument(width > 0, "a strip has a positive width");
+  require_sample_argument(n >= 2 && shift < n, "a strip has 2 points a row at least, and more than the shift");
+  require_sample_argument(width > 0, "a strip has a positive width");
   Indexed_triangles surface;
   for (std::size_t k = 0; k < n; ++k)
     surface.points.push_back({static_cast<double>(k), 0, 0});
@@ -177,10 +171,10 @@ inline Indexed_triangles strip(std::size_t n = 5000, std::size_t shift = 60, dou
   std::size_t lower = 0, upper = 0;
   while (lower + 1 < n || upper + 1 < n)
     if (lower + 1 < n && (lower <= upper + shift || upper + 1 == n)) {
-      internal::append_triangle(surface, lower, lower + 1, n + upper);
+      append_triangle(surface, lower, lower + 1, n + upper);
       ++lower;
     } else {
-      internal::append_triangle(surface, lower, n + upper + 1, n + upper);
+      append_triangle(surface, lower, n + upper + 1, n + upper);
       ++upper;
     }
   return surface;
@@ -203,8 +197,8 @@ inline Indexed_triangles strip(std::size_t n = 5000, std::size_t shift = 60, dou
 // \param width the distance between the two sides of length 1
 inline Indexed_triangles pillow(std::size_t n = 300, double width = 1)
 {
-  internal::require_sample_argument(n >= 6 && n % 2 == 0, "a pillow has an even number of vertices, 6 at least");
-  internal::require_sample_argument(width > 0, "a pillow has a positive width");
+  require_sample_argument(n >= 6 && n % 2 == 0, "a pillow has an even number of vertices, 6 at least");
+  require_sample_argument(width > 0, "a pillow has a positive width");
   const std::size_t m = n / 2;
   Indexed_triangles surface;
   for (std::size_t k = 0; k < m; ++k)
@@ -215,20 +209,19 @@ inline Indexed_triangles pillow(std::size_t n = 300, double width = 1)
   const auto upper = [m](std::size_t k) { return m + k; };
   // front
   for (std::size_t k = 0; k + 1 < m; ++k) {
-    internal::append_triangle(surface, lower(k), lower(k + 1), upper(0));
-    internal::append_triangle(surface, upper(k + 1), upper(k), lower(m - 1));
+    append_triangle(surface, lower(k), lower(k + 1), upper(0));
+    append_triangle(surface, upper(k + 1), upper(k), lower(m - 1));
   }
   // back
-  internal::append_triangle(surface, upper(0), upper(1), lower(0));
+  append_triangle(surface, upper(0), upper(1), lower(0));
   for (std::size_t k = 0; k + 2 < m; ++k) {
-    internal::append_triangle(surface, lower(k + 1), lower(k), upper(1));
-    internal::append_triangle(surface, upper(k + 1), upper(k + 2), lower(m - 2));
+    append_triangle(surface, lower(k + 1), lower(k), upper(1));
+    append_triangle(surface, upper(k + 1), upper(k + 2), lower(m - 2));
   }
-  internal::append_triangle(surface, lower(m - 1), lower(m - 2), upper(m - 1));
+  append_triangle(surface, lower(m - 1), lower(m - 2), upper(m - 1));
   return surface;
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace samples
 
 #endif // IDT_SAMPLES_SAMPLE_SURFACES_FLAT_H

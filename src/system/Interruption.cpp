@@ -75,9 +75,9 @@ void watch_requests(Watch& w)
 {
   bool was_seen[256] = {};
   for (bool is_first = true;; is_first = false) {
-    const auto rest = std::chrono::duration_cast<std::chrono::milliseconds>(time_for_an_orderly_end - since_interruption()).count();
-    const int request = wait_for_request(is_first ? -1 : rest > 0 ? static_cast<long>(rest)
-                                                                  : 0);
+    const auto rest =
+      std::chrono::duration_cast<std::chrono::milliseconds>(time_for_an_orderly_end - since_interruption()).count();
+    const int request = wait_for_request(is_first ? -1 : rest > 0 ? static_cast<long>(rest) : 0);
     if (request == 0 || std::exchange(was_seen[request], true)) {
       end_process(w, request);
       return;
@@ -120,15 +120,9 @@ void end_in_good_order()
   watch()->is_over = true;
 }
 
-bool is_interrupted()
-{
-  return interrupted;
-}
+bool is_interrupted() { return interrupted; }
 
-bool has_time_to_decide()
-{
-  return !interrupted || since_interruption() < std::chrono::milliseconds(250);
-}
+bool has_time_to_decide() { return !interrupted || since_interruption() < std::chrono::milliseconds(250); }
 
 Unfinished::Unfinished(const std::function<void()>& begin, std::function<void()> undo)
 {

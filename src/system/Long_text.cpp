@@ -31,8 +31,8 @@ void write_blocks(std::ostream& os, const std::size_t n,
         written.pop_back();
       }
       // Where there can be no thread, this one does it.
-      blocks.push_back(
-        std::async([&format, text = std::move(empty), first, last = (std::min)(n, first + elements_of_block)]() mutable {
+      blocks.push_back(std::async(
+        [&format, text = std::move(empty), first, last = (std::min)(n, first + elements_of_block)]() mutable {
           text.clear();
           format(text, first, last);
           return std::move(text);

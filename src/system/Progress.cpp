@@ -82,7 +82,8 @@ void Progress::show_phases()
 void Progress::show_points(std::uint64_t points, std::size_t faces, double size)
 {
   if (is_shown_ && is_due(stopwatch_.seconds()))
-    write("refining, " + std::to_string(points) + " new vertices, " + std::to_string(faces) + " faces left, sides of " + in_short(size));
+    write("refining, " + std::to_string(points) + " new vertices, " + std::to_string(faces) + " faces left, sides of " +
+          in_short(size));
 }
 
 void Progress::show(const char* what, double fraction)
@@ -124,9 +125,6 @@ void Progress::write(const std::string& text)
   std::cerr << (erasure + (name_ + ": " + text)) << std::flush;
 }
 
-std::string erased_progress()
-{
-  return is_line_shown.exchange(false) ? erasure : "";
-}
+std::string erased_progress() { return is_line_shown.exchange(false) ? erasure : ""; }
 
 } // namespace idt

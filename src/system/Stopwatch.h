@@ -12,10 +12,7 @@ namespace idt {
 class Stopwatch
 {
 public:
-  double seconds() const
-  {
-    return std::chrono::duration<double>(Clock::now() - start_).count();
-  }
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
   // Returns the seconds so far and begins anew.
   double restart()
   {

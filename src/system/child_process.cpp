@@ -77,8 +77,7 @@ public:
         }
       }
       if (is_interrupted() || stopwatch.seconds() > seconds) {
-        result.end = is_interrupted() ? Child_result::End::INTERRUPTED
-                                      : Child_result::End::TIME_LIMIT;
+        result.end = is_interrupted() ? Child_result::End::INTERRUPTED : Child_result::End::TIME_LIMIT;
         ::kill(process_, SIGKILL);
         break;
       }
@@ -209,28 +208,29 @@ private:
 
 } // namespace
 
-Child_result run_in_child_process(const std::function<void(const Say_function&)>& function,
-                                  double seconds)
+Child_result run_in_child_process(const std::function<void(const Say_function&)>& function, double seconds)
 {
-  Child child([&function](int out) {
-    // Not to share what the parent writes to.
-    const int nothing = ::open("/dev/null", O_WRONLY);
-    ::dup2(nothing, STDOUT_FILENO);
-    ::dup2(nothing, STDERR_FILENO);
-    function([out](const std::string& line) { write_all(out, (line + '\n').data(), line.size() + 1); });
-  },
-              false);
+  Child child(
+    [&function](int out) {
+      // Not to share what the parent writes to.
+      const int nothing = ::open("/dev/null", O_WRONLY);
+      ::dup2(nothing, STDOUT_FILENO);
+      ::dup2(nothing, STDERR_FILENO);
+      function([out](const std::string& line) { write_all(out, (line + '\n').data(), line.size() + 1); });
+    },
+    false);
   return child.listen(seconds);
 }
 
 std::optional<int> run_in_expendable_process(const std::function<int()>& function)
 {
-  Child child([&function](int out) {
-    const int result = function();
-    std::cout.flush();
-    write_all(out, reinterpret_cast<const char*>(&result), sizeof result);
-  },
-              true);
+  Child child(
+    [&function](int out) {
+      const int result = function();
+      std::cout.flush();
+      write_all(out, reinterpret_cast<const char*>(&result), sizeof result);
+    },
+    true);
   return child.take_number();
 }
 

@@ -31,8 +31,7 @@ using Say_function = std::function<void(const std::string& line)>;
 // has no standard output or error, and none of its changes is seen here.
 // \param seconds how long it may take to the first line, between two lines, and to the end
 // \exception Output_error if there can be no such process
-Child_result run_in_child_process(const std::function<void(const Say_function&)>& function,
-                                  double seconds);
+Child_result run_in_child_process(const std::function<void(const Say_function&)>& function, double seconds);
 
 // Runs `function` in a copy of this process, which shares the standard output and error, and
 // returns what it returned; nothing if the process ended before, as CORE ends it where it does not

@@ -117,7 +117,10 @@ void catch_requests(void (*function)(), bool is_once)
 
 int wait_for_request(long milliseconds)
 {
-  return ::WaitForSingleObject(requests, milliseconds < 0 ? INFINITE : static_cast<DWORD>(milliseconds)) == WAIT_OBJECT_0 ? 1 : 0;
+  return ::WaitForSingleObject(requests, milliseconds < 0 ? INFINITE : static_cast<DWORD>(milliseconds)) ==
+             WAIT_OBJECT_0
+           ? 1
+           : 0;
 }
 
 void end_by_request(int) { ::TerminateProcess(::GetCurrentProcess(), STATUS_CONTROL_C_EXIT), std::abort(); }

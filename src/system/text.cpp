@@ -14,8 +14,8 @@ namespace {
 std::string formatted(double number, int digits)
 {
   char buffer[64];
-  const std::to_chars_result result = std::to_chars(
-    buffer, buffer + sizeof buffer, number, std::chars_format::general, digits);
+  const std::to_chars_result result =
+    std::to_chars(buffer, buffer + sizeof buffer, number, std::chars_format::general, digits);
   return std::string(buffer, result.ptr);
 }
 
@@ -32,6 +32,14 @@ std::string with_separators(std::uint64_t number)
 std::string counted(std::uint64_t number, const char* singular, const char* plural)
 {
   return with_separators(number) + " " + (number == 1 ? singular : plural);
+}
+
+std::string quoted(const std::string& text)
+{
+  std::string shown = text.substr(0, 40);
+  std::replace_if(
+    shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return '"' + shown + (text.size() > 40 ? "...\"" : "\"");
 }
 
 std::string in_full(double number) { return formatted(number, 17); }

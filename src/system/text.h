@@ -19,6 +19,9 @@ std::string with_separators(std::uint64_t number);
 // "1 face", "2 faces"
 std::string counted(std::uint64_t number, const char* singular, const char* plural);
 
+// A piece of a file in quotes. It may be long, or steer a terminal.
+std::string quoted(const std::string& text);
+
 // With 17 significant digits, from which a double comes back bit for bit.
 std::string in_full(double number);
 

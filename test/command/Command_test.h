@@ -45,10 +45,7 @@ inline std::vector<std::string> lines(const std::string& text)
   return result;
 }
 
-inline bool contains(const std::string& text, const std::string& part)
-{
-  return text.find(part) != std::string::npos;
-}
+inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 // The executable is named by the environment, or else by who configured the tests.
 inline std::string command_path()
@@ -93,8 +90,7 @@ protected:
 
   Command_run shell(const std::string& line) const
   {
-    const std::string command = "cd '" + folder_.string() + "' && { " + line +
-                                "\n} > .out 2> .err < /dev/null";
+    const std::string command = "cd '" + folder_.string() + "' && { " + line + "\n} > .out 2> .err < /dev/null";
     const int result = std::system(command.c_str());
     Command_run run;
     run.status = WIFEXITED(result) ? WEXITSTATUS(result) : 128 + WTERMSIG(result);

@@ -46,19 +46,17 @@ TEST_F(Compare_command, has_a_row_for_each_number_type)
   EXPECT_EQ(keys(json), (std::vector<std::string>{"surfaces", "totals"}));
   ASSERT_EQ(json["surfaces"].size(), 1u);
   const Json& surface = json["surfaces"][0];
-  EXPECT_EQ(keys(surface), (std::vector<std::string>{"surface", "vertices", "edges", "faces",
-                                                     "ties", "repair", "warnings", "number_types"}));
+  EXPECT_EQ(keys(surface), (std::vector<std::string>{"surface", "vertices", "edges", "faces", "ties", "repair",
+                                                     "warnings", "number_types"}));
   EXPECT_EQ(surface["surface"], "kite.off");
   EXPECT_EQ(surface["edges"], 5);
   EXPECT_EQ(surface["ties"], 0);
   EXPECT_EQ(surface["number_types"].size(), 13u);
   EXPECT_FALSE(row(surface["number_types"], "mpfr", 256).is_null());
   for (const Json& row : surface["number_types"]) {
-    EXPECT_EQ(keys(row),
-              (std::vector<std::string>{"number_type", "precision", "status", "ended", "flips",
-                                        "tests", "wrong_decisions", "not_delaunay",
-                                        "inverted_faces", "missing_edges", "length_error",
-                                        "seconds", "ratio_to_double"}));
+    EXPECT_EQ(keys(row), (std::vector<std::string>{"number_type", "precision", "status", "ended", "flips", "tests",
+                                                   "wrong_decisions", "not_delaunay", "inverted_faces", "missing_edges",
+                                                   "length_error", "seconds", "ratio_to_double"}));
     EXPECT_EQ(row["status"], "done") << row;
     EXPECT_EQ(row["flips"], 1) << row;
     for (const char* key : {"wrong_decisions", "not_delaunay", "inverted_faces", "missing_edges"})
@@ -68,10 +66,9 @@ TEST_F(Compare_command, has_a_row_for_each_number_type)
   }
   ASSERT_EQ(json["totals"].size(), 13u);
   EXPECT_EQ(keys(json["totals"][0]),
-            (std::vector<std::string>{"number_type", "precision", "surfaces", "refused",
-                                      "not_ended", "wrong", "unnoticed", "wrong_decisions", "not_delaunay",
-                                      "inverted_faces", "missing_edges", "length_error",
-                                      "ratio_to_double"}));
+            (std::vector<std::string>{"number_type", "precision", "surfaces", "refused", "not_ended", "wrong",
+                                      "unnoticed", "wrong_decisions", "not_delaunay", "inverted_faces", "missing_edges",
+                                      "length_error", "ratio_to_double"}));
 }
 
 TEST_F(Compare_command, finds_what_rounding_gets_wrong)
@@ -146,8 +143,7 @@ TEST_F(Compare_command, adds_several_surfaces_up)
 {
   ASSERT_EQ(idt("sample prism -o prism.off").status, 0);
   write_kite("kite.off");
-  const Command_run run =
-    idt("compare missing.off kite.off prism.off --json c.json --number-types double,filtered");
+  const Command_run run = idt("compare missing.off kite.off prism.off --json c.json --number-types double,filtered");
   EXPECT_EQ(run.status, 3);
   EXPECT_TRUE(contains(run.err, "missing.off"));
   EXPECT_TRUE(contains(run.out, "all together"));
@@ -165,8 +161,7 @@ TEST_F(Compare_command, refuses_a_wrong_command_line)
   for (const char* arguments :
        {"compare", "compare kite.off --number-types decimal", "compare kite.off --precisions 1",
         "compare kite.off --time-limit 0", "compare kite.off --repetitions 0",
-        "compare kite.off --count-decisions --no-count-decisions",
-        "compare kite.off --json kite.off"}) {
+        "compare kite.off --count-decisions --no-count-decisions", "compare kite.off --json kite.off"}) {
     const Command_run run = idt(arguments);
     EXPECT_EQ(run.status, 2) << arguments;
     EXPECT_NE(run.err, "") << arguments;

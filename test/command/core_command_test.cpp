@@ -64,7 +64,8 @@ TEST_F(Command_core, takes_lengths_of_any_size)
 {
   for (const char* exponent : {"-30", "25", "100"}) {
     const std::string e = std::string("e") + exponent + "\n";
-    write("c.gluing", "INTRINSIC_GLUING 1\n4 5 2\n0 1 2\n1 0 3\n0 3 3" + e + "1 -1 2" + e + "2 -1 2" + e + "4 -1 2" + e + "5 -1 2" + e);
+    write("c.gluing", "INTRINSIC_GLUING 1\n4 5 2\n0 1 2\n1 0 3\n0 3 3" + e + "1 -1 2" + e + "2 -1 2" + e + "4 -1 2" +
+                        e + "5 -1 2" + e);
     ASSERT_EQ(idt("triangulate c.gluing --edges filtered.csv").status, 0) << idt("triangulate c.gluing").err;
     ASSERT_EQ(idt("triangulate c.gluing --edges core.csv --number-type core").status, 0);
     const std::vector<double> expected = numbers("filtered.csv"), found = numbers("core.csv");

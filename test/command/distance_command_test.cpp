@@ -117,13 +117,15 @@ TEST_F(Distance_command, writes_vectors)
     EXPECT_NEAR(rows[v][0], axis.real(), 1e-12);
     EXPECT_NEAR(rows[v][1], axis.imag(), 1e-12);
     EXPECT_EQ(rows[v][2], 0);
-    const std::complex<double> log(rows[v][3], rows[v][4]), wanted(points[v][0] - points[1][0], points[v][1] - points[1][1]);
+    const std::complex<double> log(rows[v][3], rows[v][4]),
+      wanted(points[v][0] - points[1][0], points[v][1] - points[1][1]);
     EXPECT_LT(std::abs(log * axis - wanted), 1e-12) << v;
   }
   EXPECT_EQ(lines(content(folder_ / "two.csv")).at(0), "vertex,distance,axis_x,axis_y,axis_z");
   const std::string ply = content(folder_ / "d.ply");
-  EXPECT_TRUE(contains(ply, "property double distance\nproperty double axis_x\nproperty double axis_y\nproperty double axis_z\n"
-                            "property double log_x\nproperty double log_y\nelement face 2\n"));
+  EXPECT_TRUE(
+    contains(ply, "property double distance\nproperty double axis_x\nproperty double axis_y\nproperty double axis_z\n"
+                  "property double log_x\nproperty double log_y\nelement face 2\n"));
   ASSERT_EQ(ply.size(), ply.find("end_header\n") + 11 + 4 * 72 + 2 * 13);
   for (std::size_t v = 0; v < 4; ++v) {
     double value;
@@ -226,17 +228,22 @@ TEST_F(Distance_command, methods_and_their_errors)
   EXPECT_EQ(json::parse(content(folder_ / "s.json"))["warnings"].size(), 1u);
   EXPECT_GT(json::parse(content(folder_ / "s.json"))["bounded"], 3);
   const Command_run by_heat = idt("distance polygon.off --source 0 --method heat");
-  EXPECT_TRUE(contains(by_heat.out, "far from right") && contains(by_heat.err, "leave --method heat away")) << by_heat.err;
-  EXPECT_TRUE(contains(idt("distance polygon.off --source 0 --method exact").out, "accuracy          exact up to rounding\n"));
+  EXPECT_TRUE(contains(by_heat.out, "far from right") && contains(by_heat.err, "leave --method heat away"))
+    << by_heat.err;
+  EXPECT_TRUE(
+    contains(idt("distance polygon.off --source 0 --method exact").out, "accuracy          exact up to rounding\n"));
   EXPECT_EQ(json::parse(content(folder_ / "s.json"))["method"], "heat");
 }
 
 TEST_F(Distance_command, refuses_what_makes_no_sense)
 {
   write_kite("kite.off");
-  for (const char* const options : {"", "--source 4", "--source -1", "--source 0 --boundary average", "--source 0 --method exact --time 1", "--source 0 --cover none --method exact --boundary average", "--source 0 --method best", "--source 0 --refine", "--source 0 --repair",
-                                    "--source 0 --time 0", "--source 0 --time nan", "--source 0 -o d.txt", "--source 0 -o d.csv --vectors", "--source 0 --cover none --vectors",
-                                    "--source 0 -o kite.off", "--source 0 --cover two"}) {
+  for (const char* const options :
+       {"", "--source 4", "--source -1", "--source 0 --boundary average", "--source 0 --method exact --time 1",
+        "--source 0 --cover none --method exact --boundary average", "--source 0 --method best", "--source 0 --refine",
+        "--source 0 --repair", "--source 0 --time 0", "--source 0 --time nan", "--source 0 -o d.txt",
+        "--source 0 -o d.csv --vectors", "--source 0 --cover none --vectors", "--source 0 -o kite.off",
+        "--source 0 --cover two"}) {
     const Command_run run = idt(std::string("distance kite.off ") + options);
     EXPECT_EQ(run.status, 2) << options;
     EXPECT_NE(run.err, "") << options;

@@ -52,7 +52,8 @@ protected:
   // The outcome in a few words: the flips, or the first line of the message.
   std::string run(const fs::path& path, const std::string& options, int& status) const
   {
-    const Command_run run = idt("triangulate '" + fs::canonical(path).string() + "' --verify --stats s.json --edges e.csv " + options);
+    const Command_run run =
+      idt("triangulate '" + fs::canonical(path).string() + "' --verify --stats s.json --edges e.csv " + options);
     status = run.status;
     expect_clean(run.out + run.err);
     if (run.status == 0) {
@@ -100,7 +101,8 @@ TEST_F(Command_evaluation_data, bad_meshes_are_refused_with_a_reason_or_repaired
   for (const fs::path& path : meshes("bad")) {
     SCOPED_TRACE(path);
     int status = 0, repaired_status = 0;
-    const std::string outcome = run(path, "", status), repaired = run(path, "--repair --repair-map m.csv --overlay o.ply", repaired_status);
+    const std::string outcome = run(path, "", status),
+                      repaired = run(path, "--repair --repair-map m.csv --overlay o.ply", repaired_status);
     std::cout << path.filename().string() << ":\n    " << outcome << "\n    with --repair: " << repaired << '\n';
     EXPECT_EQ(status, 3);
     // A refusal says which element it is about.

@@ -104,7 +104,8 @@ TEST_F(Geodesic_command, goes_between_points_and_finds_the_shortest_path)
 {
   write_sheet("sheet.off");
   for (const char* option : {"", " --shortest"}) {
-    ASSERT_EQ(idt(std::string("geodesic sheet.off --from=-1,-2,5 --to 3.5,0.25,1 -o p.obj --stats s.json") + option).status, 0);
+    ASSERT_EQ(
+      idt(std::string("geodesic sheet.off --from=-1,-2,5 --to 3.5,0.25,1 -o p.obj --stats s.json") + option).status, 0);
     const std::vector<std::string> text = lines(content(folder_ / "p.obj"));
     EXPECT_EQ(text.front(), "v 0 0 0");
     EXPECT_EQ(text.at(text.size() - 2), "v 3.5 0.25 0");
@@ -161,10 +162,12 @@ TEST_F(Geodesic_command, refuses_what_makes_no_sense)
 {
   write_sheet("sheet.off");
   for (const char* options :
-       {"--from 0", "--from 0 --to 25", "--from 99 --to 1", "--from 0 --to 1 --direction 1 --length 1", "--from 0 --direction 1",
-        "--from 0 --length 1", "--from 0 --direction nan --length 1", "--from 0 --direction 1 --length -1",
-        "--from 0 --to 1 --closed", "--from 0,1 --to 1", "--from 0,1,x --to 1", "--from 0,1,2,3 --to 1", "--from 0 --via 3 --to 5 --closed --shortest",
-        "--from 0,0,0 --direction 1 --length 1", "--from 0 --to 1 --cut c.stl", "--from 0 --to 1 -o path.txt", "--from 0 --to 1 -o sheet.off", "--to 1", "--from -1 --to 1"})
+       {"--from 0", "--from 0 --to 25", "--from 99 --to 1", "--from 0 --to 1 --direction 1 --length 1",
+        "--from 0 --direction 1", "--from 0 --length 1", "--from 0 --direction nan --length 1",
+        "--from 0 --direction 1 --length -1", "--from 0 --to 1 --closed", "--from 0,1 --to 1", "--from 0,1,x --to 1",
+        "--from 0,1,2,3 --to 1", "--from 0 --via 3 --to 5 --closed --shortest", "--from 0,0,0 --direction 1 --length 1",
+        "--from 0 --to 1 --cut c.stl", "--from 0 --to 1 -o path.txt", "--from 0 --to 1 -o sheet.off", "--to 1",
+        "--from -1 --to 1"})
     EXPECT_EQ(idt(std::string("geodesic sheet.off ") + options).status, 2) << options;
   EXPECT_EQ(idt("geodesic missing.off --from 0 --to 1").status, 3);
   // The whole fan at a corner of the sheet is π/2.

@@ -25,7 +25,6 @@
 
 namespace {
 
-namespace IT = CGAL::Intrinsic_triangulations;
 using Json = nlohmann::json;
 
 class Command_long_job : public Command_test
@@ -107,7 +106,8 @@ protected:
     const pid_t child = ::forkpty(&terminal, nullptr, nullptr, nullptr);
     EXPECT_GE(child, 0);
     if (child == 0) {
-      const std::string line = "cd '" + folder_.string() + "' && exec '" + command_path() + "' " + arguments + " > .out";
+      const std::string line =
+        "cd '" + folder_.string() + "' && exec '" + command_path() + "' " + arguments + " > .out";
       ::execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
       ::_exit(127);
     }
@@ -156,9 +156,9 @@ TEST_F(Command_long_job, can_be_interrupted_at_any_time)
   const auto interrupt_after = [&](double delay) {
     remove_results();
     SCOPED_TRACE(delay);
-    const int status = interrupt({"triangulate", "sheet.ply", "--overlay", "result.ply", "--edges", "result.csv",
-                                  "--stats", "result.json"},
-                                 delay);
+    const int status = interrupt(
+      {"triangulate", "sheet.ply", "--overlay", "result.ply", "--edges", "result.csv", "--stats", "result.json"},
+      delay);
     EXPECT_TRUE(status == 0 || status == 4) << status << ": " << content(folder_ / ".err");
     interrupted += status == 4;
     expect_nothing_temporary();
@@ -193,11 +193,9 @@ TEST_F(Command_long_job, can_be_interrupted_at_any_time)
 // A proof of this tie is tried for ten seconds and given up then.
 TEST_F(Command_long_job, can_be_interrupted_within_a_decision)
 {
-  const IT::Indexed_triangles sheet = symmetric_surfaces::quarter_turns(5).mesh;
+  const samples::Indexed_triangles sheet = symmetric_surfaces::quarter_turns(5).mesh;
   std::ofstream off(folder_ / "tie.off");
-  off << "OFF\n"
-      << sheet.points.size() << ' ' << sheet.triangles.size() << " 0\n"
-      << std::setprecision(17);
+  off << "OFF\n" << sheet.points.size() << ' ' << sheet.triangles.size() << " 0\n" << std::setprecision(17);
   for (const auto& p : sheet.points)
     off << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
   for (const auto& t : sheet.triangles)
@@ -205,9 +203,10 @@ TEST_F(Command_long_job, can_be_interrupted_within_a_decision)
   off.close();
   for (int signal : {SIGTERM, SIGINT}) {
     remove_results();
-    EXPECT_EQ(interrupt({"triangulate", "tie.off", "--tie-proof", "proven", "--edges", "result.csv", "--stats", "result.json"},
-                        1, signal),
-              4);
+    EXPECT_EQ(
+      interrupt({"triangulate", "tie.off", "--tie-proof", "proven", "--edges", "result.csv", "--stats", "result.json"},
+                1, signal),
+      4);
     EXPECT_TRUE(contains(content(folder_ / ".err"), "cancelled")) << content(folder_ / ".err");
     const Json json = Json::parse(content(folder_ / "result.json"));
     EXPECT_EQ(json["status"], "interrupted");
@@ -226,9 +225,9 @@ TEST_F(Command_long_job, can_be_interrupted_while_a_map_is_found)
     remove_results();
     const double delay = std::uniform_real_distribution<double>(0.01, whole)(random);
     SCOPED_TRACE(delay);
-    const int status = interrupt({"parameterize", "sheet.ply", "--method", "circle-pattern", "--uv", "result.obj",
-                                  "--json", "result.json"},
-                                 delay);
+    const int status = interrupt(
+      {"parameterize", "sheet.ply", "--method", "circle-pattern", "--uv", "result.obj", "--json", "result.json"},
+      delay);
     EXPECT_TRUE(status == 0 || status == 4) << status << ": " << content(folder_ / ".err");
     expect_nothing_temporary();
     if (status == 0) {
@@ -245,8 +244,7 @@ TEST_F(Command_long_job, can_be_interrupted_while_polygons_are_cut)
   // Crowns of two hundred corners, as large as polygons are that are cut in the best way.
   const int crowns = 1000, corners = 200;
   std::ofstream out(folder_ / "crowns.off");
-  out << "OFF\n"
-      << crowns * corners << ' ' << crowns << " 0\n";
+  out << "OFF\n" << crowns * corners << ' ' << crowns << " 0\n";
   for (int i = 0; i < crowns * corners; ++i)
     out << std::cos(2 * 3.14159265358979 * i / corners) << ' ' << std::sin(2 * 3.14159265358979 * i / corners) << ' '
         << i / corners * 3 + i % 2 << '\n';
@@ -274,7 +272,8 @@ TEST_F(Command_long_job, ends_within_a_second_where_nothing_asks)
     int status = 0;
     double seconds = 10;
     // A machine that is busy may be still reading, or done, at the first moments.
-    for (double delay = 0.5; delay < 8 && !(status == 4 && contains(content(folder_ / ".err"), "not complete")); delay *= 1.2) {
+    for (double delay = 0.5; delay < 8 && !(status == 4 && contains(content(folder_ / ".err"), "not complete"));
+         delay *= 1.2) {
       const auto begin = std::chrono::steady_clock::now();
       status = interrupt({"laplacian", "sheet.ply", "--eigenvalues", "60", "--stats", "result.json"}, delay, signal);
       seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() - delay;

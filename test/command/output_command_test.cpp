@@ -111,9 +111,10 @@ TEST_F(Command_output, leaves_nothing_on_a_full_or_read_only_disk)
   if (::mount("tmpfs", disk.c_str(), "tmpfs", 0, "size=16k") != 0)
     GTEST_SKIP() << "only the superuser may mount a file system";
   write("disk/old.ply", "old");
-  for (const char* arguments : {"triangulate torus.off --overlay disk/old.ply", "triangulate torus.off --edges disk/new.csv",
-                                "triangulate torus.off --laplacian disk/new.mtx", "sample torus -o disk/new.ply",
-                                "parameterize strip.off --uv disk/new.obj"}) {
+  for (const char* arguments :
+       {"triangulate torus.off --overlay disk/old.ply", "triangulate torus.off --edges disk/new.csv",
+        "triangulate torus.off --laplacian disk/new.mtx", "sample torus -o disk/new.ply",
+        "parameterize strip.off --uv disk/new.obj"}) {
     const Command_run run = idt(arguments);
     EXPECT_EQ(run.status, 1) << arguments << ": " << run.err;
     EXPECT_TRUE(contains(run.err, "No space left")) << run.err;

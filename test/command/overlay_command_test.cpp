@@ -47,10 +47,7 @@ class Overlay_command : public Command_test
 {
 protected:
   // Two triangles whose long common edge is flipped: the new one meets it at x = 7/3.
-  void write_oblique_kite() const
-  {
-    write("kite.off", "OFF\n4 2 0\n0 0 0\n8 0 0\n3 2 0\n2 -1 0\n3 0 1 2\n3 1 0 3\n");
-  }
+  void write_oblique_kite() const { write("kite.off", "OFF\n4 2 0\n0 0 0\n8 0 0\n3 2 0\n2 -1 0\n3 0 1 2\n3 1 0 3\n"); }
 
   Mesh read(const std::string& name) const
   {
@@ -76,10 +73,8 @@ protected:
   // Everything that the files of one run say, compared with each other and with the input.
   void expect_consistent_files(const std::string& input_name) const
   {
-    ASSERT_EQ(idt("triangulate " + input_name +
-                  " --overlay o.ply --crossings c.csv --edges e.csv --stats s.json")
-                .status,
-              0);
+    ASSERT_EQ(
+      idt("triangulate " + input_name + " --overlay o.ply --crossings c.csv --edges e.csv --stats s.json").status, 0);
     const Mesh input = read(input_name), mesh = read("o.ply");
     const Json stats = Json::parse(content(folder_ / "s.json"));
     const std::size_t number_of_crossings = stats["crossings"];
@@ -90,7 +85,8 @@ protected:
               mesh.number_of_vertices() + mesh.number_of_faces() - mesh.number_of_edges());
     const auto kind = IT::internal::find_property_map<Mesh::Vertex_index, std::uint8_t>(mesh, "v:kind");
     const auto input_edge = IT::internal::find_property_map<Mesh::Vertex_index, std::int32_t>(mesh, "v:input_edge");
-    const auto intrinsic_edge = IT::internal::find_property_map<Mesh::Vertex_index, std::int32_t>(mesh, "v:intrinsic_edge");
+    const auto intrinsic_edge =
+      IT::internal::find_property_map<Mesh::Vertex_index, std::int32_t>(mesh, "v:intrinsic_edge");
     ASSERT_TRUE(input_edge && intrinsic_edge);
     const auto crossings = rows("c.csv");
     // Edges are numbered as the faces of the file name them first.
@@ -105,7 +101,8 @@ protected:
           edges_of_input.push_back(edge);
     const auto label = IT::internal::find_property_map<Mesh::Edge_index, std::uint8_t>(mesh, "e:label");
     const auto input_face = IT::internal::find_property_map<Mesh::Face_index, std::uint32_t>(mesh, "f:input_face");
-    const auto intrinsic_face = IT::internal::find_property_map<Mesh::Face_index, std::uint32_t>(mesh, "f:intrinsic_face");
+    const auto intrinsic_face =
+      IT::internal::find_property_map<Mesh::Face_index, std::uint32_t>(mesh, "f:intrinsic_face");
     ASSERT_TRUE(kind && label && input_face && intrinsic_face);
     for (auto v : mesh.vertices()) {
       EXPECT_EQ(kind[v] == 0, std::size_t(v) < input.number_of_vertices());
@@ -143,8 +140,7 @@ protected:
   void expect_right_crossings(const Mesh& input, const Mesh& mesh, std::size_t number_of_crossings) const
   {
     const auto edges = rows("e.csv"), crossings = rows("c.csv");
-    EXPECT_EQ(lines(content(folder_ / "c.csv"))[0],
-              "source,target,edge,position,input_source,input_target,t,u");
+    EXPECT_EQ(lines(content(folder_ / "c.csv"))[0], "source,target,edge,position,input_source,input_target,t,u");
     ASSERT_EQ(crossings.size(), number_of_crossings + 1);
     std::map<std::size_t, std::size_t> count;
     double so_far = 0;
@@ -159,8 +155,8 @@ protected:
       const Point x = mesh.point(Mesh::Vertex_index(input.number_of_vertices() + i - 1));
       const Point p = point(row[4]), q = point(row[5]);
       EXPECT_LT(distance(x, CGAL::barycenter(p, 1 - u, q, u)), 1e-14 * (distance(p, q) + distance(p, Point(0, 0, 0))));
-      const Point last = position == 0 ? point(row[0])
-                                       : mesh.point(Mesh::Vertex_index(input.number_of_vertices() + i - 2));
+      const Point last =
+        position == 0 ? point(row[0]) : mesh.point(Mesh::Vertex_index(input.number_of_vertices() + i - 2));
       so_far = (position == 0 ? 0 : so_far) + distance(last, x);
       const double length = std::stod(edges[edge + 1][2]);
       EXPECT_NEAR(so_far, t * length, 1e-11 * length);
@@ -333,8 +329,8 @@ TEST_F(Overlay_command, refuses_a_wrong_command_line)
         "kite.off --overlay ''", "kite.off --overlay o.ply --stats ''"}) {
     const Command_run run = idt(std::string("triangulate ") + arguments);
     EXPECT_EQ(run.status, 2) << arguments;
-    EXPECT_TRUE(contains(run.err, "--overlay") || contains(run.err, "kite.off") ||
-                contains(run.err, "same file") || contains(run.err, "must not be empty"))
+    EXPECT_TRUE(contains(run.err, "--overlay") || contains(run.err, "kite.off") || contains(run.err, "same file") ||
+                contains(run.err, "must not be empty"))
       << run.err;
   }
   EXPECT_EQ(files(), std::vector<std::string>{"kite.off"});
@@ -356,8 +352,7 @@ TEST_F(Overlay_command, works_with_number_types_that_are_not_exact)
   // Here a float takes a reflex corner for a convex one: no straight line is left in the hinge.
   write("reflex.off", "OFF\n4 2 0\n-0.801344 0 0\n1000000 0 0\n-0.89 1.87 0\n-0.77 -0.69 0\n"
                       "3 0 1 2\n3 1 0 3\n");
-  const Command_run none =
-    idt("triangulate reflex.off --number-type float --crossings d.csv --overlay p.ply");
+  const Command_run none = idt("triangulate reflex.off --number-type float --crossings d.csv --overlay p.ply");
   EXPECT_EQ(none.status, 4);
   EXPECT_TRUE(contains(none.err, "there is no overlay: edge 0")) << none.err;
   EXPECT_FALSE(fs::exists(folder_ / "d.csv"));
@@ -368,8 +363,7 @@ TEST_F(Overlay_command, leaves_nothing_behind_when_the_space_ends)
 {
   ASSERT_EQ(idt("sample bad-torus -o torus.off").status, 0);
   for (const char* option : {"--overlay o.ply", "--overlay o.off", "--overlay o.obj", "--crossings c.csv"}) {
-    const Command_run run =
-      shell("ulimit -f 8; '" + command_path() + "' triangulate torus.off " + option);
+    const Command_run run = shell("ulimit -f 8; '" + command_path() + "' triangulate torus.off " + option);
     EXPECT_EQ(run.status, 1) << option;
     EXPECT_EQ(files(), std::vector<std::string>{"torus.off"});
   }

@@ -199,8 +199,7 @@ TEST_F(Parameterize_command, only_the_extrinsic_operator_flips_triangles_of_the_
     EXPECT_LT(intrinsic["over_intrinsic"]["mean_distortion"], 1.5);
     EXPECT_GT(extrinsic["over_input"]["mean_distortion"], 2);
   }
-  const Json clipped = run("--method circle-pattern --laplacian extrinsic"),
-             pattern = run("--method circle-pattern");
+  const Json clipped = run("--method circle-pattern --laplacian extrinsic"), pattern = run("--method circle-pattern");
   for (const Json& json : {clipped, pattern})
     EXPECT_LE(json["circle_pattern"]["gradient"], 1e-10);
   EXPECT_GT(clipped["circle_pattern"]["clipped_edges"], 300);
@@ -239,17 +238,16 @@ TEST_F(Parameterize_command, writes_the_map_over_both_triangulations)
   for (std::size_t f = 0; f < overlay.faces.size(); ++f) {
     std::size_t input_face = 0, intrinsic_face = 0;
     double over_input = 0, over_intrinsic = 0;
-    ASSERT_EQ(std::sscanf(rows[1 + f].c_str(), "%zu,%zu,%lf,%lf", &input_face, &intrinsic_face,
-                          &over_input, &over_intrinsic),
-              4)
+    ASSERT_EQ(
+      std::sscanf(rows[1 + f].c_str(), "%zu,%zu,%lf,%lf", &input_face, &intrinsic_face, &over_input, &over_intrinsic),
+      4)
       << rows[1 + f];
     const Sides sides = largest_sides(overlay, f);
     if (sides.in_space.col(0).cross(sides.in_space.col(1)).norm() < 1e-6)
       continue; // too small to be measured
     ++measured;
     EXPECT_NEAR(distortion(sides), over_intrinsic, 1e-6 * over_intrinsic) << rows[1 + f];
-    EXPECT_NEAR(distortion(largest_sides(input, input_face)), over_input, 1e-6 * over_input)
-      << rows[1 + f];
+    EXPECT_NEAR(distortion(largest_sides(input, input_face)), over_input, 1e-6 * over_input) << rows[1 + f];
   }
   EXPECT_GT(measured, 0.9 * double(overlay.faces.size()));
 
@@ -268,10 +266,9 @@ TEST_F(Parameterize_command, says_what_is_wrong)
   EXPECT_TRUE(contains(closed.err, "torus.off: a map to the plane needs a disk")) << closed.err;
   EXPECT_EQ(closed.out, "");
   write_disk();
-  for (const char* options :
-       {"--method circle-pattern --boundary disk", "--boundary square", "--laplacian both",
-        "--method none", "--uv x.obj --json x.mtl", "--uv disk.off", "--uv x.ply", "--uv x.obj --uv-input x.obj",
-        "--uv x.obj --distortion x.png"})
+  for (const char* options : {"--method circle-pattern --boundary disk", "--boundary square", "--laplacian both",
+                              "--method none", "--uv x.obj --json x.mtl", "--uv disk.off", "--uv x.ply",
+                              "--uv x.obj --uv-input x.obj", "--uv x.obj --distortion x.png"})
     EXPECT_EQ(idt(std::string("parameterize disk.off ") + options).status, 2) << options;
   EXPECT_EQ(idt("parameterize disk.off --uv missing/x.obj").status, 1);
   EXPECT_EQ(files().size(), 2u); // the inputs

@@ -56,8 +56,8 @@ TEST_F(Refine_command, removes_flat_vertices_first)
                    "3 0 8 9\n3 0 9 1\n3 1 9 10\n3 1 10 2\n3 2 10 11\n3 2 11 3\n3 3 11 8\n3 3 8 0\n"
                    "3 8 4 5\n3 8 5 9\n3 9 5 6\n3 9 6 10\n3 10 6 7\n3 10 7 11\n3 11 7 4\n3 11 4 8\n"
                    "3 4 7 6\n3 4 6 5\n");
-  const Command_run run =
-    idt("refine box.off --minimum-angle 0 --remove-flat-vertices --vertex-map m.csv --verify --stats s.json --overlay o.off");
+  const Command_run run = idt("refine box.off --minimum-angle 0 --remove-flat-vertices --vertex-map m.csv --verify "
+                              "--stats s.json --overlay o.off");
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_TRUE(contains(run.out, "flat sides      5 vertices removed")) << run.out;
   EXPECT_EQ(stats()["removed"], 5);
@@ -82,9 +82,12 @@ TEST_F(Refine_command, removes_nearly_flat_vertices_where_it_may)
   write("p.off", "OFF\n6 8 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 0.5 1\n0.5 0.5 -1e-5\n"
                  "3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n3 1 0 5\n3 2 1 5\n3 3 2 5\n3 0 3 5\n");
   EXPECT_TRUE(contains(idt("refine p.off --remove-flat-vertices").out, "flat sides      0 vertices removed\n"));
-  EXPECT_TRUE(contains(idt("refine p.off --remove-flat-vertices --flat-tolerance 1e-6").out, "flat sides      0 vertices removed; the surface has moved by at most 0, of 1e-06 allowed"));
+  EXPECT_TRUE(contains(idt("refine p.off --remove-flat-vertices --flat-tolerance 1e-6").out,
+                       "flat sides      0 vertices removed; the surface has moved by at most 0, of 1e-06 allowed"));
   const Command_run run = idt("refine p.off --remove-flat-vertices --flat-tolerance 1e-4 --stats s.json");
-  EXPECT_TRUE(contains(run.out, "flat sides      1 vertex removed; the surface has moved by at most 1e-05, of 0.0001 allowed")) << run.out;
+  EXPECT_TRUE(
+    contains(run.out, "flat sides      1 vertex removed; the surface has moved by at most 1e-05, of 0.0001 allowed"))
+    << run.out;
   EXPECT_EQ(stats()["removed"], 1);
   EXPECT_NEAR(stats()["flat_deviation"], 1e-5, 1e-15);
   EXPECT_EQ(idt("refine p.off --flat-tolerance 1e-4").status, 2);
@@ -94,13 +97,14 @@ TEST_F(Refine_command, removes_nearly_flat_vertices_where_it_may)
 TEST_F(Refine_command, counts_what_it_inserts)
 {
   ASSERT_EQ(idt("sample bad-torus -o t.off").status, 0);
-  const Command_run run = idt("refine t.off --verify --stats s.json --points p.csv --edges e.csv --laplacian L.mtx --mass M.mtx");
+  const Command_run run =
+    idt("refine t.off --verify --stats s.json --points p.csv --edges e.csv --laplacian L.mtx --mass M.mtx");
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.err, "");
   EXPECT_TRUE(contains(run.out, "status          refined, Delaunay, verified"));
   const Json json = stats();
-  for (const char* key : {"vertices", "inserted", "segment_splits", "removed", "flips", "minimum_angle_degrees", "maximum_circumradius",
-                          "unrefined", "status", "seconds"})
+  for (const char* key : {"vertices", "inserted", "segment_splits", "removed", "flips", "minimum_angle_degrees",
+                          "maximum_circumradius", "unrefined", "status", "seconds"})
     EXPECT_TRUE(json.contains(key)) << key;
   const std::size_t vertices = json["vertices"], inserted = json["inserted"];
   std::istringstream off(content(folder_ / "t.off").substr(4));
@@ -160,7 +164,10 @@ TEST_F(Refine_command, keeps_sharp_edges)
   write_roof("roof.off");
   // Along the ridge, from vertex 2 to vertex 3, its parts are edges of the result.
   const auto length_of_ridge = [&](const std::string& options) {
-    EXPECT_EQ(idt("refine roof.off --maximum-edge-length 0.3 --verify --points p.csv --edges e.csv --stats s.json " + options).status, 0);
+    EXPECT_EQ(
+      idt("refine roof.off --maximum-edge-length 0.3 --verify --points p.csv --edges e.csv --stats s.json " + options)
+        .status,
+      0);
     std::map<double, bool> on_ridge = {{2, true}, {3, true}};
     for (const std::vector<double>& row : rows("p.csv"))
       on_ridge[row[0]] = row[5] == 1 && row[7] == 1;
@@ -182,14 +189,16 @@ TEST_F(Refine_command, keeps_the_edges_that_it_is_told)
   write("pairs.csv", "# the ridge\n\n3,2\n");
   ASSERT_EQ(idt("refine roof.off --maximum-edge-length 0.3 --constrain-angle 80 --edges e.csv").status, 0);
   const auto sharp = rows("e.csv");
-  const Command_run run = idt("refine roof.off --maximum-edge-length 0.3 --constraints pairs.csv --verify --edges e.csv --kept-edges k.csv --stats s.json");
+  const Command_run run = idt("refine roof.off --maximum-edge-length 0.3 --constraints pairs.csv --verify --edges "
+                              "e.csv --kept-edges k.csv --stats s.json");
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_TRUE(contains(run.out, "kept edges      1\n")) << run.out;
   EXPECT_EQ(stats()["kept_edges"], 1);
   EXPECT_EQ(rows("e.csv"), sharp);
   EXPECT_EQ(rows("k.csv"), (std::vector<std::vector<double>>{{2, 3}}));
   // What it writes, it reads; in ParaView's format, it is a line.
-  ASSERT_EQ(idt("refine roof.off --maximum-edge-length 0.3 --constraints k.csv --edges e.csv --kept-edges k.vtp").status, 0);
+  ASSERT_EQ(
+    idt("refine roof.off --maximum-edge-length 0.3 --constraints k.csv --edges e.csv --kept-edges k.vtp").status, 0);
   EXPECT_EQ(rows("e.csv"), sharp);
   EXPECT_TRUE(contains(content(folder_ / "k.vtp"), "NumberOfLines=\"1\"")) << content(folder_ / "k.vtp");
 }
@@ -198,12 +207,13 @@ TEST_F(Refine_command, keeps_the_edges_that_it_is_told)
 TEST_F(Refine_command, keeps_straight_lines_across_faces)
 {
   write_roof("roof.off");
-  for (const char* line : {"--from 0 --to 5", "--from 0 --direction 0.2 --length 1.9", "--from 0 --direction 0.2 --length 0.5", "--from 1 --to 4",
-                           "--from 2 --direction 1 --length 1"}) {
+  for (const char* line :
+       {"--from 0 --to 5", "--from 0 --direction 0.2 --length 1.9", "--from 0 --direction 0.2 --length 0.5",
+        "--from 1 --to 4", "--from 2 --direction 1 --length 1"}) {
     ASSERT_EQ(idt(std::string("geodesic roof.off -o g.csv --stats s.json ") + line).status, 0) << line;
     const double length = stats()["length"];
-    const Command_run run =
-      idt("refine roof.off --minimum-angle 0 --constraints g.csv --verify --edges e.csv --kept-edges k.csv --stats s.json");
+    const Command_run run = idt(
+      "refine roof.off --minimum-angle 0 --constraints g.csv --verify --edges e.csv --kept-edges k.csv --stats s.json");
     ASSERT_EQ(run.status, 0) << line << run.err;
     std::map<std::pair<double, double>, double> lengths;
     for (const std::vector<double>& row : rows("e.csv"))
@@ -273,10 +283,12 @@ TEST_F(Refine_command, leaves_what_is_smaller_than_matters)
 }
 
 // A closed tube, 1 long and 1e-6 around, beside a tetrahedron.
-constexpr const char* tube = "OFF\n14 20 0\n0 0 0\n1e-7 0 0\n1e-7 1e-7 0\n0 2e-7 0\n-1e-7 1e-7 0\n0 0 1\n1e-7 0 1\n1e-7 1e-7 1\n0 2e-7 1\n-1e-7 1e-7 1\n"
-                             "1 1 1\n2 1 1\n1 2 1\n1 1 2\n"
-                             "3 0 1 6\n3 0 6 5\n3 1 2 7\n3 1 7 6\n3 2 3 8\n3 2 8 7\n3 3 4 9\n3 3 9 8\n3 4 0 5\n3 4 5 9\n"
-                             "3 2 1 0\n3 3 2 0\n3 4 3 0\n3 5 6 7\n3 5 7 8\n3 5 8 9\n3 10 12 11\n3 10 11 13\n3 11 12 13\n3 12 10 13\n";
+constexpr const char* tube =
+  "OFF\n14 20 0\n0 0 0\n1e-7 0 0\n1e-7 1e-7 0\n0 2e-7 0\n-1e-7 1e-7 0\n0 0 1\n1e-7 0 1\n1e-7 1e-7 1\n0 2e-7 1\n-1e-7 "
+  "1e-7 1\n"
+  "1 1 1\n2 1 1\n1 2 1\n1 1 2\n"
+  "3 0 1 6\n3 0 6 5\n3 1 2 7\n3 1 7 6\n3 2 3 8\n3 2 8 7\n3 3 4 9\n3 3 9 8\n3 4 0 5\n3 4 5 9\n"
+  "3 2 1 0\n3 3 2 0\n3 4 3 0\n3 5 6 7\n3 5 7 8\n3 5 8 9\n3 10 12 11\n3 10 11 13\n3 11 12 13\n3 12 10 13\n";
 
 TEST_F(Refine_command, chooses_a_smallest_size_where_it_needs_one)
 {
@@ -313,8 +325,9 @@ TEST_F(Refine_command, says_early_that_the_budget_will_not_suffice)
 TEST_F(Refine_command, chooses_no_size_where_none_is_needed)
 {
   ASSERT_EQ(idt("sample bad-torus -o t.off").status, 0);
-  write("feature.off", "OFF\n8 12 0\n0 0 0\n1 0 0\n1 1e-4 0\n0 1e-4 0\n0 0 1e-4\n1 0 1e-4\n1 1e-4 1e-4\n0 1e-4 1e-4\n"
-                       "3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n");
+  write("feature.off",
+        "OFF\n8 12 0\n0 0 0\n1 0 0\n1 1e-4 0\n0 1e-4 0\n0 0 1e-4\n1 0 1e-4\n1 1e-4 1e-4\n0 1e-4 1e-4\n"
+        "3 0 2 1\n3 0 3 2\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 4 7\n");
   for (const char* name : {"t.off", "feature.off"}) {
     ASSERT_EQ(idt(std::string("refine ") + name + " --minimum-size 0 --stats s.json").status, 0);
     const Json without = stats();
@@ -381,9 +394,10 @@ TEST_F(Refine_command, refines_surfaces_that_have_lengths_alone)
 TEST_F(Refine_command, refuses_senseless_bounds)
 {
   write_kite("kite.off");
-  for (const char* const options : {"--minimum-angle 30.1", "--minimum-angle -1", "--minimum-angle nan", "--maximum-circumradius 0",
-                                    "--maximum-circumradius nan", "--maximum-edge-length -2", "--constrain-angle 181",
-                                    "--constrain-angle nan", "--maximum-points -1", "--points kite.off"}) {
+  for (const char* const options :
+       {"--minimum-angle 30.1", "--minimum-angle -1", "--minimum-angle nan", "--maximum-circumradius 0",
+        "--maximum-circumradius nan", "--maximum-edge-length -2", "--constrain-angle 181", "--constrain-angle nan",
+        "--maximum-points -1", "--points kite.off"}) {
     const Command_run run = idt(std::string("refine kite.off ") + options);
     EXPECT_EQ(run.status, 2) << options;
     EXPECT_NE(run.err, "") << options;

@@ -53,10 +53,10 @@ TEST_F(Command_repair, says_what_was_done_and_where_things_come_from)
     {"kind": "triangulated faces", "count": 1, "first": [0]},
     {"kind": "reversed faces", "count": 1, "first": [2]},
     {"kind": "dropped vertices", "count": 1, "first": [5]}])"));
-  EXPECT_EQ(lines(content(folder_ / "m.csv")),
-            (std::vector<std::string>{"element,index,input", "vertex,0,0", "vertex,1,1", "vertex,2,2", "vertex,3,3",
-                                      "vertex,4,4", "face,0,0", "face,1,0", "face,2,1", "face,3,2", "face,4,3",
-                                      "face,5,4"}));
+  EXPECT_EQ(
+    lines(content(folder_ / "m.csv")),
+    (std::vector<std::string>{"element,index,input", "vertex,0,0", "vertex,1,1", "vertex,2,2", "vertex,3,3",
+                              "vertex,4,4", "face,0,0", "face,1,0", "face,2,1", "face,3,2", "face,4,3", "face,5,4"}));
 
   ASSERT_EQ(idt("triangulate o.ply --repair --verify").status, 0);
 }
@@ -112,9 +112,10 @@ TEST_F(Command_repair, stands_beside_the_warnings_of_the_reader)
     EXPECT_EQ(idt(command + " j.json").status, 0) << command;
     return Json::parse(content(folder_ / "j.json")).at(Json::json_pointer(place));
   };
-  for (const char* const command : {"triangulate cut.stl --stats", "refine cut.stl --stats", "laplacian cut.stl --stats",
-                                    "distance cut.stl --source 0 --stats", "distance cut.stl --source 0 --cover none --stats",
-                                    "geodesic cut.stl --from 0 --to 3 --stats", "parameterize cut.stl --json"})
+  for (const char* const command :
+       {"triangulate cut.stl --stats", "refine cut.stl --stats", "laplacian cut.stl --stats",
+        "distance cut.stl --source 0 --stats", "distance cut.stl --source 0 --cover none --stats",
+        "geodesic cut.stl --from 0 --to 3 --stats", "parameterize cut.stl --json"})
     EXPECT_EQ(warnings(command, "/warnings"), expected) << command;
   EXPECT_EQ(warnings("compare cut.stl --number-types double --json", "/surfaces/0/warnings"), expected);
   EXPECT_EQ(warnings("table cut.stl --without-condition --json", "/0/warnings"), expected);
@@ -140,8 +141,9 @@ TEST_F(Command_repair, says_what_became_border)
   write("sheets.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n");
   const Command_run run = idt("triangulate sheets.off --repair --stats s.json");
   ASSERT_EQ(run.status, 0) << run.err;
-  EXPECT_TRUE(contains(run.err, "edge 0-1 of face 0 became border: of its 3 faces, no other one was left that fits, and 2 more "
-                                "edges like it"))
+  EXPECT_TRUE(contains(run.err,
+                       "edge 0-1 of face 0 became border: of its 3 faces, no other one was left that fits, and 2 more "
+                       "edges like it"))
     << run.err;
   const Json repairs = Json::parse(content(folder_ / "s.json"))["repair"];
   EXPECT_EQ(repairs.back(), Json::parse(R"({"kind": "opened edges", "count": 3, "first": [0, 1, 2]})")) << repairs;

@@ -49,8 +49,7 @@ TEST_F(Sample_command, chooses_the_extension)
 
 TEST_F(Sample_command, refuses_what_makes_no_sense)
 {
-  for (const char* arguments :
-       {"sample", "sample nonsense", "sample prism --list", "sample --list -o x"}) {
+  for (const char* arguments : {"sample", "sample nonsense", "sample prism --list", "sample --list -o x"}) {
     const Command_run run = idt(arguments);
     EXPECT_EQ(run.status, 2) << arguments;
     EXPECT_NE(run.err, "") << arguments;
@@ -77,10 +76,9 @@ TEST_F(Table_command, has_a_row_for_each_input)
   std::vector<std::string> keys;
   for (const auto& item : json[0].items())
     keys.push_back(item.key());
-  EXPECT_EQ(keys,
-            (std::vector<std::string>{"model", "vertices", "flips", "simple", "longest",
-                                      "condition_ratio", "crossings", "minimum_angle_degrees", "seconds", "repair", "warnings", "paper", "extrinsic",
-                                      "intrinsic"}));
+  EXPECT_EQ(keys, (std::vector<std::string>{"model", "vertices", "flips", "simple", "longest", "condition_ratio",
+                                            "crossings", "minimum_angle_degrees", "seconds", "repair", "warnings",
+                                            "paper", "extrinsic", "intrinsic"}));
   EXPECT_EQ(json[0]["model"], "a");
   EXPECT_EQ(json[0]["vertices"], 4);
   EXPECT_EQ(json[0]["flips"], 1);
@@ -102,8 +100,7 @@ TEST_F(Table_command, has_condition_numbers_where_there_are_inner_vertices)
   const Json json = Json::parse(content(folder_ / "t.json"));
   const Json &extrinsic = json[0]["extrinsic"], &intrinsic = json[0]["intrinsic"];
   EXPECT_DOUBLE_EQ(json[0]["condition_ratio"].get<double>(),
-                   intrinsic["condition_number"].get<double>() /
-                     extrinsic["condition_number"].get<double>());
+                   intrinsic["condition_number"].get<double>() / extrinsic["condition_number"].get<double>());
   EXPECT_GT(extrinsic["negative_weights"], 0);
   EXPECT_LT(extrinsic["min_weight"], 0);
   EXPECT_EQ(intrinsic["negative_weights"], 0);

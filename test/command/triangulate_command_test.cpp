@@ -54,13 +54,37 @@ TEST_F(Triangulate_command, writes_the_keys_of_the_statistics_in_order)
   std::vector<std::string> keys;
   for (const auto& item : json.items())
     keys.push_back(item.key());
-  EXPECT_EQ(keys, (std::vector<std::string>{
-                    "vertices", "edges", "faces", "boundary_edges", "components",
-                    "euler_characteristic", "number_type", "flips", "tests", "ties", "cells",
-                    "stages", "edges_changed", "simple", "longest", "crossings", "loops",
-                    "multiple_edges", "min_weight_before", "min_weight_after",
-                    "negative_weights_before", "negative_weights_after",
-                    "infinite_weights_before", "infinite_weights_after", "verification", "mollification", "repair", "warnings", "status", "seconds", "peak_memory_bytes"}));
+  EXPECT_EQ(keys, (std::vector<std::string>{"vertices",
+                                            "edges",
+                                            "faces",
+                                            "boundary_edges",
+                                            "components",
+                                            "euler_characteristic",
+                                            "number_type",
+                                            "flips",
+                                            "tests",
+                                            "ties",
+                                            "cells",
+                                            "stages",
+                                            "edges_changed",
+                                            "simple",
+                                            "longest",
+                                            "crossings",
+                                            "loops",
+                                            "multiple_edges",
+                                            "min_weight_before",
+                                            "min_weight_after",
+                                            "negative_weights_before",
+                                            "negative_weights_after",
+                                            "infinite_weights_before",
+                                            "infinite_weights_after",
+                                            "verification",
+                                            "mollification",
+                                            "repair",
+                                            "warnings",
+                                            "status",
+                                            "seconds",
+                                            "peak_memory_bytes"}));
   EXPECT_EQ(json["vertices"], 4);
   EXPECT_EQ(json["boundary_edges"], 4);
   EXPECT_EQ(json["euler_characteristic"], 1);
@@ -76,15 +100,16 @@ TEST_F(Triangulate_command, writes_the_keys_of_the_statistics_in_order)
   keys.clear();
   for (const auto& item : json["stages"].items())
     keys.push_back(item.key());
-  EXPECT_EQ(keys, (std::vector<std::string>{"filter", "coplanar", "unfolding", "rational", "multiprecision",
-                                            "algebraic", "congruence", "modular"}));
+  EXPECT_EQ(keys, (std::vector<std::string>{"filter", "coplanar", "unfolding", "multiprecision", "algebraic",
+                                            "congruence", "modular"}));
   EXPECT_EQ(json["stages"]["filter"], json["tests"]);
   EXPECT_EQ(json["negative_weights_before"], 1);
   EXPECT_EQ(json["negative_weights_after"], 0);
   EXPECT_LT(json["min_weight_before"], 0);
   EXPECT_GT(json["min_weight_after"], 0);
   EXPECT_EQ(json["mollification"], 0);
-  for (const char* key : {"read", "build", "flip", "overlay", "positions", "check", "numbers", "summary", "write", "rest", "total", "files"})
+  for (const char* key : {"read", "build", "flip", "overlay", "positions", "check", "numbers", "summary", "write",
+                          "rest", "total", "files"})
     EXPECT_TRUE(json["seconds"].contains(key)) << key;
   EXPECT_GT(json["peak_memory_bytes"], 0);
 }
@@ -122,8 +147,7 @@ TEST_F(Triangulate_command, agrees_with_itself_for_each_number_type)
   Json reference;
   for (const char* number_type : {"filtered", "double", "long-double", "float128", "interval", "mpfr", "core",
                                   "half-angle-double", "half-angle-core"}) {
-    const Command_run run =
-      idt(std::string("triangulate tube.off --stats s.json --number-type ") + number_type);
+    const Command_run run = idt(std::string("triangulate tube.off --stats s.json --number-type ") + number_type);
     EXPECT_EQ(run.status, 0) << number_type << run.err;
     const Json json = Json::parse(content(folder_ / "s.json"));
     EXPECT_EQ(json["number_type"], number_type);
@@ -166,9 +190,8 @@ TEST_F(Triangulate_command, refuses_a_wrong_command_line)
 {
   write_kite("kite.off");
   for (const char* arguments :
-       {"", "nonsense", "triangulate", "triangulate kite.off --nonsense",
-        "triangulate kite.off --number-type decimal", "triangulate kite.off --precision 1",
-        "triangulate kite.off --mollify -1", "triangulate kite.off --mollify nan",
+       {"", "nonsense", "triangulate", "triangulate kite.off --nonsense", "triangulate kite.off --number-type decimal",
+        "triangulate kite.off --precision 1", "triangulate kite.off --mollify -1", "triangulate kite.off --mollify nan",
         "triangulate kite.off --mollify-local", "triangulate kite.off --maximum-flips -3",
         "triangulate kite.off --stats x --edges x", "triangulate kite.off --edges kite.off",
         "triangulate kite.off --edges ./kite.off"}) {
@@ -189,8 +212,8 @@ TEST_F(Triangulate_command, names_what_is_wrong_with_an_input)
   write("nan.off", "OFF\n3 1 0\n0 0 0\nnan 0 0\n0 1 0\n3 0 1 2\n");
   write("bad.gluing", "INTRINSIC_GLUING 1\n1 3 2\n0 0 0\n0 0 0\n0 3 1\n1 4 1\n2 5 -1\n");
   write("flat.gluing", "INTRINSIC_GLUING 1\n3 3 1\n0 1 2\n0 -1 1\n1 -1 1\n2 -1 3\n");
-  for (const char* name : {"square.off", "fan.off", "turned.off", "nan.off", "bad.gluing",
-                           "flat.gluing", "missing.off", "missing.gluing", "."}) {
+  for (const char* name : {"square.off", "fan.off", "turned.off", "nan.off", "bad.gluing", "flat.gluing", "missing.off",
+                           "missing.gluing", "."}) {
     const Command_run run = idt(std::string("triangulate ") + name + " --edges e.csv");
     EXPECT_EQ(run.status, 3) << name;
     EXPECT_TRUE(contains(run.err, name)) << run.err;
@@ -277,8 +300,7 @@ TEST_F(Triangulate_command, verifies_the_evaluation_meshes_that_double_gets_wron
 {
   if (!fs::is_directory(data_folder() / "good"))
     GTEST_SKIP() << "no evaluation meshes: set IDT_DATA_DIR";
-  for (const char* name :
-       {"varylab_BlownUpA_TA001_01.off", "synth_torus_8x8.off", "thingi10k_79741.off"}) {
+  for (const char* name : {"varylab_BlownUpA_TA001_01.off", "synth_torus_8x8.off", "thingi10k_79741.off"}) {
     const std::string path = "'" + (data_folder() / "good" / name).string() + "'";
     EXPECT_EQ(idt("triangulate " + path + " --number-type double --verify").status, 4) << name;
     EXPECT_EQ(idt("triangulate " + path + " --verify").status, 0) << name;
@@ -412,8 +434,8 @@ TEST_F(Triangulate_command, mollifies_if_asked_to)
   ASSERT_EQ(idt("sample cap -o cap.off").status, 0);
   std::size_t changed[2] = {0, 0};
   for (const int is_local : {0, 1}) {
-    const Command_run run = idt(std::string("triangulate cap.off --stats s.json --mollify 1e-4") +
-                                (is_local ? " --mollify-local" : ""));
+    const Command_run run =
+      idt(std::string("triangulate cap.off --stats s.json --mollify 1e-4") + (is_local ? " --mollify-local" : ""));
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_TRUE(contains(run.out, "mollified"));
     const Json report = Json::parse(content(folder_ / "s.json"))["mollification"];
@@ -430,9 +452,9 @@ TEST_F(Triangulate_command, judges_the_evaluation_meshes)
   if (!fs::is_directory(data_folder() / "bad"))
     GTEST_SKIP() << "no evaluation meshes: set IDT_DATA_DIR";
   // These have a defect that the package does not work around.
-  for (const char* name : {"cgal_cube_poly.off", "synth_bad_inf.off", "synth_bad_nan.off",
-                           "synth_bad_only_vertices.off", "synth_bad_repeated_index.off",
-                           "mepp_dangling_edge3.off", "igl_horse_quad.off"}) {
+  for (const char* name :
+       {"cgal_cube_poly.off", "synth_bad_inf.off", "synth_bad_nan.off", "synth_bad_only_vertices.off",
+        "synth_bad_repeated_index.off", "mepp_dangling_edge3.off", "igl_horse_quad.off"}) {
     const fs::path path = data_folder() / "bad" / name;
     const Command_run run = idt("triangulate '" + path.string() + "'");
     EXPECT_EQ(run.status, 3) << name;
@@ -454,7 +476,9 @@ TEST_F(Triangulate_command, fast_forwards_a_gluing)
   const std::string torus = "INTRINSIC_GLUING 2\n1 3 2\n0 0 0\n0 0 0\n0 3 1\n1 4 1000000000000000000000001\n2 5 ";
   write("torus.gluing", torus + "1000000000002000000000002\n");
   for (const char* number_type : {"filtered", "double", "mpfr"}) {
-    const Command_run run = idt(std::string("triangulate torus.gluing --fast-forward --verify --edges e.csv --stats s.json --number-type ") + number_type);
+    const Command_run run =
+      idt(std::string("triangulate torus.gluing --fast-forward --verify --edges e.csv --stats s.json --number-type ") +
+          number_type);
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_TRUE(contains(run.out, "1000000000000 flips in 1 twist")) << run.out;
     const std::vector<std::string> rows = lines(content(folder_ / "e.csv"));

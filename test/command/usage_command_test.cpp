@@ -16,10 +16,8 @@ protected:
   void expect_refused(const std::string& arguments, const std::string& named) const
   {
     const Command_run run = idt(arguments);
-    EXPECT_EQ(run.status, 2) << arguments << '\n'
-                             << run.err;
-    EXPECT_TRUE(contains(run.err, named)) << arguments << '\n'
-                                          << run.err;
+    EXPECT_EQ(run.status, 2) << arguments << '\n' << run.err;
+    EXPECT_TRUE(contains(run.err, named)) << arguments << '\n' << run.err;
     EXPECT_LT(run.err.size(), 300u) << run.err;
   }
 };
@@ -103,7 +101,8 @@ TEST_F(Command_usage, the_version_is_told)
 TEST_F(Command_usage, quiet_is_without_a_report)
 {
   write_kite("kite.off");
-  for (const char* command : {"triangulate -q", "refine -q", "laplacian -q", "geodesic --from 0 --to 2 -q", "distance --source 0 -q"}) {
+  for (const char* command :
+       {"triangulate -q", "refine -q", "laplacian -q", "geodesic --from 0 --to 2 -q", "distance --source 0 -q"}) {
     const Command_run run = idt(std::string(command) + " kite.off");
     EXPECT_EQ(run.status, 0) << command;
     EXPECT_EQ(run.out + run.err, "") << command;
@@ -151,7 +150,8 @@ TEST_F(Command_usage, the_standard_input_is_read_in_each_format)
                     "0 0 0\n1 -0.25 0\n2 0 0\n1 0.25 0\n3 0 1 2\n3 0 2 3\n");
   for (const char* name : {"kite.off", "kite.obj", "kite.ts", "kite.ply"})
     for (const char* source : {"", "< "}) {
-      const Command_run run = *source ? idt("triangulate - -q --edges - < " + std::string(name)) : piped(name, "triangulate - -q --edges -");
+      const Command_run run =
+        *source ? idt("triangulate - -q --edges - < " + std::string(name)) : piped(name, "triangulate - -q --edges -");
       EXPECT_EQ(run.status, 0) << name << run.err;
       EXPECT_EQ(run.out, expected) << name;
     }
@@ -172,13 +172,13 @@ TEST_F(Command_usage, the_standard_input_is_read_in_each_format)
 
 TEST_F(Command_usage, a_converter_is_named)
 {
-  for (const auto& [name, program] : std::vector<std::pair<std::string, std::string>>{
-         {"a.glb", "assimp export a.glb a.obj"},
-         {"b c.FBX", "assimp export 'b c.FBX' 'b c.obj'"},
-         {"-a.mesh", "meshio convert './-a.mesh' './-a.off'"},
-         {"a.vtu", "meshio convert a.vtu a.off"},
-         {"a.step", "gmsh a.step -2 -o a.stl"},
-         {"a.ply.gz", "gunzip a.ply.gz"}}) {
+  for (const auto& [name, program] :
+       std::vector<std::pair<std::string, std::string>>{{"a.glb", "assimp export a.glb a.obj"},
+                                                        {"b c.FBX", "assimp export 'b c.FBX' 'b c.obj'"},
+                                                        {"-a.mesh", "meshio convert './-a.mesh' './-a.off'"},
+                                                        {"a.vtu", "meshio convert a.vtu a.off"},
+                                                        {"a.step", "gmsh a.step -2 -o a.stl"},
+                                                        {"a.ply.gz", "gunzip a.ply.gz"}}) {
     write(name, "x");
     const Command_run run = idt("triangulate -- '" + name + "'");
     EXPECT_EQ(run.status, 3) << name;

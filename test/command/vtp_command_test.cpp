@@ -26,9 +26,8 @@ struct Vtp
   {
     return "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
            "header_type=\"UInt64\">\n<PolyData>\n<Piece NumberOfPoints=\"" +
-           number_of_points + "\" NumberOf" + cells + "=\"" + number_of_faces +
-           "\">\n<Points>\n<DataArray type=\"" + type +
-           "\" NumberOfComponents=\"3\" format=\"ascii\">\n" + points + "\n</DataArray>\n</Points>\n<" + cells +
+           number_of_points + "\" NumberOf" + cells + "=\"" + number_of_faces + "\">\n<Points>\n<DataArray type=\"" +
+           type + "\" NumberOfComponents=\"3\" format=\"ascii\">\n" + points + "\n</DataArray>\n</Points>\n<" + cells +
            ">\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n" + corners +
            "\n</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n" + ends +
            "\n</DataArray>\n</" + cells + ">\n</Piece>\n</PolyData>\n</VTKFile>\n";
@@ -60,9 +59,8 @@ std::string binary_vtp(const std::vector<double>& coordinates, const std::vector
        << "\">\n<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"appended\" offset=\"0\"/>\n"
           "</Points>\n<Polys>\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"appended\" offset=\""
        << first.size() << "\"/>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"appended\" offset=\""
-       << first.size() + second.size()
-       << "\"/>\n</Polys>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_" << first << second << third
-       << "\n</AppendedData>\n</VTKFile>\n";
+       << first.size() + second.size() << "\"/>\n</Polys>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_"
+       << first << second << third << "\n</AppendedData>\n</VTKFile>\n";
   return text.str();
 }
 
@@ -129,9 +127,11 @@ TEST_F(Command_vtp, has_distances_on_the_overlay)
   const auto distance = [&rows](std::size_t v) { return std::stod(rows.at(v + 1).substr(2)); };
   for (std::size_t v = 0; v < 4; ++v)
     EXPECT_EQ(std::stod(vtp.at(6 + v)), distance(v));
-  EXPECT_NEAR(std::stod(vtp.at(10)), (distance(1) + distance(3)) / 2, 1e-15); // the new edge from 1 to 3 meets the old one
+  EXPECT_NEAR(std::stod(vtp.at(10)), (distance(1) + distance(3)) / 2,
+              1e-15); // the new edge from 1 to 3 meets the old one
   ASSERT_EQ(idt("distance kite.off --source 0 --cover none --overlay o.ply").status, 0);
-  EXPECT_TRUE(contains(content(folder_ / "o.ply"), "property int intrinsic_edge\nproperty double distance\nelement face 4\n"));
+  EXPECT_TRUE(
+    contains(content(folder_ / "o.ply"), "property int intrinsic_edge\nproperty double distance\nelement face 4\n"));
   EXPECT_EQ(idt("distance kite.off --source 0 --overlay o.ply").status, 2);
   EXPECT_EQ(idt("distance kite.off --source 0 --cover none --overlay o.off").status, 2);
 }
@@ -151,8 +151,8 @@ TEST_F(Command_vtp, gives_the_same_bits_as_text_and_as_bytes)
 {
   if (!is_read())
     GTEST_SKIP() << "the command was built without VTK";
-  const std::vector<double> coordinates = {0.1, 1 / 3., 5e-324, 1e22, std::nextafter(1., 2.), -0.7,
-                                           1e-310, 2.5e21, 1e-300, 7e21, -9007199254740992., 1.7976931348623157e22};
+  const std::vector<double> coordinates = {0.1,    1 / 3., 5e-324, 1e22, std::nextafter(1., 2.), -0.7,
+                                           1e-310, 2.5e21, 1e-300, 7e21, -9007199254740992.,     1.7976931348623157e22};
   std::ostringstream list;
   list << std::setprecision(17);
   for (std::size_t i = 0; i < coordinates.size(); ++i)
@@ -221,7 +221,8 @@ TEST_F(Command_vtp, is_refused_where_it_is_broken)
   expect_refused(changed([](Vtp& v) { v.ends = "3"; }), "offset");
   expect_refused(changed([](Vtp& v) { v.corners = "0 1 2 0"; }), "connectivity");
   expect_refused(changed([](Vtp& v) { v.points = "0 0 0 1 0 0 1 1 0 0 1"; }), "the file cannot be read");
-  expect_refused(changed([](Vtp& v) { v.points = "0 0 0 1 0 0 1 nan 0 0 1 0"; }), "vertex 2 has the coordinates (1, nan, 0)");
+  expect_refused(changed([](Vtp& v) { v.points = "0 0 0 1 0 0 1 nan 0 0 1 0"; }),
+                 "vertex 2 has the coordinates (1, nan, 0)");
   expect_refused(changed([](Vtp& v) { v.points = "0 0 0 1 0 0 1 x 0 0 1 0"; }), "the file cannot be read");
   expect_refused(changed([](Vtp& v) { v.number_of_points = "1000000000000"; }), "does not agree with the size");
   expect_refused(changed([](Vtp& v) { v.number_of_faces = "1000000000000"; }), "does not agree with the size");

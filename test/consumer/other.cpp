@@ -3,7 +3,4 @@
 
 #include "package.h"
 
-const char* name_of_other()
-{
-  return "OK";
-}
+const char* name_of_other() { return "OK"; }

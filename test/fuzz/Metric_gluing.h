@@ -93,10 +93,14 @@ inline double decode_length(Bytes& bytes, const std::vector<double>& before)
     return 1 + std::ldexp(double(value), -60); // 1, but for the largest values
   default: {
     const double infinity = std::numeric_limits<double>::infinity();
-    const std::array<double, 8> extreme{0, -1, infinity, std::numeric_limits<double>::quiet_NaN(),
+    const std::array<double, 8> extreme{0,
+                                        -1,
+                                        infinity,
+                                        std::numeric_limits<double>::quiet_NaN(),
                                         std::numeric_limits<double>::denorm_min(),
                                         std::numeric_limits<double>::min(),
-                                        std::numeric_limits<double>::max(), 1e150};
+                                        std::numeric_limits<double>::max(),
+                                        1e150};
     return extreme[value % 8];
   }
   }
@@ -146,7 +150,7 @@ inline Metric_gluing decode_metric_gluing(Bytes& bytes)
   detail::decode_gluing(bytes, result);
   const unsigned choice = bytes.next();
   result.metric = std::array<Metric, 6>{Metric::LENGTHS, Metric::MENDED_LENGTHS, Metric::MENDED_LENGTHS,
-                                        Metric::POINTS, Metric::POINTS, Metric::SQUARED_DISTANCES}[choice % 6];
+                                        Metric::POINTS,  Metric::POINTS,         Metric::SQUARED_DISTANCES}[choice % 6];
   // A unit of any size, now and then.
   const double unit = choice / 6 % 4 == 0 ? std::ldexp(1., 8 * bytes.signed_next()) : 1;
   if (result.metric == Metric::POINTS || result.metric == Metric::SQUARED_DISTANCES) {

@@ -7,6 +7,7 @@
 #define IDT_TEST_FUZZ_CHECK_CORE_H
 
 #include "fuzz_target.h"
+#include "overlay_triangulations.h"
 #include "property/flip_test_surfaces.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
@@ -14,13 +15,10 @@
 #include <CGAL/Intrinsic_triangulations/Incremental_overlay.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
-#include <CGAL/Intrinsic_triangulations/are_same_overlay.h>
-#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/overlay_areas.h>
-#include <CGAL/Intrinsic_triangulations/overlay_triangulations.h>
+#include <CGAL/Intrinsic_triangulations/transfer.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <algorithm>
@@ -37,12 +35,12 @@ namespace IT = CGAL::Intrinsic_triangulations;
 using Filtered_triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 
 // Remembers the flips, does them in the overlay, and stops when that becomes too large.
-struct Recording_visitor : IT::Default_flip_visitor
+struct Recording_visitor
 {
   Recording_visitor(const IT::Delta_complex& input, std::uint32_t crossing_budget)
     : overlay(input), budget(crossing_budget)
   {}
-  bool go_further(std::uint64_t, std::uint64_t) const { return overlay.number_of_crossings() <= budget; }
+  bool go_further(const IT::Progress&) const { return overlay.number_of_crossings() <= budget; }
   void after_flip(IT::Edge_index e)
   {
     flips.push_back(e);
@@ -63,8 +61,7 @@ inline void check_overlay(const Filtered_triangulation& triangulation, const Rec
   require(IT::are_same_overlay(overlay, record.overlay, true), "both overlays are the same");
   require(test_surfaces::are_same_links(IT::intrinsic_triangulation_of(overlay), triangulation.connectivity()),
           "the overlay contains the result");
-  require(test_surfaces::are_same_links(IT::input_triangulation_of(overlay), input),
-          "the overlay contains the input");
+  require(test_surfaces::are_same_links(IT::input_triangulation_of(overlay), input), "the overlay contains the input");
 }
 
 inline void check_positions(const IT::Overlay& overlay, const IT::Overlay_positions& positions)
@@ -143,7 +140,7 @@ inline void check_flips_back(Filtered_triangulation triangulation, const std::ve
       require(triangulation.flip(flips[i]) == Filtered_triangulation::Flip_outcome::FLIPPED,
               "what was flipped can be flipped back");
   require(test_surfaces::are_same_links(triangulation.connectivity(), input), "flips back lead to the input");
-  const IT::Correspondence& correspondence = triangulation.exact_geometry().correspondence();
+  const IT::internal::Correspondence& correspondence = IT::internal::engine(triangulation).correspondence();
   for (IT::Edge_index e : input.edges())
     require(correspondence.coordinates().is_original(e), "an edge that was flipped back is an input edge");
   for (IT::Halfedge_index h : input.halfedges())
@@ -152,8 +149,7 @@ inline void check_flips_back(Filtered_triangulation triangulation, const std::ve
 }
 
 inline void check_result(const Filtered_triangulation& triangulation, const Recording_visitor& record,
-                         const IT::Delta_complex& input, bool is_done, bool has_no_area,
-                         bool has_accurate_areas)
+                         const IT::Delta_complex& input, bool is_done, bool has_no_area, bool has_accurate_areas)
 {
   require(triangulation.connectivity().is_valid(true), "the connectivity is valid");
   const IT::Delaunay_verification verification = IT::verify_Delaunay(triangulation);
@@ -163,11 +159,11 @@ inline void check_result(const Filtered_triangulation& triangulation, const Reco
   const IT::Common_subdivision subdivision(triangulation);
   check_positions(subdivision.overlay(), subdivision.positions());
   check_numbers(triangulation, is_done, has_no_area);
-  const auto& geometry = triangulation.exact_geometry();
+  const auto& geometry = IT::internal::engine(triangulation);
   std::vector<double> input_areas;
   for (IT::Face_index f : input.faces())
-    input_areas.push_back(std::ldexp(geometry.metric().four_areas_double_double(input, f).hi() / 4,
-                                     2 * triangulation.unit_exponent()));
+    input_areas.push_back(
+      std::ldexp(geometry.metric().four_areas_double_double(input, f).hi() / 4, 2 * triangulation.unit_exponent()));
   if (has_accurate_areas)
     check_areas(triangulation, subdivision, input_areas);
   // A flip that straightens an angle cannot be made the other way round.

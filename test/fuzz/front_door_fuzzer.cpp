@@ -14,7 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/read_polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <array>
@@ -73,7 +73,7 @@ bool has_face_without_area(const fuzz::Filtered_triangulation& triangulation)
 {
   const auto& complex = triangulation.connectivity();
   for (IT::Face_index f : complex.faces())
-    if (triangulation.exact_geometry().sign_of_area(complex, f) == CGAL::ZERO)
+    if (IT::internal::engine(triangulation).sign_of_area(f) == CGAL::ZERO)
       return true;
   return false;
 }
@@ -84,8 +84,8 @@ void check_exact(const idt::Surface& surface)
   const bool has_no_area = has_face_without_area(triangulation);
   fuzz::Recording_visitor record(triangulation.connectivity(), crossing_budget);
   try {
-    const IT::Flip_report report = IT::flip_to_Delaunay(
-      triangulation, CGAL::parameters::visitor(std::ref(record)).maximum_number(flip_budget));
+    const IT::Flip_report report =
+      IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(std::ref(record)).maximum_number(flip_budget));
     require(report.status != IT::Flip_status::NOT_FLIPPABLE && report.status != IT::Flip_status::INCONSISTENT &&
               report.status != IT::Flip_status::UNDECIDED,
             "exact decisions do not contradict each other");

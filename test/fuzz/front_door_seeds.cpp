@@ -54,8 +54,7 @@ std::string list(const std::vector<unsigned>& face, unsigned first)
 std::string off(const Mesh& mesh)
 {
   std::ostringstream text;
-  text << "OFF\n# a comment\n"
-       << mesh.points.size() << ' ' << mesh.faces.size() << " 0\n";
+  text << "OFF\n# a comment\n" << mesh.points.size() << ' ' << mesh.faces.size() << " 0\n";
   for (const auto& p : mesh.points)
     text << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
   for (const auto& face : mesh.faces)

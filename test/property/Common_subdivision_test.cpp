@@ -8,10 +8,10 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/overlay_areas.h>
-#include <CGAL/Intrinsic_triangulations/point_location.h>
+#include <CGAL/Intrinsic_triangulations/transfer.h>
 
 #include <gtest/gtest.h>
 
@@ -29,9 +29,10 @@ namespace IT = CGAL::Intrinsic_triangulations;
 using test_surfaces::Triangulation;
 
 static_assert(std::is_constructible<IT::Point_location, const IT::Common_subdivision&>::value, "");
-static_assert(!std::is_constructible<IT::Point_location, IT::Common_subdivision>::value, "it refers to the subdivision");
+static_assert(!std::is_constructible<IT::Point_location, IT::Common_subdivision>::value,
+              "it refers to the subdivision");
 
-Triangulation Delaunay_triangulation(const IT::Indexed_triangles& surface)
+Triangulation Delaunay_triangulation(const samples::Indexed_triangles& surface)
 {
   Triangulation t(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
   IT::flip_to_Delaunay(t);
@@ -56,7 +57,7 @@ std::vector<double> answers(const IT::Common_subdivision& s)
 
 TEST(Common_subdivision, later_flips_do_not_change_it)
 {
-  Triangulation t = Delaunay_triangulation(IT::bad_torus(10, 12));
+  Triangulation t = Delaunay_triangulation(samples::bad_torus(10, 12));
   const IT::Common_subdivision subdivision(t);
   ASSERT_GT(subdivision.overlay().number_of_crossings(), 50u);
   const std::vector<double> before = answers(subdivision);
@@ -71,7 +72,7 @@ TEST(Common_subdivision, later_flips_do_not_change_it)
 
 TEST(Common_subdivision, outlives_what_it_was_made_from)
 {
-  auto t = std::make_unique<Triangulation>(Delaunay_triangulation(IT::bumpy_sphere(16, 10)));
+  auto t = std::make_unique<Triangulation>(Delaunay_triangulation(samples::bumpy_sphere(16, 10)));
   auto first = std::make_unique<IT::Common_subdivision>(*t);
   const std::vector<double> expected = answers(*first);
   t.reset();
@@ -85,9 +86,9 @@ TEST(Common_subdivision, outlives_what_it_was_made_from)
 
 TEST(Common_subdivision, of_a_triangulation_that_is_given_up)
 {
-  Triangulation t = Delaunay_triangulation(IT::bumpy_sphere(16, 10));
+  Triangulation t = Delaunay_triangulation(samples::bumpy_sphere(16, 10));
   const std::vector<double> expected = answers(IT::Common_subdivision(t));
-  Triangulation unasked = Delaunay_triangulation(IT::bumpy_sphere(16, 10));
+  Triangulation unasked = Delaunay_triangulation(samples::bumpy_sphere(16, 10));
   for (Triangulation* given_up : {&t, &unasked}) { // with integers, and with a journal of flips
     const IT::Common_subdivision subdivision(std::move(*given_up));
     EXPECT_EQ(answers(subdivision), expected);
@@ -97,38 +98,37 @@ TEST(Common_subdivision, of_a_triangulation_that_is_given_up)
 
 TEST(Common_subdivision, forgets_who_could_interrupt_what_was_given_up)
 {
-  Triangulation t = Delaunay_triangulation(IT::bumpy_sphere(16, 10));
+  Triangulation t = Delaunay_triangulation(samples::bumpy_sphere(16, 10));
   bool goes_on = true;
   t.set_interruption([&] { return goes_on; });
   const IT::Common_subdivision subdivision(std::move(t));
   goes_on = false;
-  EXPECT_NO_THROW(subdivision.exact_geometry().interruption().check());
+  EXPECT_NO_THROW(IT::internal::engine(subdivision).interruption().check());
 }
 
-// From the connectivity and an exact geometry that nobody has asked for anything yet.
-TEST(Common_subdivision, prepares_the_exact_geometry)
+// From a triangulation whose integers nobody has asked for yet.
+TEST(Common_subdivision, prepares_the_integers)
 {
-  const IT::Indexed_triangles surface = IT::bad_torus(10, 12);
+  const samples::Indexed_triangles surface = samples::bad_torus(10, 12);
   const IT::Delta_complex input = IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
   const Triangulation t = Delaunay_triangulation(surface);
-  IT::Delta_complex complex = input;
-  IT::Exact_geometry geometry(
+  IT::Intrinsic_triangulation<IT::Edge_length_traits<double>> rounded(input, surface.points);
+  rounded.keep_input(
     IT::Input_metric::from_points(IT::Input_metric::Point_vector(surface.points.begin(), surface.points.end())));
+  const IT::Delta_complex& complex = rounded.connectivity();
   bool is_changed = true;
   while (is_changed) {
     is_changed = false;
     for (IT::Edge_index e : complex.edges()) {
-      // Asks a copy, so that the geometry itself has a journal only.
-      if (!complex.is_flippable(e) || IT::Exact_geometry(geometry).sign_of_cotangents(complex, e) != CGAL::NEGATIVE)
+      // Asks a copy, so that there is a journal only.
+      if (!complex.is_flippable(e) || decltype(rounded)(rounded).sign_of_cotangent_weight(e) != CGAL::NEGATIVE)
         continue;
-      const IT::Hinge_halfedges around = complex.hinge(e);
-      geometry.flip(complex, around);
-      complex.flip(around);
+      rounded.flip(e);
       is_changed = true;
     }
   }
-  ASSERT_GT(geometry.correspondence().number_of_journaled_flips(), 0u);
-  const IT::Common_subdivision subdivision(complex, geometry);
+  ASSERT_GT(IT::internal::Engine_access::engine(rounded).correspondence().number_of_journaled_flips(), 0u);
+  const IT::Common_subdivision subdivision(rounded);
   ASSERT_GT(subdivision.overlay().number_of_crossings(), 50u);
   EXPECT_EQ(subdivision.overlay().number_of_crossings(), IT::Overlay(t).number_of_crossings());
   double area = 0, expected = 0;
@@ -157,7 +157,7 @@ struct Careless_traits : IT::Edge_length_traits<double>
 TEST(Common_subdivision, of_what_is_no_triangulation_of_the_surface)
 {
   for (double height : {0., 0.25}) { // in a plane, and bent
-    const IT::Indexed_triangles dart{{{0, 0, 0}, {4, 0, 0}, {-1, 1, height}, {-1, -1, 0}}, {{0, 1, 2}, {1, 0, 3}}};
+    const samples::Indexed_triangles dart{{{0, 0, 0}, {4, 0, 0}, {-1, 1, height}, {-1, -1, 0}}, {{0, 1, 2}, {1, 0, 3}}};
     IT::Intrinsic_triangulation<Careless_traits> t(
       IT::make_Delta_complex_from_triangles(dart.points.size(), dart.triangles), dart.points);
     t.keep_input(IT::Input_metric::from_points({dart.points.begin(), dart.points.end()}));
@@ -176,7 +176,7 @@ TEST(Common_subdivision, of_what_is_no_triangulation_of_the_surface)
 // The points are the caller's: as they were, moved, or of another type.
 TEST(Common_subdivision, points_in_space)
 {
-  const IT::Indexed_triangles kite{{{0, 0, 0}, {8, 0, 0}, {3, 2, 0}, {2, -1, 0}}, {{0, 1, 2}, {1, 0, 3}}};
+  const samples::Indexed_triangles kite{{{0, 0, 0}, {8, 0, 0}, {3, 2, 0}, {2, -1, 0}}, {{0, 1, 2}, {1, 0, 3}}};
   const IT::Common_subdivision subdivision(Delaunay_triangulation(kite));
   ASSERT_EQ(subdivision.overlay().number_of_crossings(), 1u);
   const IT::Overlay::Vertex x = *subdivision.overlay().crossings().begin();

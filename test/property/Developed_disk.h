@@ -9,7 +9,6 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
 
 #include <CGAL/enum.h>
 
@@ -64,14 +63,12 @@ public:
   }
 
   // The sum of the cotangents of the angles at k, left of the segment from i to j, and l, right of it.
-  CGAL::Sign sign_of_cotangents(IT::Vertex_index i, IT::Vertex_index j, IT::Vertex_index k,
-                                IT::Vertex_index l) const
+  CGAL::Sign sign_of_cotangents(IT::Vertex_index i, IT::Vertex_index j, IT::Vertex_index k, IT::Vertex_index l) const
   {
     const Real sum = cotangent(k, i, j) + cotangent(l, j, i);
     // The rounding errors are far below, and what the tests ask for is far above, or exactly zero.
     const Real smallest = ldexp(Real(1), -15000);
-    return sum > smallest ? CGAL::POSITIVE : sum < -smallest ? CGAL::NEGATIVE
-                                                             : CGAL::ZERO;
+    return sum > smallest ? CGAL::POSITIVE : sum < -smallest ? CGAL::NEGATIVE : CGAL::ZERO;
   }
 
 private:

@@ -9,8 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
-#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
@@ -42,7 +41,7 @@ static_assert(std::is_same<Tag, Sequential_tag>::value, "");
 // Large enough for several blocks of edges.
 Mesh torus()
 {
-  const IT::Indexed_triangles triangles = IT::bad_torus(200, 200);
+  const samples::Indexed_triangles triangles = samples::bad_torus(200, 200);
   Mesh mesh;
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(triangles.points, triangles.triangles, mesh);
   return mesh;
@@ -82,7 +81,7 @@ TEST(Parallel_if_available, overlays)
   const auto t = IT::intrinsic_Delaunay_triangulation(torus()).triangulation;
   const IT::Common_subdivision expected(t), s(t, {}, Tag());
   const IT::Overlay overlay(t, {}, Tag());
-  const IT::Overlay_positions positions(t.connectivity(), t.exact_geometry(), overlay, {}, Tag());
+  const IT::Overlay_positions positions(IT::internal::engine(t), overlay, {}, Tag());
   EXPECT_EQ(overlay.number_of_segments(), expected.overlay().number_of_segments());
   ASSERT_EQ(overlay.number_of_crossings(), expected.overlay().number_of_crossings());
   for (IT::Overlay::Vertex x : overlay.crossings()) {

@@ -9,13 +9,13 @@
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
-#include <CGAL/Intrinsic_triangulations/angles.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/halfedge_vectors.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
-#include <CGAL/Intrinsic_triangulations/is_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 
 #include <CGAL/Interval_nt.h>
 
@@ -45,7 +45,7 @@ using Vector = IT::Planar_vector<double>;
 const double pi = std::acos(-1.);
 
 template <class Traits = Filtered_edge_length_traits>
-IT::Intrinsic_triangulation<Traits> make_triangulation(const IT::Indexed_triangles& surface)
+IT::Intrinsic_triangulation<Traits> make_triangulation(const samples::Indexed_triangles& surface)
 {
   return IT::Intrinsic_triangulation<Traits>(
     IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
@@ -59,7 +59,7 @@ IT::Intrinsic_triangulation<Traits> pillow_of_zero_area()
 }
 
 // The angle opposite to h in the plane z = 0, with an exact scalar product and area: the coordinates have few digits.
-long double planar_angle(const Triangulation& t, const IT::Indexed_triangles& surface, Halfedge_index h)
+long double planar_angle(const Triangulation& t, const samples::Indexed_triangles& surface, Halfedge_index h)
 {
   const Delta_complex& c = t.connectivity();
   const auto point = [&](Vertex_index v) { return surface.points[v.idx()]; };
@@ -68,7 +68,7 @@ long double planar_angle(const Triangulation& t, const IT::Indexed_triangles& su
   return std::atan2(std::abs(x * v - y * u), x * u + y * v);
 }
 
-void expect_planar_angles(const Triangulation& t, const IT::Indexed_triangles& surface)
+void expect_planar_angles(const Triangulation& t, const samples::Indexed_triangles& surface)
 {
   const std::vector<double> all = IT::opposite_angles(t), rough = IT::opposite_angles(t, 0x1p-20);
   ASSERT_EQ(all.size(), t.connectivity().number_of_halfedges());
@@ -82,9 +82,9 @@ void expect_planar_angles(const Triangulation& t, const IT::Indexed_triangles& s
 }
 
 // A sheet of n x n cells, `height` high, each of them cut by its long diagonal: the larger the shear is, the longer.
-IT::Indexed_triangles sheared_sheet(unsigned n, double shear, double height)
+samples::Indexed_triangles sheared_sheet(unsigned n, double shear, double height)
 {
-  IT::Indexed_triangles surface;
+  samples::Indexed_triangles surface;
   for (unsigned y = 0; y <= n; ++y)
     for (unsigned x = 0; x <= n; ++x)
       surface.points.push_back({x + shear * y, height * y, 0});
@@ -101,7 +101,7 @@ TEST(Angles, are_those_of_the_plane_for_needles_and_caps)
 {
   for (const double shear : {0.5, 1.25, 3.5, 1024.5})
     for (const double height : {1., 0x1p-10, 0x1p-30, 0x1p20}) {
-      const IT::Indexed_triangles surface = sheared_sheet(5, shear, height);
+      const samples::Indexed_triangles surface = sheared_sheet(5, shear, height);
       Triangulation t = make_triangulation(surface);
       expect_planar_angles(t, surface);
       ASSERT_EQ(IT::flip_to_Delaunay(t).status, IT::Flip_status::DELAUNAY);
@@ -114,7 +114,7 @@ TEST(Angles, of_the_thinnest_faces_come_from_multiple_precision)
 {
   using IT::Rational;
   using Rational_vector = std::array<Rational, 3>;
-  IT::Indexed_triangles surface;
+  samples::Indexed_triangles surface;
   surface.points = {{0, 0, 0}, {0.1, 0.7, 0.3}, {3 * 0.1, 3 * 0.7, 3 * 0.3}};
   surface.triangles = {{0, 1, 2}};
   const Triangulation t = make_triangulation(surface);
@@ -167,7 +167,7 @@ TEST(Angles, of_zero_area_are_0_and_0_and_pi)
   expect_angles_of_zero_area<IT::Edge_length_traits<CGAL::Interval_nt<>>>();
 
   // Two of the lengths are the same double.
-  IT::Indexed_triangles surface;
+  samples::Indexed_triangles surface;
   surface.points = {{0, 0, 0}, {0x1p-60, 0, 0}, {1, 0, 0}};
   surface.triangles = {{0, 1, 2}};
   const Triangulation t = make_triangulation(surface);
@@ -177,7 +177,7 @@ TEST(Angles, of_zero_area_are_0_and_0_and_pi)
 }
 
 template <class Traits>
-void expect_same_cone_angles_after_flips(const IT::Indexed_triangles& surface, double euler_characteristic,
+void expect_same_cone_angles_after_flips(const samples::Indexed_triangles& surface, double euler_characteristic,
                                          double tolerance)
 {
   auto t = make_triangulation<Traits>(surface);
@@ -195,15 +195,15 @@ void expect_same_cone_angles_after_flips(const IT::Indexed_triangles& surface, d
 
 TEST(Angles, flips_keep_the_cone_angles_whose_defects_sum_to_the_Euler_characteristic)
 {
-  expect_same_cone_angles_after_flips<Filtered_edge_length_traits>(IT::bumpy_sphere(), 2, 0x1p-45);
-  expect_same_cone_angles_after_flips<Filtered_edge_length_traits>(IT::sheared_grid(), 1, 0x1p-45);
-  expect_same_cone_angles_after_flips<IT::Edge_length_traits<double>>(IT::bumpy_sphere(), 2, 1e-10);
-  expect_same_cone_angles_after_flips<IT::Half_angle_traits<double>>(IT::bumpy_sphere(), 2, 1e-10);
+  expect_same_cone_angles_after_flips<Filtered_edge_length_traits>(samples::bumpy_sphere(), 2, 0x1p-45);
+  expect_same_cone_angles_after_flips<Filtered_edge_length_traits>(samples::sheared_grid(), 1, 0x1p-45);
+  expect_same_cone_angles_after_flips<IT::Edge_length_traits<double>>(samples::bumpy_sphere(), 2, 1e-10);
+  expect_same_cone_angles_after_flips<IT::Half_angle_traits<double>>(samples::bumpy_sphere(), 2, 1e-10);
 }
 
 TEST(Angles, an_isolated_vertex_has_none)
 {
-  IT::Indexed_triangles surface;
+  samples::Indexed_triangles surface;
   surface.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}};
   surface.triangles = {{0, 1, 2}};
   const Triangulation t = make_triangulation(surface);
@@ -213,7 +213,7 @@ TEST(Angles, an_isolated_vertex_has_none)
 }
 
 // Vectors in the plane z = 0.
-Vector in_plane(const IT::Indexed_triangles& surface, Vertex_index v, Vertex_index w)
+Vector in_plane(const samples::Indexed_triangles& surface, Vertex_index v, Vertex_index w)
 {
   const auto &p = surface.points[v.idx()], &q = surface.points[w.idx()];
   return Vector(q[0] - p[0], q[1] - p[1]);
@@ -222,7 +222,7 @@ Vector in_plane(const IT::Indexed_triangles& surface, Vertex_index v, Vertex_ind
 // Where the surface is flat, vectors are differences of coordinates, turned so that the first axis is that of the input.
 TEST(Halfedge_vectors, at_flat_vertices_are_those_of_the_plane)
 {
-  const IT::Indexed_triangles surface = sheared_sheet(5, 2.25, 1);
+  const samples::Indexed_triangles surface = sheared_sheet(5, 2.25, 1);
   Triangulation t = make_triangulation(surface);
   const Delta_complex input = t.connectivity();
   ASSERT_GT(IT::flip_to_Delaunay(t).flips, 0u);
@@ -244,14 +244,15 @@ TEST(Halfedge_vectors, at_flat_vertices_are_those_of_the_plane)
 
 TEST(Halfedge_vectors, remain_the_same_whatever_is_flipped_and_inserted)
 {
-  for (const IT::Indexed_triangles& surface : {IT::bumpy_sphere(14, 9), IT::bumpy_dome(12, 9), IT::bad_torus(11, 9), IT::disk_with_spike(12, 6)}) {
+  for (const samples::Indexed_triangles& surface : {samples::bumpy_sphere(14, 9), samples::bumpy_dome(12, 9),
+                                                    samples::bad_torus(11, 9), samples::disk_with_spike(12, 6)}) {
     Triangulation t = make_triangulation(surface);
     const std::vector<Vector> before = IT::halfedge_vectors_in_vertex(t);
     ASSERT_GT(IT::flip_to_Delaunay(t).flips, 0u);
     const auto expect_same = [&] {
       const std::vector<Vector> after = IT::halfedge_vectors_in_vertex(t);
       const Delta_complex& c = t.connectivity();
-      const IT::Correspondence& correspondence = t.exact_geometry().correspondence();
+      const IT::internal::Correspondence& correspondence = IT::internal::engine(t).correspondence();
       std::size_t kept = 0;
       for (Halfedge_index h : c.halfedges())
         if (correspondence.coordinates().crossings(c.edge(h)) < 0 && !correspondence.is_inserted(c.source(h)) &&
@@ -266,7 +267,7 @@ TEST(Halfedge_vectors, remain_the_same_whatever_is_flipped_and_inserted)
     };
     expect_same();
     for (std::uint32_t h = 0; h < 90; h += 9)
-      if (!t.exact_geometry().correspondence().input().is_border(Halfedge_index(h)))
+      if (!t.input().is_border(Halfedge_index(h)))
         IT::insert_vertex(t, {Halfedge_index(h), {0.25, 0.5, 0.25}});
     IT::flip_to_Delaunay(t);
     expect_same();
@@ -276,11 +277,11 @@ TEST(Halfedge_vectors, remain_the_same_whatever_is_flipped_and_inserted)
 // ... where no edge of the input is left at a vertex.
 TEST(Halfedge_vectors, are_found_over_crossed_edges)
 {
-  const IT::Indexed_triangles surface = sheared_sheet(9, 4.25, 1);
+  const samples::Indexed_triangles surface = sheared_sheet(9, 4.25, 1);
   Triangulation t = make_triangulation(surface);
   IT::flip_to_Delaunay(t);
   const Delta_complex& c = t.connectivity();
-  const IT::Correspondence& correspondence = t.exact_geometry().correspondence();
+  const IT::internal::Correspondence& correspondence = IT::internal::engine(t).correspondence();
   const auto crossings = [&](Halfedge_index h) { return correspondence.coordinates().crossings(c.edge(h)); };
   std::size_t number = 0;
   for (Halfedge_index h : c.halfedges())
@@ -289,7 +290,7 @@ TEST(Halfedge_vectors, are_found_over_crossed_edges)
       const Vector turned = times_conjugate(in_plane(surface, c.source(h), c.target(h)),
                                             in_plane(surface, c.source(h), correspondence.input().target(axis)));
       const double difference =
-        IT::internal::direction_on_input(c, t.exact_geometry(), h) - std::atan2(turned.y(), turned.x());
+        IT::internal::direction_on_input(IT::internal::engine(t), h) - std::atan2(turned.y(), turned.x());
       EXPECT_NEAR(std::remainder(difference, 2 * pi), 0, 1e-12);
       ++number;
     }
@@ -298,18 +299,19 @@ TEST(Halfedge_vectors, are_found_over_crossed_edges)
 
 TEST(Halfedge_vectors, at_inserted_vertices_have_the_axis_of_their_location)
 {
-  const IT::Indexed_triangles surface = sheared_sheet(5, 2.25, 1);
+  const samples::Indexed_triangles surface = sheared_sheet(5, 2.25, 1);
   const Triangulation before = make_triangulation(surface);
   const Delta_complex& input = before.connectivity();
   for (Halfedge_index location : input.halfedges())
-    for (std::array<double, 3> at : {std::array<double, 3>{0.25, 0.25, 0.5}, {0.125, 0.875, 0}, {0, 0.5, 0.5}, {0.75, 0, 0.25}}) {
+    for (std::array<double, 3> at :
+         {std::array<double, 3>{0.25, 0.25, 0.5}, {0.125, 0.875, 0}, {0, 0.5, 0.5}, {0.75, 0, 0.25}}) {
       if (input.is_border(location))
         continue;
       Triangulation t = before;
       const Vertex_index v = IT::insert_vertex(t, {location, at});
       IT::flip_to_Delaunay(t);
       const Delta_complex& c = t.connectivity();
-      const Halfedge_index stored = t.exact_geometry().correspondence().location(v).halfedge;
+      const Halfedge_index stored = t.location(v).halfedge;
       const auto point = [&](Vertex_index w) { return surface.points[w.idx()]; };
       std::array<double, 2> p{0, 0};
       Halfedge_index h = location;
@@ -330,7 +332,7 @@ TEST(Halfedge_vectors, at_inserted_vertices_have_the_axis_of_their_location)
 // The apex of a cube's corner has a cone angle of 3π/2, scaled to 2π.
 TEST(Halfedge_vectors, at_a_cone_have_their_angles_scaled)
 {
-  IT::Indexed_triangles surface;
+  samples::Indexed_triangles surface;
   surface.points = {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}};
   surface.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}};
   const Triangulation t = make_triangulation(surface);
@@ -346,7 +348,7 @@ TEST(Halfedge_vectors, at_a_cone_have_their_angles_scaled)
 
 TEST(Halfedge_vectors, of_a_face_close_up_around_its_area)
 {
-  Triangulation t = make_triangulation(IT::bumpy_sphere());
+  Triangulation t = make_triangulation(samples::bumpy_sphere());
   ASSERT_GT(IT::flip_to_Delaunay(t).flips, 0u);
   const Delta_complex& c = t.connectivity();
   const std::vector<Vector> vectors = IT::halfedge_vectors_in_face(t);
@@ -365,7 +367,7 @@ TEST(Halfedge_vectors, of_a_face_close_up_around_its_area)
 
 TEST(Is_Delaunay, after_the_flips_and_not_before)
 {
-  Triangulation t = make_triangulation(IT::sheared_grid());
+  Triangulation t = make_triangulation(samples::sheared_grid());
   EXPECT_FALSE(IT::is_Delaunay(t));
   // Every edge that is not Delaunay is constrained.
   std::vector<bool> is_bad;
@@ -385,11 +387,11 @@ TEST(Is_Delaunay, after_the_flips_and_not_before)
 
 TEST(Is_Delaunay, ties_are_and_intervals_cannot_tell)
 {
-  EXPECT_TRUE(IT::is_Delaunay(make_triangulation(IT::random_diagonal_grid(10, 10, 1, 0))));
+  EXPECT_TRUE(IT::is_Delaunay(make_triangulation(samples::random_diagonal_grid(10, 10, 1, 0))));
   using Interval_traits = IT::Edge_length_traits<CGAL::Interval_nt<>>;
   const auto ties = make_triangulation<Interval_traits>(sheared_sheet(5, 0, 1 / 3.));
   EXPECT_FALSE(CGAL::is_certain(IT::is_Delaunay(ties)));
-  EXPECT_TRUE(CGAL::certainly_not(IT::is_Delaunay(make_triangulation<Interval_traits>(IT::sheared_grid()))));
+  EXPECT_TRUE(CGAL::certainly_not(IT::is_Delaunay(make_triangulation<Interval_traits>(samples::sheared_grid()))));
 }
 
 } // namespace

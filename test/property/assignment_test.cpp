@@ -24,7 +24,7 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 
-Triangulation triangulation(const IT::Indexed_triangles& surface)
+Triangulation triangulation(const samples::Indexed_triangles& surface)
 {
   return {IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points};
 }
@@ -51,15 +51,15 @@ void expect_same_end(Triangulation& t, Triangulation original)
   EXPECT_TRUE(IT::verify_Delaunay(t).not_Delaunay.empty());
   for (IT::Edge_index e : t.connectivity().edges()) {
     EXPECT_EQ(t.length(e), original.length(e));
-    EXPECT_EQ(t.exact_geometry().correspondence().coordinates().crossings(e),
-              original.exact_geometry().correspondence().coordinates().crossings(e));
+    EXPECT_EQ(IT::internal::engine(t).correspondence().coordinates().crossings(e),
+              IT::internal::engine(original).correspondence().coordinates().crossings(e));
   }
 }
 
-const std::vector<IT::Indexed_triangles>& surfaces()
+const std::vector<samples::Indexed_triangles>& surfaces()
 {
-  static const std::vector<IT::Indexed_triangles> all{IT::prism(12, 5), IT::bad_torus(12, 10), IT::pillow(30),
-                                                      IT::bumpy_sphere(30, 16)};
+  static const std::vector<samples::Indexed_triangles> all{samples::prism(12, 5), samples::bad_torus(12, 10),
+                                                           samples::pillow(30), samples::bumpy_sphere(30, 16)};
   return all;
 }
 
@@ -67,8 +67,8 @@ const std::vector<IT::Indexed_triangles>& surfaces()
 
 TEST(Assignment, OverATriangulationThatWasAsked)
 {
-  for (const IT::Indexed_triangles& from : surfaces())
-    for (const IT::Indexed_triangles& to : surfaces())
+  for (const samples::Indexed_triangles& from : surfaces())
+    for (const samples::Indexed_triangles& to : surfaces())
       for (std::uint64_t flips : {0, 3, 1000}) {
         Triangulation source = triangulation(from), target = triangulation(to);
         flip_some(target, 1000);
@@ -87,7 +87,7 @@ TEST(Assignment, OverATriangulationThatWasAsked)
 
 TEST(Assignment, CopiesGoTheirOwnWays)
 {
-  for (const IT::Indexed_triangles& surface : surfaces()) {
+  for (const samples::Indexed_triangles& surface : surfaces()) {
     Triangulation t = triangulation(surface);
     for (int step = 0; step < 6; ++step) {
       const IT::Delta_complex before = t.connectivity();

@@ -9,10 +9,10 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <CGAL/enum.h>
@@ -132,11 +132,11 @@ TEST(Carried_images, are_zero_at_ties_alone)
 // be believed where an edge crosses more than some 2,000 input edges, and each tie would need a proof in rational numbers.
 TEST(Carried_images, are_believed_where_thousands_of_edges_are_crossed)
 {
-  const IT::Indexed_triangles pillow = IT::pillow(1000);
+  const samples::Indexed_triangles pillow = samples::pillow(1000);
   Triangulation t = IT::intrinsic_Delaunay_triangulation(pillow.points, pillow.triangles).triangulation;
   std::int64_t most_crossings = 0;
   for (IT::Edge_index e : t.connectivity().edges())
-    most_crossings = (std::max)(most_crossings, t.exact_geometry().correspondence().coordinates().number_of_crossings(e));
+    most_crossings = (std::max)(most_crossings, t.number_of_crossings(e));
   EXPECT_GT(most_crossings, 1000);
   EXPECT_GT(t.stage_counts()[IT::Stage::MODULAR], 500u);
   EXPECT_LT(t.stage_counts()[IT::Stage::ALGEBRAIC], 10u);
@@ -145,7 +145,7 @@ TEST(Carried_images, are_believed_where_thousands_of_edges_are_crossed)
 // The coordinates of points on the input are any doubles.
 TEST(Carried_images, points_make_longer_numbers)
 {
-  const IT::Indexed_triangles square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  const samples::Indexed_triangles square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(square.points.size(), square.triangles);
   const auto metric = IT::Input_metric::from_points({square.points.begin(), square.points.end()});
   const IT::internal::Decision_settings settings;

@@ -10,11 +10,10 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
+#include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Scratch_pool.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/point_location.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <gtest/gtest.h>
@@ -44,7 +43,7 @@ struct Named_triangulation
   Triangulation triangulation;
 };
 
-Triangulation make(const IT::Indexed_triangles& surface, bool is_Delaunay)
+Triangulation make(const samples::Indexed_triangles& surface, bool is_Delaunay)
 {
   Triangulation t(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
   if (is_Delaunay)
@@ -56,14 +55,14 @@ Triangulation make(const IT::Indexed_triangles& surface, bool is_Delaunay)
 std::vector<Named_triangulation> triangulations()
 {
   std::vector<Named_triangulation> result;
-  result.push_back({"bumpy sphere", make(IT::bumpy_sphere(12, 20), true)});
-  result.push_back({"bad torus, as it came", make(IT::bad_torus(10, 12), false)});
-  result.push_back({"bad torus", make(IT::bad_torus(10, 12), true)});
-  result.push_back({"pillow", make(IT::pillow(16), true)});
-  result.push_back({"prism", make(IT::prism(20, 3), true)});
-  result.push_back({"grid", make(IT::random_diagonal_grid(9, 9, 1), false)});
-  result.push_back({"cap", make(IT::cap(0), true)});
-  const Triangulation source = make(IT::bad_torus(8, 9), false);
+  result.push_back({"bumpy sphere", make(samples::bumpy_sphere(12, 20), true)});
+  result.push_back({"bad torus, as it came", make(samples::bad_torus(10, 12), false)});
+  result.push_back({"bad torus", make(samples::bad_torus(10, 12), true)});
+  result.push_back({"pillow", make(samples::pillow(16), true)});
+  result.push_back({"prism", make(samples::prism(20, 3), true)});
+  result.push_back({"grid", make(samples::random_diagonal_grid(9, 9, 1), false)});
+  result.push_back({"cap", make(samples::cap(0), true)});
+  const Triangulation source = make(samples::bad_torus(8, 9), false);
   std::vector<double> lengths;
   for (IT::Edge_index e : source.connectivity().edges())
     lengths.push_back(source.length(e));
@@ -77,26 +76,27 @@ std::vector<Named_triangulation> triangulations()
 std::vector<double> answers(const Triangulation& t, const IT::Point_location* location, std::size_t thread)
 {
   const IT::Delta_complex& complex = t.connectivity();
-  const IT::Exact_geometry& geometry = t.exact_geometry();
+  const IT::internal::Exact_engine& geometry = IT::internal::engine(t);
   std::vector<std::vector<double>> of_edge(complex.number_of_edges()), of_face(complex.number_of_faces());
   for (std::size_t i = 0; i < of_edge.size(); ++i) {
     const std::size_t number = (i + thread * of_edge.size() / number_of_threads) % of_edge.size();
     const IT::Edge_index e{IT::Edge_index::size_type(number)};
     std::vector<double>& a = of_edge[number];
-    a = {t.length(e), double(t.squared_length(e)), geometry.length_interval(complex, e).inf(),
-         double(geometry.has_length_zero(complex, e)), double(geometry.correspondence().coordinates().crossings(e))};
+    a = {t.length(e), double(t.squared_length(e)), geometry.length_interval(e).inf(),
+         double(geometry.has_length_zero(e)), double(geometry.correspondence().coordinates().crossings(e))};
     if (!complex.is_flippable(e))
       continue;
     a.push_back(CGAL::certainly(t.is_locally_Delaunay(e)));
     a.push_back(t.sign_of_cotangent_weight(e));
-    a.push_back(geometry.sign_of_cotangents(complex, e));
-    a.push_back(geometry.sign_by_unfolding(complex, e));
-    a.push_back(geometry.is_convex(complex, e));
-    for (const auto& test : {geometry.test_in_plane(complex, e), geometry.test_by_short_strips(complex, e)})
+    a.push_back(geometry.sign_of_cotangents(e));
+    a.push_back(geometry.sign_by_unfolding(e));
+    a.push_back(geometry.is_convex(e));
+    using Effort = IT::internal::Exact_engine::Effort;
+    for (const auto& test : {geometry.quick_test(e, Effort::IN_PLANE), geometry.quick_test(e, Effort::SHORT_STRIPS)})
       a.push_back(test ? 10 * double(std::size_t(test->stage)) + test->sign : -1);
     const IT::Halfedge_index h = complex.halfedge(e);
-    if (geometry.sign_of_area(complex, complex.face(h)) == CGAL::POSITIVE &&
-        geometry.sign_of_area(complex, complex.face(complex.opposite(h))) == CGAL::POSITIVE) {
+    if (geometry.sign_of_area(complex.face(h)) == CGAL::POSITIVE &&
+        geometry.sign_of_area(complex.face(complex.opposite(h))) == CGAL::POSITIVE) {
       a.push_back(t.cotangent(h));
       a.push_back(t.cotangent_weight(e));
     }
@@ -157,7 +157,8 @@ TEST(Const_queries, eight_threads_hear_what_one_hears)
     const Triangulation asked_by_one = asked_by_all;
     const IT::Common_subdivision subdivision_for_one(asked_by_one);
     const IT::Point_location location(subdivision_for_one);
-    const std::vector<double> expected = answers(asked_by_one, &location, 0), expected_positions = positions(asked_by_one);
+    const std::vector<double> expected = answers(asked_by_one, &location, 0),
+                              expected_positions = positions(asked_by_one);
     EXPECT_GT(expected.size(), 5 * asked_by_one.connectivity().number_of_edges());
 
     std::array<std::vector<double>, number_of_threads> alone, together, on_edges;
@@ -181,7 +182,7 @@ TEST(Const_queries, eight_threads_hear_what_one_hears)
 
 TEST(Const_queries, sixty_four_threads_and_ten_thousand_short_ones)
 {
-  const Triangulation t = make(IT::prism(20, 3), true);
+  const Triangulation t = make(samples::prism(20, 3), true);
   const std::vector<double> expected = answers(Triangulation(t), nullptr, 0);
   std::array<std::vector<double>, 64> found;
   run([&](std::size_t i) { found[i] = answers(t, nullptr, i % number_of_threads); }, found.size());
@@ -206,11 +207,12 @@ TEST(Scratch_pool, no_more_objects_than_in_use_at_once)
   EXPECT_EQ(number_made, 1u);
   EXPECT_EQ(*take(), 10001);
   for (int round = 0; round < 20; ++round)
-    run([&](std::size_t) {
-      for (int i = 0; i < 100; ++i)
-        ++*take();
-    },
-        64);
+    run(
+      [&](std::size_t) {
+        for (int i = 0; i < 100; ++i)
+          ++*take();
+      },
+      64);
   EXPECT_LE(number_made, 64u);
   EXPECT_EQ(number_made, pool.size());
   std::vector<IT::internal::Scratch_pool<int>::Lease> leases;
@@ -242,15 +244,15 @@ TEST(Const_queries, journals_and_flips_one_by_one_lead_to_the_same)
       Triangulation followed = journaled;
       const IT::Delta_complex& complex = journaled.connectivity();
       for (int round = 0; round < 6; ++round) {
-        Whole(journaled).begin_journal();
+        Whole(journaled).engine().begin_journal();
         for (int i = 0; i < 40 * round; ++i) {
           const IT::Edge_index e(std::uint32_t(random() % complex.number_of_edges()));
           if (!complex.is_flippable(e))
             continue;
-          followed.exact_geometry().sign_of_cotangents(followed.connectivity(), e);
+          IT::internal::engine(followed).sign_of_cotangents(e);
           const auto outcome = followed.flip(e);
           if (outcome == Triangulation::Flip_outcome::FLIPPED) {
-            if (journaled.flip_not_Delaunay(e) != outcome)
+            if (Whole(journaled).flip_not_Delaunay(e) != outcome)
               ADD_FAILURE();
           }
         }
@@ -261,9 +263,10 @@ TEST(Const_queries, journals_and_flips_one_by_one_lead_to_the_same)
           IT::flip_to_Delaunay(journaled), IT::flip_to_Delaunay(followed);
         for (Triangulation* t : {&journaled, &followed}) // stored numbers depend on the flips
           for (IT::Face_index f : complex.faces())
-            t->recompute(f);
+            Whole(*t).recompute(f);
         ASSERT_EQ(answers(journaled, nullptr, 0), answers(followed, nullptr, 0));
-        const IT::Correspondence &a = journaled.exact_geometry().correspondence(), &b = followed.exact_geometry().correspondence();
+        const IT::internal::Correspondence &a = IT::internal::engine(journaled).correspondence(),
+                                           &b = IT::internal::engine(followed).correspondence();
         for (IT::Halfedge_index h : complex.halfedges())
           ASSERT_EQ(a.input_halfedge(h), b.input_halfedge(h));
       }
@@ -285,8 +288,8 @@ TEST(Const_queries, the_integers_are_computed_while_the_input_is_recovered)
   for (const Named_triangulation& named : triangulations()) {
     SCOPED_TRACE(named.name);
     const Triangulation& t = named.triangulation;
-    IT::Correspondence one, two;
-    IT::Delta_complex complex = t.exact_geometry().correspondence().input();
+    IT::internal::Correspondence one, two;
+    IT::Delta_complex complex = t.input();
     for (int repeats = 0; repeats < 3; ++repeats)
       for (IT::Edge_index e : complex.edges()) {
         if (!complex.is_flippable(e))
@@ -308,7 +311,7 @@ TEST(Const_queries, the_integers_are_computed_while_the_input_is_recovered)
 
 TEST(Const_queries, copies_are_made_while_others_ask)
 {
-  const Triangulation t = make(IT::bad_torus(12, 14), true);
+  const Triangulation t = make(samples::bad_torus(12, 14), true);
   const std::vector<double> expected = answers(Triangulation(t), nullptr, 0);
   std::array<std::vector<double>, number_of_threads> found;
   run([&](std::size_t i) { found[i] = i % 2 == 0 ? answers(t, nullptr, i) : answers(Triangulation(t), nullptr, i); });

@@ -6,15 +6,14 @@
 
 #include "samples/sample_surfaces.h"
 
-#include <CGAL/Intrinsic_triangulations/Delaunay_tessellation.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Exact_fallback.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_fallback.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
-#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 
 #include <gtest/gtest.h>
 
@@ -34,10 +33,9 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 
-Triangulation make_Delaunay(const IT::Indexed_triangles& surface)
+Triangulation make_Delaunay(const samples::Indexed_triangles& surface)
 {
-  Triangulation t(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles),
-                  surface.points);
+  Triangulation t(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
   EXPECT_EQ(IT::flip_to_Delaunay(t).status, IT::Flip_status::DELAUNAY);
   return t;
 }
@@ -55,7 +53,7 @@ void expect_agreement(const Triangulation& t)
 
 TEST(Exact_stages, the_filter_decides_nearly_all_of_an_ordinary_surface)
 {
-  const Triangulation t = make_Delaunay(IT::bumpy_sphere());
+  const Triangulation t = make_Delaunay(samples::bumpy_sphere());
   const IT::Stage_counts counts = t.stage_counts();
   EXPECT_GT(counts[IT::Stage::FILTER], 15000u);
   EXPECT_LT(counts[IT::Stage::UNFOLDING], 100u);
@@ -64,14 +62,14 @@ TEST(Exact_stages, the_filter_decides_nearly_all_of_an_ordinary_surface)
 
 TEST(Exact_stages, double_doubles_decide_near_ties_across_edges_that_are_nearly_flat)
 {
-  const Triangulation t = make_Delaunay(IT::random_diagonal_grid(30, 30, 1, 1));
+  const Triangulation t = make_Delaunay(samples::random_diagonal_grid(30, 30, 1, 1));
   EXPECT_GT(t.stage_counts()[IT::Stage::UNFOLDING], 100u);
   expect_agreement(t);
 }
 
 TEST(Exact_stages, ties_of_an_integer_grid_are_decided_in_the_plane)
 {
-  const Triangulation t = make_Delaunay(IT::random_diagonal_grid(30, 30, 1, 0));
+  const Triangulation t = make_Delaunay(samples::random_diagonal_grid(30, 30, 1, 0));
   EXPECT_EQ(t.stage_counts()[IT::Stage::COPLANAR], 900u);
   EXPECT_EQ(t.stage_counts().ties, 900u);
   EXPECT_EQ(IT::Delaunay_tessellation(t).number_of_cells(), 900u);
@@ -82,17 +80,17 @@ TEST(Exact_stages, ties_of_an_integer_grid_are_decided_in_the_plane)
 // flips are repeated, is not asked.
 TEST(Exact_stages, long_chains_of_flips_in_a_plane_need_no_correspondence)
 {
-  Triangulation t = make_Delaunay(IT::sheared_grid(60, 60, 20.3));
+  Triangulation t = make_Delaunay(samples::sheared_grid(60, 60, 20.3));
   EXPECT_GT(t.stage_counts()[IT::Stage::COPLANAR], 0u);
   using Whole = IT::internal::Whole_triangulation<IT::Filtered_edge_length_traits>;
-  EXPECT_FALSE(Whole(t).geometry().correspondence().is_prepared());
+  EXPECT_FALSE(Whole(t).engine().correspondence().is_prepared());
   expect_agreement(t);
 }
 
 // The caps lie in planes z = const, their corners nearly on a circle. Chains of flips cross them.
 TEST(Exact_stages, near_ties_of_flipped_faces_are_decided_in_the_plane)
 {
-  const Triangulation t = make_Delaunay(IT::prism(200));
+  const Triangulation t = make_Delaunay(samples::prism(200));
   EXPECT_GT(t.stage_counts()[IT::Stage::COPLANAR], 500u);
   EXPECT_EQ(t.stage_counts()[IT::Stage::UNFOLDING], 0u);
   expect_agreement(t);
@@ -103,18 +101,17 @@ TEST(Exact_stages, near_ties_of_flipped_faces_are_decided_in_the_plane)
 TEST(Exact_stages, near_ties_of_bent_faces_are_decided_by_faces_carried_along)
 {
   for (std::uint64_t rotation_seed : {1, 2, 3}) {
-    const Triangulation t = make_Delaunay(IT::prism(200, rotation_seed));
+    const Triangulation t = make_Delaunay(samples::prism(200, rotation_seed));
     EXPECT_GT(t.stage_counts()[IT::Stage::UNFOLDING], 500u);
     expect_agreement(t);
   }
 }
 
 // A fold, the angles opposite to it are α and π − α: the cotangents are 3/4 and -3/4.
-TEST(Exact_stages, rational_arithmetic_decides_ties_of_straight_faces)
+TEST(Exact_stages, rational_numbers_decide_ties_where_areas_are_rational)
 {
-  const Triangulation t = make_Delaunay(
-    {{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, 0, 0.25}}, {{0, 1, 2}, {1, 0, 3}}});
-  EXPECT_EQ(t.stage_counts()[IT::Stage::RATIONAL], 1u);
+  const Triangulation t = make_Delaunay({{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, 0, 0.25}}, {{0, 1, 2}, {1, 0, 3}}});
+  EXPECT_EQ(t.stage_counts()[IT::Stage::ALGEBRAIC], 1u);
   EXPECT_EQ(t.stage_counts().ties, 1u);
   expect_agreement(t);
 }
@@ -122,7 +119,7 @@ TEST(Exact_stages, rational_arithmetic_decides_ties_of_straight_faces)
 // Coordinates of very different magnitude: a double-double does not hold what they differ by.
 TEST(Exact_stages, multiple_precision_decides_where_magnitudes_differ)
 {
-  IT::Indexed_triangles surface = IT::torus(4, 3);
+  samples::Indexed_triangles surface = samples::torus(4, 3);
   for (auto& p : surface.points)
     p[0] = std::ldexp(p[0], 60);
   const Triangulation t = make_Delaunay(surface);
@@ -134,7 +131,7 @@ TEST(Exact_stages, multiple_precision_decides_where_magnitudes_differ)
 TEST(Exact_stages, ties_across_bent_edges_are_proven_in_the_rationals_and_in_a_multiquadratic_field)
 {
   for (double slope : {0, 1}) {
-    IT::Indexed_triangles surface = IT::pillow(60);
+    samples::Indexed_triangles surface = samples::pillow(60);
     for (auto& p : surface.points)
       p[2] = slope * p[1];
     const Triangulation t = make_Delaunay(surface);
@@ -147,15 +144,14 @@ TEST(Exact_stages, ties_across_bent_edges_are_proven_in_the_rationals_and_in_a_m
 // Without a root, the rationals decide whatever they are asked.
 TEST(Exact_stages, the_rationals_decide_where_no_area_has_a_root)
 {
-  const IT::Indexed_triangles surface = IT::pillow(20);
+  const samples::Indexed_triangles surface = samples::pillow(20);
   const Triangulation input(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles),
                             surface.points);
   std::array<int, 3> number_of_signs{};
   for (const Triangulation& t : {input, make_Delaunay(surface)}) {
-    const IT::Exact_geometry& geometry = t.exact_geometry();
+    const IT::internal::Exact_engine& geometry = IT::internal::engine(t);
     const auto input_surface = geometry.input_surface();
-    IT::internal::Exact_fallback exact_fallback(t.connectivity(), geometry.correspondence(),
-                                                *input_surface);
+    IT::internal::Exact_fallback exact_fallback(t.connectivity(), geometry.correspondence(), *input_surface);
     for (IT::Edge_index e : t.connectivity().edges()) {
       if (!t.connectivity().is_flippable(e))
         continue;
@@ -174,7 +170,7 @@ TEST(Exact_stages, hinges_that_are_not_convex_are_not_flipped)
 {
   using Outcome = Triangulation::Flip_outcome;
   const auto flip = [](const std::array<double, 3>& l) {
-    const IT::Indexed_triangles hinge{{{0, 0, 0}, {1, 0, 0}, {3, 1, 0}, l}, {{0, 1, 2}, {1, 0, 3}}};
+    const samples::Indexed_triangles hinge{{{0, 0, 0}, {1, 0, 0}, {3, 1, 0}, l}, {{0, 1, 2}, {1, 0, 3}}};
     Triangulation t(IT::make_Delta_complex_from_triangles(4, hinge.triangles), hinge.points);
     for (IT::Edge_index e : t.connectivity().edges())
       if (t.connectivity().is_flippable(e)) {
@@ -210,7 +206,8 @@ TEST(Exact_stages, weights_near_ties_are_small_and_not_zero)
       ASSERT_EQ(diagonals.size(), 1u);
       const Rational epsilon(IT::internal::Integer(1), IT::internal::Integer(1) << n);
       squared_lengths[diagonals[0].idx()] = 2 - sign * epsilon;
-      const Triangulation t = Triangulation::from_metric(std::move(complex), IT::metric_from_squared_lengths(std::move(squared_lengths)));
+      const Triangulation t =
+        Triangulation::from_metric(std::move(complex), IT::metric_from_squared_lengths(std::move(squared_lengths)));
       const double smallest = std::numeric_limits<double>::denorm_min();
       const double expected = sign * (std::max)(std::ldexp(1., -n), smallest);
       EXPECT_NEAR(t.cotangent_weight(diagonals[0]), expected, 1e-14 * std::abs(expected)) << n;
@@ -221,23 +218,20 @@ TEST(Exact_stages, weights_near_ties_are_small_and_not_zero)
 // However many bits are taken, the interval around such a length has two ends beside it.
 TEST(Exact_stages, a_length_that_is_a_double_is_found_by_multiple_precision)
 {
-  const IT::Indexed_triangles grid = IT::random_diagonal_grid(3, 3, 1);
-  const Triangulation t(IT::make_Delta_complex_from_triangles(grid.points.size(), grid.triangles),
-                        grid.points);
-  const IT::Exact_geometry& geometry = t.exact_geometry();
+  const samples::Indexed_triangles grid = samples::random_diagonal_grid(3, 3, 1);
+  const Triangulation t(IT::make_Delta_complex_from_triangles(grid.points.size(), grid.triangles), grid.points);
+  const IT::internal::Exact_engine& geometry = IT::internal::engine(t);
   const auto input_surface = geometry.input_surface();
-  IT::internal::Exact_fallback exact_fallback(t.connectivity(), geometry.correspondence(),
-                                              *input_surface);
+  IT::internal::Exact_fallback exact_fallback(t.connectivity(), geometry.correspondence(), *input_surface);
   for (IT::Edge_index e : t.connectivity().edges())
-    EXPECT_NEAR(std::ldexp(exact_fallback.length(e), t.unit_exponent()), t.length(e),
-                0x1p-52 * t.length(e));
+    EXPECT_NEAR(std::ldexp(exact_fallback.length(e), t.unit_exponent()), t.length(e), 0x1p-52 * t.length(e));
 }
 
 TEST(Exact_stages, triangulations_in_two_threads_do_not_meet)
 {
   const auto work = [] {
-    expect_agreement(make_Delaunay(IT::pillow(40)));
-    expect_agreement(make_Delaunay(IT::prism(40, 1)));
+    expect_agreement(make_Delaunay(samples::pillow(40)));
+    expect_agreement(make_Delaunay(samples::prism(40, 1)));
   };
   std::thread other(work);
   work();

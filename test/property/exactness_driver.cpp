@@ -31,14 +31,14 @@ namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-IT::Indexed_triangles read(const std::string& path)
+samples::Indexed_triangles read(const std::string& path)
 {
   using Point = CGAL::Simple_cartesian<double>::Point_3;
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> polygons;
   if (!CGAL::IO::read_polygon_soup(path, points, polygons))
     throw std::runtime_error("cannot be read");
-  IT::Indexed_triangles surface;
+  samples::Indexed_triangles surface;
   for (const Point& p : points)
     surface.points.push_back({p.x(), p.y(), p.z()});
   for (const std::vector<std::size_t>& polygon : polygons) {
@@ -49,12 +49,10 @@ IT::Indexed_triangles read(const std::string& path)
   return surface;
 }
 
-void write(const std::string& path, const IT::Indexed_triangles& surface)
+void write(const std::string& path, const samples::Indexed_triangles& surface)
 {
   std::ofstream file(path);
-  file << "OFF\n"
-       << surface.points.size() << " " << surface.triangles.size() << " 0\n"
-       << std::setprecision(17);
+  file << "OFF\n" << surface.points.size() << " " << surface.triangles.size() << " 0\n" << std::setprecision(17);
   for (const std::array<double, 3>& p : surface.points)
     file << p[0] << " " << p[1] << " " << p[2] << "\n";
   for (const std::array<std::uint32_t, 3>& t : surface.triangles)
@@ -86,25 +84,25 @@ bool report(const Surface& surface)
 }
 
 // Where rounding is tried hardest: ties, near ties, and long strips.
-std::vector<std::pair<std::string, IT::Indexed_triangles>> families()
+std::vector<std::pair<std::string, samples::Indexed_triangles>> families()
 {
-  std::vector<std::pair<std::string, IT::Indexed_triangles>> result;
+  std::vector<std::pair<std::string, samples::Indexed_triangles>> result;
   for (std::size_t n : {12, 80, 185, 360})
     for (std::uint64_t seed : {0, 10}) {
       const std::string suffix = "_" + std::to_string(n) + (seed == 0 ? "" : "_rotated");
-      result.emplace_back("prism" + suffix, IT::prism(n, seed));
+      result.emplace_back("prism" + suffix, samples::prism(n, seed));
       const std::size_t side = n / 12 + 1;
-      result.emplace_back("grid" + suffix, IT::random_diagonal_grid(side, side, n, seed));
-      result.emplace_back("cap" + suffix, IT::cap(1. / double(n * n * n * n), seed));
+      result.emplace_back("grid" + suffix, samples::random_diagonal_grid(side, side, n, seed));
+      result.emplace_back("cap" + suffix, samples::cap(1. / double(n * n * n * n), seed));
     }
   for (std::size_t n : {10, 20, 40}) {
     const std::string suffix = "_" + std::to_string(n);
-    result.emplace_back("sphere" + suffix, IT::latitude_longitude_sphere(n, n / 2));
-    result.emplace_back("sheet" + suffix, IT::sliver_sheet(n, 1e-9, 1e-9));
-    result.emplace_back("sheared_grid" + suffix, IT::sheared_grid(n, n, 5));
-    result.emplace_back("pillow" + suffix, IT::pillow(n));
-    result.emplace_back("lantern" + suffix, IT::Schwarz_lantern(n, n));
-    result.emplace_back("torus" + suffix, IT::bad_torus(n, n, n));
+    result.emplace_back("sphere" + suffix, samples::latitude_longitude_sphere(n, n / 2));
+    result.emplace_back("sheet" + suffix, samples::sliver_sheet(n, 1e-9, 1e-9));
+    result.emplace_back("sheared_grid" + suffix, samples::sheared_grid(n, n, 5));
+    result.emplace_back("pillow" + suffix, samples::pillow(n));
+    result.emplace_back("lantern" + suffix, samples::Schwarz_lantern(n, n));
+    result.emplace_back("torus" + suffix, samples::bad_torus(n, n, n));
   }
   for (int folds : {1, 3, 5})
     result.emplace_back("mirrored_" + std::to_string(folds), symmetric_surfaces::mirrored_sheet(folds, true).mesh);
@@ -112,7 +110,7 @@ std::vector<std::pair<std::string, IT::Indexed_triangles>> families()
 }
 
 // The edges that the package finds, whatever its own verification says of them.
-void print_edges(const IT::Indexed_triangles& surface)
+void print_edges(const samples::Indexed_triangles& surface)
 {
   const auto result = IT::intrinsic_Delaunay_triangulation(surface.points, surface.triangles);
   const IT::Delta_complex& complex = result.triangulation.connectivity();
@@ -120,8 +118,8 @@ void print_edges(const IT::Indexed_triangles& surface)
   for (IT::Halfedge_index h : complex.halfedges())
     hash = (hash ^ complex.target(h).idx()) * 0x100000001b3;
   const auto verification = IT::verify_Delaunay(result.triangulation);
-  std::cout << " flips " << result.report.flips << " edges " << hash << " ties " << verification.ties << " not Delaunay "
-            << verification.not_Delaunay.size() + verification.inverted.size() << std::endl;
+  std::cout << " flips " << result.report.flips << " edges " << hash << " ties " << verification.ties
+            << " not Delaunay " << verification.not_Delaunay.size() + verification.inverted.size() << std::endl;
 }
 
 } // namespace
@@ -164,7 +162,7 @@ int main(int argc, char** argv)
         return print_edges(read(name)), true;
       if (std::ifstream(name))
         return report(read(name));
-      return std::visit([](const auto& surface) { return report(surface); }, IT::make_sample(name));
+      return std::visit([](const auto& surface) { return report(surface); }, samples::make_sample(name));
     });
   }
   return all_agree ? 0 : 1;

@@ -23,11 +23,11 @@
 namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
-using Gluing = IT::Glued_triangles;
-using IT::Indexed_triangles;
+using Gluing = samples::Glued_triangles;
 using reference::compare;
 using reference::Comparison;
 using reference::Comparison_options;
+using samples::Indexed_triangles;
 
 template <class Surface>
 Comparison expect_agreement(const Surface& surface, const Comparison_options& options = {})
@@ -130,7 +130,7 @@ TEST(Exactness, PrismsWhoseFansAreAllTies)
   for (std::size_t n : {3, 4, 5, 6, 7, 8, 9, 12, 15, 16, 24, 31, 32, 60})
     for (std::uint64_t seed : {0, 1, 2}) {
       SCOPED_TRACE(named("prism", double(n)));
-      expect_agreement(IT::prism(n, seed));
+      expect_agreement(samples::prism(n, seed));
     }
 }
 
@@ -161,10 +161,10 @@ TEST(Exactness, CapsOfAnyHeight)
   for (std::uint64_t seed : {0, 1, 2, 3}) {
     for (int k = 1; k <= 20; ++k) {
       SCOPED_TRACE(k);
-      expect_agreement(IT::cap(std::pow(10., -k), seed));
+      expect_agreement(samples::cap(std::pow(10., -k), seed));
     }
-    expect_agreement(IT::cap(1e-100, seed));
-    expect_agreement(IT::cap(0, seed));
+    expect_agreement(samples::cap(1e-100, seed));
+    expect_agreement(samples::cap(0, seed));
   }
 }
 
@@ -174,7 +174,7 @@ TEST(Exactness, SliverSheets)
     for (double z : {0., 1e-3, 1e-9, 1e-12}) {
       SCOPED_TRACE(named("x", std::log10(x)));
       SCOPED_TRACE(named("z", z));
-      expect_agreement(IT::sliver_sheet(14, x, z));
+      expect_agreement(samples::sliver_sheet(14, x, z));
     }
 }
 
@@ -183,15 +183,15 @@ TEST(Exactness, HelicalTubes)
   for (double pitch : {1e-3, 1., 30., 1e3, 1e5, 1e6, 1e7})
     for (std::size_t n : {4, 5, 30}) {
       SCOPED_TRACE(named("pitch", pitch));
-      expect_agreement(IT::helical_tube(n, pitch));
+      expect_agreement(samples::helical_tube(n, pitch));
     }
 }
 
 TEST(Exactness, GridsOfTies)
 {
   for (std::uint64_t seed : {0, 1, 2})
-    expect_agreement(IT::random_diagonal_grid(12, 12, seed + 1, seed));
-  const Comparison c = expect_agreement(IT::random_diagonal_grid(15, 10));
+    expect_agreement(samples::random_diagonal_grid(12, 12, seed + 1, seed));
+  const Comparison c = expect_agreement(samples::random_diagonal_grid(15, 10));
   EXPECT_EQ(c.flips, 0u);
   EXPECT_EQ(c.ties, 150u);
 }
@@ -199,17 +199,17 @@ TEST(Exactness, GridsOfTies)
 TEST(Exactness, ShearedGrids)
 {
   for (double shear : {1., 2., 3., 5., 0.3, 7.7})
-    expect_agreement(IT::sheared_grid(8, 8, shear));
-  expect_agreement(IT::sheared_grid(3, 3, 1e6));
-  expect_agreement(IT::sheared_grid(2, 2, 1e15));
+    expect_agreement(samples::sheared_grid(8, 8, shear));
+  expect_agreement(samples::sheared_grid(3, 3, 1e6));
+  expect_agreement(samples::sheared_grid(2, 2, 1e15));
 }
 
 TEST(Exactness, LongChainsOfFlips)
 {
-  expect_agreement(IT::strip(60, 20));
-  expect_agreement(IT::strip(60, 20, 1e-5));
-  expect_agreement(IT::pillow(40));
-  expect_agreement(IT::pillow(40, 1e-8));
+  expect_agreement(samples::strip(60, 20));
+  expect_agreement(samples::strip(60, 20, 1e-5));
+  expect_agreement(samples::pillow(40));
+  expect_agreement(samples::pillow(40, 1e-8));
 }
 
 // Every one of the 5 million flips and each length at the end. It takes some minutes: `scripts/test --all` runs it.
@@ -218,7 +218,7 @@ TEST(Exactness, DISABLED_FiveMillionFlips)
   Comparison_options options;
   options.run_reference = false;
   options.compare_numbers = false;
-  const Comparison c = compare(IT::pillow(3000), options);
+  const Comparison c = compare(samples::pillow(3000), options);
   EXPECT_TRUE(c.agrees()) << c.message();
   EXPECT_GT(c.flips, 4500000u);
   RecordProperty("worst_length_in_ulp", std::to_string(c.worst_length));
@@ -229,13 +229,13 @@ TEST(Exactness, DISABLED_FiveMillionFlips)
 TEST(Exactness, RoundSurfaces)
 {
   for (std::size_t n : {1, 4, 16, 64})
-    expect_agreement(IT::Schwarz_lantern(8, n));
-  expect_agreement(IT::latitude_longitude_sphere(3, 2));
-  expect_agreement(IT::latitude_longitude_sphere(24, 12));
-  expect_agreement(IT::torus(20, 10));
-  expect_agreement(IT::bad_torus(20, 20));
-  expect_agreement(IT::bumpy_sphere(20, 11));
-  expect_agreement(IT::disk_with_spike(12, 9));
+    expect_agreement(samples::Schwarz_lantern(8, n));
+  expect_agreement(samples::latitude_longitude_sphere(3, 2));
+  expect_agreement(samples::latitude_longitude_sphere(24, 12));
+  expect_agreement(samples::torus(20, 10));
+  expect_agreement(samples::bad_torus(20, 20));
+  expect_agreement(samples::bumpy_sphere(20, 11));
+  expect_agreement(samples::disk_with_spike(12, 9));
 }
 
 TEST(Exactness, RandomGluings)
@@ -244,7 +244,7 @@ TEST(Exactness, RandomGluings)
     SCOPED_TRACE(seed);
     const std::size_t n = 1 + seed % 17;
     const bool with_boundary = n % 2 == 1 || seed % 3 == 0;
-    expect_agreement(IT::random_gluing(n, seed, with_boundary, seed % 2 == 0));
+    expect_agreement(samples::random_gluing(n, seed, with_boundary, seed % 2 == 0));
   }
 }
 
@@ -257,7 +257,7 @@ TEST(Exactness, RandomTerraces)
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
     const std::size_t n = 3 + seed % 5;
-    Indexed_triangles surface = IT::random_diagonal_grid(n, n, seed + 1, 0);
+    Indexed_triangles surface = samples::random_diagonal_grid(n, n, seed + 1, 0);
     const double shear = double(random() % 4), stretch = double(1 + random() % 3);
     std::vector<double> height(n + 1);
     for (double& z : height)
@@ -284,7 +284,7 @@ TEST(Exactness, RandomGluingsWithNearTies)
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
     const double epsilon = std::pow(10., -1 - double(seed % 16));
-    expect_agreement(with_lengths(IT::random_gluing(2 + 2 * (seed % 6), seed, seed % 3 == 0), [&] {
+    expect_agreement(with_lengths(samples::random_gluing(2 + 2 * (seed % 6), seed, seed % 3 == 0), [&] {
       return 1 + epsilon * std::uniform_real_distribution<double>(0, 0.9)(random);
     }));
   }
@@ -299,7 +299,7 @@ TEST(Exactness, RandomGluingsWithIntegerLengths)
     SCOPED_TRACE(seed);
     std::mt19937_64 random(seed);
     const std::uint64_t m = 1 + seed % 5;
-    const Gluing gluing = with_lengths(IT::random_gluing(2 + 2 * (seed % 6), seed, seed % 3 == 0),
+    const Gluing gluing = with_lengths(samples::random_gluing(2 + 2 * (seed % 6), seed, seed % 3 == 0),
                                        [&] { return double(m + random() % (m + 1)); });
     try {
       const Comparison c = compare(gluing);
@@ -307,8 +307,8 @@ TEST(Exactness, RandomGluingsWithIntegerLengths)
     } catch (const IT::Invalid_surface_error& error) {
       ++collapsed;
       EXPECT_EQ(error.defect(), IT::Invalid_surface_error::Defect::ZERO_LENGTH_EDGE);
-      reference::Reference_triangulation<> own(
-        reference::sides_of_gluing(gluing.number_of_faces, gluing.glued_sides), gluing.side_lengths);
+      reference::Reference_triangulation<> own(reference::sides_of_gluing(gluing.number_of_faces, gluing.glued_sides),
+                                               gluing.side_lengths);
       EXPECT_THROW(own.make_Delaunay(), reference::Coincident_vertices);
     }
   }
@@ -318,20 +318,20 @@ TEST(Exactness, RandomGluingsWithIntegerLengths)
 
 TEST(Exactness, TinyGluings)
 {
-  expect_agreement(IT::self_glued_triangle());
-  expect_agreement(IT::self_glued_sphere());
-  expect_agreement(IT::self_glued_sphere(1, 1e8, 1));
-  expect_agreement(IT::self_glued_sphere(0.5 + 1e-9, 0.5 + 1e-16, 1));
-  expect_agreement(IT::one_vertex_torus(3, 4, 5));
-  expect_agreement(IT::one_vertex_torus(1, 1, 1.9999999999999998));
+  expect_agreement(samples::self_glued_triangle());
+  expect_agreement(samples::self_glued_sphere());
+  expect_agreement(samples::self_glued_sphere(1, 1e8, 1));
+  expect_agreement(samples::self_glued_sphere(0.5 + 1e-9, 0.5 + 1e-16, 1));
+  expect_agreement(samples::one_vertex_torus(3, 4, 5));
+  expect_agreement(samples::one_vertex_torus(1, 1, 1.9999999999999998));
   for (double shear : {1., 10., 100., 123.456})
-    expect_agreement(IT::sheared_one_vertex_torus(shear));
+    expect_agreement(samples::sheared_one_vertex_torus(shear));
 }
 
 // The flat torus of a lattice of rectangles.
 TEST(Exactness, TiesInGluings)
 {
-  const Comparison c = expect_agreement(IT::one_vertex_torus(3, 4, 5));
+  const Comparison c = expect_agreement(samples::one_vertex_torus(3, 4, 5));
   EXPECT_EQ(c.ties, 1u);
   EXPECT_EQ(c.tessellation.size(), 2u);
 }
@@ -346,9 +346,9 @@ TEST(Exactness, TiesWithManyIndependentRoots)
 
 TEST(Exactness, IsFreeOfScale)
 {
-  const std::vector<Indexed_triangles> surfaces = {IT::prism(12, 1), IT::cap(1e-10, 1), IT::cap(0),
-                                                   IT::helical_tube(12, 1e5), IT::torus(8, 6),
-                                                   IT::sliver_sheet(6, 1e-9, 1e-9)};
+  const std::vector<Indexed_triangles> surfaces = {samples::prism(12, 1), samples::cap(1e-10, 1),
+                                                   samples::cap(0),       samples::helical_tube(12, 1e5),
+                                                   samples::torus(8, 6),  samples::sliver_sheet(6, 1e-9, 1e-9)};
   for (const Indexed_triangles& surface : surfaces) {
     reference::Exact_triangulation plain = reference::exact_triangulation(surface);
     IT::flip_to_Delaunay(plain);
@@ -367,14 +367,14 @@ TEST(Exactness, IsFreeOfScale)
   }
   for (std::uint64_t seed = 0; seed < 20; ++seed)
     for (int k : {-300, -77, 300})
-      expect_agreement(scaled(IT::random_gluing(8, seed), k));
+      expect_agreement(scaled(samples::random_gluing(8, seed), k));
 }
 
 // Beyond the range in which coordinates keep all their digits an error must say so.
 TEST(Exactness, ExtremeScalesAreExactOrRefused)
 {
   std::size_t refused = 0;
-  for (const Indexed_triangles& surface : {IT::prism(5), IT::cap(1e-10, 1), IT::torus(5, 4)}) {
+  for (const Indexed_triangles& surface : {samples::prism(5), samples::cap(1e-10, 1), samples::torus(5, 4)}) {
     reference::Exact_triangulation plain = reference::exact_triangulation(surface);
     IT::flip_to_Delaunay(plain);
     for (int k : {-1000, -900, -700, -500, 500, 700, 900, 1000}) {
@@ -394,8 +394,9 @@ TEST(Exactness, ExtremeScalesAreExactOrRefused)
 
 TEST(Exactness, ConstrainedEdgesStay)
 {
-  const std::vector<Indexed_triangles> surfaces = {IT::prism(12), IT::bad_torus(12, 12), IT::cap(1e-12),
-                                                   IT::cap(0), IT::sheared_grid(6, 6), IT::helical_tube(20)};
+  const std::vector<Indexed_triangles> surfaces = {samples::prism(12),          samples::bad_torus(12, 12),
+                                                   samples::cap(1e-12),         samples::cap(0),
+                                                   samples::sheared_grid(6, 6), samples::helical_tube(20)};
   std::mt19937 random(5);
   for (const Indexed_triangles& surface : surfaces)
     for (unsigned denominator : {1u, 2u, 5u, 20u}) {
@@ -412,10 +413,15 @@ TEST(Exactness, ConstrainedEdgesStay)
 
 TEST(Exactness, TheTessellationDoesNotDependOnTheOrder)
 {
-  const std::vector<Indexed_triangles> surfaces = {IT::prism(16), IT::prism(16, 3), IT::torus(10, 8),
-                                                   IT::random_diagonal_grid(8, 8), IT::cap(1e-14),
-                                                   IT::cap(0), IT::sheared_grid(6, 6, 3),
-                                                   IT::sliver_sheet(8), IT::helical_tube(20)};
+  const std::vector<Indexed_triangles> surfaces = {samples::prism(16),
+                                                   samples::prism(16, 3),
+                                                   samples::torus(10, 8),
+                                                   samples::random_diagonal_grid(8, 8),
+                                                   samples::cap(1e-14),
+                                                   samples::cap(0),
+                                                   samples::sheared_grid(6, 6, 3),
+                                                   samples::sliver_sheet(8),
+                                                   samples::helical_tube(20)};
   for (const Indexed_triangles& surface : surfaces) {
     const Comparison plain = expect_agreement(surface);
     for (unsigned seed = 1; seed <= 4; ++seed)
@@ -425,8 +431,8 @@ TEST(Exactness, TheTessellationDoesNotDependOnTheOrder)
 
 TEST(Exactness, IsolatedVerticesAndComponents)
 {
-  Indexed_triangles two = IT::prism(5);
-  const Indexed_triangles other = scaled(IT::torus(5, 4), -30);
+  Indexed_triangles two = samples::prism(5);
+  const Indexed_triangles other = scaled(samples::torus(5, 4), -30);
   two.points.push_back({1e20, 0, 0});
   const std::uint32_t shift = std::uint32_t(two.points.size());
   two.points.insert(two.points.end(), other.points.begin(), other.points.end());
@@ -440,13 +446,13 @@ TEST(Exactness, NeedlesAndTinyFeatures)
 {
   for (double z : {1., 1e-20, 1e-60, 1e-100}) {
     SCOPED_TRACE(z);
-    expect_agreement(stretched(IT::torus(6, 5), 1, 1, z));
-    expect_agreement(stretched(IT::bad_torus(6, 6), 1, z, 1));
-    expect_agreement(stretched(IT::prism(7), 1, z, z));
+    expect_agreement(stretched(samples::torus(6, 5), 1, 1, z));
+    expect_agreement(stretched(samples::bad_torus(6, 6), 1, z, 1));
+    expect_agreement(stretched(samples::prism(7), 1, z, z));
   }
   // far from the origin, where a coordinate keeps few digits
   for (double offset : {1e3, 1e8, 1e14}) {
-    Indexed_triangles surface = IT::bumpy_sphere(12, 7);
+    Indexed_triangles surface = samples::bumpy_sphere(12, 7);
     for (auto& p : surface.points)
       p[0] += offset;
     const Comparison c = compare(surface);

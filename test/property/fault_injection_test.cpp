@@ -9,21 +9,19 @@
 #include "samples/sample_exact_gluings.h"
 #include "samples/sample_surfaces.h"
 
-#include <CGAL/Intrinsic_triangulations/Delaunay_tessellation.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
 #include <CGAL/Intrinsic_triangulations/Heat_method.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/remove_vertex.h>
-#include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/untwist.h>
-#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <boost/config.hpp>
 
@@ -133,7 +131,8 @@ protected:
       allocations = number_of_allocations;
     }
     for (Fault kind : {Fault::ANSWER, Fault::EXCEPTION, Fault::MEMORY}) {
-      const std::int64_t n = kind == Fault::MEMORY ? allocations : questions, step = (std::max)(std::int64_t(1), n / most_);
+      const std::int64_t n = kind == Fault::MEMORY ? allocations : questions,
+                         step = (std::max)(std::int64_t(1), n / most_);
       for (std::int64_t k = 1; k <= n; k += step) {
         SCOPED_TRACE(name + ", " + names_of_faults[int(kind)] + " " + std::to_string(k) + " of " + std::to_string(n));
         auto state = make();
@@ -170,11 +169,11 @@ private:
 
 // ---------------------------------------------------------------- checks
 
-Triangulation triangulation_of(const IT::Indexed_triangles& surface)
+Triangulation triangulation_of(const samples::Indexed_triangles& surface)
 {
   return Triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
 }
-Triangulation triangulation_of(const IT::Glued_triangles& gluing)
+Triangulation triangulation_of(const samples::Glued_triangles& gluing)
 {
   IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(gluing.side_lengths.size() / 3, gluing.glued_sides);
   std::vector<double> lengths(complex.number_of_edges());
@@ -188,7 +187,7 @@ Triangulation triangulation_of(const IT::Glued_triangles& gluing)
 
 void expect_input(const Triangulation& t, const IT::Delta_complex& input)
 {
-  const IT::Delta_complex& recovered = t.exact_geometry().correspondence().input();
+  const IT::Delta_complex& recovered = t.input();
   ASSERT_EQ(recovered.number_of_edges(), input.number_of_edges());
   for (IT::Halfedge_index h : input.halfedges()) {
     ASSERT_EQ(recovered.next(h), input.next(h));
@@ -206,13 +205,13 @@ void expect_valid(Triangulation& t, const IT::Delta_complex& input)
   ASSERT_TRUE(complex.is_valid(true));
   expect_input(t, input);
   Triangulation afresh = t; // nothing is remembered of decisions before
-  const IT::Exact_geometry& geometry = afresh.exact_geometry();
+  const IT::internal::Exact_engine& geometry = IT::internal::engine(afresh);
   const IT::internal::Whole_triangulation<IT::Filtered_edge_length_traits> whole(afresh);
   const auto number = [](const IT::internal::Bounded_double_double& x) { return x.hi(); };
   for (IT::Face_index f : complex.faces()) {
-    ASSERT_NE(geometry.sign_of_area(complex, f), CGAL::NEGATIVE) << "face " << f.idx();
+    ASSERT_NE(geometry.sign_of_area(f), CGAL::NEGATIVE) << "face " << f.idx();
     const IT::Halfedge_index h = complex.halfedge(f);
-    const IT::Exact_geometry::Corner c = geometry.corner(complex, h);
+    const IT::internal::Exact_engine::Corner c = geometry.corner(h);
     const IT::Bounded_area stored = t.face_data(f);
     if (!(stored.error < std::numeric_limits<double>::infinity()))
       continue;
@@ -220,13 +219,14 @@ void expect_valid(Triangulation& t, const IT::Delta_complex& input)
                        std::abs(t.edge_data(complex.edge(complex.next(h))) - number(c.s_second)) +
                        std::abs(t.edge_data(complex.edge(complex.prev(h))) - number(c.s_first));
     ASSERT_LE(1.5 * sum, stored.error) << "sides of face " << f.idx();
-    ASSERT_LE(1.5 * std::abs(stored.value - number(c.four_areas)), stored.error * (1 + 1e-9)) << "area of face " << f.idx();
+    ASSERT_LE(1.5 * std::abs(stored.value - number(c.four_areas)), stored.error * (1 + 1e-9))
+      << "area of face " << f.idx();
   }
   for (IT::Edge_index e : complex.edges())
     if (complex.is_flippable(e)) {
-      const CGAL::Sign sign = geometry.sign_by_unfolding(complex, e);
+      const CGAL::Sign sign = geometry.sign_by_unfolding(e);
       ASSERT_EQ(t.sign_of_cotangent_weight(e), sign) << "edge " << e.idx();
-      ASSERT_EQ(geometry.sign_of_cotangents(complex, e), sign) << "edge " << e.idx();
+      ASSERT_EQ(geometry.sign_of_cotangents(e), sign) << "edge " << e.idx();
       ASSERT_FALSE(whole.is_known_Delaunay(e) && sign == CGAL::NEGATIVE) << "edge " << e.idx();
     }
   const IT::Overlay overlay(complex, geometry.correspondence());
@@ -260,22 +260,15 @@ void expect_Delaunay(Triangulation& t, const IT::Delta_complex& input)
 
 // ---------------------------------------------------------------- operations
 
-struct Flip_visitor
+struct Visitor : IT::Default_visitor
 {
-  bool go_further(std::uint64_t, std::uint64_t) { return goes_further(); }
-  void after_flip(IT::Edge_index) {}
-};
-struct Refinement_visitor
-{
-  bool go_further(std::uint64_t, std::uint64_t) { return goes_further(); }
-  void before_step(const IT::Refinement_progress&) {}
-  void after_insertion(IT::Vertex_index) {}
+  bool go_further(const IT::Progress&) { return goes_further(); }
 };
 
 // Points inside faces, and on edges that are edges of the triangulation.
 std::vector<IT::Surface_point> points_to_insert(const Triangulation& t, std::size_t number)
 {
-  const IT::Exact_geometry& geometry = t.exact_geometry();
+  const IT::internal::Exact_engine& geometry = IT::internal::engine(t);
   const IT::Delta_complex& input = geometry.correspondence().input();
   std::vector<IT::Surface_point> result;
   for (std::size_t i = 0; result.size() < number && i < input.number_of_faces(); ++i) {
@@ -299,7 +292,7 @@ void insert(Triangulation& t, const std::vector<IT::Surface_point>& points)
 }
 void remove_all(Triangulation& t)
 {
-  const std::size_t n = t.exact_geometry().correspondence().input().number_of_vertices();
+  const std::size_t n = t.input().number_of_vertices();
   for (std::size_t v = t.connectivity().number_of_vertices(); v-- > n;)
     try {
       IT::remove_vertex(t, IT::Vertex_index(std::uint32_t(v)));
@@ -332,7 +325,7 @@ protected:
         [&](Triangulation& t) {
           t.set_interruption(goes_further);
           if (has_visitor)
-            IT::flip_to_Delaunay(t, CGAL::parameters::visitor(Flip_visitor()));
+            IT::flip_to_Delaunay(t, CGAL::parameters::visitor(Visitor()));
           else
             IT::flip_to_Delaunay(t);
         },
@@ -395,9 +388,12 @@ protected:
       ASSERT_TRUE(t.connectivity() == before.connectivity());
       for (IT::Edge_index e : t.connectivity().edges()) {
         ASSERT_EQ(t.edge_data(e), before.edge_data(e));
-        ASSERT_EQ(t.exact_geometry().correspondence().coordinates().crossings(e), before.exact_geometry().correspondence().coordinates().crossings(e));
-        for (IT::Halfedge_index h : {t.connectivity().halfedge(e), t.connectivity().opposite(t.connectivity().halfedge(e))})
-          ASSERT_EQ(t.exact_geometry().correspondence().input_halfedge(h), before.exact_geometry().correspondence().input_halfedge(h));
+        ASSERT_EQ(IT::internal::engine(t).correspondence().coordinates().crossings(e),
+                  IT::internal::engine(before).correspondence().coordinates().crossings(e));
+        for (IT::Halfedge_index h :
+             {t.connectivity().halfedge(e), t.connectivity().opposite(t.connectivity().halfedge(e))})
+          ASSERT_EQ(IT::internal::engine(t).correspondence().input_halfedge(h),
+                    IT::internal::engine(before).correspondence().input_halfedge(h));
       }
       for (IT::Face_index f : t.connectivity().faces())
         ASSERT_EQ(t.face_data(f).value, before.face_data(f).value);
@@ -408,12 +404,14 @@ protected:
         name + ": a split", [&] { return start; },
         [&](Triangulation& t) {
           t.set_interruption(goes_further);
-          const IT::Exact_geometry& geometry = t.exact_geometry();
+          const IT::internal::Exact_engine& engine = IT::internal::engine(t);
+          IT::internal::Whole_triangulation<Triangulation::Traits> whole(t);
           if (p.dimension() == 2) {
-            const IT::Triangle_piece at = IT::internal::piece_at_source(t.connectivity(), geometry.correspondence(), p.halfedge);
-            t.split_face(IT::internal::Piece_search(t.connectivity(), geometry)(at, p), p);
+            const IT::internal::Triangle_piece at =
+              IT::internal::piece_at_source(t.connectivity(), engine.correspondence(), p.halfedge);
+            whole.split_face(IT::internal::Piece_search(engine)(at, p), p);
           } else {
-            t.split_edge(*IT::internal::halfedge_along(t.connectivity(), geometry, p), p);
+            whole.split_edge(*IT::internal::halfedge_along(engine, p), p);
           }
         },
         [&](Triangulation& t, Triangulation& whole) {
@@ -422,27 +420,29 @@ protected:
         });
   }
 
-  void refinement(const std::string& name, const IT::Indexed_triangles& surface)
+  void refinement(const std::string& name, const samples::Indexed_triangles& surface)
   {
     const Triangulation start = triangulation_of(surface);
     const IT::Delta_complex input = start.connectivity();
     sweep(
       name + ": refinement", [&] { return start; },
-      [&](Triangulation& t) { IT::refine_Delaunay(t, {}, CGAL::parameters::visitor(Refinement_visitor()).maximum_number(40)); },
+      [&](Triangulation& t) { IT::refine_Delaunay(t, CGAL::parameters::visitor(Visitor()).maximum_number(40)); },
       [&](Triangulation& t, Triangulation&) {
         expect_valid(t, input);
-        IT::refine_Delaunay(t, {}, CGAL::parameters::maximum_number(10));
+        IT::refine_Delaunay(t, CGAL::parameters::maximum_number(10));
         expect_Delaunay(t, input);
       });
   }
 
   // Paths between far vertices, and closed curves around vertices, in a triangulation that was flipped before or not.
-  void geodesics(const std::string& name, const IT::Indexed_triangles& surface)
+  void geodesics(const std::string& name, const samples::Indexed_triangles& surface)
   {
     using Network = IT::Geodesic_path_network<IT::Filtered_edge_length_traits>;
     struct State
     {
-      explicit State(const Triangulation& t) : triangulation(std::make_unique<Triangulation>(t)), network(*triangulation) {}
+      explicit State(const Triangulation& t)
+        : triangulation(std::make_unique<Triangulation>(t)), network(*triangulation)
+      {}
       std::unique_ptr<Triangulation> triangulation;
       Network network;
     };
@@ -475,7 +475,7 @@ protected:
     };
     const double length_before = length(*make());
     sweep(
-      name + ": geodesics", make, [&](auto& state) { state->network.shorten(CGAL::parameters::visitor(Flip_visitor())); },
+      name + ": geodesics", make, [&](auto& state) { state->network.shorten(CGAL::parameters::visitor(Visitor())); },
       [&](auto& state, auto&) {
         expect_valid(*state->triangulation, input);
         const IT::Delta_complex& complex = state->triangulation->connectivity();
@@ -486,7 +486,8 @@ protected:
         }
         EXPECT_LE(length(*state), length_before * (1 + 1e-12));
         const IT::Geodesic_status status = state->network.shorten().status;
-        EXPECT_EQ(state->network.is_geodesic(), status == IT::Geodesic_status::GEODESIC || status == IT::Geodesic_status::CONTRACTIBLE);
+        EXPECT_EQ(state->network.is_geodesic(),
+                  status == IT::Geodesic_status::GEODESIC || status == IT::Geodesic_status::CONTRACTIBLE);
         expect_valid(*state->triangulation, input);
       });
 
@@ -508,7 +509,11 @@ protected:
       }
     };
     sweep(
-      name + ": lines", [&] { return Traced{flipped, {}}; }, trace,
+      name + ": lines",
+      [&] {
+        return Traced{flipped, {}};
+      },
+      trace,
       [&](Traced& traced, Traced& whole) {
         traced.triangulation.set_interruption({});
         trace(traced);
@@ -525,10 +530,12 @@ protected:
       IT::Untwisting untwisting;
     };
     const State start{gluing.complex, gluing.squared_lengths, {}};
-    const auto is_same = [](const State& a, const State& b) { return a.complex == b.complex && a.squared_lengths == b.squared_lengths; };
+    const auto is_same = [](const State& a, const State& b) {
+      return a.complex == b.complex && a.squared_lengths == b.squared_lengths;
+    };
     sweep(
       name + ": untwisting", [&] { return start; },
-      [](State& s) { s.untwisting = IT::untwist(s.complex, s.squared_lengths, CGAL::parameters::visitor(Flip_visitor())); },
+      [](State& s) { s.untwisting = IT::untwist(s.complex, s.squared_lengths, CGAL::parameters::visitor(Visitor())); },
       [&](State& s, State& whole) {
         if (s.untwisting.crossings.number_of_edges() == 0) { // an exception
           EXPECT_TRUE(is_same(s, start));
@@ -538,15 +545,13 @@ protected:
       });
   }
 
-  void heat(const std::string& name, const IT::Indexed_triangles& surface)
+  void heat(const std::string& name, const samples::Indexed_triangles& surface)
   {
     Triangulation t = triangulation_of(surface);
     IT::flip_to_Delaunay(t);
     const IT::Delta_complex input = triangulation_of(surface).connectivity();
     const auto distances = [&] {
-      IT::Heat_method_options options;
-      options.go_further = goes_further;
-      IT::Heat_method heat(t, options);
+      IT::Heat_method<> heat(t, CGAL::parameters::visitor(&goes_further));
       heat.add_source(IT::Vertex_index(0));
       return std::vector<double>(heat.distances());
     };
@@ -566,7 +571,7 @@ protected:
   // In blocks, on several threads.
   void parallel_flips()
   {
-    const Triangulation start = triangulation_of(IT::bad_torus(160, 150));
+    const Triangulation start = triangulation_of(samples::bad_torus(160, 150));
     const IT::Delta_complex input = start.connectivity();
     for (bool has_visitor : {false, true})
       sweep(
@@ -574,7 +579,7 @@ protected:
         [&](Triangulation& t) {
           t.set_interruption(goes_further);
           if (has_visitor)
-            IT::flip_to_Delaunay<CGAL::Parallel_tag>(t, CGAL::parameters::visitor(Flip_visitor()));
+            IT::flip_to_Delaunay<CGAL::Parallel_tag>(t, CGAL::parameters::visitor(Visitor()));
           else
             IT::flip_to_Delaunay<CGAL::Parallel_tag>(t);
         },
@@ -592,24 +597,24 @@ protected:
   void all(bool is_large)
   {
     const std::size_t factor = is_large ? 3 : 1;
-    flips("prism", IT::prism(16 * factor));
-    flips("cap", IT::cap());
-    flips("pillow", IT::pillow(20 * factor));
-    flips("helical tube", IT::helical_tube(20 * factor));
-    flips("torus with one vertex", IT::sheared_one_vertex_torus(double(100 * factor)));
-    flips("gluing", IT::random_gluing(12 * factor, 5));
-    vertices("prism", IT::prism(12 * factor), 3 * factor);
-    vertices("pillow", IT::pillow(24 * factor), 3 * factor);
-    vertices("sheared grid", IT::sheared_grid(6 * factor, 5, 3), 3 * factor);
-    vertices("torus with one vertex", IT::sheared_one_vertex_torus(double(100 * factor)), 2);
-    refinement("pillow", IT::pillow(16 * factor));
-    refinement("dome", IT::bumpy_dome(6 * factor, 5));
-    geodesics("helical tube", IT::helical_tube(24 * factor));
-    geodesics("torus", IT::bad_torus(6 * factor, 6));
-    geodesics("pillow", IT::pillow(16 * factor));
-    untwisting("Fibonacci torus", IT::Fibonacci_torus(20 * factor));
-    untwisting("genus two", IT::sheared_genus_two(1000, 12345));
-    heat("torus", IT::bad_torus(6 * factor, 6));
+    flips("prism", samples::prism(16 * factor));
+    flips("cap", samples::cap());
+    flips("pillow", samples::pillow(20 * factor));
+    flips("helical tube", samples::helical_tube(20 * factor));
+    flips("torus with one vertex", samples::sheared_one_vertex_torus(double(100 * factor)));
+    flips("gluing", samples::random_gluing(12 * factor, 5));
+    vertices("prism", samples::prism(12 * factor), 3 * factor);
+    vertices("pillow", samples::pillow(24 * factor), 3 * factor);
+    vertices("sheared grid", samples::sheared_grid(6 * factor, 5, 3), 3 * factor);
+    vertices("torus with one vertex", samples::sheared_one_vertex_torus(double(100 * factor)), 2);
+    refinement("pillow", samples::pillow(16 * factor));
+    refinement("dome", samples::bumpy_dome(6 * factor, 5));
+    geodesics("helical tube", samples::helical_tube(24 * factor));
+    geodesics("torus", samples::bad_torus(6 * factor, 6));
+    geodesics("pillow", samples::pillow(16 * factor));
+    untwisting("Fibonacci torus", samples::Fibonacci_torus(20 * factor));
+    untwisting("genus two", samples::sheared_genus_two(1000, 12345));
+    heat("torus", samples::bad_torus(6 * factor, 6));
 #ifdef CGAL_LINKED_WITH_TBB
     if (is_large)
       parallel_flips();
@@ -655,7 +660,10 @@ BOOST_NOINLINE void* operator new(std::size_t size, const std::nothrow_t&) noexc
 {
   return may_allocate() ? std::malloc(size != 0 ? size : 1) : nullptr;
 }
-BOOST_NOINLINE void* operator new[](std::size_t size, const std::nothrow_t& none) noexcept { return operator new(size, none); }
+BOOST_NOINLINE void* operator new[](std::size_t size, const std::nothrow_t& none) noexcept
+{
+  return operator new(size, none);
+}
 // The numbers of CGAL::Mpzf, and hardly anything else.
 BOOST_NOINLINE void* operator new[](std::size_t size)
 {

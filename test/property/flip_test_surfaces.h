@@ -38,19 +38,16 @@ struct Surface
   std::vector<float> lengths;               // one for each edge
 };
 
-inline Surface from_triangles(const std::string& name, const IT::Indexed_triangles& triangles)
+inline Surface from_triangles(const std::string& name, const samples::Indexed_triangles& triangles)
 {
-  Surface surface{name,
-                  IT::make_Delta_complex_from_triangles(triangles.points.size(), triangles.triangles),
-                  {},
-                  {}};
+  Surface surface{name, IT::make_Delta_complex_from_triangles(triangles.points.size(), triangles.triangles), {}, {}};
   for (const std::array<double, 3>& p : triangles.points)
     surface.points.push_back({float(p[0]), float(p[1]), float(p[2])});
   return surface;
 }
 
 // Moves each point at random, so that no tie is left.
-inline Surface shaken(const std::string& name, IT::Indexed_triangles triangles, double distance)
+inline Surface shaken(const std::string& name, samples::Indexed_triangles triangles, double distance)
 {
   std::mt19937 random(1);
   for (std::array<double, 3>& p : triangles.points)
@@ -60,7 +57,7 @@ inline Surface shaken(const std::string& name, IT::Indexed_triangles triangles, 
 }
 
 // The length of each edge of the complex that make_Delta_complex_from_gluing() builds.
-inline std::vector<double> edge_lengths(const IT::Glued_triangles& gluing, const IT::Delta_complex& complex)
+inline std::vector<double> edge_lengths(const samples::Glued_triangles& gluing, const IT::Delta_complex& complex)
 {
   std::vector<double> lengths(complex.number_of_edges());
   for (IT::Face_index f : complex.faces()) {
@@ -71,10 +68,9 @@ inline std::vector<double> edge_lengths(const IT::Glued_triangles& gluing, const
   return lengths;
 }
 
-inline Surface from_gluing(const std::string& name, const IT::Glued_triangles& gluing)
+inline Surface from_gluing(const std::string& name, const samples::Glued_triangles& gluing)
 {
-  Surface surface{
-    name, IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides), {}, {}};
+  Surface surface{name, IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides), {}, {}};
   for (double l : edge_lengths(gluing, surface.connectivity))
     surface.lengths.push_back(float(l));
   return surface;
@@ -84,20 +80,19 @@ inline Surface from_gluing(const std::string& name, const IT::Glued_triangles& g
 inline std::vector<Surface> generic_surfaces(bool small)
 {
   std::vector<Surface> surfaces{
-    from_triangles("helical tube", IT::helical_tube(small ? 8 : 60)),
-    from_triangles("bumpy sphere", small ? IT::bumpy_sphere(5, 4) : IT::bumpy_sphere(12, 8)),
-    from_triangles("bad torus", small ? IT::bad_torus(4, 4) : IT::bad_torus(9, 8)),
-    shaken("Schwarz lantern", small ? IT::Schwarz_lantern(4, 5) : IT::Schwarz_lantern(6, 20), 0.01),
-    shaken("disk with spike", small ? IT::disk_with_spike(5, 3) : IT::disk_with_spike(9, 8), 0.01),
-    from_gluing("one-vertex torus", IT::one_vertex_torus(1, 1.25, 2)),
-    from_gluing("sheared torus", IT::sheared_one_vertex_torus(small ? 3.3 : 8.3)),
-    from_gluing("self-glued triangle", IT::self_glued_triangle(1, 1.5)),
-    from_gluing("self-glued sphere", IT::self_glued_sphere(1, 0.7, 1.3))};
+    from_triangles("helical tube", samples::helical_tube(small ? 8 : 60)),
+    from_triangles("bumpy sphere", small ? samples::bumpy_sphere(5, 4) : samples::bumpy_sphere(12, 8)),
+    from_triangles("bad torus", small ? samples::bad_torus(4, 4) : samples::bad_torus(9, 8)),
+    shaken("Schwarz lantern", small ? samples::Schwarz_lantern(4, 5) : samples::Schwarz_lantern(6, 20), 0.01),
+    shaken("disk with spike", small ? samples::disk_with_spike(5, 3) : samples::disk_with_spike(9, 8), 0.01),
+    from_gluing("one-vertex torus", samples::one_vertex_torus(1, 1.25, 2)),
+    from_gluing("sheared torus", samples::sheared_one_vertex_torus(small ? 3.3 : 8.3)),
+    from_gluing("self-glued triangle", samples::self_glued_triangle(1, 1.5)),
+    from_gluing("self-glued sphere", samples::self_glued_sphere(1, 0.7, 1.3))};
   for (std::uint64_t seed = 1; seed <= (small ? 2 : 10); ++seed) {
     const std::string number = std::to_string(seed);
-    surfaces.push_back(from_gluing("closed gluing " + number, IT::random_gluing(small ? 8 : 40, seed)));
-    surfaces.push_back(
-      from_gluing("open gluing " + number, IT::random_gluing(small ? 9 : 41, seed, true, true)));
+    surfaces.push_back(from_gluing("closed gluing " + number, samples::random_gluing(small ? 8 : 40, seed)));
+    surfaces.push_back(from_gluing("open gluing " + number, samples::random_gluing(small ? 9 : 41, seed, true, true)));
   }
   return surfaces;
 }
@@ -130,8 +125,7 @@ Invariants invariants(const Triangulation& t)
 {
   const IT::Delta_complex& c = t.connectivity();
   Invariants result;
-  result.euler_characteristic =
-    int(c.number_of_vertices()) - int(c.number_of_edges()) + int(c.number_of_faces());
+  result.euler_characteristic = int(c.number_of_vertices()) - int(c.number_of_edges()) + int(c.number_of_faces());
   result.cone_angles.resize(c.number_of_vertices());
   for (IT::Face_index f : c.faces())
     result.area += CGAL::to_double(t.area(f));
@@ -139,8 +133,7 @@ Invariants invariants(const Triangulation& t)
     if (c.is_border(h))
       ++result.border_halfedges;
     else
-      result.cone_angles[c.target(c.next(h)).idx()] +=
-        std::atan2(1., CGAL::to_double(t.cotangent(h)));
+      result.cone_angles[c.target(c.next(h)).idx()] += std::atan2(1., CGAL::to_double(t.cotangent(h)));
   }
   return result;
 }
@@ -151,8 +144,8 @@ inline bool are_same_links(const IT::Delta_complex& a, const IT::Delta_complex& 
 {
   return std::equal(a.halfedges().begin(), a.halfedges().end(), b.halfedges().begin(), b.halfedges().end(),
                     [&](IT::Halfedge_index x, IT::Halfedge_index y) {
-                      return a.next(x) == b.next(y) && a.prev(x) == b.prev(y) &&
-                             a.target(x) == b.target(y) && a.face(x) == b.face(y);
+                      return a.next(x) == b.next(y) && a.prev(x) == b.prev(y) && a.target(x) == b.target(y) &&
+                             a.face(x) == b.face(y);
                     });
 }
 
@@ -173,8 +166,7 @@ std::vector<Edge_record> edge_records(const Triangulation& t)
 }
 
 // Whether both are the same edges, with lengths that agree up to a relative tolerance.
-inline bool are_same_edges(const std::vector<Edge_record>& a, const std::vector<Edge_record>& b,
-                           double tolerance)
+inline bool are_same_edges(const std::vector<Edge_record>& a, const std::vector<Edge_record>& b, double tolerance)
 {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const Edge_record& x, const Edge_record& y) {
     return std::get<0>(x) == std::get<0>(y) && std::get<1>(x) == std::get<1>(y) &&

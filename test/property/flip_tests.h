@@ -40,24 +40,24 @@ using IT::Flip_status;
 // proof of zero takes them too long.
 constexpr bool is_exact = CGAL::Algebraic_structure_traits<Number_type>::Is_exact::value;
 constexpr bool is_float = std::is_same<Number_type, float>::value;
-constexpr bool is_interval =
-  std::is_same<IT::Edge_length_traits<Number_type>::Boolean, CGAL::Uncertain<bool>>::value;
-constexpr double tolerance = is_float ? 1e-3 : is_interval ? 1e-6
-                                                           : 1e-9; // of an interval, the middle
+constexpr bool is_interval = std::is_same<IT::Edge_length_traits<Number_type>::Boolean, CGAL::Uncertain<bool>>::value;
+constexpr double tolerance = is_float ? 1e-3 : is_interval ? 1e-6 : 1e-9; // of an interval, the middle
 
 // Remembers the flips and checks what it is told.
 struct Recorder
 {
-  bool go_further(std::uint64_t tests, std::uint64_t number_of_flips)
+  bool go_further(const IT::Progress& progress)
   {
-    EXPECT_EQ(tests + number_of_flips, calls); // before each of both
-    EXPECT_EQ(number_of_flips, flips.size());
+    EXPECT_EQ(progress.tests + progress.flips, calls); // before each of both
+    EXPECT_EQ(progress.flips, flips.size());
+    last = progress;
     return ++calls <= limit;
   }
   void after_flip(IT::Edge_index e) { flips.push_back(e); }
 
   std::uint64_t limit = (std::numeric_limits<std::uint64_t>::max)();
   std::uint64_t calls = 0;
+  IT::Progress last;
   std::vector<IT::Edge_index> flips;
 };
 
@@ -66,8 +66,7 @@ inline void expect_close(const Number_type& x, const Number_type& expected)
   if constexpr (is_interval)
     EXPECT_TRUE(CGAL::possibly(x == expected)) << x << " " << expected;
   else
-    EXPECT_NEAR(CGAL::to_double(x), CGAL::to_double(expected),
-                10 * tolerance * CGAL::to_double(expected));
+    EXPECT_NEAR(CGAL::to_double(x), CGAL::to_double(expected), 10 * tolerance * CGAL::to_double(expected));
 }
 
 inline void expect_equal(const Invariants& a, const Invariants& b)
@@ -91,9 +90,7 @@ void expect_truth(const Flip_report& report, const Triangulation& t)
     EXPECT_FALSE(CGAL::possibly(t.is_locally_Delaunay(e)));
   for (IT::Edge_index e : report.undecided)
     EXPECT_FALSE(CGAL::certainly(t.is_locally_Delaunay(e)));
-  const bool is_done =
-    report.status != Flip_status::BUDGET_EXHAUSTED && report.status != Flip_status::CANCELLED;
-  if (!is_done)
+  if (report.status == Flip_status::BUDGET_EXHAUSTED)
     return;
   EXPECT_EQ(report.status, !report.undecided.empty()       ? Flip_status::UNDECIDED
                            : !report.not_flippable.empty() ? Flip_status::NOT_FLIPPABLE
@@ -197,8 +194,7 @@ TYPED_TEST(Flip, four_times_is_the_identity)
       if (turned.flip(e) != Outcome::FLIPPED)
         continue;
       // Where a face nearly vanishes, rounding decides whether the way back exists.
-      const auto areas = std::minmax(
-        {CGAL::to_double(turned.area(faces[0])), CGAL::to_double(turned.area(faces[1]))});
+      const auto areas = std::minmax({CGAL::to_double(turned.area(faces[0])), CGAL::to_double(turned.area(faces[1]))});
       if (areas.first < 1e-2 * areas.second)
         continue;
       ++flipped;
@@ -232,12 +228,11 @@ TYPED_TEST(Flip, leaves_constrained_edges_alone)
         number_of_constraints += is_next;
         is_next = !is_next;
       }
-    const auto map = boost::make_function_property_map<IT::Edge_index>(
-      [&](IT::Edge_index e) { return is_constrained[e.idx()] != 0; });
+    const auto map =
+      boost::make_function_property_map<IT::Edge_index>([&](IT::Edge_index e) { return is_constrained[e.idx()] != 0; });
     const auto unflipped = t;
     Recorder recorder;
-    const Flip_report report =
-      IT::flip_to_Delaunay(t, visitor(std::ref(recorder)).edge_is_constrained_map(map));
+    const Flip_report report = IT::flip_to_Delaunay(t, visitor(std::ref(recorder)).edge_is_constrained_map(map));
     EXPECT_EQ(report.status, Flip_status::DELAUNAY);
     for (IT::Edge_index e : recorder.flips)
       EXPECT_FALSE(is_constrained[e.idx()]);
@@ -264,15 +259,20 @@ TYPED_TEST(Flip, stops_when_the_visitor_cancels_and_can_be_resumed)
       auto cancelled = t;
       Recorder recorder;
       recorder.limit = limit;
-      const Flip_report report = IT::flip_to_Delaunay(cancelled, visitor(std::ref(recorder)));
-      EXPECT_EQ(report.status, limit < steps ? Flip_status::CANCELLED : Flip_status::DELAUNAY);
-      EXPECT_EQ(report.tests + report.flips, limit);
-      EXPECT_EQ(report.flips, recorder.flips.size());
-      expect_truth(report, cancelled);
+      if (limit < steps) {
+        EXPECT_THROW(IT::flip_to_Delaunay(cancelled, visitor(std::ref(recorder))), IT::Cancelled_error);
+        EXPECT_EQ(recorder.last.tests + recorder.last.flips, limit);
+        EXPECT_TRUE(cancelled.connectivity().is_valid(true));
+      } else {
+        const Flip_report report = IT::flip_to_Delaunay(cancelled, visitor(std::ref(recorder)));
+        EXPECT_EQ(report.status, Flip_status::DELAUNAY);
+        EXPECT_EQ(report.tests + report.flips, limit);
+        EXPECT_EQ(report.flips, recorder.flips.size());
+        expect_truth(report, cancelled);
+      }
       const Flip_report rest = IT::flip_to_Delaunay(cancelled);
       EXPECT_EQ(rest.status, Flip_status::DELAUNAY);
-      EXPECT_TRUE(are_same_edges(edge_records(cancelled), edge_records(finished), tolerance))
-        << surface.name;
+      EXPECT_TRUE(are_same_edges(edge_records(cancelled), edge_records(finished), tolerance)) << surface.name;
     }
   });
 }
@@ -300,8 +300,7 @@ struct Traits_without_flips : Base
 {
   struct Construct_flipped_hinge
   {
-    typename Base::Boolean operator()(const typename Base::Hinge_data&,
-                                      typename Base::Flipped_hinge_data&) const
+    typename Base::Boolean operator()(const typename Base::Hinge_data&, typename Base::Flipped_hinge_data&) const
     {
       if constexpr (is_certain)
         return false;
@@ -341,17 +340,17 @@ TYPED_TEST(Flip, reports_edges_that_have_no_other_diagonal)
 // decisions may contradict each other. Whatever happens, the run ends and says so.
 TYPED_TEST(Flip, ends_on_ties)
 {
-  std::vector<Surface> surfaces{
-    from_triangles("grid", IT::random_diagonal_grid(2, 2)), from_triangles("sheared grid", IT::sheared_grid(2, 2, 1))};
+  std::vector<Surface> surfaces{from_triangles("grid", samples::random_diagonal_grid(2, 2)),
+                                from_triangles("sheared grid", samples::sheared_grid(2, 2, 1))};
   if (!is_exact) // the proofs of zero take too long
     for (const Surface& surface :
-         {from_triangles("prism", IT::prism(80)), from_triangles("turned prism", IT::prism(12, 3)),
-          from_triangles("turned grid", IT::random_diagonal_grid(6, 6, 1, 7)),
-          from_triangles("torus", IT::torus(12, 8)),
-          from_triangles("Schwarz lantern", IT::Schwarz_lantern(6, 20)), from_triangles("cap", IT::cap()),
-          from_triangles("large sheared grid", IT::sheared_grid(5, 5, 3)),
-          from_triangles("sphere", IT::latitude_longitude_sphere(12, 6)),
-          from_gluing("square torus", IT::sheared_one_vertex_torus(10))})
+         {from_triangles("prism", samples::prism(80)), from_triangles("turned prism", samples::prism(12, 3)),
+          from_triangles("turned grid", samples::random_diagonal_grid(6, 6, 1, 7)),
+          from_triangles("torus", samples::torus(12, 8)),
+          from_triangles("Schwarz lantern", samples::Schwarz_lantern(6, 20)), from_triangles("cap", samples::cap()),
+          from_triangles("large sheared grid", samples::sheared_grid(5, 5, 3)),
+          from_triangles("sphere", samples::latitude_longitude_sphere(12, 6)),
+          from_gluing("square torus", samples::sheared_one_vertex_torus(10))})
       surfaces.push_back(surface);
   const std::uint64_t budget = 5000;
   bool is_every_run_complete = true;

@@ -23,7 +23,7 @@
 namespace garden {
 
 namespace IT = CGAL::Intrinsic_triangulations;
-using Surface = std::variant<IT::Indexed_triangles, IT::Glued_triangles>;
+using Surface = std::variant<samples::Indexed_triangles, samples::Glued_triangles>;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 
 // Runs one thing on a surface; expects what must be true of the result; throws where there is none.
@@ -41,22 +41,22 @@ std::vector<Algorithm> cover_algorithms();
 std::vector<Algorithm> metric_algorithms();
 std::vector<Algorithm> operator_algorithms();
 
-inline const IT::Indexed_triangles& in_space(const Surface& surface)
+inline const samples::Indexed_triangles& in_space(const Surface& surface)
 {
-  if (const auto* triangles = std::get_if<IT::Indexed_triangles>(&surface))
+  if (const auto* triangles = std::get_if<samples::Indexed_triangles>(&surface))
     return *triangles;
   throw Not_applicable();
 }
 
 inline IT::Delta_complex connectivity(const Surface& surface)
 {
-  if (const auto* s = std::get_if<IT::Indexed_triangles>(&surface))
+  if (const auto* s = std::get_if<samples::Indexed_triangles>(&surface))
     return IT::make_Delta_complex_from_triangles(s->points.size(), s->triangles);
-  const auto& s = std::get<IT::Glued_triangles>(surface);
+  const auto& s = std::get<samples::Glued_triangles>(surface);
   return IT::make_Delta_complex_from_gluing(s.number_of_faces, s.glued_sides);
 }
 
-inline std::vector<double> edge_lengths(const IT::Glued_triangles& surface, const IT::Delta_complex& complex)
+inline std::vector<double> edge_lengths(const samples::Glued_triangles& surface, const IT::Delta_complex& complex)
 {
   std::vector<double> lengths(complex.number_of_edges());
   for (IT::Face_index f : complex.faces()) {
@@ -72,9 +72,9 @@ IT::Intrinsic_triangulation<Traits> triangulation(const Surface& surface)
 {
   using Result = IT::Intrinsic_triangulation<Traits>;
   IT::Delta_complex complex = connectivity(surface);
-  if (const auto* s = std::get_if<IT::Indexed_triangles>(&surface))
+  if (const auto* s = std::get_if<samples::Indexed_triangles>(&surface))
     return Result(std::move(complex), s->points);
-  std::vector<double> lengths = edge_lengths(std::get<IT::Glued_triangles>(surface), complex);
+  std::vector<double> lengths = edge_lengths(std::get<samples::Glued_triangles>(surface), complex);
   return Result::from_lengths(std::move(complex), std::move(lengths));
 }
 

@@ -3,27 +3,22 @@
 //
 // The garden, by the algorithms that need no linear algebra.
 
+#include "overlay_triangulations.h"
 #include "property/garden.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/Delaunay_tessellation.h>
-#include <CGAL/Intrinsic_triangulations/Delta_complex_io.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
 #include <CGAL/Intrinsic_triangulations/Incremental_overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
-#include <CGAL/Intrinsic_triangulations/are_same_overlay.h>
-#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
+#include <CGAL/Intrinsic_triangulations/Point_location.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/mollify.h>
-#include <CGAL/Intrinsic_triangulations/overlay_areas.h>
-#include <CGAL/Intrinsic_triangulations/overlay_surface_mesh.h>
-#include <CGAL/Intrinsic_triangulations/overlay_triangulations.h>
-#include <CGAL/Intrinsic_triangulations/point_location.h>
 #include <CGAL/Intrinsic_triangulations/surface_mesh_adaptors.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
-#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -68,7 +63,7 @@ void triangulate(const Surface& surface)
 
 void examine(const Surface& surface)
 {
-  const IT::Indexed_triangles& s = in_space(surface);
+  const samples::Indexed_triangles& s = in_space(surface);
   IT::throw_if_fatal(IT::examine_polygons(s.points, s.triangles), "surface");
 }
 

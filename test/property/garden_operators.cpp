@@ -8,13 +8,11 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/circle_pattern_parameterization.h>
-#include <CGAL/Intrinsic_triangulations/condition_number.h>
-#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
+#include <CGAL/Intrinsic_triangulations/eigenvalues.h>
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
-#include <CGAL/Intrinsic_triangulations/parameterization_quality.h>
 #include <CGAL/Intrinsic_triangulations/transfer_matrices.h>
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
-#include <CGAL/Intrinsic_triangulations/weight_histogram.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -84,10 +82,10 @@ void project(const Surface& surface)
 // As for a stiffness matrix, but for any triangles and without exceptions for the border.
 void tufted(const Surface& surface)
 {
-  const auto* const s = std::get_if<IT::Indexed_triangles>(&surface);
+  const auto* const s = std::get_if<samples::Indexed_triangles>(&surface);
   const auto from_gluing = [&] {
     const IT::Delta_complex complex = connectivity(surface);
-    return IT::tufted_Laplacian(complex, edge_lengths(std::get<IT::Glued_triangles>(surface), complex));
+    return IT::tufted_Laplacian(complex, edge_lengths(std::get<samples::Glued_triangles>(surface), complex));
   };
   const IT::Tufted_Laplacian result = s ? IT::tufted_Laplacian(s->points, s->triangles) : from_gluing();
   EXPECT_GE(result.minimum_weight, 0);
@@ -144,7 +142,10 @@ std::vector<Algorithm> cover_algorithms() { return {{"tufted", tufted}}; }
 
 std::vector<Algorithm> operator_algorithms()
 {
-  return {{"stiffness", stiffness}, {"mass", mass}, {"condition", condition_number}, {"project", project}, {"circle", map_to_circle}, {"triangle", map_to_triangle}, {"natural", map_naturally}, {"circles", map_by_circles}};
+  return {{"stiffness", stiffness},        {"mass", mass},
+          {"condition", condition_number}, {"project", project},
+          {"circle", map_to_circle},       {"triangle", map_to_triangle},
+          {"natural", map_naturally},      {"circles", map_by_circles}};
 }
 
 } // namespace garden

@@ -26,7 +26,7 @@ struct Named_surface
   Surface surface;
 };
 
-inline IT::Indexed_triangles scaled(IT::Indexed_triangles surface, double factor)
+inline samples::Indexed_triangles scaled(samples::Indexed_triangles surface, double factor)
 {
   for (std::array<double, 3>& p : surface.points)
     for (double& x : p)
@@ -34,20 +34,20 @@ inline IT::Indexed_triangles scaled(IT::Indexed_triangles surface, double factor
   return surface;
 }
 
-inline IT::Indexed_triangles tetrahedron()
+inline samples::Indexed_triangles tetrahedron()
 {
   return {{{0, 0, 0}, {1, 0, 0}, {0.25, 1, 0}, {0.5, 0.25, 1}}, {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}}};
 }
 
-inline IT::Indexed_triangles hinge(double height)
+inline samples::Indexed_triangles hinge(double height)
 {
   return {{{0, 0, 0}, {8, 0, 0}, {3, height, 0}, {5, -height, 0}}, {{{0, 1, 2}}, {{0, 3, 1}}}};
 }
 
 // Disjoint copies, side by side.
-inline IT::Indexed_triangles copies(const IT::Indexed_triangles& surface, unsigned number)
+inline samples::Indexed_triangles copies(const samples::Indexed_triangles& surface, unsigned number)
 {
-  IT::Indexed_triangles result;
+  samples::Indexed_triangles result;
   for (unsigned copy = 0; copy < number; ++copy) {
     const auto first = std::uint32_t(result.points.size());
     for (const std::array<double, 3>& p : surface.points)
@@ -59,9 +59,9 @@ inline IT::Indexed_triangles copies(const IT::Indexed_triangles& surface, unsign
 }
 
 // A vertex of that degree, raised over a regular polygon.
-inline IT::Indexed_triangles fan(std::uint32_t degree)
+inline samples::Indexed_triangles fan(std::uint32_t degree)
 {
-  IT::Indexed_triangles result{{{0, 0, 0.5}}, {}};
+  samples::Indexed_triangles result{{{0, 0, 0.5}}, {}};
   for (std::uint32_t i = 0; i < degree; ++i) {
     const double angle = 2 * 3.14159265358979323846 * i / degree;
     result.points.push_back({std::cos(angle), std::sin(angle), 0});
@@ -70,9 +70,9 @@ inline IT::Indexed_triangles fan(std::uint32_t degree)
   return result;
 }
 
-inline IT::Indexed_triangles Moebius_strip(unsigned n = 6)
+inline samples::Indexed_triangles Moebius_strip(unsigned n = 6)
 {
-  IT::Indexed_triangles result;
+  samples::Indexed_triangles result;
   for (unsigned i = 0; i < n; ++i) {
     const double angle = 2 * 3.14159265358979323846 * i / n;
     for (int side : {-1, 1}) {
@@ -91,59 +91,59 @@ inline std::vector<Named_surface> garden_surfaces()
 {
   const double infinity = std::numeric_limits<double>::infinity();
   std::vector<Named_surface> result{
-    {"one triangle", IT::Indexed_triangles{{{0, 0, 0}, {1, 0, 0}, {0.25, 1, 0}}, {{{0, 1, 2}}}}},
+    {"one triangle", samples::Indexed_triangles{{{0, 0, 0}, {1, 0, 0}, {0.25, 1, 0}}, {{{0, 1, 2}}}}},
     {"hinge with a flip", hinge(1)},
-    {"square, a tie", IT::Indexed_triangles{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{{0, 1, 2}}, {{0, 2, 3}}}}},
+    {"square, a tie",
+     samples::Indexed_triangles{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{{0, 1, 2}}, {{0, 2, 3}}}}},
     {"tetrahedron", tetrahedron()},
-    {"two triangles, a sphere", IT::Glued_triangles{2, {{0, 5}, {1, 4}, {2, 3}}, {3, 4, 5, 5, 4, 3}}},
-    {"pillow", IT::pillow(20)},
-    {"one-vertex torus", IT::one_vertex_torus()},
-    {"sheared torus", IT::sheared_one_vertex_torus(7.3)},
-    {"triangle glued to itself", IT::self_glued_triangle()},
-    {"sphere of two cones", IT::self_glued_sphere()},
-    {"random gluing", IT::random_gluing(20, 5, false, true)},
-    {"random open gluing", IT::random_gluing(21, 6, true)},
+    {"two triangles, a sphere", samples::Glued_triangles{2, {{0, 5}, {1, 4}, {2, 3}}, {3, 4, 5, 5, 4, 3}}},
+    {"pillow", samples::pillow(20)},
+    {"one-vertex torus", samples::one_vertex_torus()},
+    {"sheared torus", samples::sheared_one_vertex_torus(7.3)},
+    {"triangle glued to itself", samples::self_glued_triangle()},
+    {"sphere of two cones", samples::self_glued_sphere()},
+    {"random gluing", samples::random_gluing(20, 5, false, true)},
+    {"random open gluing", samples::random_gluing(21, 6, true)},
     {"Moebius strip", Moebius_strip()},
     {"50 tetrahedra", copies(tetrahedron(), 50)},
     {"20 triangles, all border", copies({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{{0, 1, 2}}}}, 20)},
     {"vertex of degree 1000", fan(1000)},
-    {"needle", IT::Indexed_triangles{{{0, 0, 0}, {1e-9, 0, 0}, {0, 1, 0}}, {{{0, 1, 2}}}}},
+    {"needle", samples::Indexed_triangles{{{0, 0, 0}, {1e-9, 0, 0}, {0, 1, 0}}, {{{0, 1, 2}}}}},
     {"needle hinge", hinge(1e-9)},
-    {"cap", IT::cap()},
-    {"cap without area", IT::cap(0)},
-    {"three points on a line", IT::Indexed_triangles{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{{0, 1, 2}}}}},
-    {"edge of length zero", IT::Indexed_triangles{{{0, 0, 0}, {0, 0, 0}, {0, 1, 0}}, {{{0, 1, 2}}}}},
+    {"cap", samples::cap()},
+    {"cap without area", samples::cap(0)},
+    {"three points on a line", samples::Indexed_triangles{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{{0, 1, 2}}}}},
+    {"edge of length zero", samples::Indexed_triangles{{{0, 0, 0}, {0, 0, 0}, {0, 1, 0}}, {{{0, 1, 2}}}}},
     {"coordinates of 1e150", scaled(tetrahedron(), 1e150)},
     {"coordinates of 1e-150", scaled(tetrahedron(), 1e-150)},
-    {"disk of 1e150", scaled(IT::bumpy_dome(8, 5), 1e150)},
-    {"disk of 1e-150", scaled(IT::bumpy_dome(8, 5), 1e-150)},
+    {"disk of 1e150", scaled(samples::bumpy_dome(8, 5), 1e150)},
+    {"disk of 1e-150", scaled(samples::bumpy_dome(8, 5), 1e-150)},
     {"coordinates of 1e300", scaled(tetrahedron(), 1e300)},
-    {"1e150 beside 1e-150", IT::Indexed_triangles{{{0, 0, 0}, {1e150, 0, 0}, {0, 1e-150, 0}}, {{{0, 1, 2}}}}},
-    {"lengths of 1e150", IT::one_vertex_torus(1e150, 1.25e150, 2e150)},
-    {"lengths of 1e-150", IT::one_vertex_torus(1e-150, 1.25e-150, 2e-150)},
-    {"lengths 1, 1, 3", IT::Glued_triangles{1, {}, {1, 1, 3}}},
-    {"lengths 1, 1, 2", IT::Glued_triangles{1, {}, {1, 1, 2}}},
-    {"infinite coordinate", IT::Indexed_triangles{{{0, 0, 0}, {infinity, 0, 0}, {0, 1, 0}}, {{{0, 1, 2}}}}},
-    {"NaN for a length", IT::Glued_triangles{1, {}, {1, infinity - infinity, 1}}},
-    {"vertex without a face", IT::Indexed_triangles{{{0, 0, 0}, {9, 9, 9}, {1, 0, 0}, {0, 1, 0}}, {{{0, 2, 3}}}}},
-    {"no face", IT::Indexed_triangles{{{0, 0, 0}}, {}}},
-    {"edge with three faces",
-     IT::Indexed_triangles{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}},
-                           {{{0, 1, 2}}, {{1, 0, 3}}, {{0, 1, 4}}}}},
+    {"1e150 beside 1e-150", samples::Indexed_triangles{{{0, 0, 0}, {1e150, 0, 0}, {0, 1e-150, 0}}, {{{0, 1, 2}}}}},
+    {"lengths of 1e150", samples::one_vertex_torus(1e150, 1.25e150, 2e150)},
+    {"lengths of 1e-150", samples::one_vertex_torus(1e-150, 1.25e-150, 2e-150)},
+    {"lengths 1, 1, 3", samples::Glued_triangles{1, {}, {1, 1, 3}}},
+    {"lengths 1, 1, 2", samples::Glued_triangles{1, {}, {1, 1, 2}}},
+    {"infinite coordinate", samples::Indexed_triangles{{{0, 0, 0}, {infinity, 0, 0}, {0, 1, 0}}, {{{0, 1, 2}}}}},
+    {"NaN for a length", samples::Glued_triangles{1, {}, {1, infinity - infinity, 1}}},
+    {"vertex without a face", samples::Indexed_triangles{{{0, 0, 0}, {9, 9, 9}, {1, 0, 0}, {0, 1, 0}}, {{{0, 2, 3}}}}},
+    {"no face", samples::Indexed_triangles{{{0, 0, 0}}, {}}},
+    {"edge with three faces", samples::Indexed_triangles{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}},
+                                                         {{{0, 1, 2}}, {{1, 0, 3}}, {{0, 1, 4}}}}},
     {"two fans at a vertex",
-     IT::Indexed_triangles{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{{0, 1, 2}}, {{0, 3, 4}}}}},
-    {"bumpy sphere", IT::bumpy_sphere(10, 7)},
-    {"bumpy dome", IT::bumpy_dome(10, 6)},
-    {"disk with spike", IT::disk_with_spike(8, 6)},
-    {"bad torus", IT::bad_torus(8, 8)},
-    {"helical tube", IT::helical_tube(30)},
-    {"prism", IT::prism(12)},
-    {"Schwarz lantern", IT::Schwarz_lantern(6, 12)},
-    {"sliver sheet", IT::sliver_sheet(8)},
-    {"strip", IT::strip(40, 12)},
-    {"random diagonal grid", IT::random_diagonal_grid(6, 6)},
-    {"sheared grid", IT::sheared_grid(6, 6)},
-    {"latitude-longitude sphere", IT::latitude_longitude_sphere(8, 6)}};
+     samples::Indexed_triangles{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}, {{{0, 1, 2}}, {{0, 3, 4}}}}},
+    {"bumpy sphere", samples::bumpy_sphere(10, 7)},
+    {"bumpy dome", samples::bumpy_dome(10, 6)},
+    {"disk with spike", samples::disk_with_spike(8, 6)},
+    {"bad torus", samples::bad_torus(8, 8)},
+    {"helical tube", samples::helical_tube(30)},
+    {"prism", samples::prism(12)},
+    {"Schwarz lantern", samples::Schwarz_lantern(6, 12)},
+    {"sliver sheet", samples::sliver_sheet(8)},
+    {"strip", samples::strip(40, 12)},
+    {"random diagonal grid", samples::random_diagonal_grid(6, 6)},
+    {"sheared grid", samples::sheared_grid(6, 6)},
+    {"latitude-longitude sphere", samples::latitude_longitude_sphere(8, 6)}};
   return result;
 }
 

@@ -25,17 +25,16 @@ using Defect = IT::Invalid_surface_error::Defect;
 // How a cell of the table says which exception there is.
 const std::map<Defect, std::string>& defect_codes()
 {
-  static const std::map<Defect, std::string> codes{
-    {Defect::EMPTY, "EMPTY"},
-    {Defect::NON_MANIFOLD_EDGE, "EDGE"},
-    {Defect::INCONSISTENT_ORIENTATION, "ORIENT"},
-    {Defect::NON_MANIFOLD_VERTEX, "VERTEX"},
-    {Defect::NOT_FINITE, "FINITE"},
-    {Defect::OUT_OF_RANGE, "RANGE"},
-    {Defect::ZERO_LENGTH_EDGE, "ZERO"},
-    {Defect::TRIANGLE_INEQUALITY, "INEQU"},
-    {Defect::DEGENERATE_FACE, "DEGEN"},
-    {Defect::WRONG_TOPOLOGY, "TOPO"}};
+  static const std::map<Defect, std::string> codes{{Defect::EMPTY, "EMPTY"},
+                                                   {Defect::NON_MANIFOLD_EDGE, "EDGE"},
+                                                   {Defect::INCONSISTENT_ORIENTATION, "ORIENT"},
+                                                   {Defect::NON_MANIFOLD_VERTEX, "VERTEX"},
+                                                   {Defect::NOT_FINITE, "FINITE"},
+                                                   {Defect::OUT_OF_RANGE, "RANGE"},
+                                                   {Defect::ZERO_LENGTH_EDGE, "ZERO"},
+                                                   {Defect::TRIANGLE_INEQUALITY, "INEQU"},
+                                                   {Defect::DEGENERATE_FACE, "DEGEN"},
+                                                   {Defect::WRONG_TOPOLOGY, "TOPO"}};
   return codes;
 }
 

@@ -9,9 +9,8 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/geodesic_points.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -105,7 +104,8 @@ private:
   Vector at(IT::Vertex_index v) const { return {points_[v.idx()][0], points_[v.idx()][1], points_[v.idx()][2]}; }
 
   // The angle on one side: of the part of each face there, from the one that the line enters to the one that it came through.
-  long double side(const std::vector<IT::Surface_point>& line, std::size_t i, const Vector& to, const Vector& from, bool is_left) const
+  long double side(const std::vector<IT::Surface_point>& line, std::size_t i, const Vector& to, const Vector& from,
+                   bool is_left) const
   {
     const IT::Surface_point& point = line[i];
     const Vector p = at(point);
@@ -128,8 +128,7 @@ private:
       if (input_.is_border(across))
         return std::numeric_limits<long double>::infinity();
       edge = along;
-      h = is_edge ? across : is_left ? input_.prev(across)
-                                     : across;
+      h = is_edge ? across : is_left ? input_.prev(across) : across;
     }
     ADD_FAILURE() << "a line that goes round its point";
     return 0;

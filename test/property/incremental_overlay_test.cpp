@@ -9,7 +9,6 @@
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Incremental_overlay.h>
-#include <CGAL/Intrinsic_triangulations/are_same_overlay.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 
 #include <gtest/gtest.h>
@@ -53,19 +52,19 @@ struct Both_ways
   Overlay overlay() const { return Overlay(complex, correspondence); }
 
   Delta_complex complex;
-  IT::Correspondence correspondence;
+  IT::internal::Correspondence correspondence;
   Incremental_overlay incremental;
 };
 
 // Flips an overlay along with a triangulation and compares after each flip.
 template <class Traits>
-struct Comparing_visitor : IT::Default_flip_visitor
+struct Comparing_visitor
 {
   explicit Comparing_visitor(const IT::Intrinsic_triangulation<Traits>& t)
     : triangulation(t), incremental(t.connectivity())
   {}
 
-  bool go_further(std::uint64_t, std::uint64_t) { return is_same; }
+  bool go_further(const IT::Progress&) { return is_same; }
   void after_flip(Edge_index e)
   {
     incremental.flip(e);
@@ -188,7 +187,7 @@ TEST(Incremental_overlay, LabelsOfAFlippedDiagonal)
 TEST(Incremental_overlay, CrossingsOnATorus)
 {
   using Vector = std::array<long, 2>;
-  const auto gluing = IT::one_vertex_torus();
+  const auto gluing = samples::one_vertex_torus();
   const Delta_complex input = IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides);
   // Sides 0, 1, 2 of a face close up: u, v, -u - v. Here u = (1, 0) and v = (0, 1).
   std::vector<Vector> vectors{{1, 0}, {0, 1}, {-1, -1}};
@@ -229,16 +228,22 @@ TEST(Incremental_overlay, IsTheOtherOverlayAfterEveryFlipOfGenericSurfaces)
 
 TEST(Incremental_overlay, IsTheOtherOverlayAfterEveryFlipOfSampleSurfaces)
 {
-  const std::vector<Surface> surfaces{
-    from_triangles("prism", IT::prism(40)), from_triangles("turned prism", IT::prism(15, 1)),
-    from_triangles("cap", IT::cap()), from_triangles("flat cap", IT::cap(0)),
-    from_triangles("Schwarz lantern", IT::Schwarz_lantern()), from_triangles("pillow", IT::pillow(40)),
-    from_triangles("strip", IT::strip(60, 20)), from_triangles("sheared grid", IT::sheared_grid(8, 8)),
-    from_triangles("bad torus", IT::bad_torus(14, 12)), from_triangles("sphere", IT::latitude_longitude_sphere(16, 8)),
-    from_triangles("disk with spike", IT::disk_with_spike(10, 9)),
-    from_gluing("torus", IT::one_vertex_torus(3, 4, 5)), from_gluing("torus", IT::sheared_one_vertex_torus(100)),
-    from_gluing("cone", IT::self_glued_triangle()), from_gluing("cones", IT::self_glued_sphere()),
-    from_gluing("wide cones", IT::self_glued_sphere(1, 100, 1))};
+  const std::vector<Surface> surfaces{from_triangles("prism", samples::prism(40)),
+                                      from_triangles("turned prism", samples::prism(15, 1)),
+                                      from_triangles("cap", samples::cap()),
+                                      from_triangles("flat cap", samples::cap(0)),
+                                      from_triangles("Schwarz lantern", samples::Schwarz_lantern()),
+                                      from_triangles("pillow", samples::pillow(40)),
+                                      from_triangles("strip", samples::strip(60, 20)),
+                                      from_triangles("sheared grid", samples::sheared_grid(8, 8)),
+                                      from_triangles("bad torus", samples::bad_torus(14, 12)),
+                                      from_triangles("sphere", samples::latitude_longitude_sphere(16, 8)),
+                                      from_triangles("disk with spike", samples::disk_with_spike(10, 9)),
+                                      from_gluing("torus", samples::one_vertex_torus(3, 4, 5)),
+                                      from_gluing("torus", samples::sheared_one_vertex_torus(100)),
+                                      from_gluing("cone", samples::self_glued_triangle()),
+                                      from_gluing("cones", samples::self_glued_sphere()),
+                                      from_gluing("wide cones", samples::self_glued_sphere(1, 100, 1))};
   std::size_t flips = 0;
   for (const Surface& surface : surfaces)
     flips += expect_same_after_every_flip(surface).flips;
@@ -250,9 +255,9 @@ TEST(Incremental_overlay, IsTheOtherOverlayAfterEveryFlipOfHelicalTubes)
   std::uint32_t most_crossings = 0;
   for (std::size_t n : {4, 5, 7, 12, 40})
     for (double pitch : {1., 7., 30., 200.})
-      most_crossings = std::max(
-        most_crossings,
-        expect_same_after_every_flip(from_triangles("tube", IT::helical_tube(n, pitch))).most_crossings);
+      most_crossings =
+        std::max(most_crossings,
+                 expect_same_after_every_flip(from_triangles("tube", samples::helical_tube(n, pitch))).most_crossings);
   EXPECT_GT(most_crossings, 100u);
 }
 
@@ -263,7 +268,7 @@ TEST(Incremental_overlay, IsTheOtherOverlayAfterEveryFlipOfRandomGluings)
     const std::size_t n = 1 + seed % 37;
     const bool with_boundary = n % 2 == 1 || seed % 3 == 0;
     flips += expect_same_after_every_flip(
-               from_gluing(std::to_string(seed), IT::random_gluing(n, seed, with_boundary, seed % 2 == 0)))
+               from_gluing(std::to_string(seed), samples::random_gluing(n, seed, with_boundary, seed % 2 == 0)))
                .flips;
   }
   EXPECT_GT(flips, 300u);
@@ -313,7 +318,7 @@ TEST(Incremental_overlay, IsTheOtherOverlayAfterAnyFlips)
     SCOPED_TRACE(seed);
     const bool with_boundary = seed % 3 == 0;
     const std::size_t n = with_boundary ? 1 + seed % 9 : 2 + 2 * (seed % 5);
-    const auto gluing = IT::random_gluing(n, seed, with_boundary, seed % 2 == 0);
+    const auto gluing = samples::random_gluing(n, seed, with_boundary, seed % 2 == 0);
     Both_ways both(IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides));
     std::uint32_t crossings = 0;
     flip_at_random(
@@ -372,7 +377,7 @@ TEST(Incremental_overlay, ListsWhatCrossesAnEdge)
 // The comparison is worth nothing if it cannot fail.
 TEST(Incremental_overlay, DiffersFromTheOverlayOfOtherFlips)
 {
-  const auto gluing = IT::random_gluing(8, 3);
+  const auto gluing = samples::random_gluing(8, 3);
   Both_ways both(IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides));
   const Incremental_overlay before = both.incremental;
   const Edge_index e(0);

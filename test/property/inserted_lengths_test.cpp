@@ -34,7 +34,8 @@ namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
-using Number = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<500>, boost::multiprecision::et_off>;
+using Number =
+  boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<500>, boost::multiprecision::et_off>;
 
 struct Point_2
 {
@@ -45,12 +46,14 @@ class Layout
 {
 public:
   Layout(const Triangulation& triangulation, const std::vector<std::array<double, 3>>& points)
-    : correspondence_(triangulation.exact_geometry().correspondence()), input_(correspondence_.input()), points_(points)
+    : correspondence_(IT::internal::engine(triangulation).correspondence()), input_(correspondence_.input()),
+      points_(points)
   {}
 
   // Of a path from a vertex to another one through the faces beside the input edges that it crosses, given as halfedges of the faces
   // before them. If there are none, the path lies in the face of `face`.
-  Number distance(IT::Vertex_index from, IT::Vertex_index to, const std::vector<IT::Halfedge_index>& crossed, IT::Halfedge_index face) const
+  Number distance(IT::Vertex_index from, IT::Vertex_index to, const std::vector<IT::Halfedge_index>& crossed,
+                  IT::Halfedge_index face) const
   {
     const IT::Halfedge_index first = crossed.empty() ? face : crossed[0];
     std::array<Point_2, 3> corners{Point_2{0, 0}, Point_2{length(first), 0}, Point_2{}};
@@ -59,8 +62,7 @@ public:
     IT::Halfedge_index h = first;
     for (std::size_t i = 0; i < crossed.size(); ++i) {
       // The edge, seen from the face behind it, where it runs the other way.
-      const std::size_t side = crossed[i] == h ? 0 : crossed[i] == input_.next(h) ? 1
-                                                                                  : 2;
+      const std::size_t side = crossed[i] == h ? 0 : crossed[i] == input_.next(h) ? 1 : 2;
       const Point_2 p = corners[(side + 1) % 3], q = corners[side];
       h = input_.opposite(crossed[i]);
       corners = {p, q, apex(h, p, q)};
@@ -105,7 +107,8 @@ private:
     IT::Halfedge_index g = location.halfedge;
     Point_2 result{0, 0};
     Number sum = 0;
-    for (std::size_t i = 0; i < 3; ++i, g = input_.next(g)) // by their vertices, as a point of an edge may name the other face
+    for (std::size_t i = 0; i < 3;
+         ++i, g = input_.next(g)) // by their vertices, as a point of an edge may name the other face
       if (location.coordinates[i] != 0)
         for (std::size_t j = 0; j < 3; ++j)
           if (input_.source(sides[j]) == input_.source(g)) {
@@ -116,18 +119,19 @@ private:
     return {result.x / sum, result.y / sum};
   }
 
-  const IT::Correspondence& correspondence_;
+  const IT::internal::Correspondence& correspondence_;
   const IT::Delta_complex& input_;
   const std::vector<std::array<double, 3>>& points_;
 };
 
 // Refines a surface, and compares at most so many lengths. \return the largest error, in units in the last place
-double largest_error(const IT::Indexed_triangles& surface, std::size_t number)
+double largest_error(const samples::Indexed_triangles& surface, std::size_t number)
 {
-  Triangulation triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
+  Triangulation triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles),
+                              surface.points);
   EXPECT_GT(IT::refine_Delaunay(triangulation).insertions, 0u);
   const IT::Delta_complex& complex = triangulation.connectivity();
-  const IT::Delta_complex& input = triangulation.exact_geometry().correspondence().input();
+  const IT::Delta_complex& input = triangulation.input();
   const IT::Overlay overlay(triangulation);
   const Layout layout(triangulation, surface.points);
   double largest = 0;
@@ -141,8 +145,8 @@ double largest_error(const IT::Indexed_triangles& surface, std::size_t number)
     IT::Overlay::Halfedge part = overlay.halfedge(*overlay.intrinsic_segments(e).begin());
     if (overlay.is_border(part))
       part = overlay.opposite(part);
-    const Number exact =
-      layout.distance(complex.source(h), complex.target(h), crossed, input.halfedge(overlay.input_face(overlay.face(part))));
+    const Number exact = layout.distance(complex.source(h), complex.target(h), crossed,
+                                         input.halfedge(overlay.input_face(overlay.face(part))));
     const double length = triangulation.length(e);
     const double ulp = std::nextafter(length, std::numeric_limits<double>::infinity()) - length;
     largest = std::max(largest, double(abs(Number(length) - exact) / ulp));
@@ -152,9 +156,10 @@ double largest_error(const IT::Indexed_triangles& surface, std::size_t number)
 
 TEST(Inserted_lengths, are_good_to_one_unit_in_the_last_place)
 {
-  for (const IT::Indexed_triangles& surface :
-       {IT::bad_torus(20, 20), IT::bumpy_dome(), IT::disk_with_spike(), IT::Schwarz_lantern(), IT::cap(), IT::prism(),
-        IT::pillow(60), IT::helical_tube(), IT::sheared_grid(), IT::latitude_longitude_sphere(20, 10)})
+  for (const samples::Indexed_triangles& surface :
+       {samples::bad_torus(20, 20), samples::bumpy_dome(), samples::disk_with_spike(), samples::Schwarz_lantern(),
+        samples::cap(), samples::prism(), samples::pillow(60), samples::helical_tube(), samples::sheared_grid(),
+        samples::latitude_longitude_sphere(20, 10)})
     EXPECT_LE(largest_error(surface, 500), 1);
 }
 
@@ -162,15 +167,16 @@ TEST(Inserted_lengths, of_meshes)
 {
   if (evaluation_data().empty())
     GTEST_SKIP() << "no evaluation meshes: set IDT_DATA_DIR";
-  for (const char* name : {"table1/cathead", "table1/bunnyhead", "table1/beautiful_freak", "table1/hygeia", "good/meshlab_bunny10k_2_clean",
-                           "good/thingicsg_NO_PRINT_feeder_guide_arm", "good/conff_hand", "good/rxmesh_giraffe", "good/trimesh_featuretype_2",
+  for (const char* name : {"table1/cathead", "table1/bunnyhead", "table1/beautiful_freak", "table1/hygeia",
+                           "good/meshlab_bunny10k_2_clean", "good/thingicsg_NO_PRINT_feeder_guide_arm",
+                           "good/conff_hand", "good/rxmesh_giraffe", "good/trimesh_featuretype_2",
                            "good/mepp_rgb_nefertiti_unix", "good/manifoldlib_Offset1"}) {
     SCOPED_TRACE(name);
     std::ifstream file(evaluation_data() / (std::string(name) + ".off"));
     std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
     std::vector<std::vector<std::size_t>> polygons;
     ASSERT_TRUE(CGAL::IO::read_OFF(file, points, polygons));
-    IT::Indexed_triangles surface;
+    samples::Indexed_triangles surface;
     for (const auto& p : points)
       surface.points.push_back({p.x(), p.y(), p.z()});
     for (const std::vector<std::size_t>& p : polygons)

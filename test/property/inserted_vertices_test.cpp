@@ -10,11 +10,10 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
+#include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/overlay_areas.h>
-#include <CGAL/Intrinsic_triangulations/overlay_surface_mesh.h>
-#include <CGAL/Intrinsic_triangulations/point_location.h>
+#include <CGAL/Intrinsic_triangulations/surface_mesh_adaptors.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
 #include <CGAL/Intrinsic_triangulations/transfer_matrices.h>
@@ -37,30 +36,30 @@ namespace IT = CGAL::Intrinsic_triangulations;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 using Point = std::array<double, 3>;
 
-Triangulation with_inserted_vertices(const IT::Indexed_triangles& surface, std::size_t number, unsigned largest_coordinate)
+Triangulation with_inserted_vertices(const samples::Indexed_triangles& surface, std::size_t number,
+                                     unsigned largest_coordinate)
 {
-  Triangulation triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
+  Triangulation triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles),
+                              surface.points);
   IT::flip_to_Delaunay(triangulation);
   std::mt19937 random(7);
   EXPECT_GT(IT::insert_random_vertices(triangulation, number, largest_coordinate, random), number / 5);
   return triangulation;
 }
 
-std::vector<IT::Indexed_triangles> flat_surfaces()
+std::vector<samples::Indexed_triangles> flat_surfaces()
 {
-  return {IT::sheared_grid(), IT::random_diagonal_grid(), IT::strip(200, 30)};
+  return {samples::sheared_grid(), samples::random_diagonal_grid(), samples::strip(200, 30)};
 }
 
-std::vector<IT::Indexed_triangles> curved_surfaces()
+std::vector<samples::Indexed_triangles> curved_surfaces()
 {
-  return {IT::torus(20, 12), IT::bad_torus(20, 20), IT::bumpy_dome(), IT::disk_with_spike(), IT::Schwarz_lantern(), IT::cap(),
-          IT::prism(), IT::pillow(60), IT::helical_tube()};
+  return {samples::torus(20, 12),     samples::bad_torus(20, 20), samples::bumpy_dome(),
+          samples::disk_with_spike(), samples::Schwarz_lantern(), samples::cap(),
+          samples::prism(),           samples::pillow(60),        samples::helical_tube()};
 }
 
-double distance(const Point& p, const Point& q)
-{
-  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-}
+double distance(const Point& p, const Point& q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }
 
 Point point_of(const IT::Delta_complex& complex, const std::vector<Point>& points, const IT::Surface_point& point)
 {
@@ -96,7 +95,7 @@ IT::Surface_point random_point(const IT::Delta_complex& complex, std::mt19937& r
 // In a plane, both triangulations interpolate coordinates to the same points.
 TEST(Inserted_vertices, lie_where_both_triangulations_say)
 {
-  for (const IT::Indexed_triangles& surface : flat_surfaces()) {
+  for (const samples::Indexed_triangles& surface : flat_surfaces()) {
     const Triangulation triangulation = with_inserted_vertices(surface, 500, 6);
     const IT::Common_subdivision subdivision(triangulation);
     const IT::Overlay& overlay = subdivision.overlay();
@@ -144,14 +143,15 @@ void expect_same_areas(const Triangulation& triangulation, const IT::Common_subd
   for (std::size_t f = 0; f < input.size(); ++f)
     ASSERT_NEAR(input[f], areas.input[f], 1e-12 * *std::max_element(areas.input.begin(), areas.input.end())) << f;
   for (std::size_t f = 0; f < intrinsic.size(); ++f) {
-    ASSERT_NEAR(intrinsic[f], areas.intrinsic[f], 1e-12 * *std::max_element(areas.input.begin(), areas.input.end())) << f;
+    ASSERT_NEAR(intrinsic[f], areas.intrinsic[f], 1e-12 * *std::max_element(areas.input.begin(), areas.input.end()))
+      << f;
     ASSERT_DOUBLE_EQ(areas.intrinsic[f], triangulation.area(IT::Face_index(std::uint32_t(f))));
   }
 }
 
 TEST(Inserted_vertices, divide_areas)
 {
-  for (const IT::Indexed_triangles& surface : curved_surfaces())
+  for (const samples::Indexed_triangles& surface : curved_surfaces())
     for (unsigned largest_coordinate : {3u, 1000u}) {
       const Triangulation triangulation = with_inserted_vertices(surface, 200, largest_coordinate);
       expect_same_areas(triangulation, IT::Common_subdivision(triangulation));
@@ -162,8 +162,8 @@ TEST(Inserted_vertices, divide_areas)
 TEST(Inserted_vertices, leave_points_where_they_are)
 {
   std::mt19937 random(5);
-  for (const std::vector<IT::Indexed_triangles>& surfaces : {flat_surfaces(), curved_surfaces()})
-    for (const IT::Indexed_triangles& surface : surfaces) {
+  for (const std::vector<samples::Indexed_triangles>& surfaces : {flat_surfaces(), curved_surfaces()})
+    for (const samples::Indexed_triangles& surface : surfaces) {
       const Triangulation triangulation = with_inserted_vertices(surface, 300, 4);
       const IT::Common_subdivision subdivision(triangulation);
       const IT::Point_location location(subdivision);
@@ -173,8 +173,9 @@ TEST(Inserted_vertices, leave_points_where_they_are)
       for (int i = 0; i < 2000; ++i) {
         const IT::Surface_point p = random_point(subdivision.input(), random);
         const IT::Surface_point q = location.intrinsic_to_input(location.input_to_intrinsic(p));
-        ASSERT_LE(distance(point_of(subdivision.input(), surface.points, p), point_of(subdivision.input(), surface.points, q)),
-                  1e-12 * size);
+        ASSERT_LE(
+          distance(point_of(subdivision.input(), surface.points, p), point_of(subdivision.input(), surface.points, q)),
+          1e-12 * size);
       }
       std::vector<Point> points;
       for (std::uint32_t v = 0; v < subdivision.overlay().number_of_original_vertices(); ++v)
@@ -192,25 +193,27 @@ TEST(Inserted_vertices, leave_points_where_they_are)
 
 TEST(Inserted_vertices, are_found)
 {
-  for (const std::vector<IT::Indexed_triangles>& surfaces : {flat_surfaces(), curved_surfaces()})
-    for (const IT::Indexed_triangles& surface : surfaces) {
+  for (const std::vector<samples::Indexed_triangles>& surfaces : {flat_surfaces(), curved_surfaces()})
+    for (const samples::Indexed_triangles& surface : surfaces) {
       const Triangulation triangulation = with_inserted_vertices(surface, 200, 4);
       const IT::Common_subdivision subdivision(triangulation);
       const IT::Point_location location(subdivision);
       const IT::Delta_complex& complex = subdivision.intrinsic();
-      const IT::Correspondence& correspondence = subdivision.exact_geometry().correspondence();
+      const IT::internal::Correspondence& correspondence = IT::internal::engine(subdivision).correspondence();
       for (IT::Vertex_index v : complex.vertices())
         if (correspondence.is_inserted(v)) {
           const IT::Surface_point there = location.input_to_intrinsic(correspondence.location(v));
           ASSERT_EQ(there.dimension(), 0);
           ASSERT_EQ(complex.source(there.halfedge), v);
           const IT::Surface_point back = location.intrinsic_to_input(there);
-          ASSERT_LE(distance(point_of(subdivision.input(), surface.points, back), subdivision.point(IT::Overlay::Vertex(v.idx()), surface.points)),
+          ASSERT_LE(distance(point_of(subdivision.input(), surface.points, back),
+                             subdivision.point(IT::Overlay::Vertex(v.idx()), surface.points)),
                     1e-14);
         }
       // Points on edges that leave inserted vertices lie there in the input, too, and are known to.
       for (IT::Edge_index e : complex.edges()) {
-        const IT::Halfedge_index h = complex.is_border(complex.halfedge(e)) ? complex.opposite(complex.halfedge(e)) : complex.halfedge(e);
+        const IT::Halfedge_index h =
+          complex.is_border(complex.halfedge(e)) ? complex.opposite(complex.halfedge(e)) : complex.halfedge(e);
         if (!correspondence.is_inserted(complex.source(h)) || correspondence.coordinates().number_of_crossings(e) != 0)
           continue;
         const IT::Surface_point middle = location.intrinsic_to_input({h, {0.5, 0.5, 0}});
@@ -221,8 +224,10 @@ TEST(Inserted_vertices, are_found)
 
 TEST(Inserted_vertices, are_refined_to)
 {
-  for (const IT::Indexed_triangles& surface : {IT::bad_torus(30, 30), IT::bumpy_dome(), IT::sheared_grid(), IT::prism(), IT::cap()}) {
-    Triangulation triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
+  for (const samples::Indexed_triangles& surface :
+       {samples::bad_torus(30, 30), samples::bumpy_dome(), samples::sheared_grid(), samples::prism(), samples::cap()}) {
+    Triangulation triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles),
+                                surface.points);
     EXPECT_GT(IT::refine_Delaunay(triangulation).insertions, 0u);
     const IT::Common_subdivision subdivision(triangulation);
     expect_same_areas(triangulation, subdivision);

@@ -11,12 +11,12 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Crossing_sequence.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Level_line.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_path.h>
+#include <CGAL/Intrinsic_triangulations/insert_vertex.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Level_line.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/remove_vertex.h>
-#include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <gtest/gtest.h>
@@ -36,14 +36,14 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_trait
 using Point = std::array<double, 3>;
 using Triangle = std::array<std::uint32_t, 3>;
 
-using Surface = IT::Indexed_triangles;
+using Surface = samples::Indexed_triangles;
 
 Triangulation triangulation_of(const Surface& s)
 {
   return Triangulation(IT::make_Delta_complex_from_triangles(s.points.size(), s.triangles), s.points);
 }
 
-Triangulation triangulation_of(const IT::Glued_triangles& s)
+Triangulation triangulation_of(const samples::Glued_triangles& s)
 {
   const IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(s.number_of_faces, s.glued_sides);
   std::vector<double> lengths(complex.number_of_edges());
@@ -106,7 +106,8 @@ Surface folded_strip(std::uint32_t n, double& length)
 std::size_t check_kept_crossings(const Triangulation& t)
 {
   const IT::Delta_complex& complex = t.connectivity();
-  const IT::Correspondence &correspondence = t.exact_geometry().correspondence(), copy = correspondence; // copies keep nothing
+  const IT::internal::Correspondence &correspondence = IT::internal::engine(t).correspondence(),
+                                     copy = correspondence; // copies keep nothing
   EXPECT_TRUE(copy.kept_crossings().is_empty());
   const IT::internal::Interruption none;
   std::size_t result = 0;
@@ -169,7 +170,8 @@ TEST(Long_strips, what_edges_cross_is_kept_through_flips_insertions_and_removals
 {
   std::mt19937 random(7);
   std::size_t kept = 0;
-  for (const Surface& surface : {fan_box(12, 40), fan_box(30, 30), IT::strip(60, 30), IT::Schwarz_lantern(), IT::pillow(60), IT::sheared_grid()})
+  for (const Surface& surface : {fan_box(12, 40), fan_box(30, 30), samples::strip(60, 30), samples::Schwarz_lantern(),
+                                 samples::pillow(60), samples::sheared_grid()})
     kept += check_random_changes(triangulation_of(surface), random);
   EXPECT_GT(kept, 2000u);
 }
@@ -177,8 +179,8 @@ TEST(Long_strips, what_edges_cross_is_kept_through_flips_insertions_and_removals
 TEST(Long_strips, what_edges_cross_is_kept_where_faces_are_glued_to_themselves)
 {
   std::mt19937 random(3);
-  const std::size_t kept = check_random_changes(triangulation_of(IT::helical_tube()), random) +
-                           check_random_changes(triangulation_of(IT::sheared_one_vertex_torus(20)), random);
+  const std::size_t kept = check_random_changes(triangulation_of(samples::helical_tube()), random) +
+                           check_random_changes(triangulation_of(samples::sheared_one_vertex_torus(20)), random);
   EXPECT_GT(kept, 300u);
 }
 
@@ -192,11 +194,11 @@ TEST(Long_strips, numbers_that_are_carried_keep_their_bounds)
     std::size_t long_edges = 0;
     for (IT::Edge_index e : complex.edges()) {
       const IT::Face_index f = complex.face(complex.halfedge(e));
-      const CGAL::Interval_nt<> length = t.exact_geometry().length_interval(complex, e), squared = square(length);
+      const CGAL::Interval_nt<> length = IT::internal::engine(t).length_interval(e), squared = square(length);
       const double error = t.face_data(f).error, stored = t.squared_length(e);
       ASSERT_LE(squared.inf(), stored + error);
       ASSERT_GE(squared.sup(), stored - error);
-      long_edges += t.exact_geometry().correspondence().coordinates().number_of_crossings(e) > 20 ? 1 : 0;
+      long_edges += t.number_of_crossings(e) > 20 ? 1 : 0;
     }
     ASSERT_GT(long_edges, 20u);
     for (IT::Face_index f : complex.faces())
@@ -204,9 +206,7 @@ TEST(Long_strips, numbers_that_are_carried_keep_their_bounds)
     ASSERT_TRUE(IT::verify_Delaunay(t).is_Delaunay());
   };
   check();
-  IT::Refinement_criteria criteria;
-  criteria.minimum_angle = 25;
-  EXPECT_EQ(IT::refine_Delaunay(t, criteria).status, IT::Refinement_status::REFINED);
+  EXPECT_EQ(IT::refine_Delaunay(t, CGAL::parameters::minimum_angle(25)).status, IT::Refinement_status::REFINED);
   EXPECT_GT(t.connectivity().number_of_vertices(), 200u);
   check();
 }
@@ -244,7 +244,7 @@ TEST(Long_strips, all_angles_at_a_vertex_are_not_taken_for_none)
     for (const auto& [from, to] : {std::pair(1u, 2u), std::pair(0u, 1u), std::pair(0u, 2u)})
       ASSERT_EQ(t.flip(edge(from, to)), Triangulation::Flip_outcome::FLIPPED);
     for (std::uint32_t to : {3u, 4u})
-      EXPECT_EQ(t.exact_geometry().is_convex(t.connectivity(), edge(0, to)), height < 0) << height << ' ' << to;
+      EXPECT_EQ(IT::internal::engine(t).is_convex(edge(0, to)), height < 0) << height << ' ' << to;
   }
 }
 
@@ -256,7 +256,7 @@ bool is_proven_to_be_straight(const Surface& surface)
   for (IT::Halfedge_index h : complex.halfedges())
     if (complex.source(h).idx() == 2 && complex.target(h).idx() % 2 == 0)
       (complex.is_border(h) ? left : right) = h;
-  const auto& geometry = t.exact_geometry();
+  const auto& geometry = IT::internal::engine(t);
   const auto input = geometry.input_surface();
   return IT::internal::Level_line(complex, geometry.correspondence(), *input)(right, left);
 }

@@ -12,10 +12,10 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Residues.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Exact_fallback.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Mirror_symmetry.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_fallback.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Mirror_symmetry.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 
 #include <gtest/gtest.h>
 
@@ -36,20 +36,20 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_trait
 
 bool is_symmetric(const Triangulation& t, IT::Edge_index e)
 {
-  const IT::Exact_geometry& geometry = t.exact_geometry();
-  const auto surface = geometry.input_surface();
-  return Mirror_symmetry(t.connectivity(), geometry.correspondence(), *surface)(e);
+  const IT::internal::Exact_engine& engine = IT::internal::engine(t);
+  const auto surface = engine.input_surface();
+  return Mirror_symmetry(t.connectivity(), engine.correspondence(), *surface)(e);
 }
 
 bool is_zero_in_finite_fields(const Triangulation& t, IT::Edge_index e)
 {
-  const IT::Exact_geometry& geometry = t.exact_geometry();
-  const auto lease = geometry.input_surface();
+  const IT::internal::Exact_engine& engine = IT::internal::engine(t);
+  const auto lease = engine.input_surface();
   Input_surface& surface = *lease;
   Residue_rings rings(random_prime_fields(e.idx()), surface.interruption());
   Residue_metric metric(surface, {rings});
   const auto c =
-    unfolded_corners(IT::Unfolding<Residue_metric>(t.connectivity(), geometry.correspondence(), metric),
+    unfolded_corners(IT::internal::Unfolding<Residue_metric>(t.connectivity(), engine.correspondence(), metric),
                      corners_beside(t.connectivity(), e));
   const bool is_zero = (c.k.p * c.l.four_areas + c.l.p * c.k.four_areas).is_zero();
   EXPECT_TRUE(rings.is_defined());
@@ -133,8 +133,7 @@ TEST(Mirror_symmetry, is_lost_with_any_length_that_matters)
       ASSERT_NE(e, IT::Edge_index());
       const bool is_found = is_symmetric(t, e), is_tie = is_zero_in_finite_fields(t, e);
       EXPECT_TRUE(is_tie || !is_found) << "input edge " << i;
-      ++(is_found ? kept : is_tie ? turned
-                                  : lost);
+      ++(is_found ? kept : is_tie ? turned : lost);
     }
     EXPECT_EQ(turned, 2);
     EXPECT_EQ(kept, 1); // the fold in the middle, which belongs to both halves
@@ -167,7 +166,7 @@ TEST(Mirror_symmetry, agrees_with_finite_fields_where_lengths_coincide)
   Counts counts;
   for (std::uint64_t seed = 0; seed < 4000 && !HasFailure(); ++seed) {
     SCOPED_TRACE(seed);
-    const IT::Glued_triangles gluing = IT::random_gluing(2 + 2 * (seed % 5), seed, seed % 3 == 0);
+    const samples::Glued_triangles gluing = samples::random_gluing(2 + 2 * (seed % 5), seed, seed % 3 == 0);
     IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides);
     std::vector<Rational> squared_lengths(complex.number_of_edges());
     for (Rational& s : squared_lengths)

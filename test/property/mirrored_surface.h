@@ -19,13 +19,11 @@
 
 namespace mirrored_surface {
 
-namespace IT = CGAL::Intrinsic_triangulations;
-
 // Clips triangles against the plane x = 0 after a translation, and keeps what is on the positive side.
 class Clipper
 {
 public:
-  Clipper(const IT::Indexed_triangles& surface, std::size_t axis, double offset)
+  Clipper(const samples::Indexed_triangles& surface, std::size_t axis, double offset)
   {
     for (const auto& p : surface.points)
       points_.push_back({p[axis] - offset, p[(axis + 1) % 3], p[(axis + 2) % 3]});
@@ -34,10 +32,10 @@ public:
   }
 
   // The mirror image is welded to the half where both meet the plane.
-  IT::Indexed_triangles mirrored() const
+  samples::Indexed_triangles mirrored() const
   {
     constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
-    IT::Indexed_triangles result;
+    samples::Indexed_triangles result;
     std::vector<std::array<std::uint32_t, 2>> number(points_.size(), {none, none});
     const auto vertex = [&](std::size_t v, std::size_t side) {
       std::uint32_t& n = number[v][points_[v][0] == 0 ? 0 : side];
@@ -94,7 +92,7 @@ private:
 };
 
 // Cuts across an axis, at the median of the coordinates.
-inline IT::Indexed_triangles mirrored(const IT::Indexed_triangles& surface, std::size_t axis)
+inline samples::Indexed_triangles mirrored(const samples::Indexed_triangles& surface, std::size_t axis)
 {
   std::vector<double> x;
   for (const auto& p : surface.points)

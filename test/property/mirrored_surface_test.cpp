@@ -48,7 +48,7 @@ void flip_at_random(Triangulation& t, std::size_t number)
   }
 }
 
-void check(const IT::Indexed_triangles& surface, std::size_t flips_before, Counts& counts)
+void check(const samples::Indexed_triangles& surface, std::size_t flips_before, Counts& counts)
 {
   Triangulation t(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
   flip_at_random(t, flips_before);
@@ -61,10 +61,10 @@ void check(const IT::Indexed_triangles& surface, std::size_t flips_before, Count
 }
 
 // The surface, cut and mirrored across each axis, as far as that makes a manifold.
-void check_mirrored(const IT::Indexed_triangles& surface, Counts& counts)
+void check_mirrored(const samples::Indexed_triangles& surface, Counts& counts)
 {
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    const IT::Indexed_triangles mirrored = mirrored_surface::mirrored(surface, axis);
+    const samples::Indexed_triangles mirrored = mirrored_surface::mirrored(surface, axis);
     try {
       check(mirrored, 0, counts);
     } catch (const IT::Invalid_surface_error&) {
@@ -79,16 +79,16 @@ TEST(Mirrored_surface, ties_of_samples_are_decided)
   Counts counts;
   for (const char* name : {"bumpy-sphere", "bumpy-dome", "bad-torus", "latitude-longitude-sphere", "disk-with-spike"}) {
     SCOPED_TRACE(name);
-    check_mirrored(std::get<IT::Indexed_triangles>(IT::make_sample(name)), counts);
+    check_mirrored(std::get<samples::Indexed_triangles>(samples::make_sample(name)), counts);
   }
   EXPECT_GE(counts.surfaces, 20u);
   EXPECT_GT(counts.ties, 20u);
   EXPECT_GT(counts.by_symmetry, 20u);
 }
 
-IT::Indexed_triangles read(const std::filesystem::path& path)
+samples::Indexed_triangles read(const std::filesystem::path& path)
 {
-  IT::Indexed_triangles surface;
+  samples::Indexed_triangles surface;
   std::ifstream file(path);
   std::string word;
   std::size_t vertices = 0, faces = 0, edges = 0, corners = 0;
@@ -111,8 +111,9 @@ TEST(Mirrored_surface, ties_of_evaluation_meshes_are_decided)
   if (evaluation_data().empty())
     GTEST_SKIP() << "no evaluation meshes: set IDT_DATA_DIR";
   Counts counts;
-  for (const char* name : {"cgal_bull", "oded_spot", "oded_fish", "psb_65", "psb_85", "psb_95", "psb_130", "psb_175",
-                           "psb_210", "psb_240", "cgal_handle", "cgal_oblong", "cgal_pipe", "cgal_rotor", "gc_bob_small",
+  for (const char* name : {"cgal_bull",   "oded_spot",   "oded_fish",     "psb_65",     "psb_85",
+                           "psb_95",      "psb_130",     "psb_175",       "psb_210",    "psb_240",
+                           "cgal_handle", "cgal_oblong", "cgal_pipe",     "cgal_rotor", "gc_bob_small",
                            "molli_43394", "molli_71709", "optcuts_duck1", "segm_sword", "oded_cow_low_resolution"}) {
     SCOPED_TRACE(name);
     check_mirrored(read(evaluation_data() / "good" / (std::string(name) + ".off")), counts);

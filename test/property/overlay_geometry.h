@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 
 #include <gtest/gtest.h>
@@ -158,8 +157,7 @@ private:
       Overlay::Halfedge h = first;
       do {
         in_input.push_back(input_.point(overlay_.input_side(h), positions_.on_input_side(overlay_, h)));
-        in_intrinsic.push_back(
-          intrinsic_.point(overlay_.intrinsic_side(h), positions_.on_intrinsic_side(overlay_, h)));
+        in_intrinsic.push_back(intrinsic_.point(overlay_.intrinsic_side(h), positions_.on_intrinsic_side(overlay_, h)));
         h = overlay_.next(h);
       } while (h != first);
       const Face_index o = overlay_.input_face(f), c = overlay_.intrinsic_face(f);
@@ -199,8 +197,8 @@ private:
   {
     for (std::size_t i = 0; i < p.size(); ++i)
       for (std::size_t j = i + 1; j < p.size(); ++j)
-        ASSERT_NEAR(std::hypot(p[i][0] - p[j][0], p[i][1] - p[j][1]),
-                    std::hypot(q[i][0] - q[j][0], q[i][1] - q[j][1]), tolerance * size);
+        ASSERT_NEAR(std::hypot(p[i][0] - p[j][0], p[i][1] - p[j][1]), std::hypot(q[i][0] - q[j][0], q[i][1] - q[j][1]),
+                    tolerance * size);
   }
 
   static void check_areas(const Faces_in_plane& faces, const std::vector<double>& areas)
@@ -220,8 +218,7 @@ private:
       double sum = 0, size = intrinsic_.length(e);
       for (Overlay::Segment s : overlay_.intrinsic_segments(e)) {
         const Overlay::Vertex v = overlay_.source(overlay_.halfedge(s)), w = overlay_.target(overlay_.halfedge(s));
-        const Point_3 p = subdivision_.point(v, points_),
-                      q = subdivision_.point(w, points_);
+        const Point_3 p = subdivision_.point(v, points_), q = subdivision_.point(w, points_);
         sum += std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
         if (overlay_.is_crossing(v))
           for (Halfedge_index h : ends_at_crossing(v))
@@ -255,17 +252,16 @@ inline Overlay_numbers check_overlay(Triangulation t, const std::vector<Point_3>
   return check.numbers();
 }
 
-inline Overlay_numbers check_overlay(const IT::Indexed_triangles& surface)
+inline Overlay_numbers check_overlay(const samples::Indexed_triangles& surface)
 {
   return check_overlay(
     Triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points),
     surface.points);
 }
 
-inline Overlay_numbers check_overlay(const IT::Glued_triangles& surface)
+inline Overlay_numbers check_overlay(const samples::Glued_triangles& surface)
 {
-  const Delta_complex complex =
-    IT::make_Delta_complex_from_gluing(surface.number_of_faces, surface.glued_sides);
+  const Delta_complex complex = IT::make_Delta_complex_from_gluing(surface.number_of_faces, surface.glued_sides);
   return check_overlay(Triangulation::from_lengths(complex, test_surfaces::edge_lengths(surface, complex)), {});
 }
 

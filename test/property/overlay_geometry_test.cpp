@@ -28,13 +28,13 @@ namespace IT = CGAL::Intrinsic_triangulations;
 using overlay_geometry::check_overlay;
 using overlay_geometry::Overlay_numbers;
 
-IT::Indexed_triangles read_off(const std::filesystem::path& path)
+samples::Indexed_triangles read_off(const std::filesystem::path& path)
 {
   std::ifstream file(path);
   std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
   std::vector<std::vector<std::size_t>> polygons;
   EXPECT_TRUE(CGAL::IO::read_OFF(file, points, polygons)) << path;
-  IT::Indexed_triangles surface;
+  samples::Indexed_triangles surface;
   for (const auto& p : points)
     surface.points.push_back({p.x(), p.y(), p.z()});
   for (const std::vector<std::size_t>& p : polygons)
@@ -94,7 +94,7 @@ TEST(Overlay_geometry, OfPrisms)
   for (std::size_t n : {3, 4, 5, 12, 31, 80, 240, 960})
     for (std::uint64_t seed : {0, 1}) {
       SCOPED_TRACE(n);
-      check_overlay(IT::prism(n, seed));
+      check_overlay(samples::prism(n, seed));
     }
 }
 
@@ -103,9 +103,9 @@ TEST(Overlay_geometry, OfCaps)
   for (std::uint64_t seed : {0, 1}) {
     for (int k = 1; k <= 17; ++k) {
       SCOPED_TRACE(k);
-      check_overlay(IT::cap(std::pow(10., -k), seed));
+      check_overlay(samples::cap(std::pow(10., -k), seed));
     }
-    check_overlay(IT::cap(0, seed));
+    check_overlay(samples::cap(0, seed));
   }
 }
 
@@ -114,7 +114,7 @@ TEST(Overlay_geometry, OfSliverSheets)
   for (double x : {1e-3, 1e-6, 1e-9, 1e-12})
     for (double z : {0., 1e-3, 1e-9, 1e-12}) {
       SCOPED_TRACE(std::to_string(std::log10(x)) + " " + std::to_string(std::log10(z)));
-      check_overlay(IT::sliver_sheet(14, x, z));
+      check_overlay(samples::sliver_sheet(14, x, z));
     }
 }
 
@@ -123,33 +123,33 @@ TEST(Overlay_geometry, OfHelicalTubes)
   for (double pitch : {1e-3, 1., 30., 1e3, 1e5, 1e7})
     for (std::size_t n : {4, 5, 60}) {
       SCOPED_TRACE(std::to_string(n) + " " + std::to_string(pitch));
-      check_overlay(IT::helical_tube(n, pitch));
+      check_overlay(samples::helical_tube(n, pitch));
     }
 }
 
 TEST(Overlay_geometry, OfGridsOfTies)
 {
   for (std::uint64_t seed : {0, 1, 2})
-    check_overlay(IT::random_diagonal_grid(20, 20, seed + 1, seed));
+    check_overlay(samples::random_diagonal_grid(20, 20, seed + 1, seed));
   for (double shear : {1., 5., 7.7, 100.})
-    check_overlay(IT::sheared_grid(10, 10, shear));
-  check_overlay(IT::strip(500, 60));
-  check_overlay(IT::strip(100, 40, 1e-5));
-  check_overlay(IT::pillow(100));
+    check_overlay(samples::sheared_grid(10, 10, shear));
+  check_overlay(samples::strip(500, 60));
+  check_overlay(samples::strip(100, 40, 1e-5));
+  check_overlay(samples::pillow(100));
 }
 
 TEST(Overlay_geometry, OfRoundSurfaces)
 {
   for (std::size_t rows : {1, 4, 16, 64, 256}) {
     SCOPED_TRACE(rows);
-    check_overlay(IT::Schwarz_lantern(16, rows));
+    check_overlay(samples::Schwarz_lantern(16, rows));
   }
-  check_overlay(IT::latitude_longitude_sphere(3, 2));
-  check_overlay(IT::latitude_longitude_sphere());
-  check_overlay(IT::torus());
-  check_overlay(IT::bad_torus(60, 60));
-  check_overlay(IT::bumpy_sphere());
-  check_overlay(IT::disk_with_spike());
+  check_overlay(samples::latitude_longitude_sphere(3, 2));
+  check_overlay(samples::latitude_longitude_sphere());
+  check_overlay(samples::torus());
+  check_overlay(samples::bad_torus(60, 60));
+  check_overlay(samples::bumpy_sphere());
+  check_overlay(samples::disk_with_spike());
 }
 
 TEST(Overlay_geometry, OfGluings)
@@ -157,12 +157,12 @@ TEST(Overlay_geometry, OfGluings)
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     SCOPED_TRACE(seed);
     const std::size_t n = 1 + seed % 41;
-    check_overlay(IT::random_gluing(n, seed, n % 2 == 1 || seed % 3 == 0, seed % 2 == 0));
+    check_overlay(samples::random_gluing(n, seed, n % 2 == 1 || seed % 3 == 0, seed % 2 == 0));
   }
-  check_overlay(IT::one_vertex_torus());
-  check_overlay(IT::self_glued_triangle());
-  check_overlay(IT::self_glued_sphere());
-  check_overlay(IT::self_glued_sphere(1, 1e4, 1));
+  check_overlay(samples::one_vertex_torus());
+  check_overlay(samples::self_glued_triangle());
+  check_overlay(samples::self_glued_sphere());
+  check_overlay(samples::self_glued_sphere(1, 1e4, 1));
   for (double shear : {10., 123.456, 1000.})
-    check_overlay(IT::sheared_one_vertex_torus(shear));
+    check_overlay(samples::sheared_one_vertex_torus(shear));
 }

@@ -5,13 +5,13 @@
 // be read back from it.
 
 #include "insert_random_vertices.h"
+#include "overlay_triangulations.h"
 #include "property/flip_test_surfaces.h"
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Crossing_sequence.h>
-#include <CGAL/Intrinsic_triangulations/overlay_triangulations.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,6 @@
 namespace {
 
 using namespace test_surfaces;
-using IT::Correspondence;
 using IT::Delta_complex;
 using IT::Edge_index;
 using IT::Face_index;
@@ -34,14 +33,15 @@ using IT::Halfedge_index;
 using IT::Overlay;
 using IT::Segment_label;
 using IT::Vertex_index;
+using IT::internal::Correspondence;
 
 // What is asserted of an overlay; the first failure ends it.
 class Overlay_check
 {
 public:
-  Overlay_check(const Delta_complex& intrinsic, const Correspondence& correspondence)
-    : intrinsic_(intrinsic), input_(correspondence.input()), correspondence_(correspondence), coordinates_(correspondence.coordinates()),
-      overlay_(intrinsic, correspondence)
+  Overlay_check(const Delta_complex& intrinsic, const IT::internal::Correspondence& correspondence)
+    : intrinsic_(intrinsic), input_(correspondence.input()), correspondence_(correspondence),
+      coordinates_(correspondence.coordinates()), overlay_(intrinsic, correspondence)
   {}
 
   const Overlay& overlay() const { return overlay_; }
@@ -132,7 +132,8 @@ private:
       ASSERT_EQ(overlay_.face(overlay_.halfedge(f)), f);
     }
     ASSERT_EQ(number_of_faces, overlay_.number_of_faces());
-    ASSERT_EQ(std::int64_t(overlay_.number_of_vertices()) - std::int64_t(overlay_.number_of_segments()) + number_of_faces,
+    ASSERT_EQ(std::int64_t(overlay_.number_of_vertices()) - std::int64_t(overlay_.number_of_segments()) +
+                number_of_faces,
               std::int64_t(input_.number_of_vertices()) - std::int64_t(input_.number_of_edges()) +
                 std::int64_t(input_.number_of_faces()));
   }
@@ -157,7 +158,8 @@ private:
       ASSERT_EQ(overlay_.input_halfedge(parts[1]), input_.opposite(input));
       ASSERT_EQ(overlay_.input_halfedge(parts[3]), input);
       ASSERT_EQ(input_.edge(input), overlay_.input_edge(x));
-      ASSERT_EQ(*(overlay_.intrinsic_crossings(overlay_.intrinsic_edge(x)).begin() + overlay_.intrinsic_position(x)), x);
+      ASSERT_EQ(*(overlay_.intrinsic_crossings(overlay_.intrinsic_edge(x)).begin() + overlay_.intrinsic_position(x)),
+                x);
       ASSERT_EQ(overlay_.input_crossing(overlay_.input_edge(x), overlay_.input_position(x)), x);
     }
   }
@@ -175,8 +177,7 @@ private:
       for (Overlay::Segment s : overlay_.intrinsic_segments(e)) {
         const Part part = overlay_.halfedge(s);
         ASSERT_EQ(overlay_.intrinsic_halfedge(part), h);
-        ASSERT_EQ(overlay_.source(part).idx(),
-                  x == passed.begin() ? intrinsic_.source(h).idx() : (*(x - 1)).idx());
+        ASSERT_EQ(overlay_.source(part).idx(), x == passed.begin() ? intrinsic_.source(h).idx() : (*(x - 1)).idx());
         ASSERT_EQ(overlay_.target(part).idx(), x == passed.end() ? intrinsic_.target(h).idx() : (*x).idx());
         if (x != passed.end())
           ++x;
@@ -252,8 +253,8 @@ private:
 
   const Delta_complex& intrinsic_;
   const Delta_complex& input_;
-  const IT::Correspondence& correspondence_;
-  const IT::Normal_coordinates& coordinates_;
+  const IT::internal::Correspondence& correspondence_;
+  const IT::internal::Normal_coordinates& coordinates_;
   Overlay overlay_;
 };
 
@@ -263,7 +264,7 @@ std::size_t check_Delaunay_overlay(const Surface& surface)
   SCOPED_TRACE(surface.name);
   auto t = triangulation<IT::Filtered_edge_length_traits>(surface);
   IT::flip_to_Delaunay(t);
-  const Overlay_check check(t.connectivity(), t.exact_geometry().correspondence());
+  const Overlay_check check(t.connectivity(), IT::internal::engine(t).correspondence());
   check.run();
   return check.overlay().number_of_crossings();
 }
@@ -281,28 +282,29 @@ TEST(Overlay_graph, OfGenericSurfaces)
 
 TEST(Overlay_graph, OfSampleSurfaces)
 {
-  for (const IT::Sample& sample : IT::sample_names()) {
-    const auto surface = IT::make_sample(sample.name);
-    if (std::holds_alternative<IT::Indexed_triangles>(surface))
-      check_Delaunay_overlay(from_triangles(sample.name, std::get<IT::Indexed_triangles>(surface)));
+  for (const samples::Sample& sample : samples::sample_names()) {
+    const auto surface = samples::make_sample(sample.name);
+    if (std::holds_alternative<samples::Indexed_triangles>(surface))
+      check_Delaunay_overlay(from_triangles(sample.name, std::get<samples::Indexed_triangles>(surface)));
     else
-      check_Delaunay_overlay(from_gluing(sample.name, std::get<IT::Glued_triangles>(surface)));
+      check_Delaunay_overlay(from_gluing(sample.name, std::get<samples::Glued_triangles>(surface)));
   }
 }
 
 TEST(Overlay_graph, of_inserted_vertices)
 {
   std::mt19937 random(1);
-  for (const IT::Sample& sample : IT::sample_names()) {
+  for (const samples::Sample& sample : samples::sample_names()) {
     SCOPED_TRACE(sample.name);
-    const auto surface = IT::make_sample(sample.name);
-    if (!std::holds_alternative<IT::Indexed_triangles>(surface))
+    const auto surface = samples::make_sample(sample.name);
+    if (!std::holds_alternative<samples::Indexed_triangles>(surface))
       continue;
-    auto t = triangulation<IT::Filtered_edge_length_traits>(from_triangles(sample.name, std::get<IT::Indexed_triangles>(surface)));
+    auto t = triangulation<IT::Filtered_edge_length_traits>(
+      from_triangles(sample.name, std::get<samples::Indexed_triangles>(surface)));
     IT::flip_to_Delaunay(t);
     for (unsigned largest_coordinate : {2u, 1000u}) {
       EXPECT_GT(IT::insert_random_vertices(t, 200, largest_coordinate, random), 10u);
-      const Overlay_check check(t.connectivity(), t.exact_geometry().correspondence());
+      const Overlay_check check(t.connectivity(), IT::internal::engine(t).correspondence());
       check.run();
     }
   }
@@ -310,10 +312,10 @@ TEST(Overlay_graph, of_inserted_vertices)
 
 TEST(Overlay_graph, OfUnflippedAndIsolated)
 {
-  IT::Indexed_triangles triangles = IT::prism(5);
+  samples::Indexed_triangles triangles = samples::prism(5);
   triangles.points.push_back({9, 9, 9});
   const auto t = triangulation<IT::Filtered_edge_length_traits>(from_triangles("prism", triangles));
-  const Overlay_check check(t.connectivity(), t.exact_geometry().correspondence());
+  const Overlay_check check(t.connectivity(), IT::internal::engine(t).correspondence());
   check.run();
   EXPECT_EQ(check.overlay().number_of_crossings(), 0u);
   EXPECT_EQ(check.overlay().number_of_segments(), t.connectivity().number_of_edges());
@@ -328,9 +330,9 @@ TEST(Overlay_graph, OfRandomGluingsAfterAnyFlips)
     SCOPED_TRACE(seed);
     const bool with_boundary = seed % 3 == 0;
     const std::size_t n = with_boundary ? 1 + seed % 13 : 2 + 2 * (seed % 7);
-    const auto gluing = IT::random_gluing(n, seed, with_boundary, seed % 2 == 0);
+    const auto gluing = samples::random_gluing(n, seed, with_boundary, seed % 2 == 0);
     Delta_complex complex = IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides);
-    Correspondence correspondence;
+    IT::internal::Correspondence correspondence;
     if (seed % 4 < 2) // before the flips or after them
       correspondence.prepare(complex);
     std::mt19937 random(seed);

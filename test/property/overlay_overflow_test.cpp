@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 
 #include <gtest/gtest.h>
 
@@ -32,10 +32,12 @@ using Vector = std::array<std::int64_t, 2>;
 // The one-vertex torus of the lattice of u and v, with the edges u, v and u + v: exactly.
 Triangulation torus(const Vector& u, const Vector& v)
 {
-  const auto gluing = IT::one_vertex_torus();
+  const auto gluing = samples::one_vertex_torus();
   const auto squared_length = [](std::int64_t x, std::int64_t y) { return Rational(x) * x + Rational(y) * y; };
   return Triangulation::from_metric(
-    IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides), IT::metric_from_squared_lengths({squared_length(u[0], u[1]), squared_length(v[0], v[1]), squared_length(u[0] + v[0], u[1] + v[1])}));
+    IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides),
+    IT::metric_from_squared_lengths(
+      {squared_length(u[0], u[1]), squared_length(v[0], v[1]), squared_length(u[0] + v[0], u[1] + v[1])}));
 }
 
 // Follows the edges of that torus in the basis (u, v), by which it is known what they cross.
@@ -75,7 +77,7 @@ struct Grown_torus
 {
   explicit Grown_torus(std::int64_t number)
   {
-    const auto gluing = IT::one_vertex_torus();
+    const auto gluing = samples::one_vertex_torus();
     complex = IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides);
     correspondence.prepare(complex);
     while (edges.crossings(last) <= number)
@@ -98,7 +100,7 @@ struct Grown_torus
   }
 
   IT::Delta_complex complex;
-  IT::Correspondence correspondence;
+  IT::internal::Correspondence correspondence;
   Torus_edges edges;
   Edge_index last{2};
 };
@@ -129,7 +131,7 @@ TEST(Overlay_overflow, NotesThatLeadBeyondTheLastCountAreAnError)
 {
   Grown_torus torus(0);
   IT::Delta_complex complex = torus.complex;
-  IT::Correspondence correspondence;
+  IT::internal::Correspondence correspondence;
   for (unsigned i = 0; i < 130; ++i) {
     const Edge_index e(i % 3);
     correspondence.flip(complex, e);
@@ -195,7 +197,7 @@ TEST(Overlay_overflow, AShearOfATrillionNeedsMoreFlipsThanAllowed)
   std::vector<double> lengths{t.length(Edge_index(1)), t.length(Edge_index(2))};
   std::sort(lengths.begin(), lengths.end());
   EXPECT_EQ(lengths, (std::vector<double>{double(shear - budget), double(shear - budget + 1)}));
-  const auto& coordinates = t.exact_geometry().correspondence().coordinates();
+  const auto& coordinates = IT::internal::engine(t).correspondence().coordinates();
   // -budget u + v and (1 - budget) u + v
   EXPECT_EQ(std::max(coordinates.crossings(Edge_index(1)), coordinates.crossings(Edge_index(2))), 2 * budget - 1);
   EXPECT_EQ(std::min(coordinates.crossings(Edge_index(1)), coordinates.crossings(Edge_index(2))), 2 * budget - 3);

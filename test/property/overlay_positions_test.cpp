@@ -6,14 +6,14 @@
 
 #include "samples/sample_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/Crossing_locator.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 
 #include <gtest/gtest.h>
 
@@ -30,13 +30,13 @@ namespace {
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 using Rational = IT::Rational;
 
-IT::Delta_complex complex_of(const IT::Indexed_triangles& surface)
+IT::Delta_complex complex_of(const samples::Indexed_triangles& surface)
 {
   return IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
 }
 
 // Knows no points, so that positions come from bounded double-doubles and MPFR.
-Triangulation from_squared_lengths(const IT::Indexed_triangles& surface)
+Triangulation from_squared_lengths(const samples::Indexed_triangles& surface)
 {
   const IT::Delta_complex complex = complex_of(surface);
   std::vector<Rational> squared_lengths;
@@ -51,30 +51,30 @@ Triangulation from_squared_lengths(const IT::Indexed_triangles& surface)
   return Triangulation::from_metric(complex, IT::metric_from_squared_lengths(squared_lengths));
 }
 
-Triangulation triangulated(const IT::Indexed_triangles& surface)
+Triangulation triangulated(const samples::Indexed_triangles& surface)
 {
   Triangulation t(complex_of(surface), surface.points);
   IT::flip_to_Delaunay(t);
   return t;
 }
 
-std::vector<std::pair<std::string, IT::Indexed_triangles>> surfaces()
+std::vector<std::pair<std::string, samples::Indexed_triangles>> surfaces()
 {
-  std::vector<std::pair<std::string, IT::Indexed_triangles>> result{
-    {"prism", IT::prism(60)},
-    {"rotated prism", IT::prism(60, 1)},
-    {"bad torus", IT::bad_torus(30, 30)},
-    {"helical tube", IT::helical_tube()},
-    {"sheared grid", IT::sheared_grid(10, 10, 7)},
-    {"cap", IT::cap(1e-6)},
-    {"sliver sheet", IT::sliver_sheet(12, 1e-4, 1e-4)},
-    {"bumpy sphere", IT::bumpy_sphere(40, 21)}};
+  std::vector<std::pair<std::string, samples::Indexed_triangles>> result{
+    {"prism", samples::prism(60)},
+    {"rotated prism", samples::prism(60, 1)},
+    {"bad torus", samples::bad_torus(30, 30)},
+    {"helical tube", samples::helical_tube()},
+    {"sheared grid", samples::sheared_grid(10, 10, 7)},
+    {"cap", samples::cap(1e-6)},
+    {"sliver sheet", samples::sliver_sheet(12, 1e-4, 1e-4)},
+    {"bumpy sphere", samples::bumpy_sphere(40, 21)}};
   // Planes that are parallel to no axis; sums and differences of small integers are exact.
-  IT::Indexed_triangles tilted = IT::sheared_grid(10, 10, 7);
+  samples::Indexed_triangles tilted = samples::sheared_grid(10, 10, 7);
   for (auto& p : tilted.points)
     p = {p[0] + p[1], p[0] - p[1], 3 * p[1] - 2 * p[0]};
   result.emplace_back("tilted grid", tilted);
-  IT::Indexed_triangles tiny = result[2].second; // squared lengths still are no trouble
+  samples::Indexed_triangles tiny = result[2].second; // squared lengths still are no trouble
   for (auto& p : tiny.points)
     for (double& x : p)
       x = std::ldexp(x + 3, -300);
@@ -95,8 +95,7 @@ TEST(Overlay_positions, agree_with_those_from_exact_squared_lengths)
     const IT::Overlay overlay(a), same(b);
     ASSERT_GT(overlay.number_of_crossings(), 0u);
     ASSERT_EQ(overlay.number_of_crossings(), same.number_of_crossings());
-    const IT::Overlay_positions positions(a.connectivity(), a.exact_geometry(), overlay),
-      expected(b.connectivity(), b.exact_geometry(), same);
+    const IT::Overlay_positions positions(IT::internal::engine(a), overlay), expected(IT::internal::engine(b), same);
     for (IT::Overlay::Vertex x : overlay.crossings()) {
       const double t = expected.on_intrinsic_edge(x), u = expected.on_input_edge(x);
       EXPECT_NEAR(positions.on_intrinsic_edge(x), t, 0x1p-51 * t) << x;
@@ -123,7 +122,7 @@ template <class Frame>
 void expect_most_positions_known(const Triangulation& t)
 {
   const IT::Overlay overlay(t);
-  const IT::Delta_complex& input = t.exact_geometry().correspondence().input();
+  const IT::Delta_complex& input = t.input();
   std::size_t asked = 0, known = 0;
   for (IT::Edge_index e : t.connectivity().edges()) {
     if (overlay.intrinsic_crossings(e).empty())
@@ -131,7 +130,7 @@ void expect_most_positions_known(const Triangulation& t)
     IT::internal::Crossed_edges crossed(input);
     IT::internal::find_crossed_edges(overlay, input, overlay.intrinsic_crossings(e), crossed);
     ++asked;
-    known += is_known<Frame>(input, t.exact_geometry().metric().points(), crossed);
+    known += is_known<Frame>(input, IT::internal::engine(t).metric().points(), crossed);
   }
   EXPECT_GT(asked, 50u);
   EXPECT_GT(known, 0.99 * double(asked));
@@ -139,20 +138,20 @@ void expect_most_positions_known(const Triangulation& t)
 
 TEST(Space_frame, knows_most_positions)
 {
-  expect_most_positions_known<IT::internal::Space_frame>(triangulated(IT::bad_torus(60, 60)));
+  expect_most_positions_known<IT::internal::Space_frame>(triangulated(samples::bad_torus(60, 60)));
 }
 
 // The caps of a prism are flat, and its sides need no flip.
 TEST(Plane_frame, knows_most_positions)
 {
-  expect_most_positions_known<IT::internal::Plane_frame>(triangulated(IT::prism(120)));
+  expect_most_positions_known<IT::internal::Plane_frame>(triangulated(samples::prism(120)));
 }
 
 // In a strip of zero area there is no position that could be called good.
 template <class Frame>
 void expect_nothing_without_area()
 {
-  const IT::Indexed_triangles flat{{{0, 0, 0}, {4, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}, {1, 0, 3}}};
+  const samples::Indexed_triangles flat{{{0, 0, 0}, {4, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}, {1, 0, 3}}};
   const IT::Delta_complex input = complex_of(flat);
   const IT::internal::Points points(flat.points.begin(), flat.points.end());
   for (IT::Halfedge_index h : input.halfedges())
@@ -163,15 +162,9 @@ void expect_nothing_without_area()
     }
 }
 
-TEST(Space_frame, gives_up_without_area)
-{
-  expect_nothing_without_area<IT::internal::Space_frame>();
-}
+TEST(Space_frame, gives_up_without_area) { expect_nothing_without_area<IT::internal::Space_frame>(); }
 
-TEST(Plane_frame, gives_up_without_area)
-{
-  expect_nothing_without_area<IT::internal::Plane_frame>();
-}
+TEST(Plane_frame, gives_up_without_area) { expect_nothing_without_area<IT::internal::Plane_frame>(); }
 
 // A strip that is asked for all of its corners ends where one does that is asked for nothing else, in exact
 // numbers: across bent edges and inside of flat parts.
@@ -183,10 +176,10 @@ TEST(Strip, ends_in_the_same_place_with_and_without_corners)
     SCOPED_TRACE(name);
     const Triangulation t = triangulated(surface);
     const IT::Overlay overlay(t);
-    const IT::Delta_complex& input = t.exact_geometry().correspondence().input();
-    const auto surface_lease = t.exact_geometry().input_surface();
+    const IT::Delta_complex& input = t.input();
+    const auto surface_lease = IT::internal::engine(t).input_surface();
     Metric metric(*surface_lease, {512});
-    const IT::Unfolding<Metric> unfolding(t.connectivity(), t.exact_geometry().correspondence(), metric);
+    const IT::internal::Unfolding<Metric> unfolding(t.connectivity(), IT::internal::engine(t).correspondence(), metric);
     std::size_t compared = 0;
     for (IT::Edge_index e : t.connectivity().edges()) {
       if (overlay.intrinsic_crossings(e).empty() || compared == 200)

@@ -9,16 +9,15 @@
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Block_runner.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
-#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Block_runner.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
@@ -56,12 +55,12 @@ using Filtered = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 using Matrix = Eigen::SparseMatrix<double>;
 
 template <class Traits = IT::Filtered_edge_length_traits>
-IT::Intrinsic_triangulation<Traits> triangulation(const IT::Indexed_triangles& s)
+IT::Intrinsic_triangulation<Traits> triangulation(const samples::Indexed_triangles& s)
 {
   return {IT::make_Delta_complex_from_triangles(s.points.size(), s.triangles), s.points};
 }
 
-Filtered Delaunay(const IT::Indexed_triangles& s)
+Filtered Delaunay(const samples::Indexed_triangles& s)
 {
   Filtered t = triangulation(s);
   EXPECT_EQ(IT::flip_to_Delaunay(t).status, IT::Flip_status::DELAUNAY);
@@ -69,7 +68,7 @@ Filtered Delaunay(const IT::Indexed_triangles& s)
 }
 
 // Edges with the same ends, loops, faces glued to themselves.
-Filtered Delaunay(const IT::Glued_triangles& s)
+Filtered Delaunay(const samples::Glued_triangles& s)
 {
   IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(s.number_of_faces, s.glued_sides);
   std::vector<double> lengths(complex.number_of_edges());
@@ -83,7 +82,7 @@ Filtered Delaunay(const IT::Glued_triangles& s)
   return t;
 }
 
-IT::Indexed_triangles shuffled(IT::Indexed_triangles triangles)
+samples::Indexed_triangles shuffled(samples::Indexed_triangles triangles)
 {
   std::shuffle(triangles.triangles.begin(), triangles.triangles.end(), std::mt19937(1));
   return triangles;
@@ -91,20 +90,20 @@ IT::Indexed_triangles shuffled(IT::Indexed_triangles triangles)
 
 std::vector<std::pair<std::string, Filtered>> surfaces()
 {
-  IT::Indexed_triangles with_isolated_vertices = IT::bad_torus(20, 20);
+  samples::Indexed_triangles with_isolated_vertices = samples::bad_torus(20, 20);
   with_isolated_vertices.points.insert(with_isolated_vertices.points.end(), 20000, {0, 0, 9});
   std::vector<std::pair<std::string, Filtered>> result;
-  result.emplace_back("torus", Delaunay(IT::bad_torus(150, 150)));
-  result.emplace_back("shuffled torus", Delaunay(shuffled(IT::bad_torus(120, 120))));
-  result.emplace_back("with border, long edges", Delaunay(IT::sheared_grid(150, 120, 5.25)));
-  result.emplace_back("shuffled, with border", Delaunay(shuffled(IT::random_diagonal_grid(150, 120, 1, 7))));
-  result.emplace_back("prism, high degree", Delaunay(IT::prism(9000)));
-  result.emplace_back("pillow", Delaunay(IT::pillow(200)));
+  result.emplace_back("torus", Delaunay(samples::bad_torus(150, 150)));
+  result.emplace_back("shuffled torus", Delaunay(shuffled(samples::bad_torus(120, 120))));
+  result.emplace_back("with border, long edges", Delaunay(samples::sheared_grid(150, 120, 5.25)));
+  result.emplace_back("shuffled, with border", Delaunay(shuffled(samples::random_diagonal_grid(150, 120, 1, 7))));
+  result.emplace_back("prism, high degree", Delaunay(samples::prism(9000)));
+  result.emplace_back("pillow", Delaunay(samples::pillow(200)));
   result.emplace_back("isolated vertices", Delaunay(with_isolated_vertices));
-  result.emplace_back("large gluing", Delaunay(IT::random_gluing(20000, 3)));
-  result.emplace_back("open gluing", Delaunay(IT::random_gluing(300, 6, true)));
-  result.emplace_back("one-vertex torus", Delaunay(IT::sheared_one_vertex_torus(7.3)));
-  result.emplace_back("glued to itself", Delaunay(IT::self_glued_triangle()));
+  result.emplace_back("large gluing", Delaunay(samples::random_gluing(20000, 3)));
+  result.emplace_back("open gluing", Delaunay(samples::random_gluing(300, 6, true)));
+  result.emplace_back("one-vertex torus", Delaunay(samples::sheared_one_vertex_torus(7.3)));
+  result.emplace_back("glued to itself", Delaunay(samples::self_glued_triangle()));
   return result;
 }
 
@@ -168,7 +167,8 @@ void expect_same_verification(const IT::Delaunay_verification& a, const IT::Dela
   EXPECT_EQ(a.inverted, b.inverted);
 }
 
-void expect_same_correspondence(const IT::Delta_complex& complex, const IT::Correspondence& a, const IT::Correspondence& b)
+void expect_same_correspondence(const IT::Delta_complex& complex, const IT::internal::Correspondence& a,
+                                const IT::internal::Correspondence& b)
 {
   ASSERT_TRUE(a.input() == b.input());
   for (IT::Vertex_index v : complex.vertices())
@@ -187,8 +187,8 @@ TEST(Parallel_results, integers_and_input)
     const Filtered asked = t; // only a copy: t still has the journal of its flips
     for_each_number_of_threads([&, &t = t] {
       const Filtered copy = t;
-      expect_same_correspondence(t.connectivity(), asked.exact_geometry().correspondence(),
-                                 copy.exact_geometry<Parallel_tag>().correspondence());
+      expect_same_correspondence(t.connectivity(), IT::internal::engine(asked).correspondence(),
+                                 IT::internal::engine<Parallel_tag>(copy).correspondence());
     });
   }
 }
@@ -196,9 +196,9 @@ TEST(Parallel_results, integers_and_input)
 // Each edge is flipped several times, so that there are long walks around vertices.
 TEST(Parallel_results, integers_of_many_flips)
 {
-  IT::Delta_complex complex = triangulation(IT::bad_torus(100, 100)).connectivity();
+  IT::Delta_complex complex = triangulation(samples::bad_torus(100, 100)).connectivity();
   const IT::Delta_complex input = complex;
-  IT::Correspondence flipped;
+  IT::internal::Correspondence flipped;
   for (int round = 0; round < 7; ++round)
     for (IT::Edge_index e : complex.edges()) {
       if (!complex.is_flippable(e))
@@ -206,14 +206,14 @@ TEST(Parallel_results, integers_of_many_flips)
       flipped.flip(complex, e);
       complex.flip(e);
     }
-  IT::Correspondence expected = flipped;
+  IT::internal::Correspondence expected = flipped;
   const std::vector<IT::Edge_index> flips = expected.prepare(complex);
   for (IT::Halfedge_index h : input.halfedges()) {
     ASSERT_EQ(expected.input().next(h), input.next(h));
     ASSERT_EQ(expected.input().target(h), input.target(h));
   }
   for_each_number_of_threads([&] {
-    IT::Correspondence found = flipped;
+    IT::internal::Correspondence found = flipped;
     EXPECT_EQ(found.prepare(complex, IT::internal::block_runner<Parallel_tag>()), flips);
     expect_same_correspondence(complex, expected, found);
   });
@@ -222,27 +222,27 @@ TEST(Parallel_results, integers_of_many_flips)
 // What the flips cross grows like the Fibonacci numbers.
 TEST(Parallel_results, integers_that_are_too_large_are_an_error)
 {
-  const IT::Glued_triangles torus = IT::one_vertex_torus();
-  IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(torus.number_of_faces, torus.glued_sides);
-  IT::Exact_geometry geometry(IT::Input_metric::from_normalized_lengths({1, 1, 1}, 0));
+  const samples::Glued_triangles torus = samples::one_vertex_torus();
+  IT::internal::Exact_engine engine(IT::make_Delta_complex_from_gluing(torus.number_of_faces, torus.glued_sides));
+  engine.keep_input(IT::Input_metric::from_normalized_lengths({1, 1, 1}, 0));
+  const IT::Delta_complex& complex = engine.connectivity();
   for (unsigned i = 0; i < 20; ++i) { // below the number that makes it recover the input by itself
     const IT::Edge_index e(i % 3);
-    geometry.flip(complex, complex.hinge(e));
-    complex.flip(e);
+    engine.flip(complex.hinge(e));
   }
   std::vector<IT::Hinge_halfedges> more;
   for (unsigned i = 20; i < 130; ++i) {
     const IT::Edge_index e(i % 3);
     more.push_back(complex.hinge(e));
-    complex.flip(e);
+    engine.flip_in_block(more.back());
   }
-  geometry.append(more);
+  engine.append(more);
   for_each_number_of_threads([&] {
-    EXPECT_THROW(geometry.prepare<Parallel_tag>(complex), IT::Integer_overflow_error);
-    EXPECT_FALSE(geometry.correspondence().is_prepared());
-    EXPECT_EQ(geometry.correspondence().number_of_journaled_flips(), 130u);
+    EXPECT_THROW(engine.prepare<Parallel_tag>(), IT::Integer_overflow_error);
+    EXPECT_FALSE(engine.correspondence().is_prepared());
+    EXPECT_EQ(engine.correspondence().number_of_journaled_flips(), 130u);
   });
-  EXPECT_THROW(geometry.prepare(complex), IT::Integer_overflow_error);
+  EXPECT_THROW(engine.prepare(), IT::Integer_overflow_error);
 }
 
 // A thread that waits within the loop must not begin work of another one, which could ask for a lock that it holds.
@@ -270,12 +270,12 @@ TEST(Parallel_results, a_loop_begins_no_other_work)
 
 TEST(Parallel_results, tasks_ask_for_the_integers)
 {
-  const Filtered t = Delaunay(IT::bad_torus(150, 150));
+  const Filtered t = Delaunay(samples::bad_torus(150, 150));
   for_each_number_of_threads([&] {
     const Filtered copy = t;
     std::atomic<int> number_of_answers{0};
     tbb::parallel_for(0, 64, [&](int) {
-      number_of_answers += copy.exact_geometry<Parallel_tag>().correspondence().is_prepared();
+      number_of_answers += IT::internal::engine<Parallel_tag>(copy).correspondence().is_prepared();
     });
     EXPECT_EQ(number_of_answers, 64);
   });
@@ -288,42 +288,36 @@ TEST(Parallel_results, verifications)
     for_each_number_of_threads([&] { expect_same_verification(IT::verify_Delaunay<Parallel_tag>(t), expected); });
     return expected;
   };
-  const IT::Indexed_triangles torus = shuffled(IT::bad_torus(60, 60));
+  const samples::Indexed_triangles torus = shuffled(samples::bad_torus(60, 60));
   EXPECT_GT(verify(triangulation(torus)).not_Delaunay.size(), 1000u);
   EXPECT_TRUE(verify(Delaunay(torus)).is_Delaunay());
-  EXPECT_GT(verify(Delaunay(IT::sheared_grid(60, 50, 0))).ties, 1000u);
-  EXPECT_TRUE(verify(Delaunay(IT::random_gluing(3000, 3))).is_Delaunay());
-  EXPECT_TRUE(verify(Delaunay(IT::self_glued_triangle())).is_Delaunay());
+  EXPECT_GT(verify(Delaunay(samples::sheared_grid(60, 50, 0))).ties, 1000u);
+  EXPECT_TRUE(verify(Delaunay(samples::random_gluing(3000, 3))).is_Delaunay());
+  EXPECT_TRUE(verify(Delaunay(samples::self_glued_triangle())).is_Delaunay());
 }
 
 // Flips of any hinges, as a number type makes that decides wrongly.
 struct Flipped_anyhow
 {
-  explicit Flipped_anyhow(const Filtered& t) : complex(t.connectivity()), geometry(t.exact_geometry())
+  explicit Flipped_anyhow(const Filtered& t) : engine_(IT::internal::engine(t))
   {
+    const IT::Delta_complex& complex = connectivity();
     std::mt19937 random(1);
     for (std::uint32_t i = 0; i < complex.number_of_edges(); ++i) {
       const IT::Edge_index e(i);
       if (random() % 8 != 0 || !complex.is_flippable(e))
         continue;
-      geometry.flip(complex, complex.hinge(e));
-      complex.flip(e);
+      engine_.flip(complex.hinge(e));
     }
   }
-  const IT::Delta_complex& connectivity() const { return complex; }
-  template <class ConcurrencyTag = CGAL::Sequential_tag>
-  const IT::Exact_geometry& exact_geometry() const
-  {
-    return geometry;
-  }
+  const IT::Delta_complex& connectivity() const { return engine_.connectivity(); }
 
-  IT::Delta_complex complex;
-  IT::Exact_geometry geometry;
+  IT::internal::Exact_engine engine_;
 };
 
 TEST(Parallel_results, faces_inside_out)
 {
-  const Flipped_anyhow t(triangulation(IT::random_diagonal_grid(60, 50, 1, 7)));
+  const Flipped_anyhow t(triangulation(samples::random_diagonal_grid(60, 50, 1, 7)));
   const IT::Delaunay_verification expected = IT::verify_Delaunay(t);
   EXPECT_GT(expected.inverted.size(), 100u);
   for_each_number_of_threads([&] { expect_same_verification(IT::verify_Delaunay<Parallel_tag>(t), expected); });
@@ -346,7 +340,7 @@ struct Failing_map
 
 TEST(Parallel_results, the_first_failure_of_a_verification_is_told)
 {
-  const Filtered t = Delaunay(IT::bad_torus(100, 100));
+  const Filtered t = Delaunay(samples::bad_torus(100, 100));
   for_each_number_of_threads([&] {
     try {
       IT::verify_Delaunay<Parallel_tag>(t, CGAL::parameters::edge_is_constrained_map(Failing_map()));
@@ -359,7 +353,7 @@ TEST(Parallel_results, the_first_failure_of_a_verification_is_told)
 
 TEST(Parallel_results, verifications_can_be_cancelled)
 {
-  Filtered t = Delaunay(IT::bad_torus(150, 150));
+  Filtered t = Delaunay(samples::bad_torus(150, 150));
   for (int calls : {0, 1, 2})
     for_each_number_of_threads([&] {
       std::atomic<int> left = calls;
@@ -375,7 +369,7 @@ TEST(Parallel_results, overlays_and_positions)
   for (const auto& [name, t] : surfaces()) {
     SCOPED_TRACE(name);
     const IT::Overlay expected(t);
-    const IT::Overlay_positions expected_positions(t.connectivity(), t.exact_geometry(), expected);
+    const IT::Overlay_positions expected_positions(IT::internal::engine(t), expected);
     for_each_number_of_threads([&, &t = t] {
       const IT::Common_subdivision subdivision(t, {}, Parallel_tag());
       expect_same_overlay(expected, subdivision.overlay());
@@ -392,12 +386,19 @@ TEST(Parallel_results, weights_areas_and_matrices)
 {
   for (const auto& [name, t] : surfaces()) {
     SCOPED_TRACE(name);
-    const std::vector<double> weights = IT::cotangent_weights(t), areas = IT::face_areas(t);
+    const std::vector<double> weights = IT::cotangent_weights(t), areas = IT::face_areas(t),
+                              cotangents = IT::cotangents(t);
+    const IT::Element_numbers numbers = IT::element_numbers(t);
     const Matrix stiffness = IT::stiffness_matrix(t), lumped = IT::lumped_mass_matrix(t),
                  Galerkin = IT::Galerkin_mass_matrix(t);
     for_each_number_of_threads([&, &t = t] {
       EXPECT_TRUE(are_same(IT::cotangent_weights<Parallel_tag>(t), weights));
       EXPECT_TRUE(are_same(IT::face_areas<Parallel_tag>(t), areas));
+      EXPECT_TRUE(are_same(IT::cotangents<Parallel_tag>(t), cotangents));
+      const IT::Element_numbers parallel = IT::element_numbers<Parallel_tag>(t);
+      EXPECT_TRUE(are_same(parallel.lengths, numbers.lengths));
+      EXPECT_TRUE(are_same(parallel.areas, numbers.areas));
+      EXPECT_TRUE(are_same(parallel.cotangent_weights, numbers.cotangent_weights));
       expect_same_matrix(stiffness, IT::stiffness_matrix<Parallel_tag>(t));
       expect_same_matrix(lumped, IT::lumped_mass_matrix<Parallel_tag>(t));
       expect_same_matrix(Galerkin, IT::Galerkin_mass_matrix<Parallel_tag>(t));
@@ -407,7 +408,7 @@ TEST(Parallel_results, weights_areas_and_matrices)
 
 TEST(Parallel_results, rounded_numbers)
 {
-  auto t = triangulation<IT::Edge_length_traits<double>>(IT::bad_torus(120, 120));
+  auto t = triangulation<IT::Edge_length_traits<double>>(samples::bad_torus(120, 120));
   IT::flip_to_Delaunay(t);
   for_each_number_of_threads([&] {
     EXPECT_TRUE(are_same(IT::cotangent_weights<Parallel_tag>(t), IT::cotangent_weights(t)));
@@ -419,7 +420,7 @@ TEST(Parallel_results, rounded_numbers)
 // Whatever thread meets them, it is the first face without an area that is named.
 TEST(Parallel_results, the_first_bad_element_is_named)
 {
-  IT::Indexed_triangles s = IT::sheared_grid(150, 120, 0);
+  samples::Indexed_triangles s = samples::sheared_grid(150, 120, 0);
   for (std::array<std::uint32_t, 3> face : {s.triangles[20000], s.triangles[30000]}) {
     const std::array<double, 3> p = s.points[face[0]], q = s.points[face[1]];
     s.points[face[2]] = {(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2};
@@ -447,7 +448,7 @@ TEST(Parallel_results, the_first_bad_element_is_named)
 
 TEST(Parallel_results, can_be_cancelled)
 {
-  const Filtered t = Delaunay(IT::bad_torus(100, 100));
+  const Filtered t = Delaunay(samples::bad_torus(100, 100));
   const IT::Overlay overlay(t);
   for (int calls : {0, 1, 2}) {
     int left = calls;
@@ -455,10 +456,10 @@ TEST(Parallel_results, can_be_cancelled)
       EXPECT_TRUE(fraction >= 0 && fraction <= 1);
       return left-- > 0;
     };
-    EXPECT_THROW(IT::Overlay(t, progress, Parallel_tag()), IT::Cancelled_error);
+    EXPECT_THROW(IT::Overlay(t, CGAL::parameters::visitor(progress), Parallel_tag()), IT::Cancelled_error);
   }
-  EXPECT_THROW(IT::Overlay_positions(
-                 t.connectivity(), t.exact_geometry(), overlay, [](double) { return false; }, Parallel_tag()),
+  EXPECT_THROW(IT::Overlay_positions(IT::internal::engine(t), overlay, CGAL::parameters::visitor([] { return false; }),
+                                     Parallel_tag()),
                IT::Cancelled_error);
 }
 

@@ -6,7 +6,7 @@
 
 #include "samples/sample_surfaces.h"
 
-#include <CGAL/Intrinsic_triangulations/Delaunay_tessellation.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
@@ -14,7 +14,6 @@
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Simple_cartesian.h>
@@ -49,7 +48,7 @@ using CGAL::Sequential_tag;
 using IT::Flip_report;
 using IT::Flip_status;
 
-Mesh mesh_of(const IT::Indexed_triangles& triangles)
+Mesh mesh_of(const samples::Indexed_triangles& triangles)
 {
   Mesh mesh;
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(triangles.points, triangles.triangles, mesh);
@@ -57,7 +56,7 @@ Mesh mesh_of(const IT::Indexed_triangles& triangles)
 }
 
 // Few hinges lie in one block.
-IT::Indexed_triangles shuffled(IT::Indexed_triangles triangles)
+samples::Indexed_triangles shuffled(samples::Indexed_triangles triangles)
 {
   std::shuffle(triangles.triangles.begin(), triangles.triangles.end(), std::mt19937(1));
   return triangles;
@@ -66,10 +65,8 @@ IT::Indexed_triangles shuffled(IT::Indexed_triangles triangles)
 template <class Traits, class ConcurrencyTag>
 auto flipped(const Mesh& mesh, int number_of_threads)
 {
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
-                                    std::size_t(number_of_threads));
-  return IT::intrinsic_Delaunay_triangulation<ConcurrencyTag>(mesh,
-                                                              CGAL::parameters::geom_traits(Traits()));
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, std::size_t(number_of_threads));
+  return IT::intrinsic_Delaunay_triangulation<ConcurrencyTag>(mesh, CGAL::parameters::geom_traits(Traits()));
 }
 
 // The cells by their vertices, in an order of their own.
@@ -94,8 +91,7 @@ std::vector<std::vector<std::uint32_t>> cells(const Triangulation& t)
 // The input is found again from the journals of the blocks.
 void expect_input(const Filtered& t, const Mesh& mesh)
 {
-  const IT::Delta_complex expected = IT::make_Delta_complex(mesh),
-                          &input = t.exact_geometry().correspondence().input();
+  const IT::Delta_complex expected = IT::make_Delta_complex(mesh), &input = t.input();
   for (IT::Halfedge_index h : expected.halfedges()) {
     ASSERT_EQ(input.next(h), expected.next(h));
     ASSERT_EQ(input.target(h), expected.target(h));
@@ -105,8 +101,8 @@ void expect_input(const Filtered& t, const Mesh& mesh)
 
 void expect_same_numbers(const Filtered& several, const Filtered& one)
 {
-  const IT::Correspondence &a = several.exact_geometry().correspondence(),
-                           &b = one.exact_geometry().correspondence();
+  const IT::internal::Correspondence &a = IT::internal::engine(several).correspondence(),
+                                     &b = IT::internal::engine(one).correspondence();
   for (IT::Edge_index e : one.connectivity().edges()) {
     const IT::Halfedge_index h = one.connectivity().halfedge(e);
     ASSERT_EQ(a.coordinates().crossings(e), b.coordinates().crossings(e));
@@ -116,7 +112,7 @@ void expect_same_numbers(const Filtered& several, const Filtered& one)
 }
 
 // Returns how the tests were decided.
-IT::Stage_counts expect_same_with_any_number_of_threads(const IT::Indexed_triangles& triangles)
+IT::Stage_counts expect_same_with_any_number_of_threads(const samples::Indexed_triangles& triangles)
 {
   const Mesh mesh = mesh_of(triangles);
   const auto sequential = flipped<IT::Filtered_edge_length_traits, Sequential_tag>(mesh, 1).triangulation;
@@ -142,27 +138,21 @@ IT::Stage_counts expect_same_with_any_number_of_threads(const IT::Indexed_triang
   return one.stage_counts();
 }
 
-TEST(Parallel, torus) { expect_same_with_any_number_of_threads(IT::bad_torus(300, 300)); }
+TEST(Parallel, torus) { expect_same_with_any_number_of_threads(samples::bad_torus(300, 300)); }
 
-TEST(Parallel, faces_in_any_order)
-{
-  expect_same_with_any_number_of_threads(shuffled(IT::bad_torus(200, 200)));
-}
+TEST(Parallel, faces_in_any_order) { expect_same_with_any_number_of_threads(shuffled(samples::bad_torus(200, 200))); }
 
 TEST(Parallel, boundary_and_many_flips)
 {
-  expect_same_with_any_number_of_threads(IT::sheared_grid(200, 150, 5.25));
+  expect_same_with_any_number_of_threads(samples::sheared_grid(200, 150, 5.25));
 }
 
-TEST(Parallel, ties)
-{
-  expect_same_with_any_number_of_threads(IT::random_diagonal_grid(200, 150, 1, 7));
-}
+TEST(Parallel, ties) { expect_same_with_any_number_of_threads(samples::random_diagonal_grid(200, 150, 1, 7)); }
 
 // Queries before, and flips and insertions before these: as many tests and flips in blocks, and none of them followed one by one.
 TEST(Parallel, after_queries_as_without)
 {
-  const IT::Indexed_triangles surface = IT::bad_torus(200, 150);
+  const samples::Indexed_triangles surface = samples::bad_torus(200, 150);
   Filtered start(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
   Filtered asked = start;
   asked.length(IT::Edge_index(0));
@@ -177,9 +167,9 @@ TEST(Parallel, after_queries_as_without)
     };
     expect_same(IT::flip_to_Delaunay<Parallel_tag>(one), IT::flip_to_Delaunay<Parallel_tag>(other));
     using Whole = IT::internal::Whole_triangulation<IT::Filtered_edge_length_traits>;
-    EXPECT_EQ(Whole(one).geometry().correspondence().number_of_journaled_flips(),
-              Whole(other).geometry().correspondence().number_of_journaled_flips());
-    EXPECT_EQ(Whole(one).geometry().correspondence().is_prepared(), Whole(other).geometry().correspondence().is_prepared());
+    EXPECT_EQ(Whole(one).engine().correspondence().number_of_journaled_flips(),
+              Whole(other).engine().correspondence().number_of_journaled_flips());
+    EXPECT_EQ(Whole(one).engine().correspondence().is_prepared(), Whole(other).engine().correspondence().is_prepared());
     expect_same_numbers(other, one);
     EXPECT_TRUE(IT::verify_Delaunay(other).is_Delaunay());
     // Now flips that are followed.
@@ -192,9 +182,9 @@ TEST(Parallel, after_queries_as_without)
 }
 
 // Stairs of unit squares, with a diagonal each that is a tie: nothing is flipped, and the stages after the filter decide all.
-IT::Indexed_triangles stairs(std::size_t columns, std::size_t rows)
+samples::Indexed_triangles stairs(std::size_t columns, std::size_t rows)
 {
-  IT::Indexed_triangles result = IT::random_diagonal_grid(columns, rows);
+  samples::Indexed_triangles result = samples::random_diagonal_grid(columns, rows);
   for (std::array<double, 3>& p : result.points)
     p = {std::ceil(p[0] / 2), p[1], std::floor(p[0] / 2)};
   return result;
@@ -208,10 +198,10 @@ TEST(Parallel, ties_in_planes)
   EXPECT_EQ(expect_same_with_any_number_of_threads(shuffled(stairs(160, 150))).ties, 24000u);
 }
 
-IT::Indexed_triangles together(const std::vector<IT::Indexed_triangles>& parts)
+samples::Indexed_triangles together(const std::vector<samples::Indexed_triangles>& parts)
 {
-  IT::Indexed_triangles result;
-  for (const IT::Indexed_triangles& part : parts) {
+  samples::Indexed_triangles result;
+  for (const samples::Indexed_triangles& part : parts) {
     const std::uint32_t first = std::uint32_t(result.points.size());
     result.points.insert(result.points.end(), part.points.begin(), part.points.end());
     for (std::array<std::uint32_t, 3> t : part.triangles)
@@ -223,16 +213,16 @@ IT::Indexed_triangles together(const std::vector<IT::Indexed_triangles>& parts)
 TEST(Parallel, every_stage)
 {
   // The angles opposite to the fold sum to pi, and it takes rational numbers to tell so.
-  std::vector<IT::Indexed_triangles> parts(
+  std::vector<samples::Indexed_triangles> parts(
     5000, {{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, 0, 0.25}}, {{0, 1, 2}, {1, 0, 3}}});
-  IT::Indexed_triangles pillow = IT::pillow(60); // ties across long strips
+  samples::Indexed_triangles pillow = samples::pillow(60); // ties across long strips
   for (auto& p : pillow.points)
     p[2] = p[1];
-  for (const IT::Indexed_triangles& part : {IT::bad_torus(100, 100), pillow, IT::prism(200, 1), stairs(50, 40),
-                                            IT::random_diagonal_grid(50, 40, 1, 1)})
+  for (const samples::Indexed_triangles& part : {samples::bad_torus(100, 100), pillow, samples::prism(200, 1),
+                                                 stairs(50, 40), samples::random_diagonal_grid(50, 40, 1, 1)})
     parts.push_back(part);
   const IT::Stage_counts counts = expect_same_with_any_number_of_threads(together(parts));
-  EXPECT_EQ(counts[IT::Stage::RATIONAL], 5000u);
+  EXPECT_GE(counts[IT::Stage::ALGEBRAIC] + counts[IT::Stage::MODULAR], 5000u);
   EXPECT_GT(counts[IT::Stage::COPLANAR], 2000u);
   EXPECT_GT(counts[IT::Stage::UNFOLDING], 500u);
   EXPECT_GT(counts[IT::Stage::ALGEBRAIC], 0u);
@@ -240,7 +230,7 @@ TEST(Parallel, every_stage)
 
 TEST(Parallel, components_and_isolated_vertices)
 {
-  IT::Indexed_triangles triangles = IT::bad_torus(150, 150);
+  samples::Indexed_triangles triangles = samples::bad_torus(150, 150);
   const std::size_t n = triangles.points.size(), m = triangles.triangles.size();
   triangles.points.push_back({0, 0, 9});
   for (std::size_t v = 0; v < n; ++v) {
@@ -259,7 +249,7 @@ TEST(Parallel, components_and_isolated_vertices)
 
 TEST(Parallel, rounded_decisions)
 {
-  const Mesh mesh = mesh_of(IT::bad_torus(200, 200));
+  const Mesh mesh = mesh_of(samples::bad_torus(200, 200));
   const auto one = flipped<IT::Edge_length_traits<double>, Sequential_tag>(mesh, 1).triangulation;
   for (int threads : {1, 2}) {
     const auto [several, report] = flipped<IT::Edge_length_traits<double>, Parallel_tag>(mesh, threads);
@@ -279,7 +269,7 @@ TEST(Parallel, rounded_decisions)
 // Numbers that threads cannot share are left to one of them; the tag is allowed.
 TEST(Parallel, other_traits)
 {
-  const IT::Indexed_triangles torus = IT::bad_torus(160, 160);
+  const samples::Indexed_triangles torus = samples::bad_torus(160, 160);
   const Mesh mesh = mesh_of(torus);
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 2);
   const auto expect_Delaunay = [&](auto traits) {
@@ -296,7 +286,7 @@ TEST(Parallel, other_traits)
 
 TEST(Parallel, construction_is_the_same)
 {
-  const Mesh mesh = mesh_of(shuffled(IT::sheared_grid(200, 150, 0.3)));
+  const Mesh mesh = mesh_of(shuffled(samples::sheared_grid(200, 150, 0.3)));
   const auto a = IT::intrinsic_triangulation<Sequential_tag>(mesh);
   const auto b = IT::intrinsic_triangulation<Parallel_tag>(mesh);
   EXPECT_TRUE(a.connectivity() == b.connectivity());
@@ -312,7 +302,7 @@ TEST(Parallel, construction_is_the_same)
 
 TEST(Parallel, bad_input_is_refused)
 {
-  Mesh mesh = mesh_of(IT::bad_torus(150, 150));
+  Mesh mesh = mesh_of(samples::bad_torus(150, 150));
   const auto expect = [&](IT::Invalid_surface_error::Defect defect, std::size_t element) {
     try {
       IT::intrinsic_triangulation<Parallel_tag>(mesh);
@@ -337,7 +327,7 @@ TEST(Parallel, bad_input_is_refused)
   mesh.remove_face(Mesh::Face_index(7)); // leaves garbage
   EXPECT_NO_THROW(IT::intrinsic_triangulation<Parallel_tag>(mesh));
 
-  Mesh with_polygon = mesh_of(IT::bad_torus(150, 150));
+  Mesh with_polygon = mesh_of(samples::bad_torus(150, 150));
   std::vector<Mesh::Vertex_index> corners;
   for (int i = 0; i < 4; ++i)
     corners.push_back(with_polygon.add_vertex({double(i), double(i * i), 9}));
@@ -348,13 +338,13 @@ TEST(Parallel, bad_input_is_refused)
 
 TEST(Parallel, constraints)
 {
-  const Mesh mesh = mesh_of(IT::bad_torus(200, 200));
+  const Mesh mesh = mesh_of(samples::bad_torus(200, 200));
   Filtered t = IT::intrinsic_triangulation<Parallel_tag>(mesh);
   const IT::Delta_complex input = t.connectivity();
-  const auto is_constrained = boost::make_function_property_map<IT::Edge_index>(
-    [](IT::Edge_index e) { return e.idx() % 7 == 0; });
-  const Flip_report report = IT::flip_to_Delaunay<Parallel_tag>(
-    t, CGAL::parameters::edge_is_constrained_map(is_constrained));
+  const auto is_constrained =
+    boost::make_function_property_map<IT::Edge_index>([](IT::Edge_index e) { return e.idx() % 7 == 0; });
+  const Flip_report report =
+    IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::edge_is_constrained_map(is_constrained));
   EXPECT_EQ(report.status, Flip_status::DELAUNAY);
   std::size_t not_Delaunay = 0;
   for (IT::Edge_index e : t.connectivity().edges()) {
@@ -372,12 +362,11 @@ TEST(Parallel, constraints)
 
 TEST(Parallel, budget_is_kept)
 {
-  const Mesh mesh = mesh_of(IT::bad_torus(200, 200));
+  const Mesh mesh = mesh_of(samples::bad_torus(200, 200));
   Filtered t = IT::intrinsic_triangulation<Parallel_tag>(mesh);
   for (std::uint64_t budget : {std::uint64_t(0), std::uint64_t(1), std::uint64_t(10000)}) {
     Filtered copy = t;
-    const Flip_report report =
-      IT::flip_to_Delaunay<Parallel_tag>(copy, CGAL::parameters::maximum_number(budget));
+    const Flip_report report = IT::flip_to_Delaunay<Parallel_tag>(copy, CGAL::parameters::maximum_number(budget));
     EXPECT_EQ(report.status, Flip_status::BUDGET_EXHAUSTED);
     EXPECT_EQ(report.flips, budget);
     EXPECT_TRUE(copy.connectivity().is_valid(true));
@@ -390,11 +379,11 @@ TEST(Parallel, budget_is_kept)
 
 struct Counter
 {
-  bool go_further(std::uint64_t tests, std::uint64_t number_of_flips)
+  bool go_further(const IT::Progress& progress)
   {
-    EXPECT_GE(tests, last_tests);
-    last_tests = tests;
-    return number_of_flips < limit;
+    EXPECT_GE(progress.tests, last_tests);
+    last_tests = progress.tests;
+    return progress.flips < limit;
   }
   void after_flip(IT::Edge_index)
   {
@@ -406,10 +395,9 @@ struct Counter
 
 TEST(Parallel, visitor_is_told_of_each_flip)
 {
-  Filtered t = IT::intrinsic_triangulation<Parallel_tag>(mesh_of(IT::bad_torus(200, 200)));
+  Filtered t = IT::intrinsic_triangulation<Parallel_tag>(mesh_of(samples::bad_torus(200, 200)));
   Counter counter;
-  const Flip_report report =
-    IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(counter)));
+  const Flip_report report = IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(counter)));
   EXPECT_EQ(report.status, Flip_status::DELAUNAY);
   EXPECT_EQ(counter.flips, report.flips);
   EXPECT_LE(counter.last_tests, report.tests);
@@ -418,8 +406,9 @@ TEST(Parallel, visitor_is_told_of_each_flip)
 // Stops once so many tests were made; asks whether it is asked by one thread at a time.
 struct Test_limit
 {
-  bool go_further(std::uint64_t tests, std::uint64_t)
+  bool go_further(const IT::Progress& progress)
   {
+    const std::uint64_t tests = progress.tests;
     EXPECT_FALSE(is_asked.exchange(true));
     EXPECT_GE(tests, last_tests);
     last_tests = tests;
@@ -428,7 +417,6 @@ struct Test_limit
       throw std::runtime_error("enough");
     return tests < limit;
   }
-  void after_flip(IT::Edge_index) {}
   std::uint64_t limit, last_tests = 0;
   bool throws = false;
   std::atomic<bool> is_asked{false};
@@ -442,17 +430,18 @@ TEST(Parallel, visitor_stops_the_tests_that_were_left_open)
   for (std::uint64_t limit : {80000, 90000, 115000}) {
     Filtered t = input;
     Test_limit visitor{limit};
-    const Flip_report report = IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(visitor)));
-    EXPECT_EQ(report.status, Flip_status::CANCELLED);
-    EXPECT_GE(report.tests, limit);
-    EXPECT_LT(report.tests, limit + 4000);
+    EXPECT_THROW(IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(visitor))),
+                 IT::Cancelled_error);
+    EXPECT_GE(visitor.last_tests, limit);
+    EXPECT_LT(visitor.last_tests, limit + 4000);
     EXPECT_TRUE(t.connectivity() == input.connectivity());
     EXPECT_EQ(IT::flip_to_Delaunay<Parallel_tag>(t).status, Flip_status::DELAUNAY);
 
     t = input;
     Test_limit thrower{limit};
     thrower.throws = true;
-    EXPECT_THROW(IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(thrower))), std::runtime_error);
+    EXPECT_THROW(IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(thrower))),
+                 std::runtime_error);
     EXPECT_EQ(IT::flip_to_Delaunay<Parallel_tag>(t).status, Flip_status::DELAUNAY);
   }
 }
@@ -463,7 +452,7 @@ TEST(Parallel, interruption_stops_the_tests_that_were_left_open)
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 3);
   bool goes_further = false;
   t.set_interruption([&] { return goes_further; });
-  EXPECT_EQ(IT::flip_to_Delaunay<Parallel_tag>(t).status, Flip_status::CANCELLED);
+  EXPECT_THROW(IT::flip_to_Delaunay<Parallel_tag>(t), IT::Cancelled_error);
   EXPECT_THROW(IT::verify_Delaunay<Parallel_tag>(t), IT::Cancelled_error); // it is asked by others, too, afterwards
   goes_further = true;
   EXPECT_EQ(IT::flip_to_Delaunay<Parallel_tag>(t).status, Flip_status::DELAUNAY);
@@ -471,28 +460,25 @@ TEST(Parallel, interruption_stops_the_tests_that_were_left_open)
 
 TEST(Parallel, visitor_cancels)
 {
-  const Mesh mesh = mesh_of(IT::bad_torus(200, 200));
+  const Mesh mesh = mesh_of(samples::bad_torus(200, 200));
   Filtered t = IT::intrinsic_triangulation<Parallel_tag>(mesh);
   Counter counter;
   counter.limit = 5000;
-  const Flip_report report =
-    IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(counter)));
-  EXPECT_EQ(report.status, Flip_status::CANCELLED);
-  EXPECT_EQ(counter.flips, report.flips);
-  EXPECT_GE(report.flips, 5000u);
-  EXPECT_LT(report.flips, 15000u);
+  EXPECT_THROW(IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(counter))),
+               IT::Cancelled_error);
+  EXPECT_GE(counter.flips, 5000u);
+  EXPECT_LT(counter.flips, 15000u);
   EXPECT_TRUE(t.connectivity().is_valid(true));
   expect_input(t, mesh);
 }
 
 TEST(Parallel, exception_of_a_visitor_leaves_a_valid_triangulation)
 {
-  const Mesh mesh = mesh_of(IT::bad_torus(200, 200));
+  const Mesh mesh = mesh_of(samples::bad_torus(200, 200));
   Filtered t = IT::intrinsic_triangulation<Parallel_tag>(mesh);
   Counter counter;
   counter.throw_at = 3000;
-  EXPECT_THROW(IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(counter))),
-               std::runtime_error);
+  EXPECT_THROW(IT::flip_to_Delaunay<Parallel_tag>(t, CGAL::parameters::visitor(std::ref(counter))), std::runtime_error);
   EXPECT_TRUE(t.connectivity().is_valid(true));
   expect_input(t, mesh);
   EXPECT_EQ(IT::flip_to_Delaunay<Parallel_tag>(t).status, Flip_status::DELAUNAY);

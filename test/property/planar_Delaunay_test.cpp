@@ -56,8 +56,8 @@ IT::Intrinsic_triangulation<Traits> lifted(const std::vector<Point>& points)
   std::vector<std::array<double, 3>> coordinates;
   for (const Point& p : points)
     coordinates.push_back({p.x(), p.y(), 0});
-  return IT::Intrinsic_triangulation<Traits>(
-    IT::make_Delta_complex_from_triangles(points.size(), triangles), coordinates);
+  return IT::Intrinsic_triangulation<Traits>(IT::make_Delta_complex_from_triangles(points.size(), triangles),
+                                             coordinates);
 }
 
 Edge_set edge_set(const IT::Delta_complex& c)
@@ -75,8 +75,7 @@ Edge_set edge_set(const Delaunay_triangulation& t)
 {
   Edge_set result;
   for (const auto& e : t.finite_edges())
-    result.insert(std::minmax({e.first->vertex(t.ccw(e.second))->info(),
-                               e.first->vertex(t.cw(e.second))->info()}));
+    result.insert(std::minmax({e.first->vertex(t.ccw(e.second))->info(), e.first->vertex(t.cw(e.second))->info()}));
   return result;
 }
 

@@ -8,8 +8,8 @@
 #include "overlay_surfaces.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Intrinsic_triangulations/point_location.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
+#include <CGAL/Intrinsic_triangulations/Point_location.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Triangulation_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
@@ -70,18 +70,15 @@ struct Point
 int side(const Planar_mesh& mesh, const IT::Delta_complex& complex, IT::Halfedge_index h, const Point& p)
 {
   const Integer_point &a = mesh.points[complex.source(h).idx()], &b = mesh.points[complex.target(h).idx()];
-  const Integer d = Integer(b[0] - a[0]) * (p.y - Integer(a[1]) * p.w) -
-                    Integer(b[1] - a[1]) * (p.x - Integer(a[0]) * p.w);
-  return d > 0 ? 1 : d < 0 ? -1
-                           : 0;
+  const Integer d =
+    Integer(b[0] - a[0]) * (p.y - Integer(a[1]) * p.w) - Integer(b[1] - a[1]) * (p.x - Integer(a[0]) * p.w);
+  return d > 0 ? 1 : d < 0 ? -1 : 0;
 }
 
 class Planar_location
 {
 public:
-  Planar_location(const Planar_mesh& mesh, const Overlaid& s)
-    : mesh_(mesh), s_(s), location_(s.subdivision)
-  {}
+  Planar_location(const Planar_mesh& mesh, const Overlaid& s) : mesh_(mesh), s_(s), location_(s.subdivision) {}
 
   void check_random_points(int number)
   {
@@ -144,8 +141,7 @@ private:
     const std::array<double, 3> b{std::abs(area(to, g, corner(from.target(h)))),
                                   std::abs(area(to, g, corner(from.source(h)))), 1e-40};
     const Point crossing = combination(from, h, {b[0], b[1], 0});
-    const IT::Surface_point q =
-      is_input ? location_.input_to_intrinsic({h, b}) : location_.intrinsic_to_input({h, b});
+    const IT::Surface_point q = is_input ? location_.input_to_intrinsic({h, b}) : location_.intrinsic_to_input({h, b});
     EXPECT_EQ(q.dimension(), 2);
     for (IT::Halfedge_index e : {q.halfedge, to.next(q.halfedge), to.prev(q.halfedge)}) {
       const int at_crossing = side(mesh_, to, e, crossing);
@@ -160,8 +156,7 @@ private:
       if (side(mesh_, from, h, p) < 0 || side(mesh_, from, from.next(h), p) < 0 ||
           side(mesh_, from, from.prev(h), p) < 0)
         continue;
-      const std::array<double, 3> b{area(from, from.next(h), p), area(from, from.prev(h), p),
-                                    area(from, h, p)};
+      const std::array<double, 3> b{area(from, from.next(h), p), area(from, from.prev(h), p), area(from, h, p)};
       on_edges_ += check({h, b}, is_input) == 1 ? 1 : 0;
       for (int k = 0; k < 3; ++k)
         for (double d : {-1., 1.}) {
@@ -200,8 +195,7 @@ private:
     const IT::Delta_complex &from = is_input ? s_.input() : s_.intrinsic(),
                             &to = is_input ? s_.intrinsic() : s_.input();
     const Point p = combination(from, point.halfedge, point.coordinates);
-    const IT::Surface_point q =
-      is_input ? location_.input_to_intrinsic(point) : location_.intrinsic_to_input(point);
+    const IT::Surface_point q = is_input ? location_.input_to_intrinsic(point) : location_.intrinsic_to_input(point);
     const int left = side(mesh_, to, q.halfedge, p), ahead = side(mesh_, to, to.next(q.halfedge), p),
               behind = side(mesh_, to, to.prev(q.halfedge), p);
     const int dimension = q.dimension();
@@ -269,7 +263,8 @@ TEST(Planar_point_location, by_squared_lengths_alone)
     const Integer_point &a = mesh.points[complex.source(h).idx()], &b = mesh.points[complex.target(h).idx()];
     squared_lengths.emplace_back((b[0] - a[0]) * (b[0] - a[0]) + 2 * (b[1] - a[1]) * (b[1] - a[1]));
   }
-  check(mesh, Triangulation::from_metric(std::move(complex), IT::metric_from_squared_lengths(std::move(squared_lengths))));
+  check(mesh,
+        Triangulation::from_metric(std::move(complex), IT::metric_from_squared_lengths(std::move(squared_lengths))));
 }
 
 } // namespace

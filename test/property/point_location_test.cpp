@@ -6,8 +6,8 @@
 
 #include "overlay_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/point_location.h>
 
 #include <gtest/gtest.h>
 
@@ -36,20 +36,19 @@ double longest_side(const IT::Delta_complex& complex, IT::Halfedge_index h,
 // The distance of two points of one face of the input.
 double input_distance(const Overlaid& s, const IT::Surface_point& p, const IT::Surface_point& q)
 {
-  const auto corners =
-    test_surfaces::laid_out(
-      s.input(), p.halfedge, [&](IT::Halfedge_index h) { return s.input_length(h); },
-      s.input_area(s.input().face(p.halfedge)));
+  const auto corners = test_surfaces::laid_out(
+    s.input(), p.halfedge, [&](IT::Halfedge_index h) { return s.input_length(h); },
+    s.input_area(s.input().face(p.halfedge)));
   const auto b = test_surfaces::coordinates_from(s.input(), q, p.halfedge);
-  return test_surfaces::distance({0, 0}, test_surfaces::combination(
-                                           corners, {b[0] - p.coordinates[0], b[1] - p.coordinates[1],
-                                                     b[2] - p.coordinates[2]}));
+  return test_surfaces::distance(
+    {0, 0},
+    test_surfaces::combination(corners, {b[0] - p.coordinates[0], b[1] - p.coordinates[1], b[2] - p.coordinates[2]}));
 }
 
 // In the unit of the metric, which all surfaces here have left as it was.
 std::array<double, 3> in_space(const Overlaid& s, const IT::Surface_point& p)
 {
-  const IT::Input_metric::Point_vector& points = s.triangulation.exact_geometry().metric().points();
+  const IT::Input_metric::Point_vector& points = IT::internal::engine(s.triangulation).metric().points();
   const auto coordinate = [&](IT::Vertex_index v, int i) { return points[v.idx()][i]; };
   std::array<double, 3> result{};
   for (int i = 0; i < 3; ++i)
@@ -98,8 +97,7 @@ TEST(Point_location, vertices_are_vertices)
       for (IT::Halfedge_index h : from.halfedges()) {
         if (from.is_border(h))
           continue;
-        const std::array<IT::Vertex_index, 3> corners{from.source(h), from.target(h),
-                                                      from.target(from.next(h))};
+        const std::array<IT::Vertex_index, 3> corners{from.source(h), from.target(h), from.target(from.next(h))};
         for (std::size_t i = 0; i < 3; ++i) {
           IT::Surface_point p{h, {0, 0, 0}};
           p.coordinates[i] = 0.3;
@@ -124,9 +122,9 @@ TEST(Point_location, points_of_common_edges_stay_on_them)
       const IT::Halfedge_index h = s.overlay().input_halfedge(part), g = s.overlay().intrinsic_halfedge(part);
       if (!h.is_valid() || !g.is_valid() || s.overlay().is_border(part))
         continue;
-      for (const IT::Surface_point& p : {IT::Surface_point{h, {3, 1, 0}},
-                                         IT::Surface_point{s.input().next(h), {1, 0, 3}},
-                                         IT::Surface_point{s.input().prev(h), {0, 3, 1}}}) {
+      for (const IT::Surface_point& p :
+           {IT::Surface_point{h, {3, 1, 0}}, IT::Surface_point{s.input().next(h), {1, 0, 3}},
+            IT::Surface_point{s.input().prev(h), {0, 3, 1}}}) {
         const IT::Surface_point q = location.input_to_intrinsic(p);
         ASSERT_EQ(q.halfedge, g);
         ASSERT_EQ(q.coordinates, (std::array<double, 3>{0.75, 0.25, 0}));
@@ -139,9 +137,9 @@ TEST(Point_location, points_of_common_edges_stay_on_them)
 // Of a torus with sides 3, 4 and 6, the diagonal of length 6 is flipped; both cross in the middle.
 TEST(Point_location, the_diagonals_of_a_parallelogram_meet_in_the_middle)
 {
-  const IT::Glued_triangles torus = IT::one_vertex_torus(3, 4, 6);
-  const Overlaid s(test_surfaces::triangulation<IT::Filtered_edge_length_traits>(
-    test_surfaces::from_gluing("torus", torus)));
+  const samples::Glued_triangles torus = samples::one_vertex_torus(3, 4, 6);
+  const Overlaid s(
+    test_surfaces::triangulation<IT::Filtered_edge_length_traits>(test_surfaces::from_gluing("torus", torus)));
   ASSERT_EQ(s.overlay().number_of_crossings(), 1u);
   const IT::Point_location location(s.subdivision);
   const IT::Overlay::Vertex x = *s.overlay().crossings().begin();
@@ -159,7 +157,7 @@ TEST(Point_location, the_diagonals_of_a_parallelogram_meet_in_the_middle)
 
 TEST(Point_location, coordinates_of_any_magnitude)
 {
-  const Overlaid s(IT::bumpy_sphere(8, 6));
+  const Overlaid s(samples::bumpy_sphere(8, 6));
   const IT::Point_location location(s.subdivision);
   std::mt19937_64 random(1);
   for (int i = 0; i < 1000; ++i) {
@@ -182,13 +180,12 @@ TEST(Point_location, coordinates_of_any_magnitude)
 
 TEST(Point_location, says_what_is_wrong_with_a_point)
 {
-  const Overlaid s(IT::sheared_grid(3, 3));
+  const Overlaid s(samples::sheared_grid(3, 3));
   const IT::Point_location location(s.subdivision);
   IT::Halfedge_index inner, border;
   for (IT::Halfedge_index h : s.input().halfedges())
     (s.input().is_border(h) ? border : inner) = h;
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
-                   infinity = std::numeric_limits<double>::infinity();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   for (const IT::Surface_point& p :
        {IT::Surface_point{border, {1, 1, 1}}, IT::Surface_point{IT::Halfedge_index(), {1, 1, 1}},
         IT::Surface_point{inner, {1, 1, nan}}, IT::Surface_point{inner, {1, infinity, 1}},

@@ -9,7 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/angles.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 
 #include <CGAL/number_type_config.h>
@@ -82,7 +82,10 @@ public:
     return is_input_vertex(complex_.source(h)) && degrees(IT::cone_angle(t_, complex_.source(h))) < 60;
   }
 
-  double circumradius(IT::Halfedge_index h) const { return t_.length(complex_.edge(complex_.next(h))) / (2 * std::sin(angle_at_source(h))); }
+  double circumradius(IT::Halfedge_index h) const
+  {
+    return t_.length(complex_.edge(complex_.next(h))) / (2 * std::sin(angle_at_source(h)));
+  }
 
 private:
   bool is_input_vertex(IT::Vertex_index v) const { return v.idx() < number_of_input_vertices_; }
@@ -132,16 +135,14 @@ TEST_P(Refined_data, has_no_small_angle_without_a_reason)
     size = std::max(size, double(t.length(e)));
   const IT::Delta_complex& complex = t.connectivity();
   const std::size_t number_of_input_vertices = complex.number_of_vertices();
-  IT::Refinement_criteria criteria;
-  criteria.minimum_angle = bound;
-  const IT::Refinement_report report = IT::refine_Delaunay(t, criteria);
+  const IT::Refinement_report report = IT::refine_Delaunay(t, CGAL::parameters::minimum_angle(bound));
 
   EXPECT_EQ(report.status, IT::Refinement_status::REFINED);
   EXPECT_EQ(complex.number_of_vertices(), number_of_input_vertices + report.insertions + report.segment_splits);
   ASSERT_TRUE(complex.is_valid());
   for (IT::Edge_index e : complex.edges()) {
     if (complex.is_flippable(e)) {
-      ASSERT_NE(t.exact_geometry().sign_by_unfolding(complex, e), CGAL::NEGATIVE) << e.idx();
+      ASSERT_NE(IT::internal::engine(t).sign_by_unfolding(e), CGAL::NEGATIVE) << e.idx();
     }
   }
   EXPECT_NEAR(total_area(t) / area, 1, 1e-14);

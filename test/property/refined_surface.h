@@ -8,10 +8,10 @@
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Unfolding.h>
-#include <CGAL/Intrinsic_triangulations/angles.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Exact_sign.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
 
 #include <CGAL/enum.h>
 
@@ -47,10 +47,10 @@ inline bool is_exactly_flat(const Refined_triangulation& t, CGAL::Intrinsic_tria
     h = complex.next_around_source(h);
   } while (h != first);
   const auto sign_of_part = [&](auto part) {
-    const auto surface = t.exact_geometry().input_surface();
+    const auto surface = IT::internal::engine(t).input_surface();
     const auto evaluate = [&](auto& metric) {
       using Metric = std::decay_t<decltype(metric)>;
-      const IT::Unfolding<Metric> unfolding(complex, t.exact_geometry().correspondence(), metric);
+      const IT::internal::Unfolding<Metric> unfolding(complex, IT::internal::engine(t).correspondence(), metric);
       const auto vector = [&](IT::Halfedge_index opposite) {
         const auto corner = unfolding.opposite_corner(opposite);
         return typename Metric::Vector(corner.p, corner.four_areas);

@@ -4,10 +4,10 @@
 // Many random fans and strips of triangles with one to eight roots: finite fields take for zero what the
 // expansion in a multiquadratic field proves to be zero, and nothing else.
 
-#include <CGAL/Intrinsic_triangulations/Planar_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Planar_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Multiquadratic.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Residues.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
 
 #include <gtest/gtest.h>
 

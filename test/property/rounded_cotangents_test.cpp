@@ -7,7 +7,7 @@
 #include "insert_random_vertices.h"
 #include "samples/sample_surfaces.h"
 
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
@@ -35,12 +35,12 @@ void expect_bounds_that_hold(const Triangulation& t, Count& count)
 {
   const IT::Delta_complex& complex = t.connectivity();
   for (IT::Face_index f : complex.faces()) {
-    IT::Exact_geometry::Rounded_face_cotangents rounded;
-    IT::Exact_geometry::Face_cotangents precise;
-    t.exact_geometry().find_cotangents(complex, f, rounded);
-    t.exact_geometry().find_cotangents(complex, f, precise);
-    const auto area = t.exact_geometry().rounded_four_areas(complex, f);
-    const auto precise_area = t.exact_geometry().corner(complex, complex.halfedge(f)).four_areas;
+    IT::internal::Exact_engine::Rounded_face_cotangents rounded;
+    IT::internal::Exact_engine::Face_cotangents precise;
+    IT::internal::engine(t).find_cotangents(f, rounded);
+    IT::internal::engine(t).find_cotangents(f, precise);
+    const auto area = IT::internal::engine(t).rounded_four_areas(f);
+    const auto precise_area = IT::internal::engine(t).corner(complex.halfedge(f)).four_areas;
     count.areas += area.error() < 0x1p-32 * area.hi();
     const double area_difference = (area.hi() - precise_area.hi()) - precise_area.lo();
     ASSERT_LE(std::abs(area_difference), 1.0001 * (area.error() + precise_area.error())) << f;
@@ -59,10 +59,11 @@ void expect_bounds_that_hold(const Triangulation& t, Count& count)
 std::vector<Surface> surfaces()
 {
   std::vector<Surface> result = generic_surfaces(false);
-  for (Surface& surface : std::vector<Surface>{from_triangles("sliver sheet", IT::sliver_sheet(12)), from_triangles("pillow", IT::pillow(30)),
-                                               from_triangles("strip", IT::strip(100, 20)), from_triangles("prism", IT::prism()),
-                                               from_triangles("twisted dome", IT::bumpy_dome()), from_triangles("cap", IT::cap(0x1p-30)),
-                                               from_triangles("grid", IT::random_diagonal_grid(12, 9, 1, 1))})
+  for (Surface& surface : std::vector<Surface>{
+         from_triangles("sliver sheet", samples::sliver_sheet(12)), from_triangles("pillow", samples::pillow(30)),
+         from_triangles("strip", samples::strip(100, 20)), from_triangles("prism", samples::prism()),
+         from_triangles("twisted dome", samples::bumpy_dome()), from_triangles("cap", samples::cap(0x1p-30)),
+         from_triangles("grid", samples::random_diagonal_grid(12, 9, 1, 1))})
     result.push_back(std::move(surface));
   return result;
 }

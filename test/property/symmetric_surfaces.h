@@ -12,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
 
 #include <array>
 #include <cmath>
@@ -31,7 +30,7 @@ using Point = std::array<double, 3>;
 // All surfaces are disks without a vertex inside, so that each has one layout in the plane.
 struct Surface
 {
-  IT::Indexed_triangles mesh;
+  samples::Indexed_triangles mesh;
   // Vertices on a circle, counterclockwise; no other vertex is inside of it.
   std::array<std::uint32_t, 4> corners{};
 };
@@ -109,8 +108,7 @@ public:
   void add_strip_with_cut(const Column& a, const Column& b, Diagonal diagonal)
   {
     const Point &p = mesh_.points[a.top], &q = mesh_.points[b.top];
-    const std::uint32_t cut =
-      add({(3 * p[0] + q[0]) / 4, (3 * p[1] + q[1]) / 4, (3 * p[2] + q[2]) / 4});
+    const std::uint32_t cut = add({(3 * p[0] + q[0]) / 4, (3 * p[1] + q[1]) / 4, (3 * p[2] + q[2]) / 4});
     const std::uint32_t apex = diagonal == Diagonal::RISING ? a.bottom : b.bottom;
     if (diagonal == Diagonal::RISING)
       add_triangle(a.bottom, b.bottom, b.top);
@@ -138,7 +136,7 @@ private:
     add_triangle(apex, b.between, b.top);
   }
 
-  IT::Indexed_triangles mesh_;
+  samples::Indexed_triangles mesh_;
 };
 
 inline Sheet::Diagonal diagonal(bool is_falling)
@@ -151,9 +149,7 @@ inline Sheet::Diagonal diagonal(bool is_falling)
 class Random_folds
 {
 public:
-  explicit Random_folds(int number)
-    : random_(5), spacing_(1. / (number + 1))
-  {}
+  explicit Random_folds(int number) : random_(5), spacing_(1. / (number + 1)) {}
   double position(int i) { return rounded((i + uniform(0, 0.5)) * spacing_); }
   double height() { return rounded(uniform(-0.05, 0.05) * spacing_); }
 

@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <gtest/gtest.h>
@@ -45,7 +45,8 @@ const std::vector<Family>& families()
 {
   static const std::vector<Family> result{
     {"mirrored", [](int folds) { return symmetric_surfaces::mirrored_sheet(folds); }, IT::Stage::CONGRUENCE},
-    {"mirrored, with cuts", [](int folds) { return symmetric_surfaces::mirrored_sheet(folds, true); }, IT::Stage::MODULAR},
+    {"mirrored, with cuts", [](int folds) { return symmetric_surfaces::mirrored_sheet(folds, true); },
+     IT::Stage::MODULAR},
     {"quarter turns", symmetric_surfaces::quarter_turns, IT::Stage::MODULAR},
     {"sixth turns", symmetric_surfaces::sixth_turns, IT::Stage::MODULAR},
     {"half turn", symmetric_surfaces::half_turn, IT::Stage::MODULAR},

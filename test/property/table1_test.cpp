@@ -55,8 +55,7 @@ protected:
   static void expect_Delaunay(const Triangulation& t, const IT::Flip_report& report)
   {
     EXPECT_EQ(report.status, IT::Flip_status::DELAUNAY);
-    EXPECT_NEAR(double(report.flips), GetParam().flips,
-                std::max(2., std::ceil(0.04 * GetParam().flips)));
+    EXPECT_NEAR(double(report.flips), GetParam().flips, std::max(2., std::ceil(0.04 * GetParam().flips)));
     for (IT::Edge_index e : t.connectivity().edges())
       if (!t.connectivity().is_border(e)) {
         EXPECT_GE(t.cotangent_weight(e), 0) << e;
@@ -70,18 +69,18 @@ protected:
 
 TEST_P(Table_1, flips_and_weights_in_double)
 {
-  const auto [t, report] = IT::intrinsic_Delaunay_triangulation(
-    mesh_, CGAL::parameters::geom_traits(IT::Edge_length_traits<double>()));
+  const auto [t, report] =
+    IT::intrinsic_Delaunay_triangulation(mesh_, CGAL::parameters::geom_traits(IT::Edge_length_traits<double>()));
   expect_Delaunay(t, report);
 }
 
 TEST_P(Table_1, flips_weights_and_overlay_with_exact_decisions)
 {
-  const auto [t, report] = IT::intrinsic_Delaunay_triangulation(
-    mesh_, CGAL::parameters::geom_traits(IT::Filtered_edge_length_traits()));
+  const auto [t, report] =
+    IT::intrinsic_Delaunay_triangulation(mesh_, CGAL::parameters::geom_traits(IT::Filtered_edge_length_traits()));
   expect_Delaunay(t, report);
   std::int64_t simple = 0, longest = 0, crossings = 0;
-  const auto& coordinates = t.exact_geometry().correspondence().coordinates();
+  const auto& coordinates = IT::internal::engine(t).correspondence().coordinates();
   for (IT::Edge_index e : t.connectivity().edges()) {
     const std::int64_t n = coordinates.number_of_crossings(e);
     simple += n == 1;
@@ -97,7 +96,6 @@ TEST_P(Table_1, flips_weights_and_overlay_with_exact_decisions)
 
 INSTANTIATE_TEST_SUITE_P(, Table_1,
                          testing::Values(Row{"cathead", 45, 40, 3, 0}, Row{"bunnyhead", 380, 275, 6, 0},
-                                         Row{"beautiful_freak", 560, 364, 12, 0},
-                                         Row{"hygeia", 4017, 2862, 6, 0},
+                                         Row{"beautiful_freak", 560, 364, 12, 0}, Row{"hygeia", 4017, 2862, 6, 0},
                                          Row{"horse", 3581, 3124, 7, 4026}),
                          [](const auto& info) { return std::string(info.param.name); });

@@ -12,7 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Mpfr_float.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ using Multiprecision = IT::Intrinsic_triangulation<Multiprecision_traits>;
 struct Recorder
 {
   std::vector<IT::Edge_index> edges;
-  bool go_further(std::uint64_t, std::uint64_t) { return true; }
+  bool go_further(const IT::Progress&) { return true; }
   void after_flip(IT::Edge_index e) { edges.push_back(e); }
 };
 
@@ -77,8 +77,8 @@ public:
     const Number rounding = Number(1) / Number(std::uint64_t(1) << 62) / Number(std::uint64_t(1) << 62);
     const IT::Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
     const IT::Face_index f_k = complex_.face(h), f_l = complex_.face(g);
-    const Number s_ij = s_[e.idx()], s_jk = s(complex_.next(h)), s_ki = s(complex_.prev(h)),
-                 s_il = s(complex_.next(g)), s_lj = s(complex_.prev(g));
+    const Number s_ij = s_[e.idx()], s_jk = s(complex_.next(h)), s_ki = s(complex_.prev(h)), s_il = s(complex_.next(g)),
+                 s_lj = s(complex_.prev(g));
     const Number a_k = a_[f_k.idx()], a_l = a_[f_l.idx()];
     const Number value = IT::Delaunay_value(IT::twice_scalar_product(s_jk, s_ki, s_ij), a_k,
                                             IT::twice_scalar_product(s_il, s_lj, s_ij), a_l);
@@ -124,8 +124,7 @@ private:
 Counts follow(Exact exact, const Multiprecision& start)
 {
   Recorder recorder;
-  const IT::Flip_report report =
-    IT::flip_to_Delaunay(exact, CGAL::parameters::visitor(std::ref(recorder)));
+  const IT::Flip_report report = IT::flip_to_Delaunay(exact, CGAL::parameters::visitor(std::ref(recorder)));
   EXPECT_EQ(report.status, IT::Flip_status::DELAUNAY);
   Follower follower(start);
   const Number before = follower.potential();
@@ -138,22 +137,20 @@ Counts follow(Exact exact, const Multiprecision& start)
   return counts;
 }
 
-Counts follow(const IT::Indexed_triangles& surface)
+Counts follow(const samples::Indexed_triangles& surface)
 {
   const IT::Mpfr_precision precision(256);
-  const IT::Delta_complex complex =
-    IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
+  const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
   std::vector<Multiprecision_traits::Point_data> points;
   for (const std::array<double, 3>& p : surface.points)
     points.push_back({Number(p[0]), Number(p[1]), Number(p[2])});
   return follow(Exact(complex, surface.points), Multiprecision(complex, points));
 }
 
-Counts follow(const IT::Glued_triangles& surface)
+Counts follow(const samples::Glued_triangles& surface)
 {
   const IT::Mpfr_precision precision(256);
-  const IT::Delta_complex complex =
-    IT::make_Delta_complex_from_gluing(surface.number_of_faces, surface.glued_sides);
+  const IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(surface.number_of_faces, surface.glued_sides);
   std::vector<double> lengths(complex.number_of_edges());
   for (IT::Face_index f : complex.faces()) {
     IT::Halfedge_index h = complex.halfedge(f);
@@ -165,9 +162,9 @@ Counts follow(const IT::Glued_triangles& surface)
 }
 
 // A fan over points of the first axis, in this order.
-IT::Indexed_triangles collinear_fan(const std::vector<double>& positions)
+samples::Indexed_triangles collinear_fan(const std::vector<double>& positions)
 {
-  IT::Indexed_triangles fan;
+  samples::Indexed_triangles fan;
   for (double x : positions)
     fan.points.push_back({x, 0, 0});
   for (std::uint32_t k = 1; k + 1 < positions.size(); ++k)
@@ -177,10 +174,10 @@ IT::Indexed_triangles collinear_fan(const std::vector<double>& positions)
 
 TEST(Termination, PotentialFallsOnSurfacesInSpace)
 {
-  for (const IT::Indexed_triangles& surface :
-       {IT::bumpy_sphere(30, 15), IT::bad_torus(20, 10), IT::sheared_grid(8, 8), IT::pillow(30),
-        IT::strip(60, 8), IT::prism(16, 1), IT::cap(1e-10), IT::cap(1e-17, 1), IT::sliver_sheet(10),
-        IT::disk_with_spike(12, 6), IT::latitude_longitude_sphere(16, 9)}) {
+  for (const samples::Indexed_triangles& surface :
+       {samples::bumpy_sphere(30, 15), samples::bad_torus(20, 10), samples::sheared_grid(8, 8), samples::pillow(30),
+        samples::strip(60, 8), samples::prism(16, 1), samples::cap(1e-10), samples::cap(1e-17, 1),
+        samples::sliver_sheet(10), samples::disk_with_spike(12, 6), samples::latitude_longitude_sphere(16, 9)}) {
     const Counts counts = follow(surface);
     EXPECT_GT(counts.between_positive, 0u);
     EXPECT_EQ(counts.between_degenerate, 0u);
@@ -189,17 +186,17 @@ TEST(Termination, PotentialFallsOnSurfacesInSpace)
 
 TEST(Termination, PotentialFallsOnGluings)
 {
-  EXPECT_GT(follow(IT::sheared_one_vertex_torus(50)).between_positive, 40u);
+  EXPECT_GT(follow(samples::sheared_one_vertex_torus(50)).between_positive, 40u);
   std::size_t flips = 0;
   for (std::uint64_t seed = 1; seed <= 50; ++seed)
-    flips += follow(IT::random_gluing(8, seed)).between_positive +
-             follow(IT::random_gluing(7, seed, true)).between_positive;
+    flips += follow(samples::random_gluing(8, seed)).between_positive +
+             follow(samples::random_gluing(7, seed, true)).between_positive;
   EXPECT_GT(flips, 20u);
 }
 
 TEST(Termination, PotentialFallsWhereOneFaceHasNoArea)
 {
-  const Counts counts = follow(IT::cap(0));
+  const Counts counts = follow(samples::cap(0));
   EXPECT_EQ(counts.with_one_degenerate, 19u); // each flip takes one of the 19 such faces away
   EXPECT_EQ(counts.between_degenerate, 0u);
 }

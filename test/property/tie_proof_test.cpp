@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <gtest/gtest.h>
@@ -35,8 +35,7 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_trait
 
 Triangulation triangulation(const Surface& surface)
 {
-  return {symmetric_surfaces::connectivity(surface),
-          surface.mesh.points};
+  return {symmetric_surfaces::connectivity(surface), surface.mesh.points};
 }
 
 // Its tie has so many roots that an expansion is given up.
@@ -107,16 +106,15 @@ Triangulation made_Delaunay(const Surface& surface)
 // Cancels when it is asked several times without a test between.
 struct Impatient_visitor
 {
-  bool go_further(std::uint64_t tests, std::uint64_t flips)
+  bool go_further(const IT::Progress& progress)
   {
-    number_of_equal_questions = tests == last_tests && flips == last_flips ? number_of_equal_questions + 1 : 0;
-    last_tests = tests;
-    last_flips = flips;
+    const bool is_equal = progress.tests == last.tests && progress.flips == last.flips;
+    number_of_equal_questions = is_equal ? number_of_equal_questions + 1 : 0;
+    last = progress;
     return number_of_equal_questions < 10;
   }
-  void after_flip(IT::Edge_index) {}
 
-  std::uint64_t last_tests = 0, last_flips = 0;
+  IT::Progress last;
   int number_of_equal_questions = 0;
 };
 
@@ -126,12 +124,11 @@ TEST(Tie_proof, a_visitor_cancels_within_a_decision)
   EXPECT_GE(uninterrupted.stage_counts()[Stage::MODULAR], 1u);
   Triangulation t = triangulation(costly_surface());
   Impatient_visitor visitor;
-  const IT::Flip_report report =
-    IT::flip_to_Delaunay(t, params::tie_proof(Tie_proof::PROVEN).visitor(std::ref(visitor)));
-  EXPECT_EQ(report.status, Flip_status::CANCELLED);
+  EXPECT_THROW(IT::flip_to_Delaunay(t, params::tie_proof(Tie_proof::PROVEN).visitor(std::ref(visitor))),
+               IT::Cancelled_error);
   EXPECT_EQ(visitor.number_of_equal_questions, 10);
   // It would be cancelled again, as often as one likes.
-  EXPECT_EQ(IT::flip_to_Delaunay(t, params::visitor(Impatient_visitor())).status, Flip_status::CANCELLED);
+  EXPECT_THROW(IT::flip_to_Delaunay(t, params::visitor(Impatient_visitor())), IT::Cancelled_error);
   EXPECT_EQ(IT::flip_to_Delaunay(t, params::tie_proof(Tie_proof::PROBABLE_IF_COSTLY)).status, Flip_status::DELAUNAY);
   EXPECT_GE(t.stage_counts()[Stage::MODULAR], 1u);
   expect_same_result(t, uninterrupted);
@@ -144,8 +141,8 @@ TEST(Tie_proof, a_function_ends_a_decision)
   Triangulation t = triangulation(costly_surface());
   int questions = 0;
   t.set_interruption([&questions] { return ++questions < 5; });
-  EXPECT_EQ(IT::flip_to_Delaunay(t, params::tie_proof(Tie_proof::PROVEN).visitor(Impatient_visitor())).status,
-            Flip_status::CANCELLED);
+  EXPECT_THROW(IT::flip_to_Delaunay(t, params::tie_proof(Tie_proof::PROVEN).visitor(Impatient_visitor())),
+               IT::Cancelled_error);
   EXPECT_EQ(questions, 5);
   const std::function<bool()> function = t.set_interruption({}); // the visitor was taken away, and it stayed
   ASSERT_TRUE(function);
@@ -181,17 +178,18 @@ TEST(Tie_proof, a_run_can_be_ended_at_any_question)
 {
   struct Visitor
   {
-    bool go_further(std::uint64_t, std::uint64_t) { return questions++ < last; }
-    void after_flip(IT::Edge_index) {}
+    bool go_further(const IT::Progress&) { return questions++ < last; }
     int last, questions = 0;
   };
   const Surface surface = symmetric_surfaces::quarter_turns(5);
   const Triangulation uninterrupted = made_Delaunay(surface);
   for (int last = 0;; ++last) {
     Triangulation t = triangulation(surface);
-    if (IT::flip_to_Delaunay(t, params::visitor(Visitor{last})).status == Flip_status::DELAUNAY) {
+    try {
+      EXPECT_EQ(IT::flip_to_Delaunay(t, params::visitor(Visitor{last})).status, Flip_status::DELAUNAY);
       EXPECT_GT(last, 30);
       break;
+    } catch (const IT::Cancelled_error&) {
     }
     EXPECT_EQ(IT::flip_to_Delaunay(t).status, Flip_status::DELAUNAY);
     expect_same_result(t, uninterrupted);
@@ -237,7 +235,8 @@ TEST(Tie_proof, a_sign_other_than_zero_is_always_proven)
   const Surface surface = parallel_folds(100);
   std::vector<symmetric_surfaces::Rational> squared_lengths = symmetric_surfaces::squared_lengths(surface);
   squared_lengths.back() += symmetric_surfaces::Rational(1, IT::internal::Integer(1) << 200);
-  Triangulation t = Triangulation::from_metric(symmetric_surfaces::connectivity(surface), IT::metric_from_squared_lengths(squared_lengths));
+  Triangulation t = Triangulation::from_metric(symmetric_surfaces::connectivity(surface),
+                                               IT::metric_from_squared_lengths(squared_lengths));
   EXPECT_EQ(IT::flip_to_Delaunay(t, params::tie_proof(Tie_proof::PROVEN)).status, Flip_status::DELAUNAY);
   EXPECT_GE(t.stage_counts()[Stage::MULTIPRECISION], 1u);
   EXPECT_EQ(IT::verify_Delaunay(t).ties, 0u);

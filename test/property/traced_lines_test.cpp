@@ -9,11 +9,11 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/point_location.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 
-Triangulation triangulation_of(const IT::Indexed_triangles& surface)
+Triangulation triangulation_of(const samples::Indexed_triangles& surface)
 {
   return Triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
 }
@@ -71,7 +71,8 @@ std::vector<double> distances(const Triangulation& t, const IT::Traced_geodesic&
           break;
       }
       EXPECT_EQ(c.source(exit.halfedge), c.source(q.halfedge));
-    } else if (q.dimension() == 1 && q.coordinates[2] == 0 && i + 2 < line.points.size() && c.face(c.opposite(q.halfedge)) == f)
+    } else if (q.dimension() == 1 && q.coordinates[2] == 0 && i + 2 < line.points.size() &&
+               c.face(c.opposite(q.halfedge)) == f)
       exit = {c.opposite(q.halfedge), {q.coordinates[1], q.coordinates[0], 0}};
     EXPECT_EQ(c.face(exit.halfedge), f) << i;
     if (c.face(exit.halfedge) != f)
@@ -83,10 +84,7 @@ std::vector<double> distances(const Triangulation& t, const IT::Traced_geodesic&
 
 using Point = std::array<double, 3>;
 
-double distance(const Point& p, const Point& q)
-{
-  return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-}
+double distance(const Point& p, const Point& q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }
 
 // A line over the input as a polyline.
 struct Line_in_space
@@ -111,29 +109,35 @@ struct Line_in_space
 std::size_t expect_the_same_line(const Triangulation& t, const IT::Point_location& location,
                                  const std::vector<Point>& points, const IT::Surface_direction& start, double length)
 {
-  const IT::Delta_complex& input = t.exact_geometry().correspondence().input();
-  const IT::Traced_geodesic line = IT::trace_geodesic(t, start, length), in_faces = IT::trace_geodesic_in_triangulation(t, start, length);
+  const IT::Delta_complex& input = t.input();
+  const IT::Traced_geodesic line = IT::trace_geodesic(t, start, length),
+                            in_faces = IT::trace_geodesic_in_triangulation(t, start, length);
   EXPECT_EQ(line.status, in_faces.status);
   EXPECT_EQ(line.vertex, in_faces.vertex);
   EXPECT_NEAR(line.length, in_faces.length, 1e-12 * (1 + line.length));
   Line_in_space in_space;
   for (const IT::Surface_point& p : line.points) {
     in_space.points.push_back(IT::point_in_space(input, points, p));
-    in_space.distances.push_back(
-      in_space.distances.empty() ? 0 : in_space.distances.back() + distance(in_space.points.back(), in_space.points[in_space.points.size() - 2]));
+    in_space.distances.push_back(in_space.distances.empty()
+                                   ? 0
+                                   : in_space.distances.back() +
+                                       distance(in_space.points.back(), in_space.points[in_space.points.size() - 2]));
   }
   const std::vector<double> d = distances(t, in_faces);
   EXPECT_EQ(d.size(), in_faces.points.size());
   EXPECT_NEAR(d.back(), in_faces.length, 1e-10 * (1 + line.length));
   for (std::size_t i = 0; i < d.size(); ++i)
-    EXPECT_LT(distance(IT::point_in_space(input, points, location.intrinsic_to_input(in_faces.points[i])), in_space.at(d[i])), 1e-9) << i;
+    EXPECT_LT(
+      distance(IT::point_in_space(input, points, location.intrinsic_to_input(in_faces.points[i])), in_space.at(d[i])),
+      1e-9)
+      << i;
   return in_faces.points.size();
 }
 
 // Starts inside of faces, on edges and at vertices of the input, at vertices of the triangulation, and on its edges as well as doubles allow.
 IT::Surface_direction random_start(const Triangulation& t, const IT::Point_location& location, std::mt19937& random)
 {
-  const IT::Delta_complex& input = t.exact_geometry().correspondence().input();
+  const IT::Delta_complex& input = t.input();
   const auto coordinate = [&] { return double(random() % 5); };
   for (;;) {
     IT::Surface_direction start{{IT::Halfedge_index(std::uint32_t(random() % input.number_of_halfedges())), {}}, {}};
@@ -144,15 +148,16 @@ IT::Surface_direction random_start(const Triangulation& t, const IT::Point_locat
     if (random() % 4 == 0) {
       IT::Halfedge_index h(std::uint32_t(random() % t.connectivity().number_of_halfedges()));
       const IT::Vertex_index v = t.connectivity().source(h);
-      if (t.exact_geometry().correspondence().is_inserted(v))
-        start.point = t.exact_geometry().correspondence().location(v);
+      if (t.is_inserted(v))
+        start.point = t.location(v);
       else if (!t.connectivity().is_border(h))
         start.point = location.intrinsic_to_input({h, {coordinate(), coordinate() + 1, 0}});
     }
     if (start.point.coordinates == std::array<double, 3>{0, 0, 0})
       continue;
     start.displacement = {double(random() % 7) - 3, double(random() % 7) - 3};
-    const double d[3] = {-(start.displacement[0] + start.displacement[1]), start.displacement[0], start.displacement[1]};
+    const double d[3] = {-(start.displacement[0] + start.displacement[1]), start.displacement[0],
+                         start.displacement[1]};
     bool leads_into_face = d[1] != 0 || d[2] != 0;
     for (int i = 0; i < 3; ++i)
       leads_into_face = leads_into_face && (start.point.coordinates[i] > 0 || d[i] >= 0);
@@ -162,9 +167,9 @@ IT::Surface_direction random_start(const Triangulation& t, const IT::Point_locat
 }
 
 // Squares of side 1, each with a rising diagonal.
-IT::Indexed_triangles squares(std::uint32_t columns, std::uint32_t rows)
+samples::Indexed_triangles squares(std::uint32_t columns, std::uint32_t rows)
 {
-  IT::Indexed_triangles result;
+  samples::Indexed_triangles result;
   for (std::uint32_t y = 0; y <= rows; ++y)
     for (std::uint32_t x = 0; x <= columns; ++x)
       result.points.push_back({double(x), double(y), 0});
@@ -188,21 +193,25 @@ TEST(Traced_line, goes_on_behind_inserted_vertices)
         return h;
     return IT::Halfedge_index();
   };
-  for (const IT::Surface_point& p : {IT::Surface_point{halfedge_from(1, 6), {0.75, 0.25, 0}}, IT::Surface_point{halfedge_from(2, 7), {0.5, 0.5, 0}},
-                                     IT::Surface_point{halfedge_from(1, 2), {0.5, 0.125, 0.375}}})
+  for (const IT::Surface_point& p :
+       {IT::Surface_point{halfedge_from(1, 6), {0.75, 0.25, 0}}, IT::Surface_point{halfedge_from(2, 7), {0.5, 0.5, 0}},
+        IT::Surface_point{halfedge_from(1, 2), {0.5, 0.125, 0.375}}})
     IT::insert_vertex(t, p);
   const IT::Surface_direction start{{halfedge_from(0, 1), {1, 0, 0}}, {3, 1}};
   const IT::Traced_geodesic line = IT::trace_geodesic_in_triangulation(t, start, 100);
   EXPECT_EQ(line.status, IT::Trace_status::AT_VERTEX);
   EXPECT_EQ(line.vertex.idx(), 9u);
   EXPECT_NEAR(line.length, std::sqrt(17.), 1e-15);
-  const auto at_corners = std::count_if(line.points.begin(), line.points.end(), [](const IT::Surface_point& p) { return p.dimension() == 0; });
+  const auto at_corners = std::count_if(line.points.begin(), line.points.end(),
+                                        [](const IT::Surface_point& p) { return p.dimension() == 0; });
   EXPECT_EQ(at_corners, 5); // both ends and three inserted vertices
   distances(t, line);
   // A little beside it, no vertex is met.
   const IT::Traced_geodesic beside = IT::trace_geodesic_in_triangulation(t, {start.point, {3, 1 - 0x1p-50}}, 100);
   EXPECT_EQ(beside.status, IT::Trace_status::AT_BORDER);
-  EXPECT_EQ(std::count_if(beside.points.begin(), beside.points.end(), [](const IT::Surface_point& p) { return p.dimension() == 0; }), 1);
+  EXPECT_EQ(std::count_if(beside.points.begin(), beside.points.end(),
+                          [](const IT::Surface_point& p) { return p.dimension() == 0; }),
+            1);
 }
 
 TEST(Traced_line, runs_along_edges)
@@ -224,7 +233,7 @@ TEST(Traced_line, runs_along_edges)
 // All diagonals are flipped, so that the middle of each input diagonal lies on an edge.
 TEST(Traced_line, begins_on_edges)
 {
-  const IT::Indexed_triangles surface = squares(4, 3);
+  const samples::Indexed_triangles surface = squares(4, 3);
   Triangulation t = triangulation_of(surface);
   const IT::Delta_complex input = t.connectivity();
   std::vector<IT::Halfedge_index> diagonals;
@@ -237,7 +246,8 @@ TEST(Traced_line, begins_on_edges)
   const IT::Common_subdivision subdivision(t);
   const IT::Point_location location(subdivision);
   for (IT::Halfedge_index h : diagonals)
-    for (const std::array<double, 2>& displacement : {std::array<double, 2>{1, 0}, {-1, 0}, {-3, 2}, {-1, 2}, {-2, 3}, {0, 1}, {-1, 1}}) {
+    for (const std::array<double, 2>& displacement :
+         {std::array<double, 2>{1, 0}, {-1, 0}, {-3, 2}, {-1, 2}, {-2, 3}, {0, 1}, {-1, 1}}) {
       const IT::Surface_direction start{{h, {1, 1, 0}}, displacement};
       expect_the_same_line(t, location, surface.points, start, 2.3);
       EXPECT_GT(distances(t, IT::trace_geodesic_in_triangulation(t, start, 2.3))[1], 0.1); // not in the face behind
@@ -246,7 +256,7 @@ TEST(Traced_line, begins_on_edges)
 
 TEST(Traced_line, runs_along_the_border_past_inserted_vertices)
 {
-  const IT::Indexed_triangles surface = squares(3, 2);
+  const samples::Indexed_triangles surface = squares(3, 2);
   Triangulation t = triangulation_of(surface);
   const IT::Delta_complex input = t.connectivity();
   for (IT::Halfedge_index h : input.halfedges())
@@ -272,9 +282,9 @@ class Traced_lines : public testing::TestWithParam<int>
 TEST_P(Traced_lines, are_the_same_over_input_and_triangulation)
 {
   std::mt19937 random{std::uint32_t(GetParam())};
-  for (const IT::Indexed_triangles& surface :
-       {IT::bumpy_sphere(), IT::torus(12, 8), IT::bumpy_dome(12, 8), IT::random_diagonal_grid(6, 6), IT::sheared_grid(5, 5, 2), IT::prism(8, 3),
-        IT::bad_torus(10, 8)}) {
+  for (const samples::Indexed_triangles& surface :
+       {samples::bumpy_sphere(), samples::torus(12, 8), samples::bumpy_dome(12, 8), samples::random_diagonal_grid(6, 6),
+        samples::sheared_grid(5, 5, 2), samples::prism(8, 3), samples::bad_torus(10, 8)}) {
     Triangulation t = triangulation_of(surface);
     if (GetParam() > 0)
       IT::flip_to_Delaunay(t);

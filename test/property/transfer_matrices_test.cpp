@@ -38,16 +38,14 @@ Matrix overlay_mass_matrix(const Overlaid& s)
   for (IT::Overlay::Face f : overlay.faces()) {
     const IT::Halfedge_index first = s.input().halfedge(overlay.input_face(f));
     const auto corners = test_surfaces::laid_out(
-      s.input(), first, [&](IT::Halfedge_index h) { return s.input_length(h); },
-      s.input_area(overlay.input_face(f)));
+      s.input(), first, [&](IT::Halfedge_index h) { return s.input_length(h); }, s.input_area(overlay.input_face(f)));
     std::vector<test_surfaces::Point_2> places;
     std::vector<int> vertices;
     IT::Overlay::Halfedge h = overlay.halfedge(f);
     do {
       const double t = s.positions().on_input_side(overlay, h);
       places.push_back(test_surfaces::combination(
-        corners,
-        test_surfaces::coordinates_from(s.input(), {overlay.input_side(h), {1 - t, t, 0}}, first)));
+        corners, test_surfaces::coordinates_from(s.input(), {overlay.input_side(h), {1 - t, t, 0}}, first)));
       vertices.push_back(int(overlay.target(h).idx()));
       h = overlay.next(h);
     } while (h != overlay.halfedge(f));
@@ -74,8 +72,7 @@ Matrix mass_matrix(const IT::Delta_complex& complex, const Area& area)
     const IT::Halfedge_index h = complex.halfedge(f);
     for (IT::Halfedge_index a : {h, complex.next(h), complex.prev(h)})
       for (IT::Halfedge_index b : {h, complex.next(h), complex.prev(h)})
-        entries.emplace_back(complex.target(a).idx(), complex.target(b).idx(),
-                             a == b ? area(f) / 6 : area(f) / 12);
+        entries.emplace_back(complex.target(a).idx(), complex.target(b).idx(), a == b ? area(f) / 6 : area(f) / 12);
   }
   Matrix result(complex.number_of_vertices(), complex.number_of_vertices());
   result.setFromTriplets(entries.begin(), entries.end());
@@ -92,8 +89,7 @@ TEST(Transfer_matrices, interpolation_is_that_of_the_functions)
       EXPECT_NEAR((matrix * values - Eigen::Map<const Vector>(expected.data(), matrix.rows())).norm(), 0,
                   1e-14 * std::sqrt(double(matrix.rows())));
     };
-    expect_equal(IT::input_interpolation_matrix(s.subdivision),
-                 IT::interpolate_input_values(s.subdivision, values));
+    expect_equal(IT::input_interpolation_matrix(s.subdivision), IT::interpolate_input_values(s.subdivision, values));
     expect_equal(IT::intrinsic_interpolation_matrix(s.subdivision),
                  IT::interpolate_intrinsic_values(s.subdivision, values));
   });
@@ -103,22 +99,17 @@ TEST(Transfer_matrices, integrals_are_those_over_the_overlay)
 {
   test_surfaces::for_each_overlaid_surface([](const std::string& name, const Overlaid& s) {
     SCOPED_TRACE(name);
-    const IT::Transfer_mass_matrices mass =
-      IT::transfer_mass_matrices(s.subdivision);
-    const Matrix on_overlay = overlay_mass_matrix(s),
-                 from_input = IT::input_interpolation_matrix(s.subdivision),
+    const IT::Transfer_mass_matrices mass = IT::transfer_mass_matrices(s.subdivision);
+    const Matrix on_overlay = overlay_mass_matrix(s), from_input = IT::input_interpolation_matrix(s.subdivision),
                  from_intrinsic = IT::intrinsic_interpolation_matrix(s.subdivision);
     const double tolerance = 1e-13 * norm(mass.input);
     EXPECT_LE(norm(Matrix(from_input.transpose() * on_overlay * from_input - mass.input)), tolerance);
-    EXPECT_LE(norm(Matrix(from_intrinsic.transpose() * on_overlay * from_intrinsic - mass.intrinsic)),
-              tolerance);
+    EXPECT_LE(norm(Matrix(from_intrinsic.transpose() * on_overlay * from_intrinsic - mass.intrinsic)), tolerance);
     EXPECT_LE(norm(Matrix(from_intrinsic.transpose() * on_overlay * from_input - mass.mixed)), tolerance);
 
-    EXPECT_LE(norm(Matrix(mass_matrix(s.input(), [&](IT::Face_index f) { return s.input_area(f); }) -
-                          mass.input)),
+    EXPECT_LE(norm(Matrix(mass_matrix(s.input(), [&](IT::Face_index f) { return s.input_area(f); }) - mass.input)),
               tolerance);
-    EXPECT_LE(norm(Matrix(mass_matrix(s.intrinsic(),
-                                      [&](IT::Face_index f) { return s.triangulation.area(f); }) -
+    EXPECT_LE(norm(Matrix(mass_matrix(s.intrinsic(), [&](IT::Face_index f) { return s.triangulation.area(f); }) -
                           mass.intrinsic)),
               tolerance);
   });
@@ -128,15 +119,14 @@ TEST(Transfer_matrices, rows_sum_to_integrals_and_all_to_the_area)
 {
   test_surfaces::for_each_overlaid_surface([](const std::string& name, const Overlaid& s) {
     SCOPED_TRACE(name);
-    const IT::Transfer_mass_matrices mass =
-      IT::transfer_mass_matrices(s.subdivision);
+    const IT::Transfer_mass_matrices mass = IT::transfer_mass_matrices(s.subdivision);
     const Vector ones = Vector::Ones(mass.mixed.rows());
     double area = 0;
     for (IT::Face_index f : s.input().faces())
       area += s.input_area(f);
     EXPECT_NEAR(ones.dot(mass.mixed * ones), area, 1e-13 * area);
-    const Vector rows = mass.mixed * ones, columns = mass.mixed.transpose() * ones,
-                 intrinsic = mass.intrinsic * ones, input = mass.input * ones;
+    const Vector rows = mass.mixed * ones, columns = mass.mixed.transpose() * ones, intrinsic = mass.intrinsic * ones,
+                 input = mass.input * ones;
     for (Eigen::Index v = 0; v < ones.size(); ++v) {
       EXPECT_NEAR(rows[v], intrinsic[v], 1e-13 * intrinsic[v]);
       EXPECT_NEAR(columns[v], input[v], 1e-13 * input[v]);
@@ -148,16 +138,13 @@ TEST(Transfer_matrices, the_projection_is_optimal)
 {
   test_surfaces::for_each_overlaid_surface([](const std::string& name, const Overlaid& s) {
     SCOPED_TRACE(name);
-    const IT::Transfer_mass_matrices mass =
-      IT::transfer_mass_matrices(s.subdivision);
+    const IT::Transfer_mass_matrices mass = IT::transfer_mass_matrices(s.subdivision);
     const IT::L2_projection to_input = IT::L2_projection_to_input(mass),
                             to_intrinsic = IT::L2_projection_to_intrinsic(mass);
-    const Matrix on_overlay = overlay_mass_matrix(s),
-                 from_input = IT::input_interpolation_matrix(s.subdivision),
+    const Matrix on_overlay = overlay_mass_matrix(s), from_input = IT::input_interpolation_matrix(s.subdivision),
                  from_intrinsic = IT::intrinsic_interpolation_matrix(s.subdivision);
     const Vector values = Vector::Random(mass.mixed.rows()), ones = Vector::Ones(mass.mixed.rows());
-    const auto check = [&](const IT::L2_projection& project, const Matrix& from_source,
-                           const Matrix& from_target) {
+    const auto check = [&](const IT::L2_projection& project, const Matrix& from_source, const Matrix& from_target) {
       EXPECT_NEAR((project(ones) - ones).lpNorm<Eigen::Infinity>(), 0, 1e-11);
       const Vector projected = project(values);
       // The residual is orthogonal to every function on the target.
@@ -189,8 +176,8 @@ TEST(Transfer_matrices, the_projection_is_optimal)
 // where nothing was flipped.
 TEST(Transfer_matrices, the_projection_leaves_functions_of_the_target_as_they_are)
 {
-  const IT::Indexed_triangles grid = IT::sheared_grid(12, 12, 3.3);
-  const Overlaid sheared(grid), unflipped(IT::random_diagonal_grid(8, 8, 1, 0));
+  const samples::Indexed_triangles grid = samples::sheared_grid(12, 12, 3.3);
+  const Overlaid sheared(grid), unflipped(samples::random_diagonal_grid(8, 8, 1, 0));
   ASSERT_GT(sheared.overlay().number_of_crossings(), 100u);
   ASSERT_EQ(unflipped.overlay().number_of_crossings(), 0u);
   Eigen::MatrixXd places(grid.points.size(), 2);
@@ -200,19 +187,17 @@ TEST(Transfer_matrices, the_projection_leaves_functions_of_the_target_as_they_ar
   EXPECT_LE((IT::L2_projection_to_input(mass)(places) - places).norm(), 1e-11);
   EXPECT_LE((IT::L2_projection_to_intrinsic(mass)(places) - places).norm(), 1e-11);
 
-  const auto same =
-    IT::transfer_mass_matrices(unflipped.subdivision);
+  const auto same = IT::transfer_mass_matrices(unflipped.subdivision);
   const Vector values = Vector::Random(same.mixed.rows());
   EXPECT_LE((IT::L2_projection_to_intrinsic(same)(values) - values).norm(), 1e-12);
 }
 
 TEST(Transfer_matrices, isolated_vertices_keep_their_values)
 {
-  IT::Indexed_triangles surface = IT::sheared_grid(3, 3);
+  samples::Indexed_triangles surface = samples::sheared_grid(3, 3);
   surface.points.push_back({7, 7, 7});
   const Overlaid s(surface);
-  const auto project =
-    IT::L2_projection_to_input(IT::transfer_mass_matrices(s.subdivision));
+  const auto project = IT::L2_projection_to_input(IT::transfer_mass_matrices(s.subdivision));
   const Vector values = Vector::Random(Eigen::Index(surface.points.size()));
   EXPECT_EQ(project(values)[values.size() - 1], values[values.size() - 1]);
 }
@@ -223,7 +208,7 @@ TEST(Transfer_matrices, isolated_vertices_keep_their_values)
 TEST(Transfer_matrices, areas_out_of_range_are_errors)
 {
   const auto projected = [](double scale) {
-    IT::Indexed_triangles surface = IT::bumpy_sphere(6, 7);
+    samples::Indexed_triangles surface = samples::bumpy_sphere(6, 7);
     for (auto& p : surface.points)
       for (double& x : p)
         x *= scale;

@@ -7,7 +7,6 @@
 #include "evaluation_data.h"
 #include "overlay_surfaces.h"
 
-#include <CGAL/Intrinsic_triangulations/overlay_areas.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
 
 #include <CGAL/IO/polygon_soup_io.h>
@@ -76,17 +75,16 @@ void expect_isometric(const Overlaid& s)
     const IT::Halfedge_index h = s.input().halfedge(s.overlay().input_face(f)),
                              g = s.intrinsic().halfedge(s.overlay().intrinsic_face(f));
     const auto input_corners = test_surfaces::laid_out(
-      s.input(), h, [&](IT::Halfedge_index e) { return s.input_length(e); },
-      s.input_area(s.overlay().input_face(f)));
+      s.input(), h, [&](IT::Halfedge_index e) { return s.input_length(e); }, s.input_area(s.overlay().input_face(f)));
     const auto intrinsic_corners = test_surfaces::laid_out(
       s.intrinsic(), g, [&](IT::Halfedge_index e) { return lengths[e.idx() / 2]; },
       areas[s.overlay().intrinsic_face(f).idx()]);
     std::vector<Point_2> a, b;
     for (Part part : around(s.overlay(), f)) {
-      a.push_back(test_surfaces::combination(
-        input_corners, test_surfaces::coordinates_from(s.input(), in_input(s, part), h)));
-      b.push_back(test_surfaces::combination(
-        intrinsic_corners, test_surfaces::coordinates_from(s.intrinsic(), in_intrinsic(s, part), g)));
+      a.push_back(
+        test_surfaces::combination(input_corners, test_surfaces::coordinates_from(s.input(), in_input(s, part), h)));
+      b.push_back(test_surfaces::combination(intrinsic_corners,
+                                             test_surfaces::coordinates_from(s.intrinsic(), in_intrinsic(s, part), g)));
     }
     double longest = 0;
     for (int i = 0; i < 3; ++i)
@@ -94,8 +92,7 @@ void expect_isometric(const Overlaid& s)
         longest = (std::max)(longest, test_surfaces::distance((*corners)[i], (*corners)[(i + 1) % 3]));
     for (std::size_t i = 0; i < a.size(); ++i)
       for (std::size_t j = i + 1; j < a.size(); ++j)
-        ASSERT_NEAR(test_surfaces::distance(a[i], a[j]), test_surfaces::distance(b[i], b[j]),
-                    1e-13 * longest);
+        ASSERT_NEAR(test_surfaces::distance(a[i], a[j]), test_surfaces::distance(b[i], b[j]), 1e-13 * longest);
     ASSERT_NEAR(overlay_areas[f.idx()], area(a), 1e-14 * longest * longest);
     ASSERT_NEAR(overlay_areas[f.idx()], area(b), 1e-14 * longest * longest);
     sums_in_input[s.overlay().input_face(f).idx()] += overlay_areas[f.idx()];
@@ -126,8 +123,8 @@ TEST(Transfer, lengths_of_horse_where_several_edges_join_two_vertices)
   std::vector<std::array<double, 3>> coordinates;
   for (const auto& p : points)
     coordinates.push_back({p.x(), p.y(), p.z()});
-  const Overlaid s(test_surfaces::Triangulation(
-    IT::make_Delta_complex_from_triangles(points.size(), triangles), coordinates));
+  const Overlaid s(
+    test_surfaces::Triangulation(IT::make_Delta_complex_from_triangles(points.size(), triangles), coordinates));
   EXPECT_FALSE(IT::is_simplicial(s.intrinsic()));
   expect_isometric(s);
 }
@@ -138,8 +135,7 @@ TEST(Transfer, constants_stay_constant)
     SCOPED_TRACE(name);
     const std::vector<double> ones(s.input().number_of_vertices(), 1);
     for (const std::vector<double>& values :
-         {IT::interpolate_input_values(s.subdivision, ones),
-          IT::interpolate_intrinsic_values(s.subdivision, ones)}) {
+         {IT::interpolate_input_values(s.subdivision, ones), IT::interpolate_intrinsic_values(s.subdivision, ones)}) {
       ASSERT_EQ(values.size(), s.overlay().number_of_vertices());
       for (double x : values)
         ASSERT_NEAR(x, 1, 1e-15);
@@ -158,15 +154,14 @@ struct Vector_2
 // In the plane the coordinates are linear functions on either triangulation.
 TEST(Transfer, linear_functions_stay_linear_in_the_plane)
 {
-  for (const IT::Indexed_triangles& surface :
-       {IT::sheared_grid(12, 12, 3.3), IT::strip(100, 20), IT::random_diagonal_grid(8, 8, 1, 0), IT::cap(0)}) {
+  for (const samples::Indexed_triangles& surface : {samples::sheared_grid(12, 12, 3.3), samples::strip(100, 20),
+                                                    samples::random_diagonal_grid(8, 8, 1, 0), samples::cap(0)}) {
     const Overlaid s(surface);
     std::vector<Vector_2> places;
     for (const std::array<double, 3>& p : surface.points)
       places.push_back({p[0], p[1]});
     const auto from_input = IT::interpolate_input_values(s.subdivision, places),
-               from_intrinsic =
-                 IT::interpolate_intrinsic_values(s.subdivision, places);
+               from_intrinsic = IT::interpolate_intrinsic_values(s.subdivision, places);
     ASSERT_EQ(from_input.size(), from_intrinsic.size());
     for (IT::Overlay::Vertex v : s.overlay().vertices()) {
       const auto in_space = s.subdivision.point(v, surface.points);
@@ -180,7 +175,7 @@ TEST(Transfer, linear_functions_stay_linear_in_the_plane)
 
 TEST(Transfer, along_a_loop_vertex_data_are_constant)
 {
-  const Overlaid s(IT::helical_tube());
+  const Overlaid s(samples::helical_tube());
   std::vector<double> numbers;
   for (IT::Vertex_index v : s.intrinsic().vertices())
     numbers.push_back(v.idx());
@@ -256,13 +251,12 @@ Vector_2 seen_on_overlay(const Overlaid& s, const std::vector<IT::Overlay::Face>
 TEST(Transfer, a_textured_surface_looks_the_same)
 {
   for (bool all_seams : {false, true})
-    for (const Overlaid& s :
-         {Overlaid(IT::bumpy_sphere(20, 12)), Overlaid(IT::helical_tube()), Overlaid(IT::disk_with_spike(12, 8)),
-          Overlaid(test_surfaces::triangulation<IT::Filtered_edge_length_traits>(
-            test_surfaces::from_gluing("gluing", IT::random_gluing(41, 3, true, true))))}) {
+    for (const Overlaid& s : {Overlaid(samples::bumpy_sphere(20, 12)), Overlaid(samples::helical_tube()),
+                              Overlaid(samples::disk_with_spike(12, 8)),
+                              Overlaid(test_surfaces::triangulation<IT::Filtered_edge_length_traits>(
+                                test_surfaces::from_gluing("gluing", samples::random_gluing(41, 3, true, true))))}) {
       const std::vector<Vector_2> before = texture_coordinates(s, all_seams);
-      const std::vector<Vector_2> after =
-        IT::interpolate_input_corner_values(s.subdivision, before);
+      const std::vector<Vector_2> after = IT::interpolate_input_corner_values(s.subdivision, before);
       std::vector<std::vector<IT::Overlay::Face>> faces(s.input().number_of_faces());
       for (IT::Overlay::Face f : s.overlay().faces())
         faces[s.overlay().input_face(f).idx()].push_back(f);
@@ -284,10 +278,9 @@ TEST(Transfer, a_textured_surface_looks_the_same)
 // No seam appears where there was none: along a part whose input edge is none, both sides agree.
 TEST(Transfer, seams_stay_where_they_were)
 {
-  const Overlaid s(IT::bumpy_sphere(20, 12));
+  const Overlaid s(samples::bumpy_sphere(20, 12));
   const std::vector<Vector_2> before = texture_coordinates(s, false);
-  const std::vector<Vector_2> after =
-    IT::interpolate_input_corner_values(s.subdivision, before);
+  const std::vector<Vector_2> after = IT::interpolate_input_corner_values(s.subdivision, before);
   int seams = 0;
   for (Part h : s.overlay().halfedges()) {
     Part in_other_face = s.overlay().opposite(h); // the one before it points to the target of h

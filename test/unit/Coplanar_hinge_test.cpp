@@ -4,9 +4,9 @@
 // The in-circle test of two coplanar faces, against the determinant in rational numbers.
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Coplanar_hinge.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Coplanar_hinge.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 
 #include <gtest/gtest.h>
 
@@ -35,8 +35,7 @@ CGAL::Sign by_determinant(const std::array<Point_2, 4>& p)
   const Rational determinant = m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]) +
                                m[1][2] * (m[2][0] * m[0][1] - m[2][1] * m[0][0]) +
                                m[2][2] * (m[0][0] * m[1][1] - m[0][1] * m[1][0]);
-  return determinant > 0 ? CGAL::NEGATIVE : determinant < 0 ? CGAL::POSITIVE
-                                                            : CGAL::ZERO;
+  return determinant > 0 ? CGAL::NEGATIVE : determinant < 0 ? CGAL::POSITIVE : CGAL::ZERO;
 }
 
 // In a plane parallel to two of the axes, any two.
@@ -52,8 +51,8 @@ IT::internal::Points in_space(const std::array<Point_2, 4>& p, int plane)
 
 void expect_the_sign_of_the_determinant(const std::array<Point_2, 4>& p)
 {
-  const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(
-    4, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {1, 0, 3}});
+  const IT::Delta_complex complex =
+    IT::make_Delta_complex_from_triangles(4, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {1, 0, 3}});
   const IT::Edge_index e = [&] {
     for (IT::Edge_index each : complex.edges())
       if (complex.is_flippable(each))
@@ -64,8 +63,7 @@ void expect_the_sign_of_the_determinant(const std::array<Point_2, 4>& p)
     const IT::internal::Points points = in_space(p, plane);
     const IT::Halfedge_index h = complex.halfedge(e);
     ASSERT_TRUE(IT::internal::is_flat(complex, points, h));
-    EXPECT_EQ(IT::internal::Coplanar_hinge(complex, points, h).sign_of_cotangents(),
-              by_determinant(p));
+    EXPECT_EQ(IT::internal::Coplanar_hinge(complex, points, h).sign_of_cotangents(), by_determinant(p));
   }
 }
 
@@ -75,8 +73,7 @@ TEST(Coplanar_hinge, Integers)
   for (double unit : {1., 0x1p-20, 0x1p30})
     for (double size : {1., 1000., 16777215.})
       for (double step : {-1., 0., 1.})
-        expect_the_sign_of_the_determinant({Point_2{0, 0}, Point_2{size * unit, size * unit},
-                                            Point_2{0, size * unit},
+        expect_the_sign_of_the_determinant({Point_2{0, 0}, Point_2{size * unit, size * unit}, Point_2{0, size * unit},
                                             Point_2{(size + step / 1024) * unit, 0}});
 }
 
@@ -93,8 +90,7 @@ TEST(Coplanar_hinge, NearTies)
                      center + std::sin(angle) * (1 + epsilon * jitter(random))};
     };
     const double width = std::pow(10., -(n % 7)); // needles, too
-    const std::array<Point_2, 4> p{on_circle(0.1), on_circle(0.1 + 2 * width), on_circle(3),
-                                   on_circle(0.1 + width)};
+    const std::array<Point_2, 4> p{on_circle(0.1), on_circle(0.1 + 2 * width), on_circle(3), on_circle(0.1 + width)};
     const auto is_left_turn = [](const Point_2& a, const Point_2& b, const Point_2& c) {
       return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > 1e-15;
     };

@@ -3,10 +3,9 @@
 //
 // The gluing format: what is written returns, and damage is named, never believed.
 
-#include <CGAL/Intrinsic_triangulations/Delta_complex_io.h>
-
-#include <CGAL/Intrinsic_triangulations/exact_gluing_io.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+
+#include <CGAL/Intrinsic_triangulations/untwist.h>
 
 #include <gtest/gtest.h>
 
@@ -35,17 +34,16 @@ namespace {
 
 std::vector<Delta_complex> all_surfaces()
 {
-  return {
-    Delta_complex(),
-    IT::make_Delta_complex_from_triangles(7, Triangles{}),
-    IT::make_Delta_complex_from_triangles(4, Triangles{{2, 0, 3}}),
-    IT::make_Delta_complex_from_gluing(1, Side_pairs{{0, 1}}),
-    IT::make_Delta_complex_from_gluing(2, Side_pairs{{0, 3}, {1, 4}, {2, 5}}),
-    IT::make_Delta_complex_from_gluing(2, Side_pairs{{0, 3}, {1, 5}, {2, 4}}),
-    IT::make_Delta_complex_from_gluing(3, Side_pairs{{0, 1}, {2, 5}, {3, 8}, {6, 7}}),
-    IT::make_Delta_complex_from_triangles(4, Triangles{{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}),
-    IT::make_Delta_complex_from_triangles(
-      9, Triangles{{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {3, 4, 7}, {3, 7, 6}, {4, 5, 8}})};
+  return {Delta_complex(),
+          IT::make_Delta_complex_from_triangles(7, Triangles{}),
+          IT::make_Delta_complex_from_triangles(4, Triangles{{2, 0, 3}}),
+          IT::make_Delta_complex_from_gluing(1, Side_pairs{{0, 1}}),
+          IT::make_Delta_complex_from_gluing(2, Side_pairs{{0, 3}, {1, 4}, {2, 5}}),
+          IT::make_Delta_complex_from_gluing(2, Side_pairs{{0, 3}, {1, 5}, {2, 4}}),
+          IT::make_Delta_complex_from_gluing(3, Side_pairs{{0, 1}, {2, 5}, {3, 8}, {6, 7}}),
+          IT::make_Delta_complex_from_triangles(4, Triangles{{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}}),
+          IT::make_Delta_complex_from_triangles(
+            9, Triangles{{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {3, 4, 7}, {3, 7, 6}, {4, 5, 8}})};
 }
 
 std::vector<double> some_lengths(const Delta_complex& c, std::mt19937& random)
@@ -84,8 +82,7 @@ void expect_refused(const std::string& text, Defect defect, std::size_t line, co
 {
   try {
     read(text);
-    FAIL() << "was accepted:\n"
-           << text;
+    FAIL() << "was accepted:\n" << text;
   } catch (const IT::Invalid_surface_error& e) {
     EXPECT_EQ(e.defect(), defect) << e.what();
     EXPECT_EQ(e.element(), line) << e.what();
@@ -211,8 +208,7 @@ TEST(Delta_complex_io, defects_are_named_with_their_line)
   for (const char* length : {"0", "-1", "nan", "inf", "1e999", "0x1p3", "1,5", "1.5x", "--"}) {
     const std::string line = std::string("2 3 ") + length;
     const bool is_number = length == std::string("0") || length == std::string("-1");
-    expect_refused(with_line(7, line), is_number ? Defect::NOT_FINITE : Defect::UNREADABLE, 7,
-                   length);
+    expect_refused(with_line(7, line), is_number ? Defect::NOT_FINITE : Defect::UNREADABLE, 7, length);
   }
   expect_refused(with_line(9, ""), Defect::UNREADABLE, 9, "ends");
   expect_refused(std::string(square) + "0 -1 1\n", Defect::UNREADABLE, 10, "follows");
@@ -249,9 +245,7 @@ TEST(Delta_complex_io, random_mutations_do_no_harm)
   for (const Delta_complex& c : all_surfaces())
     texts.push_back(written(c, std::vector<double>(c.number_of_edges(), 1.25)));
   const std::string alphabet = std::string("0123456789-+.eE# \n\t\rxINTRINSIC_GLUING\xff") + '\0';
-  const auto below = [&](std::size_t n) {
-    return std::uniform_int_distribution<std::size_t>(0, n - 1)(random);
-  };
+  const auto below = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
   int accepted = 0, refused = 0;
   for (int i = 0; i < 60000; ++i) {
     std::string text = texts[below(texts.size())];
@@ -300,7 +294,8 @@ TEST(Exact_gluing_io, squared_lengths_return_whatever_their_size)
   for (const Delta_complex& c : all_surfaces()) {
     std::vector<Rational> squared_lengths;
     for (std::size_t e = 0; e < c.number_of_edges(); ++e)
-      squared_lengths.push_back(Rational(pow(Integer(3), random() % 5000) + random(), pow(Integer(2), random() % 5000)));
+      squared_lengths.push_back(
+        Rational(pow(Integer(3), random() % 5000) + random(), pow(Integer(2), random() % 5000)));
     std::stringstream text;
     IT::write_exact_gluing(text, c, squared_lengths);
     EXPECT_EQ(text.str().compare(0, 18, "INTRINSIC_GLUING 2"), 0);
@@ -337,6 +332,7 @@ TEST(Exact_gluing_io, defects_are_named_with_their_line)
   EXPECT_NE(message("3", "1").find("line 1 asks for version 3"), std::string::npos);
   EXPECT_NE(message("1", "1").find("line 4 has '25/4' where a length is expected"), std::string::npos);
   std::ostringstream os;
-  EXPECT_THROW(IT::write_exact_gluing(os, read(square).complex, std::vector<IT::internal::Rational>{1, 1, 1, 1, 0}), IT::Invalid_surface_error);
+  EXPECT_THROW(IT::write_exact_gluing(os, read(square).complex, std::vector<IT::internal::Rational>{1, 1, 1, 1, 0}),
+               IT::Invalid_surface_error);
   EXPECT_EQ(os.str(), "");
 }

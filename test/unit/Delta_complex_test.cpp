@@ -95,8 +95,7 @@ std::vector<std::array<std::uint32_t, 4>> link_table(const Delta_complex& c)
   return table;
 }
 
-void expect_defect(const std::function<void()>& build, Defect defect, std::size_t element,
-                   const std::string& word)
+void expect_defect(const std::function<void()>& build, Defect defect, std::size_t element, const std::string& word)
 {
   try {
     build();
@@ -144,8 +143,7 @@ std::multiset<std::array<std::uint32_t, 3>> corner_sets(const Delta_complex& c)
   std::multiset<std::array<std::uint32_t, 3>> result;
   for (Face_index f : c.faces()) {
     const Halfedge_index h = c.halfedge(f);
-    std::array<std::uint32_t, 3> corners{c.source(h).idx(), c.target(h).idx(),
-                                         c.target(c.next(h)).idx()};
+    std::array<std::uint32_t, 3> corners{c.source(h).idx(), c.target(h).idx(), c.target(c.next(h)).idx()};
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
     result.insert(corners);
   }
@@ -162,8 +160,7 @@ Triangles triangles_of(const FaceGraph& graph)
   Triangles result;
   for (auto f : faces(graph)) {
     const auto h = halfedge(f, graph);
-    result.push_back({position[source(h, graph)], position[target(h, graph)],
-                      position[target(next(h, graph), graph)]});
+    result.push_back({position[source(h, graph)], position[target(h, graph)], position[target(next(h, graph), graph)]});
   }
   return result;
 }
@@ -236,16 +233,13 @@ TEST(Make_Delta_complex_from_triangles, refuses_what_is_no_oriented_surface)
   expect_defect(build(4, {{0, 1, 2}, {0, 1, 3}}), Defect::INCONSISTENT_ORIENTATION, 1, "edge 0-1");
   expect_defect(build(5, {{0, 1, 2}, {2, 3, 4}}), Defect::NON_MANIFOLD_VERTEX, 2, "vertex 2");
   // two tetrahedra that share vertex 0
-  expect_defect(
-    build(7, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}, {0, 4, 5}, {0, 6, 4}, {4, 6, 5}, {5, 6, 0}}),
-    Defect::NON_MANIFOLD_VERTEX, 0, "vertex 0");
+  expect_defect(build(7, {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}, {0, 4, 5}, {0, 6, 4}, {4, 6, 5}, {5, 6, 0}}),
+                Defect::NON_MANIFOLD_VERTEX, 0, "vertex 0");
 }
 
 TEST(Make_Delta_complex_from_gluing, refuses_sides_that_cannot_be_glued)
 {
-  const auto build = [](int n, Side_pairs p) {
-    return [=] { IT::make_Delta_complex_from_gluing(std::size_t(n), p); };
-  };
+  const auto build = [](int n, Side_pairs p) { return [=] { IT::make_Delta_complex_from_gluing(std::size_t(n), p); }; };
   expect_defect(build(1, {{0, 3}}), Defect::INVALID_GLUING, 0, "does not exist");
   expect_defect(build(1, {{-1, 1}}), Defect::INVALID_GLUING, 0, "does not exist");
   expect_defect(build(2, {{0, 3}, {4, 4}}), Defect::INVALID_GLUING, 1, "to itself");
@@ -314,8 +308,8 @@ TEST(Make_Delta_complex, agrees_with_the_corners_of_a_polyhedron)
 TEST(Make_Delta_complex, refuses_a_face_that_is_not_a_triangle)
 {
   Mesh mesh;
-  CGAL::make_hexahedron(Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0), Point(0, 1, 1),
-                        Point(0, 0, 1), Point(1, 0, 1), Point(1, 1, 1), mesh);
+  CGAL::make_hexahedron(Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0), Point(0, 1, 1), Point(0, 0, 1),
+                        Point(1, 0, 1), Point(1, 1, 1), mesh);
   expect_defect([&] { IT::make_Delta_complex(mesh); }, Defect::NOT_A_TRIANGLE, 0, "6 such faces");
 }
 
@@ -342,8 +336,7 @@ TEST(Make_Delta_complex, copies_an_edge_without_faces)
 
 TEST(Delta_complex, any_single_wrong_entry_is_found)
 {
-  const Delta_complex with_border =
-    IT::make_Delta_complex_from_triangles(5, Triangles{{0, 1, 2}, {0, 2, 3}});
+  const Delta_complex with_border = IT::make_Delta_complex_from_triangles(5, Triangles{{0, 1, 2}, {0, 2, 3}});
   const Delta_complex torus = IT::make_Delta_complex_from_gluing(2, Side_pairs{{0, 3}, {1, 4}, {2, 5}});
   for (const Delta_complex& c : {with_border, torus, tetrahedron()}) {
     const Arrays arrays(c);
@@ -379,21 +372,20 @@ TEST(Delta_complex, any_single_wrong_entry_is_found)
       for (std::uint32_t value : values(c.number_of_halfedges())) {
         Arrays a = arrays;
         a.faces[f] = Halfedge_index(value);
-        const bool is_in_face = value < c.number_of_halfedges() &&
-                                c.face(Halfedge_index(value)) == Face_index(std::uint32_t(f));
+        const bool is_in_face =
+          value < c.number_of_halfedges() && c.face(Halfedge_index(value)) == Face_index(std::uint32_t(f));
         EXPECT_EQ(a.complex().is_valid(), is_in_face);
       }
     for (std::size_t v = 0; v < arrays.vertices.size(); ++v)
       for (std::uint32_t value : values(c.number_of_halfedges())) {
         Arrays a = arrays;
         a.vertices[v] = Halfedge_index(value);
-        const bool points_to_it = value < c.number_of_halfedges() &&
-                                  c.target(Halfedge_index(value)) == Vertex_index(std::uint32_t(v));
+        const bool points_to_it =
+          value < c.number_of_halfedges() && c.target(Halfedge_index(value)) == Vertex_index(std::uint32_t(v));
         const bool is_isolated = !arrays.vertices[v].is_valid();
         const bool is_good =
           is_isolated ? value == Halfedge_index::null_index()
-                      : points_to_it && (!c.is_border(arrays.vertices[v]) ||
-                                         c.is_border(Halfedge_index(value)));
+                      : points_to_it && (!c.is_border(arrays.vertices[v]) || c.is_border(Halfedge_index(value)));
         EXPECT_EQ(a.complex().is_valid(), is_good) << "v" << v << " h" << value;
       }
   }

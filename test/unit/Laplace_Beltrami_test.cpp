@@ -97,8 +97,7 @@ void expect_finite_elements(const Triangulation& t)
   EXPECT_EQ(lumped.nonZeros(), lumped.rows());
   EXPECT_TRUE(Dense(stiffness) == Dense(stiffness).transpose());
   EXPECT_TRUE(Dense(IT::stiffness_matrix(t, IT::Stiffness_factor::ONE)) == 2 * Dense(stiffness));
-  EXPECT_TRUE(Dense(IT::stiffness_matrix(t.connectivity(), IT::cotangent_weights(t))) ==
-              Dense(stiffness));
+  EXPECT_TRUE(Dense(IT::stiffness_matrix(t.connectivity(), IT::cotangent_weights(t))) == Dense(stiffness));
 }
 
 } // namespace
@@ -120,7 +119,7 @@ TEST(Laplace_Beltrami, finite_elements_before_and_after_flips)
 
 TEST(Laplace_Beltrami, one_vertex_leaves_nothing_of_the_stiffness)
 {
-  const auto t = triangulation<Filtered>(from_gluing("", IT::one_vertex_torus()));
+  const auto t = triangulation<Filtered>(from_gluing("", samples::one_vertex_torus()));
   const Matrix stiffness = IT::stiffness_matrix(t), mass = IT::Galerkin_mass_matrix(t);
   EXPECT_EQ(stiffness.nonZeros(), 1);
   EXPECT_EQ(stiffness.coeff(0, 0), 0);
@@ -149,8 +148,8 @@ TEST(Laplace_Beltrami, the_flipped_edge_is_in_the_intrinsic_operator_alone)
 {
   using Kernel = CGAL::Simple_cartesian<double>;
   CGAL::Surface_mesh<Kernel::Point_3> mesh;
-  const auto i = mesh.add_vertex({0, 0, 0}), j = mesh.add_vertex({4, 0, 0}),
-             k = mesh.add_vertex({2, 1, 0}), l = mesh.add_vertex({2, -1, 0});
+  const auto i = mesh.add_vertex({0, 0, 0}), j = mesh.add_vertex({4, 0, 0}), k = mesh.add_vertex({2, 1, 0}),
+             l = mesh.add_vertex({2, -1, 0});
   mesh.add_face(i, j, k);
   mesh.add_face(j, i, l);
   const Matrix extrinsic = IT::extrinsic_Laplacian(mesh).stiffness,
@@ -164,9 +163,9 @@ TEST(Laplace_Beltrami, the_flipped_edge_is_in_the_intrinsic_operator_alone)
 TEST(Cotangent_weights, as_near_to_the_exact_ones_as_stated)
 {
   std::vector<Surface> surfaces = generic_surfaces(false);
-  for (Surface& surface : std::vector<Surface>{from_triangles("strip", IT::strip(300, 20)),
-                                               from_triangles("sliver sheet", IT::sliver_sheet(12)),
-                                               from_triangles("cap", IT::cap())})
+  for (Surface& surface : std::vector<Surface>{from_triangles("strip", samples::strip(300, 20)),
+                                               from_triangles("sliver sheet", samples::sliver_sheet(12)),
+                                               from_triangles("cap", samples::cap())})
     surfaces.push_back(std::move(surface));
   for (const Surface& surface : surfaces) {
     SCOPED_TRACE(surface.name);
@@ -192,8 +191,8 @@ TEST(Cotangent_weights, as_near_to_the_exact_ones_as_stated)
 TEST(Rounded_numbers, are_those_of_single_edges_and_faces)
 {
   std::vector<Surface> surfaces = generic_surfaces(false);
-  for (Surface& surface : std::vector<Surface>{from_triangles("sliver sheet", IT::sliver_sheet(12)),
-                                               from_triangles("cap", IT::cap())})
+  for (Surface& surface : std::vector<Surface>{from_triangles("sliver sheet", samples::sliver_sheet(12)),
+                                               from_triangles("cap", samples::cap())})
     surfaces.push_back(std::move(surface));
   std::size_t found = 0, numbers = 0;
   for (const Surface& surface : surfaces)
@@ -202,17 +201,18 @@ TEST(Rounded_numbers, are_those_of_single_edges_and_faces)
       auto t = triangulation<Filtered>(surface);
       // Points in faces of zero area can be those of others.
       const IT::Delta_complex input = t.connectivity();
-      if (is_refined && std::any_of(input.faces().begin(), input.faces().end(),
-                                    [&](IT::Face_index f) { return t.exact_geometry().sign_of_area(input, f) != CGAL::POSITIVE; }))
+      if (is_refined && std::any_of(input.faces().begin(), input.faces().end(), [&](IT::Face_index f) {
+            return IT::internal::engine(t).sign_of_area(f) != CGAL::POSITIVE;
+          }))
         continue;
       IT::flip_to_Delaunay(t);
       for (std::uint32_t f = 0; is_refined && f < 20 && f < input.number_of_faces(); ++f)
         IT::insert_vertex(t, IT::Surface_point{input.halfedge(IT::Face_index(f)), {0.25, 0.5, 0.25}});
       const IT::Delta_complex& c = t.connectivity();
-      IT::Exact_geometry::Rounded_numbers rounded(c);
+      IT::internal::Exact_engine::Rounded_numbers rounded(c);
       const std::size_t half = c.number_of_faces() / 2;
-      t.exact_geometry().find_numbers(c, half, c.number_of_faces(), rounded);
-      t.exact_geometry().find_numbers(c, 0, half, rounded);
+      IT::internal::engine(t).find_numbers(half, c.number_of_faces(), rounded);
+      IT::internal::engine(t).find_numbers(0, half, rounded);
       const auto expect_same = [&](double x, double expected) {
         ++numbers;
         if (std::isnan(x))
@@ -246,8 +246,7 @@ TEST(Cotangent_weights, the_bound_of_a_stored_cotangent_holds)
       if (c.is_border(h))
         continue;
       const IT::Bounded_double stored = t.traits().compute_bounded_cotangent_object()(
-        t.face_data(c.face(h)), t.edge_data(c.edge(h)), t.edge_data(c.edge(c.next(h))),
-        t.edge_data(c.edge(c.prev(h))));
+        t.face_data(c.face(h)), t.edge_data(c.edge(h)), t.edge_data(c.edge(c.next(h))), t.edge_data(c.edge(c.prev(h))));
       const double exact = t.cotangent(h);
       EXPECT_LE(std::abs(stored.value - exact), stored.error + 0x1p-49 * (1 + std::abs(exact))) << h;
       ++corners;
@@ -264,7 +263,8 @@ struct Traits_with_bounds : Base
   struct Compute_bounded_cotangent
   {
     template <class Face_data, class Edge_data>
-    IT::Bounded_double operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk, const Edge_data& ki) const
+    IT::Bounded_double operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk,
+                                  const Edge_data& ki) const
     {
       ++*number_of_calls;
       const double exact = typename Base::Compute_cotangent()(ijk, ij, jk, ki);
@@ -280,7 +280,7 @@ struct Traits_with_bounds : Base
 template <class Base, bool is_known>
 void expect_same_weights()
 {
-  const IT::Indexed_triangles sphere = IT::bumpy_sphere(12, 9);
+  const samples::Indexed_triangles sphere = samples::bumpy_sphere(12, 9);
   const auto complex = IT::make_Delta_complex_from_triangles(sphere.points.size(), sphere.triangles);
   const IT::Intrinsic_triangulation<Base> expected(complex, sphere.points);
   const IT::Intrinsic_triangulation<Traits_with_bounds<Base, is_known>> t(complex, sphere.points);
@@ -302,8 +302,9 @@ TEST(Cotangent_weights, any_traits_may_bound_cotangents)
 TEST(Cotangent_weights, from_one_corner_of_each_face)
 {
   using Traits = Traits_with_bounds<Filtered, false>;
-  for (const IT::Indexed_triangles& surface :
-       {IT::bad_torus(20, 16), IT::bumpy_sphere(12, 9), IT::random_diagonal_grid(12, 9, 1, 0), IT::random_diagonal_grid(12, 9, 1, 1)}) {
+  for (const samples::Indexed_triangles& surface :
+       {samples::bad_torus(20, 16), samples::bumpy_sphere(12, 9), samples::random_diagonal_grid(12, 9, 1, 0),
+        samples::random_diagonal_grid(12, 9, 1, 1)}) {
     const auto complex = IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
     IT::Intrinsic_triangulation<Traits> t(complex, surface.points);
     IT::flip_to_Delaunay(t);
@@ -324,8 +325,7 @@ TEST(Cotangent_weights, from_one_corner_of_each_face)
 TEST(Cotangent_weights, a_tie_is_exactly_zero_and_nothing_is_negative)
 {
   for (std::uint64_t rotation : {0, 1}) {
-    auto t = triangulation<Filtered>(
-      from_triangles("", IT::random_diagonal_grid(12, 9, 1, rotation)));
+    auto t = triangulation<Filtered>(from_triangles("", samples::random_diagonal_grid(12, 9, 1, rotation)));
     IT::flip_to_Delaunay(t);
     std::size_t zeros = 0;
     const std::vector<double> weights = IT::cotangent_weights(t);
@@ -343,15 +343,14 @@ TEST(Cotangent_weights, a_tie_is_exactly_zero_and_nothing_is_negative)
 
 TEST(Cotangent_weights, a_face_without_area_is_an_error_that_names_it)
 {
-  const auto flat = IT::cap(0);
+  const auto flat = samples::cap(0);
   const auto expect_error = [](const auto& t) {
     try {
       IT::stiffness_matrix(t);
       FAIL();
     } catch (const IT::Invalid_surface_error& error) {
       EXPECT_EQ(error.defect(), IT::Invalid_surface_error::Defect::DEGENERATE_FACE);
-      EXPECT_NE(std::string(error.what()).find("face " + std::to_string(error.element())),
-                std::string::npos);
+      EXPECT_NE(std::string(error.what()).find("face " + std::to_string(error.element())), std::string::npos);
       EXPECT_EQ(t.area(IT::Face_index(std::uint32_t(error.element()))), 0);
     }
   };
@@ -362,14 +361,13 @@ TEST(Cotangent_weights, a_face_without_area_is_an_error_that_names_it)
 TEST(Cotangent_weights, large_and_small_units)
 {
   for (double scale : {1e-150, 1e-30, 1e60, 1e150}) {
-    const Surface surface = from_triangles("", IT::bumpy_sphere(5, 4));
+    const Surface surface = from_triangles("", samples::bumpy_sphere(5, 4));
     std::vector<std::array<double, 3>> points;
     for (const auto& p : surface.points)
       points.push_back({scale * p[0], scale * p[1], scale * p[2]});
     const IT::Intrinsic_triangulation<Filtered> large(surface.connectivity, points);
     const auto unit = triangulation<Filtered>(surface);
-    const std::vector<double> weights = IT::cotangent_weights(large),
-                              expected = IT::cotangent_weights(unit);
+    const std::vector<double> weights = IT::cotangent_weights(large), expected = IT::cotangent_weights(unit);
     for (std::size_t e = 0; e < weights.size(); ++e)
       EXPECT_NEAR(weights[e], expected[e], 1e-9 * (1 + std::abs(expected[e])));
     const double area = IT::face_areas(large)[0] / scale / scale;

@@ -56,8 +56,8 @@ void expect_triangulation_of(int bits)
 {
   const Mpfr_precision guard(bits);
   const auto sphere = squeezed_sphere<Kernel>();
-  const auto [idt, report] = IT::intrinsic_Delaunay_triangulation(
-    sphere, CGAL::parameters::geom_traits(IT::Edge_length_traits<Mpfr_float>()));
+  const auto [idt, report] =
+    IT::intrinsic_Delaunay_triangulation(sphere, CGAL::parameters::geom_traits(IT::Edge_length_traits<Mpfr_float>()));
   EXPECT_EQ(report.status, IT::Flip_status::DELAUNAY);
   EXPECT_GT(report.flips, 0u);
   for (IT::Edge_index e : idt.connectivity().edges()) {
@@ -71,8 +71,8 @@ void expect_triangulation_of(int bits)
     EXPECT_EQ(precision_in_bits(idt.face_data(f)), guard.bits());
     area += idt.area(f);
   }
-  const auto before = IT::intrinsic_triangulation(
-    sphere, CGAL::parameters::geom_traits(IT::Edge_length_traits<Mpfr_float>()));
+  const auto before =
+    IT::intrinsic_triangulation(sphere, CGAL::parameters::geom_traits(IT::Edge_length_traits<Mpfr_float>()));
   for (IT::Face_index f : before.connectivity().faces())
     area_before += before.area(f);
   // The error of the area shows that all these bits are computed with.
@@ -115,10 +115,29 @@ TEST(Mpfr_precision, survives_every_operation)
     Mpfr_float from_double;
     from_double = 0.1;
     std::swap(assigned, from_double);
-    const std::vector<Mpfr_float> values{
-      x, y, z, l, sum, assigned, from_double, -x, x + y, x - y, x * y, x / z, x + 1, 2 * y, 1. / z, y / 7.,
-      Mpfr_float("0.1"), CGAL::sqrt(x), CGAL::abs(-y), CGAL::square(y), (std::max)(x, y),
-      Algebraic::Integral_division()(x, z), CGAL::sqrt(x * y + z) / (x - y * 2)};
+    const std::vector<Mpfr_float> values{x,
+                                         y,
+                                         z,
+                                         l,
+                                         sum,
+                                         assigned,
+                                         from_double,
+                                         -x,
+                                         x + y,
+                                         x - y,
+                                         x * y,
+                                         x / z,
+                                         x + 1,
+                                         2 * y,
+                                         1. / z,
+                                         y / 7.,
+                                         Mpfr_float("0.1"),
+                                         CGAL::sqrt(x),
+                                         CGAL::abs(-y),
+                                         CGAL::square(y),
+                                         (std::max)(x, y),
+                                         Algebraic::Integral_division()(x, z),
+                                         CGAL::sqrt(x * y + z) / (x - y * 2)};
     for (const Mpfr_float& v : values)
       EXPECT_EQ(precision_in_bits(v), guard.bits());
     EXPECT_EQ(default_bits(), guard.bits());

@@ -4,10 +4,10 @@
 // The in-circle test of points of one plane, some of them weighted means of others, against the determinant in rational numbers.
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Sign_in_plane.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Vertex_positions.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Sign_in_plane.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Vertex_positions.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 
 #include <gtest/gtest.h>
 
@@ -27,15 +27,15 @@ using Weights = std::array<double, 3>;
 using Vector = std::array<Rational, 3>;
 
 Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-CGAL::Sign sign_of(const Rational& x) { return x > 0 ? CGAL::POSITIVE : x < 0 ? CGAL::NEGATIVE
-                                                                              : CGAL::ZERO; }
+CGAL::Sign sign_of(const Rational& x) { return x > 0 ? CGAL::POSITIVE : x < 0 ? CGAL::NEGATIVE : CGAL::ZERO; }
 Rational product(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 // A triangle (0, 1, 2) in space, and points of it after its corners.
 struct Points_of_a_triangle
 {
   explicit Points_of_a_triangle(const IT::internal::Points& corners)
-    : points(corners), input(IT::make_Delta_complex_from_triangles(3, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}}))
+    : points(corners),
+      input(IT::make_Delta_complex_from_triangles(3, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}}))
   {
     while (input.source(base).idx() != 0 || input.is_border(base))
       base = IT::Halfedge_index(base.idx() + 1);
@@ -123,17 +123,14 @@ TEST(Sign_in_plane, TiesAndNearTies)
   std::array<int, 3> signs{};
   for (int n = 0; n < 6000; ++n) {
     Points_of_a_triangle plane(turned_right_triangle(random, n % 2 == 0 ? 10 : 24));
-    const int bits = n % 3 == 0 ? 6 : n % 3 == 1 ? 26
-                                                 : 50;
+    const int bits = n % 3 == 0 ? 6 : n % 3 == 1 ? 26 : 50;
     const auto coordinate = [&](double from) {
-      return from + std::ldexp(double(random() % (1u << (std::min)(bits - 4, 30)) + 1), -bits) + std::ldexp(double(random() % 15), -6);
+      return from + std::ldexp(double(random() % (1u << (std::min)(bits - 4, 30)) + 1), -bits) +
+             std::ldexp(double(random() % 15), -6);
     };
     const double x = coordinate(0), y = coordinate(0), x2 = coordinate(0.25), y2 = coordinate(0.25);
-    const double factor = n % 4 == 0 ? double(random() % 1000 + 1) : n % 4 == 1 ? 0x1p-30
-                                                                                : 1;
-    const auto add = [&](double s, double t) {
-      return plane.add({(1 - s - t) * factor, s * factor, t * factor});
-    };
+    const double factor = n % 4 == 0 ? double(random() % 1000 + 1) : n % 4 == 1 ? 0x1p-30 : 1;
+    const auto add = [&](double s, double t) { return plane.add({(1 - s - t) * factor, s * factor, t * factor}); };
     const double off = n % 5 == 0 ? std::ldexp(double(random() % 3) - 1, -int(random() % 52)) : 0;
     const std::array<std::uint32_t, 4> v{add(x, y), add(x2, y2), add(x, y2), add(x2 + off, y)};
     if (plane.turn(v[0], v[1], v[2]) != CGAL::POSITIVE || plane.turn(v[1], v[0], v[3]) != CGAL::POSITIVE)

@@ -4,10 +4,9 @@
 // The arithmetic behind the positions of crossings keeps the bounds that its users count on.
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 
 #include <gtest/gtest.h>
 
@@ -24,10 +23,7 @@ using Rational = IT::Rational;
 using Number = IT::Split_double_double<double>;
 using Pair = IT::Split_double_double<Two_doubles>;
 
-Rational exact(const Number& x)
-{
-  return Rational(x.hi) + Rational(x.lo);
-}
+Rational exact(const Number& x) { return Rational(x.hi) + Rational(x.lo); }
 // Numbers of many sizes, with a low part that differs from zero.
 Number random_number(std::mt19937& generator)
 {

@@ -5,7 +5,7 @@
 // independence divide, too.
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Square_root_basis.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 
 #include <gtest/gtest.h>
 

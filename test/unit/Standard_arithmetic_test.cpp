@@ -6,7 +6,7 @@
 #include "samples/sample_surfaces.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
@@ -63,7 +63,7 @@ private:
 };
 
 // All kinds of numbers and decisions of a surface, in one row.
-std::vector<double> results(const IT::Indexed_triangles& surface)
+std::vector<double> results(const samples::Indexed_triangles& surface)
 {
   auto [t, report] = IT::intrinsic_Delaunay_triangulation(surface.points, surface.triangles);
   std::vector<double> row{double(report.flips), double(IT::verify_Delaunay(t).ties)};
@@ -83,7 +83,7 @@ std::vector<double> results(const IT::Indexed_triangles& surface)
   const IT::Common_subdivision subdivision(t);
   for (IT::Overlay::Vertex x : subdivision.overlay().crossings())
     row.push_back(subdivision.positions().on_input_edge(x));
-  IT::refine_Delaunay(t, IT::Refinement_criteria(), CGAL::parameters::maximum_number(20));
+  IT::refine_Delaunay(t, CGAL::parameters::maximum_number(20));
   row.push_back(double(IT::verify_Delaunay(t).not_Delaunay.size()));
   add_numbers();
   return row;
@@ -116,15 +116,17 @@ TEST(Standard_arithmetic, keeps_subnormal_numbers)
 
 TEST(Standard_arithmetic, results_do_not_depend_on_the_mode)
 {
-  const std::vector<IT::Indexed_triangles> surfaces{IT::prism(20, 7), IT::latitude_longitude_sphere(12, 6), IT::cap(1e-150)};
-  for (const IT::Indexed_triangles& surface : surfaces) {
+  const std::vector<samples::Indexed_triangles> surfaces{
+    samples::prism(20, 7), samples::latitude_longitude_sphere(12, 6), samples::cap(1e-150)};
+  for (const samples::Indexed_triangles& surface : surfaces) {
     const std::vector<double> expected = results(surface);
     for (int rounding : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
       for (bool flushes : {false, true}) {
         const Mode mode(rounding, flushes);
         const std::vector<double> found = results(surface);
         EXPECT_EQ(rounds_to_nearest(), rounding == FE_TONEAREST);
-        EXPECT_TRUE(found == expected) << "rounding " << rounding << ", subnormal numbers " << (flushes ? "flushed" : "kept");
+        EXPECT_TRUE(found == expected) << "rounding " << rounding << ", subnormal numbers "
+                                       << (flushes ? "flushed" : "kept");
       }
   }
 }

@@ -33,8 +33,8 @@ protected:
   void SetUp() override
   {
     const ::testing::TestInfo* const info = ::testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::temp_directory_path() / ("idt_read_surface_" + std::to_string(std::random_device()()) +
-                                           "_" + info->name());
+    folder_ =
+      fs::temp_directory_path() / ("idt_read_surface_" + std::to_string(std::random_device()()) + "_" + info->name());
     fs::create_directories(folder_);
   }
   void TearDown() override

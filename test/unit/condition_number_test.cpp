@@ -7,8 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
-#include <CGAL/Intrinsic_triangulations/condition_number.h>
-#include <CGAL/Intrinsic_triangulations/weight_histogram.h>
+#include <CGAL/Intrinsic_triangulations/eigenvalues.h>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -56,13 +55,13 @@ void expect_dense(const Surface& surface)
 
 TEST(Condition_number, dense_eigenvalues_of_closed_and_open_surfaces)
 {
-  expect_dense(from_triangles("sphere", IT::bumpy_sphere(14, 9)));
-  expect_dense(from_triangles("torus", IT::bad_torus(12, 9)));
-  expect_dense(from_triangles("annulus", IT::Schwarz_lantern(9, 12)));
-  expect_dense(from_triangles("disk", IT::disk_with_spike(12, 9)));
-  expect_dense(from_triangles("small sphere", IT::bumpy_sphere(4, 4)));
-  expect_dense(from_triangles("small disk", IT::disk_with_spike(4, 3)));
-  IT::Indexed_triangles thin = IT::random_diagonal_grid(9, 9, 1);
+  expect_dense(from_triangles("sphere", samples::bumpy_sphere(14, 9)));
+  expect_dense(from_triangles("torus", samples::bad_torus(12, 9)));
+  expect_dense(from_triangles("annulus", samples::Schwarz_lantern(9, 12)));
+  expect_dense(from_triangles("disk", samples::disk_with_spike(12, 9)));
+  expect_dense(from_triangles("small sphere", samples::bumpy_sphere(4, 4)));
+  expect_dense(from_triangles("small disk", samples::disk_with_spike(4, 3)));
+  samples::Indexed_triangles thin = samples::random_diagonal_grid(9, 9, 1);
   for (auto& p : thin.points) // so that all eigenvalues are about 1e17
     p[1] *= 1e-17;
   expect_dense(from_triangles("thin sheet", thin));
@@ -71,9 +70,9 @@ TEST(Condition_number, dense_eigenvalues_of_closed_and_open_surfaces)
 TEST(Condition_number, each_closed_component_has_a_zero_that_does_not_count)
 {
   for (std::size_t columns : {4, 12}) { // dense, and by iteration
-    IT::Indexed_triangles both = IT::bumpy_sphere(columns, columns);
-    for (const IT::Indexed_triangles& more :
-         {IT::disk_with_spike(columns, 4), IT::bad_torus(columns, 4)}) {
+    samples::Indexed_triangles both = samples::bumpy_sphere(columns, columns);
+    for (const samples::Indexed_triangles& more :
+         {samples::disk_with_spike(columns, 4), samples::bad_torus(columns, 4)}) {
       const auto n = std::uint32_t(both.points.size());
       both.points.insert(both.points.end(), more.points.begin(), more.points.end());
       for (const std::array<std::uint32_t, 3>& t : more.triangles)
@@ -86,19 +85,17 @@ TEST(Condition_number, each_closed_component_has_a_zero_that_does_not_count)
 
 TEST(Condition_number, of_nothing_is_an_error)
 {
-  const auto t = triangulation<Traits>(from_triangles("", IT::sheared_grid(1, 1, 0)));
-  EXPECT_THROW(IT::extreme_eigenvalues(t.connectivity(), IT::stiffness_matrix(t)),
-               IT::Invalid_surface_error);
-  const auto one = triangulation<Traits>(from_gluing("", IT::one_vertex_torus()));
-  EXPECT_THROW(IT::extreme_eigenvalues(one.connectivity(), IT::stiffness_matrix(one)),
-               IT::Invalid_surface_error);
+  const auto t = triangulation<Traits>(from_triangles("", samples::sheared_grid(1, 1, 0)));
+  EXPECT_THROW(IT::extreme_eigenvalues(t.connectivity(), IT::stiffness_matrix(t)), IT::Invalid_surface_error);
+  const auto one = triangulation<Traits>(from_gluing("", samples::one_vertex_torus()));
+  EXPECT_THROW(IT::extreme_eigenvalues(one.connectivity(), IT::stiffness_matrix(one)), IT::Invalid_surface_error);
 }
 
 TEST(Weight_histogram, counts_inner_edges_once)
 {
   // A tetrahedron without a face: three border edges.
-  const IT::Delta_complex c = IT::make_Delta_complex_from_triangles(
-    4, std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 3, 1}, {1, 3, 2}});
+  const IT::Delta_complex c =
+    IT::make_Delta_complex_from_triangles(4, std::vector<std::array<int, 3>>{{0, 1, 2}, {0, 3, 1}, {1, 3, 2}});
   std::vector<double> weights(c.number_of_edges(), 1e9);
   std::vector<double> values{-2.5, 1, std::numeric_limits<double>::infinity()};
   for (IT::Edge_index e : c.edges())

@@ -8,8 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/angles.h>
-#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
@@ -55,18 +54,17 @@ template <class Traits>
 std::optional<Defect> refusal_of_constructor(const Points& points, const Triangles& triangles)
 {
   return refusal([&] {
-    const IT::Intrinsic_triangulation<Traits> t(
-      IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
+    const IT::Intrinsic_triangulation<Traits> t(IT::make_Delta_complex_from_triangles(points.size(), triangles),
+                                                points);
     for (IT::Edge_index e : t.connectivity().edges())
       EXPECT_TRUE(t.squared_length(e) >= 0 && t.edge_data(e) > 0 && std::isfinite(t.edge_data(e)));
     for (IT::Face_index f : t.connectivity().faces()) {
       const IT::Halfedge_index h = t.connectivity().halfedge(f);
-      EXPECT_TRUE(std::isfinite(t.traits().compute_area_object()(
-        t.face_data(f), t.edge_data(t.connectivity().edge(h)), t.edge_data(t.connectivity().edge(h)),
-        t.edge_data(t.connectivity().edge(h)))));
+      EXPECT_TRUE(std::isfinite(t.traits().compute_area_object()(t.face_data(f), t.edge_data(t.connectivity().edge(h)),
+                                                                 t.edge_data(t.connectivity().edge(h)),
+                                                                 t.edge_data(t.connectivity().edge(h)))));
     }
-    const IT::Input_metric metric =
-      IT::Input_metric::from_points(t.connectivity(), {points.begin(), points.end()});
+    const IT::Input_metric metric = IT::Input_metric::from_points(t.connectivity(), {points.begin(), points.end()});
     EXPECT_EQ(metric.unit_exponent(), t.unit_exponent());
     metric.check(t.connectivity());
   });
@@ -82,7 +80,7 @@ std::optional<Defect> common_refusal(const Points& points, const Triangles& tria
   EXPECT_EQ(examination, refusal_of_constructor<IT::Edge_length_traits<double>>(points, triangles)) << text;
   std::size_t findings = 0;
   for (const IT::Finding& finding : report.findings)
-    findings += finding.kind != IT::Finding_kind::SEVERAL_COMPONENTS;
+    findings += finding.defect != IT::Invalid_surface_error::Defect::SEVERAL_COMPONENTS;
   const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(points.size(), triangles);
   EXPECT_EQ(IT::is_clean(complex, points), findings == 0) << text;
   return examination;
@@ -103,13 +101,17 @@ const Case cases[] = {
   {"coordinates below all normal numbers", none, {{1e-320, 0, 0}, {3e-320, 1e-320, 0}, {0, 2e-320, 5e-321}}},
   {"a difference that is subnormal", none, {{0x1p-1022, 0, 0}, {0x1.1p-1022, 0, 0}, {0, 0x1p-1022, 0}}},
   {"the largest triangle", none, {{-1.7e308, 0, 0}, {1.7e308, 0, 0}, {0, 1.7e308, -1.7e308}}},
-  {"a unit in the last place, far away", none, {{1e308, 0, 0}, {std::nextafter(1e308, infinity), 1e292, 0}, {1e308, 0, 1e292}}},
+  {"a unit in the last place, far away",
+   none,
+   {{1e308, 0, 0}, {std::nextafter(1e308, infinity), 1e292, 0}, {1e308, 0, 1e292}}},
   {"a small edge beside 1", none, {{0, 0, 0}, {1e-150, 0, 0}, {0, 1, 0}}},
   {"an edge whose square vanishes", Defect::OUT_OF_RANGE, {{0, 0, 0}, {1e-200, 0, 0}, {0, 1, 0}}},
   {"a subnormal edge beside 1", Defect::OUT_OF_RANGE, {{0, 0, 0}, {1e-320, 0, 0}, {0, 1, 0}}},
   {"the shortest edge beside 1", none, {{0, 0, 0}, {smallest_root, 0, 0}, {0, 1, 0}}},
   {"a little less", Defect::OUT_OF_RANGE, {{0, 0, 0}, {std::nextafter(smallest_root, 0.), 0, 0}, {0, 1, 0}}},
-  {"three components, each of which vanishes", Defect::OUT_OF_RANGE, {{0, 0, 0}, {0x1p-538, 0x1p-538, 0x1p-538}, {0, 1, 0}}},
+  {"three components, each of which vanishes",
+   Defect::OUT_OF_RANGE,
+   {{0, 0, 0}, {0x1p-538, 0x1p-538, 0x1p-538}, {0, 1, 0}}},
   {"squares that fit, but not their products", Defect::OUT_OF_RANGE, {{0, 0, 0}, {1e-150, 0, 0}, {0, 1e140, 0}}},
   {"a coordinate that is lost, no short edge", Defect::OUT_OF_RANGE, {{1e-320, 0, 0}, {1e250, 0, 0}, {0, 1e250, 0}}},
   {"some of its bits are lost", Defect::OUT_OF_RANGE, {{0x1.8p-900, 0, 0}, {0x1p276, 0, 0}, {0, 0x1p276, 0}}},
@@ -122,7 +124,10 @@ const Case cases[] = {
   {"an isolated vertex that would underflow", none, {{0, 0, 0}, {1e300, 0, 0}, {0, 1e300, 0}, {1e-320, 0, 0}}},
   {"an isolated vertex that is nowhere", Defect::NOT_FINITE, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {infinity, 0, 0}}},
   {"a coincidence", Defect::ZERO_LENGTH_EDGE, {{1e-320, 0, 0}, {1e-320, 0, 0}, {0, 1e-320, 0}}},
-  {"two components, one of them too small", Defect::OUT_OF_RANGE, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {1e-200, 0, 0}, {0, 1e-200, 0}}, {{0, 1, 2}, {3, 4, 5}}}};
+  {"two components, one of them too small",
+   Defect::OUT_OF_RANGE,
+   {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {1e-200, 0, 0}, {0, 1e-200, 0}},
+   {{0, 1, 2}, {3, 4, 5}}}};
 
 TEST(Coordinate_range, Of_the_examination_is_that_of_the_constructors)
 {
@@ -164,10 +169,11 @@ TEST(Coordinate_range, Names_the_vertex_whose_coordinate_is_lost)
 {
   const Points points = {{1e250, 0, 0}, {1e-320, 0, 0}, {0, 1e250, 0}};
   const IT::Surface_report report = IT::examine_polygons(points, Triangles{{0, 1, 2}});
-  const IT::Finding* const finding = report.find(IT::Finding_kind::COORDINATE_RANGE);
+  const IT::Finding* const finding = report.find(IT::Invalid_surface_error::Defect::OUT_OF_RANGE);
   ASSERT_NE(finding, nullptr);
   EXPECT_EQ(report.first_fatal(), finding);
   EXPECT_EQ(finding->elements, std::vector<std::size_t>{1});
+  EXPECT_TRUE(finding->edges.empty());
   EXPECT_NE(IT::message(report).find("vertex 1 at (9.99989e-321, 0, 0)"), std::string::npos) << IT::message(report);
 }
 
@@ -188,10 +194,13 @@ TEST(Coordinate_range, Of_numbers_of_a_face_far_smaller_than_the_surface)
     const IT::Delta_complex& complex = t.connectivity();
     const IT::Face_index f(0);
     EXPECT_DOUBLE_EQ(t.area(f), 6 * h * h);
-    for (IT::Halfedge_index side : {complex.halfedge(f), complex.next(complex.halfedge(f)), complex.prev(complex.halfedge(f))}) {
+    for (IT::Halfedge_index side :
+         {complex.halfedge(f), complex.next(complex.halfedge(f)), complex.prev(complex.halfedge(f))}) {
       const std::size_t at = complex.target(complex.next(side)).idx();
-      EXPECT_NEAR(IT::angle(t, side), at == 0 ? std::atan2(1., 0.) : at == 1 ? std::atan2(4., 3.)
-                                                                             : std::atan2(3., 4.),
+      EXPECT_NEAR(IT::angle(t, side),
+                  at == 0   ? std::atan2(1., 0.)
+                  : at == 1 ? std::atan2(4., 3.)
+                            : std::atan2(3., 4.),
                   1e-15);
     }
   }

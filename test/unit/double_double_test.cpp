@@ -3,10 +3,9 @@
 //
 // Sums of two doubles, and doubles, against rational numbers: no result is farther from the truth than its bound says.
 
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Disk.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_with_bound.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 
 #include <gtest/gtest.h>
@@ -110,7 +109,8 @@ TEST(Double_double, has_bounds_that_hold)
 }
 
 template <class Number>
-void expect_disks_that_hold(const Double_double& a, const Double_double& b, const Double_double& c, const Double_double& d)
+void expect_disks_that_hold(const Double_double& a, const Double_double& b, const Double_double& c,
+                            const Double_double& d)
 {
   const Disk<Number> u(Number(bounded(a)), Number(bounded(b))), v(Number(bounded(c)), Number(bounded(d)));
   const auto expect_inside = [&](const Disk<Number>& computed, const Rational& x, const Rational& y) {
@@ -122,7 +122,8 @@ void expect_disks_that_hold(const Double_double& a, const Double_double& b, cons
   expect_inside(u + v, exact(a) + exact(c), exact(b) + exact(d));
   expect_inside(u - v, exact(a) - exact(c), exact(b) - exact(d));
   expect_inside(u * v, exact(a) * exact(c) - exact(b) * exact(d), exact(a) * exact(d) + exact(b) * exact(c));
-  expect_inside(times_conjugate(u, v), exact(a) * exact(c) + exact(b) * exact(d), exact(b) * exact(c) - exact(a) * exact(d));
+  expect_inside(times_conjugate(u, v), exact(a) * exact(c) + exact(b) * exact(d),
+                exact(b) * exact(c) - exact(a) * exact(d));
   ASSERT_TRUE(is_within_bound(squared_norm(u), exact(a) * exact(a) + exact(b) * exact(b)));
 }
 

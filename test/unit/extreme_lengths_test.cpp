@@ -8,12 +8,11 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
@@ -81,13 +80,15 @@ void expect_bound(const IT::Bounded_area& area, const Rational& square)
 
 TEST(Extreme_lengths, AreasStayWithinTheirBoundsWhereProductsUnderflow)
 {
+  using Point_data = IT::Filtered_edge_length_traits::Point_data;
   const IT::Filtered_edge_length_traits traits;
   for (double scale = 1; scale > 1e-150; scale *= 0x1.8p-3) {
     const double a = 1.25 * scale, b = 1.5 * scale, c = 1.75 * scale;
-    expect_bound(traits.construct_face_data_object().from_lengths(a, b, c),
-                 IT::squared_four_areas(Rational(a) * Rational(a), Rational(b) * Rational(b), Rational(c) * Rational(c)));
+    expect_bound(
+      traits.construct_face_data_object().from_lengths(a, b, c),
+      IT::squared_four_areas(Rational(a) * Rational(a), Rational(b) * Rational(b), Rational(c) * Rational(c)));
     // A right angle between sides a and b.
-    expect_bound(traits.construct_face_data_object()({0, 0, 0}, {a, 0, 0}, {0, b, 0}),
+    expect_bound(traits.construct_face_data_object()(Point_data{0, 0, 0}, Point_data{a, 0, 0}, Point_data{0, b, 0}),
                  Rational(4) * Rational(a) * Rational(a) * Rational(b) * Rational(b));
   }
 }
@@ -102,7 +103,7 @@ TEST(Extreme_lengths, SmallSurfacesAreScaledUpAsFarAsPossible)
   const IT::Face_index f(0);
   const double expected = 0x1p-216 * 0x1p-597 / 2;
   EXPECT_NEAR(triangulation.area(f), expected, 1e-9 * expected);
-  const IT::Input_metric& metric = triangulation.exact_geometry().metric();
+  const IT::Input_metric& metric = IT::internal::engine(triangulation).metric();
   const double in_input = std::ldexp(metric.four_areas_double_double(triangulation.connectivity(), f).hi() / 4,
                                      2 * triangulation.unit_exponent());
   EXPECT_NEAR(in_input, expected, 1e-9 * expected);
@@ -142,7 +143,8 @@ TEST(Extreme_lengths, AsExactSquaresAreRefusedBeyondTheRangeOfDoubleAlone)
                                        : Rational(IT::internal::Integer(1) << exponent);
     const std::vector<Rational> squared_lengths{unit, unit, 2 * unit, unit, unit, 3 * unit};
     try {
-      const Triangulation t = Triangulation::from_metric(two_triangles(), IT::metric_from_squared_lengths(squared_lengths));
+      const Triangulation t =
+        Triangulation::from_metric(two_triangles(), IT::metric_from_squared_lengths(squared_lengths));
       EXPECT_LE(std::abs(exponent), 2000);
       EXPECT_EQ(t.length(IT::Edge_index(0)), std::ldexp(1., exponent / 2));
     } catch (const IT::Invalid_surface_error& error) {
@@ -154,7 +156,8 @@ TEST(Extreme_lengths, AsExactSquaresAreRefusedBeyondTheRangeOfDoubleAlone)
 }
 
 // What is below is the sign of a number far below its rounding errors.
-void expect_sign_of_weight(const IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>& t, IT::Edge_index e, CGAL::Sign sign)
+void expect_sign_of_weight(const IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>& t, IT::Edge_index e,
+                           CGAL::Sign sign)
 {
   EXPECT_EQ(CGAL::sign(t.cotangent_weight(e)), sign);
   EXPECT_EQ(CGAL::sign(IT::cotangent_weights(t)[e.idx()]), sign);
@@ -174,13 +177,14 @@ TEST(Extreme_lengths, The_weight_of_an_edge_with_one_face_on_both_sides_is_posit
     std::vector<std::array<unsigned, 3>> triangles;
     for (unsigned j = 0; j <= n; ++j)
       for (unsigned i = 0; i <= n; ++i) {
-        points.push_back({std::ldexp(i + 0.3 * number(0), i % 2 == 0 ? 0 : -exponent), std::ldexp(j + 0.3 * number(0), -exponent),
-                          number(-int(random() % 240))});
+        points.push_back({std::ldexp(i + 0.3 * number(0), i % 2 == 0 ? 0 : -exponent),
+                          std::ldexp(j + 0.3 * number(0), -exponent), number(-int(random() % 240))});
         const unsigned v = j * (n + 1) + i;
         if (i < n && j < n)
           triangles.insert(triangles.end(), {{v, v + 1, v + n + 1}, {v + 1, v + n + 2, v + n + 1}});
       }
-    IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits> t(IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
+    IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits> t(
+      IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
     IT::flip_to_Delaunay(t);
     for (IT::Edge_index e : t.connectivity().edges())
       if (t.connectivity().is_self_glued(e)) {
@@ -199,13 +203,13 @@ TEST(Extreme_lengths, The_weight_of_a_border_edge_opposite_a_right_angle_is_zero
   std::vector<IT::Rational> squared_lengths(hinge.number_of_edges());
   for (IT::Edge_index e : hinge.edges()) {
     const IT::Halfedge_index h = hinge.halfedge(e);
-    const unsigned i = (std::min)(hinge.source(h).idx(), hinge.target(h).idx()), j = hinge.source(h).idx() + hinge.target(h).idx() - i;
-    const int thirds = i == 0 ? (j == 1 ? 769 : j == 2 ? 400
-                                                       : 625)
-                              : (j == 2 ? 81 : 144);
+    const unsigned i = (std::min)(hinge.source(h).idx(), hinge.target(h).idx()),
+                   j = hinge.source(h).idx() + hinge.target(h).idx() - i;
+    const int thirds = i == 0 ? (j == 1 ? 769 : j == 2 ? 400 : 625) : (j == 2 ? 81 : 144);
     squared_lengths[e.idx()] = IT::Rational(thirds) / 3;
   }
-  auto t = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>::from_metric(hinge, IT::metric_from_squared_lengths(squared_lengths));
+  auto t = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>::from_metric(
+    hinge, IT::metric_from_squared_lengths(squared_lengths));
   EXPECT_EQ(IT::flip_to_Delaunay(t).flips, 1u);
   std::size_t number_of_right_angles = 0;
   for (IT::Edge_index e : t.connectivity().edges()) {

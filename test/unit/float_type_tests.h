@@ -16,7 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_conversion.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
@@ -55,27 +55,26 @@ constexpr int precision<__float128> = 113; // the standard library does not alwa
 #endif
 
 // Have flips and no tie, all numbers in them are near one, and exact numbers get on with the smaller one.
-inline const IT::Indexed_triangles& surface()
+inline const samples::Indexed_triangles& surface()
 {
-  static const IT::Indexed_triangles triangles = IT::bad_torus(9, 8);
+  static const samples::Indexed_triangles triangles = samples::bad_torus(9, 8);
   return triangles;
 }
-inline const IT::Indexed_triangles& small_surface()
+inline const samples::Indexed_triangles& small_surface()
 {
-  static const IT::Indexed_triangles triangles = IT::bad_torus(4, 4);
+  static const samples::Indexed_triangles triangles = samples::bad_torus(4, 4);
   return triangles;
 }
 
 // The surface with all coordinates multiplied by a number of the kernel.
 template <class Mesh, class Point, class FT>
-Mesh mesh_of(const IT::Indexed_triangles& triangles, const FT& factor)
+Mesh mesh_of(const samples::Indexed_triangles& triangles, const FT& factor)
 {
   Mesh mesh;
   std::vector<typename boost::graph_traits<Mesh>::vertex_descriptor> vertices;
   for (const auto& p : triangles.points) {
     vertices.push_back(add_vertex(mesh));
-    put(get(CGAL::vertex_point, mesh), vertices.back(),
-        Point(FT(p[0]) * factor, FT(p[1]) * factor, FT(p[2]) * factor));
+    put(get(CGAL::vertex_point, mesh), vertices.back(), Point(FT(p[0]) * factor, FT(p[1]) * factor, FT(p[2]) * factor));
   }
   for (const auto& [i, j, k] : triangles.triangles)
     CGAL::Euler::add_face(std::array{vertices[i], vertices[j], vertices[k]}, mesh);
@@ -130,9 +129,8 @@ void expect_triangulation(const Construct& construct)
 template <class Mesh>
 auto from(const Mesh& mesh)
 {
-  return [&mesh](const auto& traits) {
-    return IT::intrinsic_triangulation(mesh, CGAL::parameters::geom_traits(traits));
-  };
+  return
+    [&mesh](const auto& traits) { return IT::intrinsic_triangulation(mesh, CGAL::parameters::geom_traits(traits)); };
 }
 
 template <class FT>
@@ -165,8 +163,7 @@ TYPED_TEST(Float_type, is_next_to_an_exact_number)
 
 TYPED_TEST(Float_type, takes_arrays_of_points_and_triangles)
 {
-  const IT::Delta_complex complex =
-    IT::make_Delta_complex_from_triangles(surface().points.size(), surface().triangles);
+  const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(surface().points.size(), surface().triangles);
   expect_triangulation<TypeParam>([&](const auto& traits) {
     return IT::Intrinsic_triangulation<std::decay_t<decltype(traits)>>(complex, surface().points, traits);
   });
@@ -174,8 +171,7 @@ TYPED_TEST(Float_type, takes_arrays_of_points_and_triangles)
 
 TYPED_TEST(Float_type, takes_lengths)
 {
-  const IT::Delta_complex complex =
-    IT::make_Delta_complex_from_triangles(surface().points.size(), surface().triangles);
+  const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(surface().points.size(), surface().triangles);
   const IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits> in_space(complex, surface().points);
   expect_triangulation<TypeParam>([&](const auto& traits) {
     using Traits = std::decay_t<decltype(traits)>;
@@ -191,8 +187,7 @@ TYPED_TEST(Float_type, takes_meshes_with_points_of_doubles)
   using Point = CGAL::Simple_cartesian<double>::Point_3;
   expect_triangulation<TypeParam>(from(mesh_of<CGAL::Surface_mesh<Point>, Point>(surface(), 1.)));
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  expect_triangulation<TypeParam>(
-    from(mesh_of<CGAL::Surface_mesh<Kernel::Point_3>, Kernel::Point_3>(surface(), 1.)));
+  expect_triangulation<TypeParam>(from(mesh_of<CGAL::Surface_mesh<Kernel::Point_3>, Kernel::Point_3>(surface(), 1.)));
   expect_triangulation<TypeParam>(from(mesh_of<CGAL::Polyhedron_3<Kernel>, Kernel::Point_3>(surface(), 1.)));
 }
 

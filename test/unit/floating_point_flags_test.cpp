@@ -11,10 +11,7 @@
 #if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
 
 // Lets the compiler fuse in this function, as -march=native would.
-__attribute__((target("fma"))) static double square_minus(double x, double y)
-{
-  return x * x - y;
-}
+__attribute__((target("fma"))) static double square_minus(double x, double y) { return x * x - y; }
 
 TEST(Floating_point_flags, products_are_not_fused)
 {

@@ -27,7 +27,8 @@ TEST(From_chars, rounds_correctly)
     return number;
   };
   EXPECT_EQ(value("9007199254740993"), 9007199254740992.); // a tie, to even
-  EXPECT_EQ(value("9007199254740993.0000000000000000000000000000000000000000000000000000000000000000000000001"), 9007199254740994.);
+  EXPECT_EQ(value("9007199254740993.0000000000000000000000000000000000000000000000000000000000000000000000001"),
+            9007199254740994.);
   EXPECT_EQ(value("2.4703282292062328e-324"), 4.9406564584124654e-324);
   EXPECT_EQ(value("1.7976931348623158e308"), 1.7976931348623157e308);
   EXPECT_EQ(value("-.5e1x"), -5);
@@ -48,11 +49,49 @@ void expect_same(const std::string& text)
 
 TEST(From_chars, does_the_same_without_the_function_of_the_standard_library)
 {
-  for (const char* text : {"", "1", "-1", "+1", "--1", ".5", "5.", "-5.e3", "e5", ".", "-", ".e1", "1e", "1e+", "1e5x", " 1", "1,5", "0x10",
-                           "inf", "-INF", "infinit", "infinity", "nan", "-nan", "nan(", "nan(a_1)", "nan(a-b)", "1e400", "-1e400", "1e-400",
-                           "4.9e-324", "2e-324", "2.4703282292062328e-324", "1.7976931348623159e308", "0e99999999999999999999",
-                           "1e99999999999999999999", "-1e-99999999999999999999", "9007199254740993", "3.4028235677973366e38", "1e39", "7e-46",
-                           "0.00000000000000000000000000000000000000000000000000000000000000000000000000000000001e90"}) {
+  for (const char* text :
+       {"",
+        "1",
+        "-1",
+        "+1",
+        "--1",
+        ".5",
+        "5.",
+        "-5.e3",
+        "e5",
+        ".",
+        "-",
+        ".e1",
+        "1e",
+        "1e+",
+        "1e5x",
+        " 1",
+        "1,5",
+        "0x10",
+        "inf",
+        "-INF",
+        "infinit",
+        "infinity",
+        "nan",
+        "-nan",
+        "nan(",
+        "nan(a_1)",
+        "nan(a-b)",
+        "1e400",
+        "-1e400",
+        "1e-400",
+        "4.9e-324",
+        "2e-324",
+        "2.4703282292062328e-324",
+        "1.7976931348623159e308",
+        "0e99999999999999999999",
+        "1e99999999999999999999",
+        "-1e-99999999999999999999",
+        "9007199254740993",
+        "3.4028235677973366e38",
+        "1e39",
+        "7e-46",
+        "0.00000000000000000000000000000000000000000000000000000000000000000000000000000000001e90"}) {
     expect_same<double>(text);
     expect_same<float>(text);
   }
@@ -62,9 +101,7 @@ TEST(From_chars, does_the_same_without_the_function_of_the_standard_library)
     double number = 0;
     std::memcpy(&number, &bits, sizeof number);
     char buffer[64];
-    std::snprintf(buffer, sizeof buffer, i % 3 == 0 ? "%.17g" : i % 3 == 1 ? "%.25e"
-                                                                           : "%.8g",
-                  number);
+    std::snprintf(buffer, sizeof buffer, i % 3 == 0 ? "%.17g" : i % 3 == 1 ? "%.25e" : "%.8g", number);
     expect_same<double>(buffer);
     expect_same<float>(buffer);
     std::string letters;

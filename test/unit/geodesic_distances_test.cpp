@@ -35,7 +35,7 @@ using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Vertex = Mesh::Vertex_index;
 
-Mesh mesh_of(const CGAL::Intrinsic_triangulations::Indexed_triangles& sample)
+Mesh mesh_of(const samples::Indexed_triangles& sample)
 {
   Mesh mesh;
   for (const auto& p : sample.points)
@@ -45,12 +45,13 @@ Mesh mesh_of(const CGAL::Intrinsic_triangulations::Indexed_triangles& sample)
   return mesh;
 }
 
-Mesh sphere() { return mesh_of(CGAL::Intrinsic_triangulations::latitude_longitude_sphere(24, 14)); }
+Mesh sphere() { return mesh_of(samples::latitude_longitude_sphere(24, 14)); }
 
 // The distance on the sphere.
 double arc(const Mesh& mesh, Vertex v, std::size_t w)
 {
-  return 2 * std::asin((std::min)(1., std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(Vertex(Vertex::size_type(w))))) / 2));
+  return 2 * std::asin((std::min)(
+               1., std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(Vertex(Vertex::size_type(w))))) / 2));
 }
 
 // What a program does that uses the class, with both. In its mode Intrinsic_Delaunay, CGAL's class returns a mesh and sources of other types
@@ -109,7 +110,10 @@ void compare()
   EXPECT_LT(error, their_error);
 }
 
-TEST(Surface_mesh_geodesic_distances_3, near_those_of_CGAL_on_the_triangles_of_the_mesh) { compare<Ours::Direct, Theirs::Direct>(); }
+TEST(Surface_mesh_geodesic_distances_3, near_those_of_CGAL_on_the_triangles_of_the_mesh)
+{
+  compare<Ours::Direct, Theirs::Direct>();
+}
 TEST(Surface_mesh_geodesic_distances_3, near_those_of_CGAL_on_the_Delaunay_triangulation)
 {
   compare<Ours::Intrinsic_Delaunay, Theirs::Intrinsic_Delaunay>();
@@ -127,10 +131,11 @@ TEST(Surface_mesh_geodesic_distances_3, tells_its_mesh_and_its_sources)
 
 TEST(Surface_mesh_geodesic_distances_3, modes_differ)
 {
-  const Mesh mesh = mesh_of(CGAL::Intrinsic_triangulations::sheared_grid(20, 20, 5));
+  const Mesh mesh = mesh_of(samples::sheared_grid(20, 20, 5));
   std::unordered_map<Vertex, double> direct, Delaunay, by_default;
   Ours::estimate_geodesic_distances(mesh, boost::make_assoc_property_map(direct), Vertex(0), Ours::Direct());
-  Ours::estimate_geodesic_distances(mesh, boost::make_assoc_property_map(Delaunay), Vertex(0), Ours::Intrinsic_Delaunay());
+  Ours::estimate_geodesic_distances(mesh, boost::make_assoc_property_map(Delaunay), Vertex(0),
+                                    Ours::Intrinsic_Delaunay());
   Ours::estimate_geodesic_distances(mesh, boost::make_assoc_property_map(by_default), Vertex(0));
   EXPECT_NE(direct, Delaunay);
   EXPECT_EQ(by_default, Delaunay);
@@ -186,7 +191,8 @@ TEST(Surface_mesh_geodesic_distances_3, other_meshes_and_points)
   for (Vertex v : mesh.vertices())
     doubled[v] = {2 * mesh.point(v).x(), 2 * mesh.point(v).y(), 2 * mesh.point(v).z()};
   std::unordered_map<Vertex, double> single, twice;
-  Ours::Surface_mesh_geodesic_distances_3<Mesh>(mesh).estimate_geodesic_distances(boost::make_assoc_property_map(single));
+  Ours::Surface_mesh_geodesic_distances_3<Mesh>(mesh).estimate_geodesic_distances(
+    boost::make_assoc_property_map(single));
   Ours::Surface_mesh_geodesic_distances_3<Mesh, Ours::Direct, Mesh::Property_map<Vertex, Point>>(mesh, doubled)
     .estimate_geodesic_distances(boost::make_assoc_property_map(twice));
   for (Vertex v : mesh.vertices())
@@ -216,7 +222,8 @@ TEST(Surface_mesh_geodesic_distances_3, points_that_only_their_traits_know)
   using Hidden_mesh = CGAL::Surface_mesh<Hidden_point>;
   Hidden_mesh mesh;
   using Hidden_vertex = Hidden_mesh::Vertex_index;
-  using Distances = Ours::Surface_mesh_geodesic_distances_3<Hidden_mesh, Ours::Intrinsic_Delaunay, CGAL::Default, CGAL::Default, Hidden_traits>;
+  using Distances = Ours::Surface_mesh_geodesic_distances_3<Hidden_mesh, Ours::Intrinsic_Delaunay, CGAL::Default,
+                                                            CGAL::Default, Hidden_traits>;
   std::unordered_map<Hidden_vertex, double> result;
   Distances(mesh).estimate_geodesic_distances(boost::make_assoc_property_map(result)); // no vertex, nothing to do
   const auto a = mesh.add_vertex({{0, 0}}), b = mesh.add_vertex({{3, 0}}), c = mesh.add_vertex({{0, 3}});
@@ -246,14 +253,15 @@ TEST(Surface_mesh_geodesic_distances_3, edges_of_length_zero)
   EXPECT_EQ(result[Vertex(1)], result[Vertex(5)]);
   EXPECT_EQ(result[Vertex(2)], result[Vertex(4)]);
   EXPECT_NEAR(result[Vertex(6)], 2, 0.4);
-  EXPECT_THROW(Ours::estimate_geodesic_distances(mesh, boost::make_assoc_property_map(result), Vertex(0), Ours::Direct()),
-               CGAL::Intrinsic_triangulations::Invalid_surface_error);
+  EXPECT_THROW(
+    Ours::estimate_geodesic_distances(mesh, boost::make_assoc_property_map(result), Vertex(0), Ours::Direct()),
+    CGAL::Intrinsic_triangulations::Invalid_surface_error);
 }
 
 // Where CGAL 5.5 returns not a number, or does not return.
 TEST(Surface_mesh_geodesic_distances_3, what_CGAL_cannot_do)
 {
-  Mesh mesh = mesh_of(CGAL::Intrinsic_triangulations::prism(80));
+  Mesh mesh = mesh_of(samples::prism(80));
   const Vertex isolated = mesh.add_vertex({7, 7, 7});
   std::unordered_map<Vertex, double> result;
   Ours::estimate_geodesic_distances(mesh, boost::make_assoc_property_map(result), Vertex(0));

@@ -50,10 +50,8 @@ BOOST_CONCEPT_ASSERT((CGAL::HalfedgeGraphConcept<Delta_complex>));
 BOOST_CONCEPT_ASSERT((CGAL::HalfedgeListGraphConcept<Delta_complex>));
 BOOST_CONCEPT_ASSERT((CGAL::FaceGraphConcept<Delta_complex>));
 BOOST_CONCEPT_ASSERT((CGAL::FaceListGraphConcept<Delta_complex>));
-BOOST_CONCEPT_ASSERT(
-  (boost::ReadablePropertyGraphConcept<Delta_complex, Vertex_index, boost::vertex_index_t>));
-BOOST_CONCEPT_ASSERT(
-  (boost::ReadablePropertyGraphConcept<Delta_complex, Oriented_edge, boost::edge_index_t>));
+BOOST_CONCEPT_ASSERT((boost::ReadablePropertyGraphConcept<Delta_complex, Vertex_index, boost::vertex_index_t>));
+BOOST_CONCEPT_ASSERT((boost::ReadablePropertyGraphConcept<Delta_complex, Oriented_edge, boost::edge_index_t>));
 
 static_assert(std::is_convertible<Oriented_edge, Edge_index>::value, "");
 static_assert(!std::is_convertible<Edge_index, Oriented_edge>::value, "");
@@ -62,15 +60,9 @@ static_assert(std::is_same<decltype(*std::declval<Delta_complex>().edges().begin
 
 namespace {
 
-Delta_complex one_vertex_torus()
-{
-  return IT::make_Delta_complex_from_gluing(2, Side_pairs{{0, 3}, {1, 4}, {2, 5}});
-}
+Delta_complex one_vertex_torus() { return IT::make_Delta_complex_from_gluing(2, Side_pairs{{0, 3}, {1, 4}, {2, 5}}); }
 
-Delta_complex pillow()
-{
-  return IT::make_Delta_complex_from_gluing(2, Side_pairs{{0, 3}, {1, 5}, {2, 4}});
-}
+Delta_complex pillow() { return IT::make_Delta_complex_from_gluing(2, Side_pairs{{0, 3}, {1, 5}, {2, 4}}); }
 
 Delta_complex tetrahedron()
 {
@@ -94,13 +86,12 @@ Delta_complex square_and_isolated_vertex()
 
 std::vector<Delta_complex> all_surfaces()
 {
-  return {one_vertex_torus(), pillow(), tetrahedron(), tetrahedron_with_loop(),
-          square_and_isolated_vertex()};
+  return {one_vertex_torus(), pillow(), tetrahedron(), tetrahedron_with_loop(), square_and_isolated_vertex()};
 }
 
 // Shortest distances along edges, by plain relaxation over the halfedges.
-std::vector<double> distances_by_relaxation(const Delta_complex& c,
-                                            const std::vector<double>& length, Vertex_index from)
+std::vector<double> distances_by_relaxation(const Delta_complex& c, const std::vector<double>& length,
+                                            Vertex_index from)
 {
   std::vector<double> distance(c.number_of_vertices(), std::numeric_limits<double>::infinity());
   distance[from.idx()] = 0;
@@ -113,25 +104,22 @@ std::vector<double> distances_by_relaxation(const Delta_complex& c,
 }
 
 template <class Traits>
-std::vector<double> distances_by_dijkstra(const IT::Intrinsic_triangulation<Traits>& t,
-                                          Vertex_index from)
+std::vector<double> distances_by_dijkstra(const IT::Intrinsic_triangulation<Traits>& t, Vertex_index from)
 {
   const Delta_complex& c = t.connectivity();
   std::vector<double> distance(num_vertices(c));
   boost::dijkstra_shortest_paths(
     c, from,
-    boost::weight_map(boost::make_function_property_map<Oriented_edge, double>(
-                        [&](Oriented_edge e) { return t.length(e); }))
-      .distance_map(boost::make_iterator_property_map(distance.begin(),
-                                                      get(boost::vertex_index, c)))
+    boost::weight_map(
+      boost::make_function_property_map<Oriented_edge, double>([&](Oriented_edge e) { return t.length(e); }))
+      .distance_map(boost::make_iterator_property_map(distance.begin(), get(boost::vertex_index, c)))
       .distance_inf(std::numeric_limits<double>::infinity()));
   return distance;
 }
 
 std::size_t number_of_components(const Delta_complex& c)
 {
-  return CGAL::Polygon_mesh_processing::connected_components(
-    c, get(CGAL::dynamic_face_property_t<std::size_t>(), c));
+  return CGAL::Polygon_mesh_processing::connected_components(c, get(CGAL::dynamic_face_property_t<std::size_t>(), c));
 }
 
 } // namespace
@@ -281,12 +269,11 @@ TEST(Graph_traits_Delta_complex, connected_components)
   EXPECT_EQ(number_of_components(pillow()), 1u);
   EXPECT_EQ(number_of_components(tetrahedron_with_loop()), 1u);
   // A one-vertex torus beside a pillow.
-  const Delta_complex two = IT::make_Delta_complex_from_gluing(
-    4, Side_pairs{{0, 3}, {1, 4}, {2, 5}, {6, 9}, {7, 11}, {8, 10}});
+  const Delta_complex two =
+    IT::make_Delta_complex_from_gluing(4, Side_pairs{{0, 3}, {1, 4}, {2, 5}, {6, 9}, {7, 11}, {8, 10}});
   EXPECT_EQ(number_of_components(two), 2u);
   std::vector<Face_index> component;
-  CGAL::Polygon_mesh_processing::connected_component(Face_index(3), two,
-                                                     std::back_inserter(component));
+  CGAL::Polygon_mesh_processing::connected_component(Face_index(3), two, std::back_inserter(component));
   EXPECT_EQ((std::set<Face_index>(component.begin(), component.end())),
             (std::set<Face_index>{Face_index(2), Face_index(3)}));
 }
@@ -302,8 +289,7 @@ TEST(Graph_traits_Delta_complex, shortest_paths_go_along_the_shortest_of_several
   const Triangulation flat_pillow = Triangulation::from_lengths(pillow(), {3, 4, 5});
   const Delta_complex& p = flat_pillow.connectivity();
   const Vertex_index from = p.source(p.halfedge(Edge_index(2)));
-  EXPECT_EQ(distances_by_dijkstra(flat_pillow, from),
-            distances_by_relaxation(p, {3, 4, 5}, from));
+  EXPECT_EQ(distances_by_dijkstra(flat_pillow, from), distances_by_relaxation(p, {3, 4, 5}, from));
 
   // A tetrahedron with a tall apex at vertex 3; after two flips there the apex is inside a
   // loop and has one neighbor.
@@ -317,6 +303,5 @@ TEST(Graph_traits_Delta_complex, shortest_paths_go_along_the_shortest_of_several
   for (Edge_index e : tall.connectivity().edges())
     lengths.push_back(tall.length(e));
   for (Vertex_index v : tall.connectivity().vertices())
-    EXPECT_EQ(distances_by_dijkstra(tall, v),
-              distances_by_relaxation(tall.connectivity(), lengths, v));
+    EXPECT_EQ(distances_by_dijkstra(tall, v), distances_by_relaxation(tall.connectivity(), lengths, v));
 }

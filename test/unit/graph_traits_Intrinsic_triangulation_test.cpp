@@ -63,8 +63,7 @@ struct Check_concepts
   BOOST_CONCEPT_ASSERT((boost::ReadablePropertyGraphConcept<Graph, Edge_index, IT::Edge_normal_coordinate_tag>));
   static_assert(CGAL::graph_has_property<Graph, boost::face_index_t>::value, "");
   static_assert(CGAL::graph_has_property<Graph, boost::edge_weight_t>::value, "");
-  static_assert(!CGAL::graph_has_property<Graph, boost::vertex_point_t>::value,
-                "edges are no straight lines in space");
+  static_assert(!CGAL::graph_has_property<Graph, boost::vertex_point_t>::value, "edges are no straight lines in space");
 };
 template struct Check_concepts<Triangulation>;
 template struct Check_concepts<IT::Intrinsic_triangulation<IT::Edge_length_traits<float>>>;
@@ -94,8 +93,8 @@ Triangulation two_sheared_sheets()
 Triangulation flat_pillow()
 {
   using Side_pairs = std::vector<std::array<int, 2>>;
-  return Triangulation::from_lengths(
-    IT::make_Delta_complex_from_gluing(2, Side_pairs{{0, 3}, {1, 5}, {2, 4}}), {3, 4, 5});
+  return Triangulation::from_lengths(IT::make_Delta_complex_from_gluing(2, Side_pairs{{0, 3}, {1, 5}, {2, 4}}),
+                                     {3, 4, 5});
 }
 
 // By plain relaxation over the halfedges.
@@ -106,8 +105,8 @@ std::vector<double> distances_by_relaxation(const Triangulation& t, Vertex_index
   distance[from.idx()] = 0;
   for (std::size_t round = 0; round < distance.size(); ++round)
     for (Halfedge_index h : c.halfedges())
-      distance[c.target(h).idx()] = std::min(distance[c.target(h).idx()],
-                                             distance[c.source(h).idx()] + t.length(c.edge(h)));
+      distance[c.target(h).idx()] =
+        std::min(distance[c.target(h).idx()], distance[c.source(h).idx()] + t.length(c.edge(h)));
   return distance;
 }
 
@@ -177,7 +176,7 @@ TEST(Graph_traits_Intrinsic_triangulation, maps_follow_the_flips)
     EXPECT_EQ(get(length, e), t.length(e));
     EXPECT_EQ(weight[e], t.cotangent_weight(e));
     EXPECT_EQ(get(boost::edge_weight, t, e), t.length(e));
-    EXPECT_EQ(get(crossings, e), t.exact_geometry().correspondence().coordinates().crossings(e));
+    EXPECT_EQ(get(crossings, e), IT::internal::engine(t).correspondence().coordinates().crossings(e));
     most = std::max(most, get(crossings, e));
   }
   EXPECT_GT(most, 0);

@@ -7,9 +7,9 @@
 
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Heat_method.h>
+#include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 
 #include <gtest/gtest.h>
@@ -101,9 +101,7 @@ TEST(Heat_method, square_of_two_triangles_after_refinement)
 {
   const Points points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   Triangulation triangulation = Delaunay(points, {{0, 1, 2}, {0, 2, 3}});
-  IT::Refinement_criteria criteria;
-  criteria.maximum_edge_length = 0.05;
-  IT::refine_Delaunay(triangulation, criteria);
+  IT::refine_Delaunay(triangulation, CGAL::parameters::maximum_edge_length(0.05));
   for (Vertex_index source : {Vertex_index(0), Vertex_index(1)}) {
     IT::Heat_method<> heat(triangulation);
     heat.add_source(source);
@@ -126,7 +124,8 @@ TEST(Heat_method, one_source_in_a_square)
     EXPECT_EQ(heat.number_of_factorizations(), 2);
     EXPECT_EQ(distances[grid.number(at, at)], 0);
     for (std::size_t v = 0; v < distances.size(); ++v)
-      EXPECT_NEAR(distances[v], grid.distance(v, double(at), double(at)), 1.5) << v; // the error of the method, 4 % of the way
+      EXPECT_NEAR(distances[v], grid.distance(v, double(at), double(at)), 1.5)
+        << v; // the error of the method, 4 % of the way
   }
 }
 
@@ -148,19 +147,21 @@ TEST(Heat_method, scale_does_not_matter)
 // The same surface, alone and beside another that is a thousand times as large.
 TEST(Heat_method, other_components_do_not_matter)
 {
-  const IT::Indexed_triangles one = IT::torus(24, 16), other = IT::disk_with_spike();
+  const samples::Indexed_triangles one = samples::torus(24, 16), other = samples::disk_with_spike();
   Points points = one.points;
   Triangles triangles = one.triangles;
   for (const Point& p : other.points)
     points.push_back({1000 * p[0] + 5000, 1000 * p[1], 1000 * p[2]});
   for (const auto& [i, j, k] : other.triangles)
-    triangles.push_back({std::uint32_t(i + one.points.size()), std::uint32_t(j + one.points.size()), std::uint32_t(k + one.points.size())});
+    triangles.push_back({std::uint32_t(i + one.points.size()), std::uint32_t(j + one.points.size()),
+                         std::uint32_t(k + one.points.size())});
   const auto distances = [](const Triangulation& triangulation) {
     IT::Heat_method<> heat(triangulation);
     heat.add_source(Vertex_index(5));
     return heat.distances();
   };
-  const std::vector<double> alone = distances(Delaunay(one.points, one.triangles)), beside = distances(Delaunay(points, triangles));
+  const std::vector<double> alone = distances(Delaunay(one.points, one.triangles)),
+                            beside = distances(Delaunay(points, triangles));
   for (std::size_t v = 0; v < alone.size(); ++v)
     EXPECT_NEAR(beside[v], alone[v], 1e-12 * (1 + alone[v])) << v;
   EXPECT_EQ(beside.back(), infinity);
@@ -193,9 +194,7 @@ TEST(Heat_method, sources_come_and_go)
 TEST(Heat_method, lines_of_sources)
 {
   const Grid grid(30, 30);
-  IT::Heat_method_options options;
-  options.keeps_ridges = false;
-  IT::Heat_method<> heat(Delaunay(grid.points, grid.triangles), options);
+  IT::Heat_method<> heat(Delaunay(grid.points, grid.triangles), CGAL::parameters::keeps_ridges(false));
   for (std::size_t i = 0; i <= 30; ++i)
     heat.add_source(grid.vertex(0, i));
   const std::vector<double> one = heat.distances();
@@ -250,7 +249,8 @@ std::vector<double> edge_paths(const Points& points, const Triangles& triangles,
     for (const auto& t : triangles)
       for (int i = 0; i < 6; ++i) {
         const std::uint32_t a = t[std::size_t(i % 3)], b = t[std::size_t((i + (i < 3 ? 1 : 2)) % 3)];
-        const double through = result[a] + std::hypot(points[a][0] - points[b][0], points[a][1] - points[b][1], points[a][2] - points[b][2]);
+        const double through =
+          result[a] + std::hypot(points[a][0] - points[b][0], points[a][1] - points[b][1], points[a][2] - points[b][2]);
         if (through < result[b]) {
           result[b] = through;
           is_changed = true;
@@ -305,11 +305,13 @@ TEST(Heat_method, needs_no_bounds_on_fine_surfaces)
 TEST(Heat_method, infinite_where_no_source_is_connected)
 {
   // Two triangles apart, a vertex without faces, and a face without area.
-  const Points points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}, {9, 9, 9}, {0, 0, 8}, {1, 0, 8}, {2, 0, 8}};
+  const Points points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0},
+                         {5, 1, 0}, {9, 9, 9}, {0, 0, 8}, {1, 0, 8}, {2, 0, 8}};
   const Triangulation triangulation = Delaunay(points, {{0, 1, 2}, {3, 4, 5}, {7, 8, 9}});
   IT::Heat_method<> heat(triangulation);
   heat.add_source(Vertex_index(0));
-  EXPECT_EQ(std::vector<double>(heat.distances().begin() + 3, heat.distances().end()), std::vector<double>(7, infinity));
+  EXPECT_EQ(std::vector<double>(heat.distances().begin() + 3, heat.distances().end()),
+            std::vector<double>(7, infinity));
   expect_numbers({heat.distances().begin(), heat.distances().begin() + 3}, "with a source");
   heat.add_source(Vertex_index(6));
   heat.add_source(Vertex_index(8));
@@ -358,7 +360,7 @@ TEST(Heat_method, thin_faces)
 
 TEST(Heat_method, prism_and_cap_with_all_ties)
 {
-  for (const IT::Indexed_triangles& sample : {IT::prism(80), IT::cap(1e-10)}) {
+  for (const samples::Indexed_triangles& sample : {samples::prism(80), samples::cap(1e-10)}) {
     IT::Heat_method<> heat(Delaunay(sample.points, sample.triangles));
     heat.add_source(Vertex_index(0));
     expect_numbers(heat.distances(), "a sample");
@@ -370,17 +372,13 @@ TEST(Heat_method, heat_reaches_the_end_of_a_long_strip)
   const Grid grid(2500, 3);
   const Triangulation triangulation = Delaunay(grid.points, grid.triangles);
   for (auto boundary : {IT::Heat_boundary::NEUMANN, IT::Heat_boundary::AVERAGED}) {
-    IT::Heat_method_options options;
-    options.boundary = boundary;
-    IT::Heat_method<> heat(triangulation, options);
+    IT::Heat_method<> heat(triangulation, CGAL::parameters::heat_boundary(boundary));
     heat.add_source(grid.vertex(0, 1));
     for (std::size_t v = 0; v < grid.points.size(); ++v)
       ASSERT_NEAR(heat.distances()[v], grid.distance(v, 0, 1), 0.6) << v;
   }
   // With both borders cold, much of the heat flows across so narrow a strip, but it reaches the end.
-  IT::Heat_method_options options;
-  options.boundary = IT::Heat_boundary::DIRICHLET;
-  IT::Heat_method<> heat(triangulation, options);
+  IT::Heat_method<> heat(triangulation, CGAL::parameters::heat_boundary(IT::Heat_boundary::DIRICHLET));
   heat.add_source(grid.vertex(0, 1));
   for (std::size_t x = 0; x < 2500; ++x)
     ASSERT_GT(heat.distances()[grid.number(x + 1, 1)], heat.distances()[grid.number(x, 1)] + 0.4) << x;
@@ -402,14 +400,13 @@ TEST(Heat_method, points_and_vertices_as_sources_for_short_times)
     y += grid.points[v][1] / 3;
   }
   for (double coefficient : {1e-2, 1e-4, 1e-8}) {
-    IT::Heat_method_options options;
-    options.time_coefficient = coefficient;
-    IT::Heat_method<> heat(triangulation, options);
+    IT::Heat_method<> heat(triangulation, CGAL::parameters::time_coefficient(coefficient));
     heat.add_source(grid.vertex(5, 5));
     heat.add_source(triangulation, {h, {1, 1, 1}});
     const std::vector<double>& distances = heat.distances();
     for (std::size_t v = 0; v < distances.size(); ++v)
-      EXPECT_GE(distances[v], 0.8 * (std::min)(grid.distance(v, x, y), grid.distance(v, 5, 5))) << coefficient << ' ' << v;
+      EXPECT_GE(distances[v], 0.8 * (std::min)(grid.distance(v, x, y), grid.distance(v, 5, 5)))
+        << coefficient << ' ' << v;
   }
 }
 
@@ -420,18 +417,16 @@ TEST(Heat_method, boundary_conditions)
   const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(grid.points.size(), grid.triangles);
   std::vector<double> lengths;
   for (IT::Edge_index e : complex.edges()) {
-    const Point &p = grid.points[complex.source(complex.halfedge(e)).idx()], &q = grid.points[complex.target(complex.halfedge(e)).idx()];
+    const Point &p = grid.points[complex.source(complex.halfedge(e)).idx()],
+                &q = grid.points[complex.target(complex.halfedge(e)).idx()];
     lengths.push_back(std::hypot(p[0] - q[0], p[1] - q[1]));
   }
   Triangulation triangulation = Triangulation::from_lengths(complex, lengths);
   IT::flip_to_Delaunay(triangulation);
   std::vector<std::vector<double>> results;
   for (auto boundary : {IT::Heat_boundary::NEUMANN, IT::Heat_boundary::DIRICHLET, IT::Heat_boundary::AVERAGED}) {
-    IT::Heat_method_options options;
-    options.boundary = boundary;
-    options.time_coefficient = 20;
-    options.keeps_ridges = false;
-    IT::Heat_method<> heat(triangulation, options);
+    IT::Heat_method<> heat(triangulation,
+                           CGAL::parameters::heat_boundary(boundary).time_coefficient(20).keeps_ridges(false));
     heat.add_source(grid.vertex(10, 10));
     results.push_back(heat.distances());
     heat.clear_sources();
@@ -450,7 +445,7 @@ TEST(Heat_method, boundary_conditions)
 
 TEST(Heat_method, sphere)
 {
-  const IT::Indexed_triangles sphere = IT::latitude_longitude_sphere(60, 30);
+  const samples::Indexed_triangles sphere = samples::latitude_longitude_sphere(60, 30);
   IT::Heat_method<> heat(Delaunay(sphere.points, sphere.triangles));
   std::size_t source = 500;
   heat.add_source(Vertex_index(500));
@@ -476,7 +471,8 @@ TEST(Heat_method, source_in_a_face)
     const IT::Halfedge_index h = complex.next(complex.halfedge(IT::Face_index(421)));
     heat.clear_sources();
     heat.add_source(triangulation, {h, coordinates});
-    const std::size_t corners[] = {complex.source(h).idx(), complex.target(h).idx(), complex.target(complex.next(h)).idx()};
+    const std::size_t corners[] = {complex.source(h).idx(), complex.target(h).idx(),
+                                   complex.target(complex.next(h)).idx()};
     const double sum = coordinates[0] + coordinates[1] + coordinates[2];
     double x = 0, y = 0;
     for (int i = 0; i < 3; ++i) {
@@ -491,17 +487,15 @@ TEST(Heat_method, source_in_a_face)
   // Behind a side of the face, the way leads across the side: it is not that over its ends.
   const Grid small(4, 4);
   const Triangulation squares = Delaunay(small.points, small.triangles);
-  IT::Heat_method_options options;
   for (bool keeps_ridges : {true, false}) {
-    options.keeps_ridges = keeps_ridges;
-    IT::Heat_method<> near(squares, options);
+    IT::Heat_method<> near(squares, CGAL::parameters::keeps_ridges(keeps_ridges));
     near.add_source(squares, {squares.connectivity().halfedge(IT::Face_index(0)), {1, 1, 1}});
     for (std::size_t v : {small.number(0, 1), small.number(2, 0), small.number(2, 1)})
       EXPECT_NEAR(near.distances()[v], small.distance(v, 2. / 3, 1. / 3), 0.5) << v << keeps_ridges;
   }
-  EXPECT_THROW(heat.add_source(triangulation, {IT::Halfedge_index(), {1, 0, 0}}), IT::Invalid_surface_error);
-  EXPECT_THROW(heat.add_source(triangulation, {IT::Halfedge_index(0), {0, 0, 0}}), IT::Invalid_surface_error);
-  EXPECT_THROW(heat.add_source(triangulation, {IT::Halfedge_index(0), {-1, 1, 1}}), IT::Invalid_surface_error);
+  EXPECT_THROW(heat.add_source(triangulation, {IT::Halfedge_index(), {1, 0, 0}}), IT::Invalid_point_error);
+  EXPECT_THROW(heat.add_source(triangulation, {IT::Halfedge_index(0), {0, 0, 0}}), IT::Invalid_point_error);
+  EXPECT_THROW(heat.add_source(triangulation, {IT::Halfedge_index(0), {-1, 1, 1}}), IT::Invalid_point_error);
 }
 
 TEST(Heat_method, extension_is_nearly_the_value_of_the_nearest_vertex)
@@ -525,7 +519,8 @@ TEST(Heat_method, extension_is_nearly_the_value_of_the_nearest_vertex)
 TEST(Heat_method, on_the_cover_of_any_triangles)
 {
   // Three squares at one edge, the last one turned over, and a vertex at the place of another.
-  const Points points = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, 1, 0}, {0, 0, 1}, {0, 1, 1}, {0, 0, 1}};
+  const Points points = {{0, 0, 0},  {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0},
+                         {-1, 1, 0}, {0, 0, 1}, {0, 1, 1}, {0, 0, 1}};
   const Triangles triangles = {{0, 2, 3}, {0, 3, 1}, {0, 1, 5}, {0, 5, 4}, {0, 6, 7}, {0, 7, 1}, {6, 8, 7}};
   IT::Tufted_cover cover = IT::make_tufted_cover(points, triangles);
   IT::flip_to_Delaunay(cover.triangulation);
@@ -538,7 +533,7 @@ TEST(Heat_method, on_the_cover_of_any_triangles)
   EXPECT_NEAR(heat.distances()[5], 2, 0.4);
 
   // What is closed is its own cover.
-  const IT::Indexed_triangles torus = IT::torus(20, 12);
+  const samples::Indexed_triangles torus = samples::torus(20, 12);
   IT::Tufted_cover closed = IT::make_tufted_cover(torus.points, torus.triangles);
   IT::flip_to_Delaunay(closed.triangulation);
   IT::Heat_method<> one(closed), other(Delaunay(torus.points, torus.triangles));
@@ -565,30 +560,27 @@ TEST(Heat_method, what_it_refuses)
   const Grid grid(2, 2);
   const Triangulation triangulation = Delaunay(grid.points, grid.triangles);
   IT::Heat_method<> heat(triangulation);
-  EXPECT_THROW(heat.add_source(Vertex_index(9)), IT::Invalid_surface_error);
-  EXPECT_THROW(heat.add_source(Vertex_index()), IT::Invalid_surface_error);
-  EXPECT_THROW(heat.extend({{Vertex_index(9), 1.}}), IT::Invalid_surface_error);
+  EXPECT_THROW(heat.add_source(Vertex_index(9)), IT::Invalid_argument_error);
+  EXPECT_THROW(heat.add_source(Vertex_index()), IT::Invalid_argument_error);
+  EXPECT_THROW(heat.extend({{Vertex_index(9), 1.}}), IT::Invalid_argument_error);
   EXPECT_FALSE(heat.remove_source(Vertex_index(9)));
   EXPECT_EQ(heat.number_of_sources(), 0);
-  for (double coefficient : {0., -1., infinity, std::numeric_limits<double>::quiet_NaN()}) {
-    IT::Heat_method_options options;
-    options.time_coefficient = coefficient;
-    EXPECT_THROW(IT::Heat_method<>(triangulation, options), IT::Invalid_surface_error);
-  }
+  for (double coefficient : {0., -1., infinity, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THROW(IT::Heat_method<>(triangulation, CGAL::parameters::time_coefficient(coefficient)),
+                 IT::Invalid_argument_error);
 }
 
 TEST(Heat_method, asks_before_each_factorization_and_solution)
 {
   const Grid grid(10, 10);
   const Triangulation triangulation = Delaunay(grid.points, grid.triangles);
-  IT::Heat_method_options options;
-  options.boundary = IT::Heat_boundary::AVERAGED;
   bool goes_on = false;
   std::uint64_t questions = 0;
-  options.go_further = [&] {
+  const auto go_further = [&] {
     ++questions;
     return goes_on;
   };
+  const auto options = CGAL::parameters::heat_boundary(IT::Heat_boundary::AVERAGED).visitor(go_further);
   EXPECT_THROW((IT::Heat_method<>(triangulation, options)), IT::Cancelled_error);
   goes_on = true;
   IT::Heat_method<> heat(triangulation, options);

@@ -4,7 +4,7 @@
 // The formulas of one hinge: against whole coordinates, where double is exact, and against
 // the laws of sines and cosines with 200 bits, slivers included.
 
-#include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
 
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Half_angle_traits.h>
@@ -74,8 +74,8 @@ Real heron(const Real& a, const Real& b, const Real& c)
 }
 Numbers<Real> squares(const Lengths& l)
 {
-  return {l[0] * l[0], l[1] * l[1], l[2] * l[2], l[3] * l[3], l[4] * l[4],
-          heron(l[0], l[1], l[2]), heron(l[0], l[3], l[4])};
+  return {
+    l[0] * l[0], l[1] * l[1], l[2] * l[2], l[3] * l[3], l[4] * l[4], heron(l[0], l[1], l[2]), heron(l[0], l[3], l[4])};
 }
 
 // The angle between the sides b and c of a triangle, by half angles: no cancellation.
@@ -93,12 +93,11 @@ std::vector<Lengths> random_hinges(std::size_t n, bool slivers)
   std::vector<Lengths> hinges;
   while (hinges.size() < n) {
     const double thin = slivers ? std::pow(10, exponent(random)) : 1;
-    const auto point = [&] { return std::array<Real, 3>{Real(uniform(random)), Real(thin * uniform(random)),
-                                                        Real(thin * uniform(random))}; };
-    const auto i = point(), j = point(), k = point(), l = point();
-    const auto length = [](const auto& p, const auto& q) {
-      return Real(sqrt(IT::internal::squared_distance_3(p, q)));
+    const auto point = [&] {
+      return std::array<Real, 3>{Real(uniform(random)), Real(thin * uniform(random)), Real(thin * uniform(random))};
     };
+    const auto i = point(), j = point(), k = point(), l = point();
+    const auto length = [](const auto& p, const auto& q) { return Real(sqrt(IT::internal::squared_distance_3(p, q))); };
     hinges.push_back({length(i, j), length(j, k), length(k, i), length(i, l), length(l, j)});
   }
   return hinges;
@@ -140,16 +139,15 @@ TEST(Hinge_formulas, are_exact_on_small_whole_coordinates)
       std::swap(k, l);
     if (cross(i, j, k) <= 0 || cross(j, i, l) <= 0)
       continue;
-    const Numbers<std::int64_t> whole{s(i, j), s(j, k), s(k, i), s(i, l), s(l, j),
-                                      2 * cross(i, j, k), 2 * cross(j, i, l)};
+    const Numbers<std::int64_t> whole{s(i, j),           s(j, k), s(k, i), s(i, l), s(l, j), 2 * cross(i, j, k),
+                                      2 * cross(j, i, l)};
     const Numbers<double> numbers = whole.to<double>();
     const Flipped<double> f = flipped(numbers);
     // Two roundings: of the reciprocal and of the product with it.
     EXPECT_NEAR(f.s_kl, double(s(k, l)), 4 * u * f.s_kl);
     EXPECT_NEAR(f.a_ilk, 2. * cross(i, l, k), 4 * u * std::abs(f.a_ilk));
     EXPECT_NEAR(f.a_jkl, 2. * cross(j, k, l), 4 * u * std::abs(f.a_jkl));
-    EXPECT_EQ(IT::squared_four_areas(numbers.s_ij, numbers.s_jk, numbers.s_ki),
-              numbers.a_ijk * numbers.a_ijk);
+    EXPECT_EQ(IT::squared_four_areas(numbers.s_ij, numbers.s_jk, numbers.s_ki), numbers.a_ijk * numbers.a_ijk);
 
     // The sign of the incircle determinant of i, j, k and l, in 128 bits.
     using Wide = boost::multiprecision::int128_t;
@@ -158,8 +156,8 @@ TEST(Hinge_formulas, are_exact_on_small_whole_coordinates)
       return std::array<Wide, 3>{x, y, x * x + y * y};
     };
     const auto a = row(i), b = row(j), c = row(k);
-    const Wide determinant = a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
-                             a[2] * (b[0] * c[1] - b[1] * c[0]);
+    const Wide determinant =
+      a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
     EXPECT_EQ(int(CGAL::sign(value(numbers))), -determinant.sign());
     ties += determinant.is_zero();
   }
@@ -241,8 +239,7 @@ TEST(Hinge_formulas, agree_with_half_angles)
 TEST(Hinge_formulas, decide_on_faces_without_area)
 {
   const IT::Edge_length_traits<double> traits;
-  const auto is_Delaunay = [&](double s_ij, double s_jk, double s_ki, double s_il, double s_lj, double a,
-                               double b) {
+  const auto is_Delaunay = [&](double s_ij, double s_jk, double s_ki, double s_il, double s_lj, double a, double b) {
     return traits.is_locally_Delaunay_object()({s_ij, s_jk, s_ki, s_il, s_lj, a, b});
   };
   EXPECT_FALSE(is_Delaunay(16, 4, 4, 9, 1, 0, 0));                // k and l between i and j
@@ -292,7 +289,6 @@ TEST(Kahan_formula, is_accurate_for_slivers)
     const Real area = heron(Real(a), Real(b), Real(c));
     if (!(area > 0)) // not a triangle after rounding
       continue;
-    EXPECT_LT(relative_error(Real(IT::squared_four_areas_from_lengths(a, b, c)), area * area, area * area),
-              12 * u);
+    EXPECT_LT(relative_error(Real(IT::squared_four_areas_from_lengths(a, b, c)), area * area, area * area), 12 * u);
   }
 }

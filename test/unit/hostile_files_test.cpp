@@ -100,14 +100,16 @@ TEST_F(Hostile_files, words_that_only_begin_as_numbers)
     {"a.stl", stl + "1,5" + stl_end, "line 6 (facet 0): \"1,5\" is not a number: write a point for the decimal comma"},
     {"a.stl", stl + "0x1p3" + stl_end, "line 6 (facet 0): \"0x1p3\" is not a number"},
     {"a.ply", ply("double", "uchar int") + points + "259 0 1 2\n",
-     "line 13, element face 0: \"259\" is out of range for the size of the list vertex_indices, which is of type uchar"},
+     "line 13, element face 0: \"259\" is out of range for the size of the list vertex_indices, which is of type "
+     "uchar"},
     {"a.ply", ply("double", "char int") + points + "-1 0 1 2\n",
      "line 13, element face 0: the list vertex_indices claims a negative number of entries"},
     {"a.ply", ply("double", "uchar int") + "0 0 0\n1 1e400 0\n0 1 0\n3 0 1 2\n",
      "line 11, element vertex 1: the coordinate \"1e400\" is too large", Defect::OUT_OF_RANGE},
     {"a.ply", ply("float", "uchar int") + "0 0 0\n1 1e40 0\n0 1 0\n3 0 1 2\n",
      "line 11, element vertex 1: y is of type float, for which \"1e40\" is too large", Defect::OUT_OF_RANGE},
-    {"a.ply", ply("double", "uchar int") + points + "3 0 1.5 2\n", "line 13, element face 0: \"1.5\" is not an integer"},
+    {"a.ply", ply("double", "uchar int") + points + "3 0 1.5 2\n",
+     "line 13, element face 0: \"1.5\" is not an integer"},
     {"a.ply", ply("double", "uchar int") + points + "3 0 1 99999999999\n",
      "line 13, element face 0: \"99999999999\" is out of range for vertex_indices"}};
   for (const Bad_text& bad : table) {
@@ -165,10 +167,12 @@ TEST_F(Hostile_files, vertices_of_ts_have_names)
         head + "TFACE\n" + v4 + v3 + v2 + v1 + faces + "END \n", head + "TFACE\n" + v1 + v2 + v3 + v4 + faces + "END",
         head + "TFACE\nVRTX 10 0 0 0\nVRTX -7 1 0 0\nPVRTX 5 0 1 0 9 9\nVRTX 99999999999 0 0 1\nTRGL 10 -7 5\n"
                "TRGL 10 99999999999 -7\nEND\n",
-        head + "TFACE\r\nVRTX 1 0 0 0\r\nVRTX 2 1 0 0\r\nVRTX 3 0 1 0\r\nVRTX 4 0 0 1\r\nTRGL 1 2 3\r\nTRGL 1 4 2\r\nEND\r\n",
+        head + "TFACE\r\nVRTX 1 0 0 0\r\nVRTX 2 1 0 0\r\nVRTX 3 0 1 0\r\nVRTX 4 0 0 1\r\nTRGL 1 2 3\r\nTRGL 1 4 "
+               "2\r\nEND\r\n",
         head + "# GOCAD VRTX\nTFACE\n# GOCAD VRTX\n" + v1 + v2 + v3 + v4 + faces + "END\n",
         head + "TFACE\n" + v1 + v2 + v3 + "TRGL 1 2 3\nTFACE\nATOM 6 1\nATOM 7 2\n" + v4 + "TRGL 6 4 7\nEND\n",
-        head + "TFACE\n" + v1 + v2 + v3 + "TRGL 1 2 3\nEND\n" + head + "TFACE\n" + v1 + v2 + "VRTX 3 0 0 1\nTRGL 1 3 2\nEND\n"}) {
+        head + "TFACE\n" + v1 + v2 + v3 + "TRGL 1 2 3\nEND\n" + head + "TFACE\n" + v1 + v2 +
+          "VRTX 3 0 0 1\nTRGL 1 3 2\nEND\n"}) {
     SCOPED_TRACE(good);
     EXPECT_EQ(corners(idt::read_surface(write("a.ts", good))), corners(expected));
   }
@@ -176,14 +180,16 @@ TEST_F(Hostile_files, vertices_of_ts_have_names)
     {"a.ts", head + "TFACE\n" + v1 + v2 + v2 + faces + "END\n", "line 5 (vertex 2): there is a vertex 2 before it"},
     {"a.ts", head + "TFACE\n" + v1 + v2 + v3 + faces + "END\n",
      "line 7 (face 1): the face names vertex 4, but its part has no vertex of this number", Defect::BAD_INDEX},
-    {"a.ts", head + "TFACE\n" + v1 + v2 + v3 + "TRGL 1 2.5 3\nEND\n", "line 6 (face 0): \"2.5\" is not the number of a"},
+    {"a.ts", head + "TFACE\n" + v1 + v2 + v3 + "TRGL 1 2.5 3\nEND\n",
+     "line 6 (face 0): \"2.5\" is not the number of a"},
     {"a.ts", head + "TFACE\n" + v1 + v2 + v3 + "TRGL 1 2\nEND\n", "line 6 (face 0): the number of a vertex is missing"},
     {"a.ts", head + "TFACE\n" + v1 + v2 + v3 + "TRGL 1 2 3 4\nEND\n", "line 6 (face 0): there is more in the line than",
      Defect::NOT_A_TRIANGLE},
     {"a.ts", head + "TFACE\nVRTX 1 0 0 0,5\n", "line 3 (vertex 0): \"0,5\" is not a number: write a point"},
     {"a.ts", head + "TFACE\nVRTX 1 0 0\n", "line 3 (vertex 0): there are 2 numbers where 3 are needed"},
     {"a.ts", head + "TFACE\nATOM 1 7\n", "line 3 (vertex 0): the part has no vertex 7 before", Defect::BAD_INDEX},
-    {"a.ts", head + "TFACE\n" + v1 + v2 + v3 + "TRGL 1 2 3\n" + head, "line 7: a part begins where the one before has no"}};
+    {"a.ts", head + "TFACE\n" + v1 + v2 + v3 + "TRGL 1 2 3\n" + head,
+     "line 7: a part begins where the one before has no"}};
   for (const Bad_text& bad : table) {
     SCOPED_TRACE(bad.content);
     refused(bad.name, bad.content, bad.message, bad.defect);
@@ -203,10 +209,12 @@ TEST_F(Hostile_files, elements_of_ply_fit_into_the_file)
           "the header announces 1000000000000000000 elements \"halfedge\", which have no property");
   refused("a.ply", begin + vertices + faces + "element foo" + huge + "property uchar a\n" + end + data,
           "the header announces 1000000000000000000 elements \"foo\", more than fit into the");
-  EXPECT_EQ(idt::read_surface(write("a.ply", begin + "element foo 0\n" + vertices + faces + end + data)).triangles.size(), 1u);
+  EXPECT_EQ(
+    idt::read_surface(write("a.ply", begin + "element foo 0\n" + vertices + faces + end + data)).triangles.size(), 1u);
   // The last number may be the last of the file.
-  EXPECT_EQ(idt::read_surface(write("a.ply", begin + vertices + "element face 1\nproperty list uchar int vertex_indices\n"
-                                                                "element foo 1\nproperty int a\n" +
+  EXPECT_EQ(idt::read_surface(write("a.ply", begin + vertices +
+                                               "element face 1\nproperty list uchar int vertex_indices\n"
+                                               "element foo 1\nproperty int a\n" +
                                                end + data + "7"))
               .triangles.size(),
             1u);
@@ -215,7 +223,8 @@ TEST_F(Hostile_files, elements_of_ply_fit_into_the_file)
 // What makes a file of the size of a binary one is its size, whatever it begins with.
 TEST_F(Hostile_files, beginnings_of_stl)
 {
-  const std::string text = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n";
+  const std::string text =
+    "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n";
   std::string binary = binary_stl({{{0, 0, 0, 1, 0, 0, 0, 1, 0}}, {{0, 1, 0, 1, 0, 0, 0, 1, 1}}}, 2);
   binary.replace(0, 40, "solid facet vertex 0 0 1,5 facet vertex ");
   EXPECT_EQ(idt::read_surface(write("a.stl", binary)).triangles.size(), 2u);
@@ -227,8 +236,9 @@ TEST_F(Hostile_files, beginnings_of_stl)
   refused("a.stl", "solids\n" + text, "neither text STL (the first word is \"solids\" and not solid) nor binary STL");
   // The number of facets is wrong, and the file is no text all the same.
   binary.resize(binary.size() - 50);
-  refused("a.stl", binary, "the file begins as text STL does, but has bytes that are in no text; nor is it binary STL (the header"
-                           " announces 2 facets, the file has room for 1: it ends within facet 1, which begins at byte 134)");
+  refused("a.stl", binary,
+          "the file begins as text STL does, but has bytes that are in no text; nor is it binary STL (the header"
+          " announces 2 facets, the file has room for 1: it ends within facet 1, which begins at byte 134)");
 }
 
 TEST_F(Hostile_files, encodings)
@@ -251,7 +261,9 @@ TEST_F(Hostile_files, encodings)
       refused(name, utf16, "the text is in UTF-16");
     for (const std::string& content : {"\xef\xbb\xbf" + text, with_returns}) {
       const std::string file = write(name, content);
-      EXPECT_EQ(is_gluing ? idt::read_exact_gluing_file(file).complex.number_of_faces() : idt::read_surface(file).triangles.size(), 1u);
+      EXPECT_EQ(is_gluing ? idt::read_exact_gluing_file(file).complex.number_of_faces()
+                          : idt::read_surface(file).triangles.size(),
+                1u);
     }
   }
 }
@@ -268,14 +280,17 @@ TEST_F(Hostile_files, what_is_no_mesh)
 
 TEST_F(Hostile_files, numbers_that_are_nearly_some)
 {
-  const auto with_number = [](const std::string& number) { return "OFF\n3 1 0\n0 0 " + number + "\n1 0 0\n0 1 0\n3 0 1 2\n"; };
+  const auto with_number = [](const std::string& number) {
+    return "OFF\n3 1 0\n0 0 " + number + "\n1 0 0\n0 1 0\n3 0 1 2\n";
+  };
   const std::pair<const char*, const char*> table[] = {{"0,5", ": write a point for the decimal comma"},
                                                        {"0.5,", ": separate numbers by blanks alone"},
                                                        {"0.5;", ": separate numbers by blanks alone"},
                                                        {"0.5D+00", ": write e before the exponent"},
                                                        {"0.5x", ""}};
   for (const auto& [number, advice] : table)
-    refused("a.off", with_number(number), "line 3 (vertex 0): \"" + std::string(number) + "\" is not a number" + advice);
+    refused("a.off", with_number(number),
+            "line 3 (vertex 0): \"" + std::string(number) + "\" is not a number" + advice);
 }
 
 TEST_F(Hostile_files, gluings_are_files)
@@ -299,7 +314,8 @@ TEST_F(Hostile_files, gluings_are_files)
   const std::string begin = "INTRINSIC_GLUING 1\n3 3 1\n0 1 2\n0 -1 1\n1 -1 1\n2 -1 ";
   refused_gluing(write("a.gluing", begin + "\x1b[31m\n"), "line 6 has '?[31m' where a length is expected");
   refused_gluing(write("a.gluing", begin + std::string(2000000, 'x') + "\n"), "xxx...' where a length is expected");
-  refused_gluing(write("a.gluing", begin + std::string(2, '\0') + "\n"), "line 6 has '\?\?' where a length is expected");
+  refused_gluing(write("a.gluing", begin + std::string(2, '\0') + "\n"),
+                 "line 6 has '\?\?' where a length is expected");
 }
 
 TEST_F(Hostile_files, gluings_can_be_watched_and_stopped)
@@ -320,7 +336,8 @@ TEST_F(Hostile_files, gluings_can_be_watched_and_stopped)
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   for (std::size_t stop = 1; stop <= fractions.size(); ++stop) {
     std::size_t asked = 0;
-    EXPECT_THROW(idt::read_gluing_file(file, complex, lengths, [&](double) { return ++asked < stop; }), IT::Cancelled_error)
+    EXPECT_THROW(idt::read_gluing_file(file, complex, lengths, [&](double) { return ++asked < stop; }),
+                 IT::Cancelled_error)
       << stop;
   }
 }

@@ -8,7 +8,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/angles.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
@@ -34,8 +34,9 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_trait
 class Inserted_vertices
 {
 public:
-  explicit Inserted_vertices(IT::Indexed_triangles surface)
-    : surface_(std::move(surface)), input_(IT::make_Delta_complex_from_triangles(surface_.points.size(), surface_.triangles)),
+  explicit Inserted_vertices(samples::Indexed_triangles surface)
+    : surface_(std::move(surface)),
+      input_(IT::make_Delta_complex_from_triangles(surface_.points.size(), surface_.triangles)),
       triangulation(input_, surface_.points)
   {
     area_ = area();
@@ -54,21 +55,21 @@ public:
   {
     const IT::Delta_complex& complex = triangulation.connectivity();
     ASSERT_TRUE(complex.is_valid());
-    const IT::Exact_geometry& geometry = triangulation.exact_geometry();
+    const IT::internal::Exact_engine& geometry = IT::internal::engine(triangulation);
     for (IT::Edge_index e : complex.edges()) {
       if (complex.is_flippable(e)) {
-        ASSERT_NE(geometry.sign_by_unfolding(complex, e), CGAL::NEGATIVE) << e;
+        ASSERT_NE(geometry.sign_by_unfolding(e), CGAL::NEGATIVE) << e;
       }
     }
     for (IT::Face_index f : complex.faces())
-      ASSERT_GE(geometry.sign_of_area(complex, f), has_faces_without_area ? CGAL::ZERO : CGAL::POSITIVE) << f;
+      ASSERT_GE(geometry.sign_of_area(f), has_faces_without_area ? CGAL::ZERO : CGAL::POSITIVE) << f;
     EXPECT_NEAR(area() / area_, 1, 1e-13);
   }
 
   // Where a vertex lies in space.
   std::array<double, 3> position(IT::Vertex_index v) const
   {
-    const IT::Correspondence& correspondence = triangulation.exact_geometry().correspondence();
+    const IT::internal::Correspondence& correspondence = IT::internal::engine(triangulation).correspondence();
     if (!correspondence.is_inserted(v))
       return surface_.points[v.idx()];
     const IT::Surface_point& p = correspondence.location(v);
@@ -83,7 +84,7 @@ public:
   }
 
 private:
-  IT::Indexed_triangles surface_;
+  samples::Indexed_triangles surface_;
   IT::Delta_complex input_;
   double area_ = 0;
 
@@ -91,16 +92,30 @@ public:
   Triangulation triangulation;
 };
 
+TEST(Surface_point, has_coordinates_from_each_side_of_its_face)
+{
+  const samples::Indexed_triangles surface = samples::torus(6, 5);
+  const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
+  const IT::Halfedge_index h = complex.halfedge(IT::Face_index(7));
+  const IT::Surface_point point{h, {0.5, 0.25, 0.125}};
+  using Coordinates = std::array<double, 3>;
+  EXPECT_EQ(IT::coordinates_from(complex, point, h), (Coordinates{0.5, 0.25, 0.125}));
+  EXPECT_EQ(IT::coordinates_from(complex, point, complex.next(h)), (Coordinates{0.25, 0.125, 0.5}));
+  EXPECT_EQ(IT::coordinates_from(complex, point, complex.prev(h)), (Coordinates{0.125, 0.5, 0.25}));
+}
+
 TEST(Insert_vertex, lengths_in_a_plane_are_distances)
 {
   std::mt19937 random(1);
-  for (const IT::Indexed_triangles& surface : {IT::sheared_grid(), IT::random_diagonal_grid(), IT::strip(200, 30)}) {
+  for (const samples::Indexed_triangles& surface :
+       {samples::sheared_grid(), samples::random_diagonal_grid(), samples::strip(200, 30)}) {
     Inserted_vertices test(surface);
     EXPECT_GT(IT::insert_random_vertices(test.triangulation, 700, 6, random), 300u);
     test.expect_consistent();
     const IT::Delta_complex& complex = test.triangulation.connectivity();
     for (IT::Edge_index e : complex.edges()) {
-      const auto p = test.position(complex.source(complex.halfedge(e))), q = test.position(complex.target(complex.halfedge(e)));
+      const auto p = test.position(complex.source(complex.halfedge(e))),
+                 q = test.position(complex.target(complex.halfedge(e)));
       const double distance = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
       EXPECT_NEAR(test.triangulation.length(e) / distance, 1, 1e-11);
     }
@@ -110,9 +125,10 @@ TEST(Insert_vertex, lengths_in_a_plane_are_distances)
 TEST(Insert_vertex, of_curved_surfaces)
 {
   std::mt19937 random(2);
-  for (const IT::Indexed_triangles& surface :
-       {IT::torus(), IT::bad_torus(30, 30), IT::bumpy_dome(), IT::disk_with_spike(), IT::Schwarz_lantern(), IT::cap(), IT::cap(0), IT::prism(),
-        IT::pillow(60), IT::sliver_sheet(), IT::helical_tube()})
+  for (const samples::Indexed_triangles& surface :
+       {samples::torus(), samples::bad_torus(30, 30), samples::bumpy_dome(), samples::disk_with_spike(),
+        samples::Schwarz_lantern(), samples::cap(), samples::cap(0), samples::prism(), samples::pillow(60),
+        samples::sliver_sheet(), samples::helical_tube()})
     for (unsigned largest_coordinate : {3u, 1000u}) {
       Inserted_vertices test(surface);
       EXPECT_GT(IT::insert_random_vertices(test.triangulation, 200, largest_coordinate, random), 50u);
@@ -124,10 +140,10 @@ TEST(Insert_vertex, of_curved_surfaces)
 TEST(Insert_vertex, does_not_change_the_metric)
 {
   std::mt19937 random(3);
-  Inserted_vertices test(IT::bumpy_dome());
+  Inserted_vertices test(samples::bumpy_dome());
   IT::insert_random_vertices(test.triangulation, 300, 20, random);
   const IT::Delta_complex& complex = test.triangulation.connectivity();
-  const IT::Correspondence& correspondence = test.triangulation.exact_geometry().correspondence();
+  const IT::internal::Correspondence& correspondence = IT::internal::engine(test.triangulation).correspondence();
   for (IT::Vertex_index v : complex.vertices()) {
     if (!correspondence.is_inserted(v))
       continue;
@@ -136,9 +152,9 @@ TEST(Insert_vertex, does_not_change_the_metric)
 }
 
 // Vertices 2 and 4 lie on the edge from 0 to 1, in faces 3 and 4, which have no area and stay where that edge is on the border.
-IT::Indexed_triangles triangle_over_flat_faces(bool is_closed_below)
+samples::Indexed_triangles triangle_over_flat_faces(bool is_closed_below)
 {
-  IT::Indexed_triangles result;
+  samples::Indexed_triangles result;
   result.points = {{{0, 0, 0}}, {{4, 0, 0}}, {{1, 0, 0}}, {{2, 3, 0}}, {{2, 0, 0}}, {{2, -3, 0}}};
   result.triangles = {{0, 2, 3}, {2, 4, 3}, {4, 1, 3}, {0, 4, 2}, {0, 1, 4}};
   if (is_closed_below)
@@ -159,7 +175,7 @@ TEST(Insert_vertex, faces_without_area)
         test.expect_consistent(!is_closed_below);
       }
   Inserted_vertices test(triangle_over_flat_faces(false));
-  const IT::Delta_complex input = test.triangulation.exact_geometry().correspondence().input();
+  const IT::Delta_complex input = test.triangulation.input();
   const auto insert = [&](std::uint32_t face, const std::array<double, 3>& coordinates) {
     IT::insert_vertex(test.triangulation, {input.halfedge(IT::Face_index(face)), coordinates});
   };
@@ -168,7 +184,8 @@ TEST(Insert_vertex, faces_without_area)
       insert(face, {1, 1, 1});
       ADD_FAILURE() << "a vertex in a face without area";
     } catch (const IT::Invalid_point_error& error) {
-      EXPECT_NE(std::string(error.what()).find("face " + std::to_string(face) + " of the input, which has no area"), std::string::npos)
+      EXPECT_NE(std::string(error.what()).find("face " + std::to_string(face) + " of the input, which has no area"),
+                std::string::npos)
         << error.what();
     }
   const auto side_between = [&](std::uint32_t v, std::uint32_t w) {
@@ -185,7 +202,7 @@ TEST(Insert_vertex, faces_without_area)
 
 TEST(Insert_vertex, refuses_what_is_no_new_point)
 {
-  Inserted_vertices test(IT::torus(8, 6));
+  Inserted_vertices test(samples::torus(8, 6));
   const IT::Halfedge_index h(0);
   const auto refuses = [&](const std::array<double, 3>& coordinates) {
     EXPECT_THROW(IT::insert_vertex(test.triangulation, {h, coordinates}), IT::Invalid_point_error);

@@ -28,7 +28,8 @@ TEST(Long_text, numbers_as_in_full)
 {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> unit(-1, 1);
-  std::vector<double> numbers = {0, -0., 1, 0.1, 1e-5, 1e16, 1e17, 123456789, 5e-324, (std::numeric_limits<double>::max)(), HUGE_VAL};
+  std::vector<double> numbers = {
+    0, -0., 1, 0.1, 1e-5, 1e16, 1e17, 123456789, 5e-324, (std::numeric_limits<double>::max)(), HUGE_VAL};
   for (int i = 0; i < 1000; ++i)
     numbers.push_back(std::ldexp(unit(random), int(random() % 2000) - 1000));
   for (const double x : numbers) {

@@ -28,7 +28,8 @@ TEST(Multiprecision_float, of_a_narrow_exponent_range_takes_large_and_small_surf
   const std::vector<std::array<int, 3>> triangles{{0, 1, 2}, {1, 0, 3}};
   for (int exponent : {-90, -40, 0, 40, 100}) {
     const double unit = std::ldexp(1., exponent);
-    const std::vector<std::array<double, 3>> points{{0, 0, 0}, {4 * unit, 0, 0}, {2 * unit, unit, 0}, {2 * unit, 0, unit}};
+    const std::vector<std::array<double, 3>> points{
+      {0, 0, 0}, {4 * unit, 0, 0}, {2 * unit, unit, 0}, {2 * unit, 0, unit}};
     IT::Intrinsic_triangulation<IT::Edge_length_traits<FT>> triangulation(
       IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
     EXPECT_EQ(IT::flip_to_Delaunay(triangulation).flips, 1u);

@@ -9,7 +9,7 @@
 #include "input/gluing_file.h"
 #include "valid_files.h"
 
-#include <CGAL/Intrinsic_triangulations/read_polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <gtest/gtest.h>
 
@@ -142,7 +142,8 @@ private:
       text.insert(below(text.size()), 1 + below(3), "\0\xffx \n"[below(5)]);
       break;
     default:
-      text[below(text.size())] = char(below(4) == 0 ? below(256) : unsigned(text[below(text.size())]) + (below(2) == 0 ? 1 : 255));
+      text[below(text.size())] =
+        char(below(4) == 0 ? below(256) : unsigned(text[below(text.size())]) + (below(2) == 0 ? 1 : 255));
     }
     return text;
   }
@@ -155,7 +156,9 @@ class Mutated_files : public Surface_file_test
 
 bool says_where(const std::string& message)
 {
-  for (const char* const part : {"line ", "facet ", "element ", "byte ", "the file ends", "there is no ", "header", "is empty", "nothing but", "begins with", "no vertex", "no face", "binary STL", "no line END", "has no element", "more than fit", "UTF-16", "the list "})
+  for (const char* const part : {"line ", "facet ", "element ", "byte ", "the file ends", "there is no ", "header",
+                                 "is empty", "nothing but", "begins with", "no vertex", "no face", "binary STL",
+                                 "no line END", "has no element", "more than fit", "UTF-16", "the list "})
     if (contains(message, part))
       return true;
   return false;
@@ -173,16 +176,14 @@ TEST_F(Mutated_files, are_read_with_their_faces_or_refused)
       soup = IT::read_polygon_soup(name);
     } catch (const IT::Invalid_surface_error& error) {
       ++refused;
-      EXPECT_TRUE(says_where(error.what())) << error.what() << "\n"
-                                            << content;
+      EXPECT_TRUE(says_where(error.what())) << error.what() << "\n" << content;
       return;
     }
     ++read;
     const std::string difference = faces_of_file::difference(file.extension, content, soup);
     losses += !difference.empty();
     if (!difference.empty() && losses < 20)
-      ADD_FAILURE() << file.extension << ", " << file.name << ": " << difference << "\n"
-                    << content;
+      ADD_FAILURE() << file.extension << ", " << file.name << ": " << difference << "\n" << content;
   };
   unsigned seed = 0;
   for (const Valid_file& file : valid_files()) {
@@ -221,8 +222,7 @@ std::string difference_of_gluing(std::string content, const IT::Exact_gluing& gl
       long long side = -1;
       if (!complex.is_border(h)) {
         const IT::Halfedge_index first = complex.halfedge(complex.face(h));
-        side = 3 * (long long)(complex.face(h).idx()) + (h == first ? 0 : h == complex.next(first) ? 1
-                                                                                                   : 2);
+        side = 3 * (long long)(complex.face(h).idx()) + (h == first ? 0 : h == complex.next(first) ? 1 : 2);
       }
       if (number(i) != side)
         return "side " + std::to_string(i) + " of edge " + std::to_string(e.idx());
@@ -236,7 +236,8 @@ std::string difference_of_gluing(std::string content, const IT::Exact_gluing& gl
 
 TEST_F(Mutated_files, gluings_are_read_with_their_sides_or_refused)
 {
-  const std::string plain = "INTRINSIC_GLUING 1\n4 5 2\n0 1 2\n3 2 1\n# edges\n0 -1 1.5\n4 1 2\n2 -1 1\n3 -1 2.5e0\n5 -1 2\n";
+  const std::string plain =
+    "INTRINSIC_GLUING 1\n4 5 2\n0 1 2\n3 2 1\n# edges\n0 -1 1.5\n4 1 2\n2 -1 1\n3 -1 2.5e0\n5 -1 2\n";
   std::string exact = plain;
   exact[17] = '2';
   exact.replace(exact.find("1.5"), 3, "9/4");
@@ -248,15 +249,15 @@ TEST_F(Mutated_files, gluings_are_read_with_their_sides_or_refused)
       gluing = idt::read_exact_gluing_file(write("a.gluing", content));
     } catch (const IT::Invalid_surface_error& error) {
       ++refused;
-      EXPECT_TRUE(says_where(error.what()) || contains(error.what(), "at vertex ")) << error.what() << "\n"
-                                                                                    << content;
+      EXPECT_TRUE(says_where(error.what()) || contains(error.what(), "at vertex ")) << error.what() << "\n" << content;
       return;
     }
     ++read;
     EXPECT_EQ(difference_of_gluing(content, gluing), "") << content;
   };
   unsigned seed = 0;
-  for (const std::string& file : {plain, "\xef\xbb\xbf" + plain, exact, with_line_ends(plain, "\r"), with_line_ends(plain, "\r\n")}) {
+  for (const std::string& file :
+       {plain, "\xef\xbb\xbf" + plain, exact, with_line_ends(plain, "\r"), with_line_ends(plain, "\r\n")}) {
     const std::size_t before = read;
     attempt(file);
     EXPECT_EQ(read, before + 1);

@@ -12,7 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/overlay/find_property_map.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/overlay_surface_mesh.h>
+#include <CGAL/Intrinsic_triangulations/surface_mesh_adaptors.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -38,7 +38,7 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_trait
 
 namespace {
 
-Mesh mesh_of(const IT::Indexed_triangles& triangles)
+Mesh mesh_of(const samples::Indexed_triangles& triangles)
 {
   Mesh mesh;
   for (const auto& [x, y, z] : triangles.points)
@@ -50,10 +50,7 @@ Mesh mesh_of(const IT::Indexed_triangles& triangles)
 
 // Two triangles, with an obtuse corner each on both sides of an edge that is flipped: the new
 // edge from (2, -1, 0) to (3, 2, 0) meets the old one at a third of its own length.
-Mesh kite()
-{
-  return mesh_of({{{0, 0, 0}, {8, 0, 0}, {3, 2, 0}, {2, -1, 0}}, {{0, 1, 2}, {1, 0, 3}}});
-}
+Mesh kite() { return mesh_of({{{0, 0, 0}, {8, 0, 0}, {3, 2, 0}, {2, -1, 0}}, {{0, 1, 2}, {1, 0, 3}}}); }
 
 Vector normal(const Mesh& mesh, Mesh::Face_index f)
 {
@@ -64,10 +61,7 @@ Vector normal(const Mesh& mesh, Mesh::Face_index f)
   return sum / 2;
 }
 
-double area(const Mesh& mesh, Mesh::Face_index f)
-{
-  return std::sqrt(normal(mesh, f).squared_length());
-}
+double area(const Mesh& mesh, Mesh::Face_index f) { return std::sqrt(normal(mesh, f).squared_length()); }
 
 struct Maps
 {
@@ -77,7 +71,8 @@ struct Maps
       input_face(IT::internal::find_property_map<Mesh::Face_index, std::uint32_t>(mesh, "f:input_face")),
       intrinsic_face(IT::internal::find_property_map<Mesh::Face_index, std::uint32_t>(mesh, "f:intrinsic_face")),
       input_point(IT::internal::find_property_map<Mesh::Halfedge_index, IT::Surface_point>(mesh, "h:input_point")),
-      intrinsic_point(IT::internal::find_property_map<Mesh::Halfedge_index, IT::Surface_point>(mesh, "h:intrinsic_point"))
+      intrinsic_point(
+        IT::internal::find_property_map<Mesh::Halfedge_index, IT::Surface_point>(mesh, "h:intrinsic_point"))
   {}
   Mesh::Property_map<Mesh::Vertex_index, std::uint8_t> kind;
   Mesh::Property_map<Mesh::Edge_index, std::uint8_t> label;
@@ -90,7 +85,7 @@ struct Maps
 void expect_right_places(const Mesh& overlay, const Mesh& input, const Triangulation& t)
 {
   const Maps maps(overlay);
-  const IT::Delta_complex& input_complex = t.exact_geometry().correspondence().input();
+  const IT::Delta_complex& input_complex = t.input();
   std::vector<double> covered(input.number_of_faces(), 0);
   for (auto f : overlay.faces()) {
     covered[maps.input_face[f]] += area(overlay, f);
@@ -168,8 +163,9 @@ TEST(Overlay_to_surface_mesh, kite)
 
 TEST(Overlay_to_surface_mesh, sample_surfaces)
 {
-  for (const IT::Indexed_triangles& sample :
-       {IT::prism(12, 1), IT::helical_tube(), IT::bad_torus(12, 12), IT::latitude_longitude_sphere(10, 8)}) {
+  for (const samples::Indexed_triangles& sample :
+       {samples::prism(12, 1), samples::helical_tube(), samples::bad_torus(12, 12),
+        samples::latitude_longitude_sphere(10, 8)}) {
     const Mesh input = mesh_of(sample);
     const auto t = IT::intrinsic_Delaunay_triangulation(input).triangulation;
     Mesh mesh = IT::overlay_to_surface_mesh(IT::Common_subdivision(t), input);
@@ -209,7 +205,8 @@ TEST(Overlay_to_surface_mesh, exact_kernel_and_point_map)
   auto moved = input.add_property_map<V, Exact_point>("v:moved").first;
   for (V v : input.vertices())
     moved[v] = input.point(v) + CGAL::Exact_predicates_exact_constructions_kernel::Vector_3(0, 0, 5);
-  const auto mesh = IT::overlay_to_surface_mesh(IT::Common_subdivision(t), input, CGAL::parameters::vertex_point_map(moved));
+  const auto mesh =
+    IT::overlay_to_surface_mesh(IT::Common_subdivision(t), input, CGAL::parameters::vertex_point_map(moved));
   EXPECT_NEAR(CGAL::to_double(mesh.point(V(4)).x()), 7. / 3, 1e-15);
   EXPECT_EQ(mesh.point(V(4)).z(), 5);
 }
@@ -217,16 +214,16 @@ TEST(Overlay_to_surface_mesh, exact_kernel_and_point_map)
 TEST(Overlay_to_surface_mesh, keeps_loops_and_multiple_edges_apart)
 {
   // A tetrahedron whose vertex 3 ends up inside of a loop.
-  const IT::Indexed_triangles sample{{{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, 1, 8}},
-                                     {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
+  const samples::Indexed_triangles sample{{{0, 0, 0}, {4, 0, 0}, {2, 3, 0}, {2, 1, 8}},
+                                          {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
   const Mesh input = mesh_of(sample);
   Triangulation t = IT::intrinsic_triangulation(input);
   for (int flips = 0; flips < 2; ++flips) {
     const IT::Delta_complex& c = t.connectivity();
     ASSERT_EQ(t.flip(c.edge(c.halfedge(IT::Vertex_index(3)))), Triangulation::Flip_outcome::FLIPPED);
   }
-  ASSERT_TRUE(t.connectivity().is_loop(IT::Edge_index(
-    t.connectivity().edge(t.connectivity().prev(t.connectivity().halfedge(IT::Vertex_index(3)))))));
+  ASSERT_TRUE(t.connectivity().is_loop(
+    IT::Edge_index(t.connectivity().edge(t.connectivity().prev(t.connectivity().halfedge(IT::Vertex_index(3)))))));
   Mesh mesh = IT::overlay_to_surface_mesh(IT::Common_subdivision(t), input);
   ASSERT_TRUE(mesh.is_valid());
   expect_right_places(mesh, input, t);
@@ -247,7 +244,7 @@ TEST(Overlay_to_surface_mesh, refuses_a_wrong_number_of_points)
 // A chart for each input face, with its own coordinates at each corner: on the diagonals, too, the corners are those of the face.
 TEST(Triangulate_overlay_faces, keeps_the_properties_of_corners_and_faces)
 {
-  const IT::Indexed_triangles sample = IT::helical_tube();
+  const samples::Indexed_triangles sample = samples::helical_tube();
   const Mesh input = mesh_of(sample);
   const auto t = IT::intrinsic_Delaunay_triangulation(input).triangulation;
   Mesh mesh = IT::overlay_to_surface_mesh(IT::Common_subdivision(t), input);
@@ -259,13 +256,13 @@ TEST(Triangulate_overlay_faces, keeps_the_properties_of_corners_and_faces)
   auto uv = mesh.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv", Kernel::Point_2(9, 9)).first;
   auto words = mesh.add_property_map<Mesh::Face_index, std::string>("f:word").first;
   auto materials = mesh.add_property_map<Mesh::Face_index, Material>("f:material").first;
-  const IT::Delta_complex& complex = t.exact_geometry().correspondence().input();
+  const IT::Delta_complex& complex = t.input();
   for (auto f : mesh.faces()) {
     words[f] = std::to_string(maps.input_face[f]);
     materials[f].number = maps.input_face[f];
     const IT::Halfedge_index first = complex.halfedge(IT::Face_index(maps.input_face[f]));
     for (auto h : halfedges_around_face(mesh.halfedge(f), mesh)) {
-      const auto [a, b, c] = IT::internal::coordinates_from(complex, maps.input_point[h], first);
+      const auto [a, b, c] = IT::coordinates_from(complex, maps.input_point[h], first);
       uv[h] = Kernel::Point_2(2 * maps.input_face[f] + b / (a + b + c), c / (a + b + c));
     }
   }
@@ -284,6 +281,24 @@ TEST(Triangulate_overlay_faces, keeps_the_properties_of_corners_and_faces)
     sum += image;
   }
   EXPECT_NEAR(sum, input.number_of_faces() / 2., 1e-9 * sum);
+}
+
+TEST(Triangulate_convex_polygon, covers_it_without_flat_triangles)
+{
+  // The middle of a side is a corner, too.
+  const std::vector<std::array<double, 3>> polygon{{0, 0, 1}, {1, 0, 1}, {2, 0, 1}, {2, 1, 1}, {0, 1, 1}};
+  const auto triangles = IT::triangulate_convex_polygon(polygon);
+  ASSERT_EQ(triangles.size(), 3u);
+  double sum = 0;
+  for (const auto& [a, b, c] : triangles) {
+    const auto& p = polygon[a];
+    const double area =
+      ((polygon[b][0] - p[0]) * (polygon[c][1] - p[1]) - (polygon[b][1] - p[1]) * (polygon[c][0] - p[0])) / 2;
+    EXPECT_GE(area, 0.5);
+    sum += area;
+  }
+  EXPECT_EQ(sum, 2);
+  EXPECT_EQ(IT::triangulate_convex_polygon({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}).size(), 1u);
 }
 
 TEST(Triangulate_overlay_faces, makes_no_triangle_of_zero_area_where_it_can)
@@ -305,8 +320,7 @@ TEST(Triangulate_overlay_faces, makes_no_triangle_of_zero_area_where_it_can)
       for (std::size_t i = 0; i < pieces.size(); ++i) {
         const auto first = std::find(pieces[i].begin(), pieces[i].end(), a),
                    last = std::find(pieces[i].begin(), pieces[i].end(), b);
-        if (first == pieces[i].end() || last == pieces[i].end() || last - first < 2 ||
-            pieces[i].size() == 3)
+        if (first == pieces[i].end() || last == pieces[i].end() || last - first < 2 || pieces[i].size() == 3)
           continue;
         std::vector<std::size_t> piece(first, last + 1);
         pieces[i].erase(first + 1, last);

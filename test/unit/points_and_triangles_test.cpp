@@ -7,7 +7,7 @@
 #include "samples/sample_surfaces.h"
 
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/read_polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -46,7 +46,7 @@ std::vector<std::array<double, 3>> edges(const Triangulation& triangulation)
 
 TEST_F(Points_and_triangles, give_what_a_mesh_gives)
 {
-  const IT::Indexed_triangles sample = IT::bumpy_dome();
+  const samples::Indexed_triangles sample = samples::bumpy_dome();
   CGAL::Surface_mesh<Point> mesh;
   std::list<Point> points; // no random access
   std::vector<std::vector<int>> triangles;
@@ -114,12 +114,11 @@ TEST_F(Points_and_triangles, errors_name_the_element)
     Defect defect;
     const char* message;
   };
-  const Bad table[] = {
-    {points, {{{0, 1, 2}}, {{0, 2, 7}}}, Defect::BAD_INDEX, "face 1 names vertex 7"},
-    {points, {{{0, 1, 2}}, {{0, 2, 2}}}, Defect::REPEATED_CORNER, "face 1 has vertex 2"},
-    {points, {{{0, 1, 2}}, {{0, 1, 3}}}, Defect::INCONSISTENT_ORIENTATION, "edge 0-1 of face 1"},
-    {{points[0], points[1], {{0, nan, 0}}}, {{{0, 1, 2}}}, Defect::NOT_FINITE, "vertex 2"},
-    {{points[0], points[1], points[1]}, {{{0, 1, 2}}}, Defect::ZERO_LENGTH_EDGE, "1"}};
+  const Bad table[] = {{points, {{{0, 1, 2}}, {{0, 2, 7}}}, Defect::BAD_INDEX, "face 1 names vertex 7"},
+                       {points, {{{0, 1, 2}}, {{0, 2, 2}}}, Defect::REPEATED_CORNER, "face 1 has vertex 2"},
+                       {points, {{{0, 1, 2}}, {{0, 1, 3}}}, Defect::INCONSISTENT_ORIENTATION, "edge 0-1 of face 1"},
+                       {{points[0], points[1], {{0, nan, 0}}}, {{{0, 1, 2}}}, Defect::NOT_FINITE, "vertex 2"},
+                       {{points[0], points[1], points[1]}, {{{0, 1, 2}}}, Defect::ZERO_LENGTH_EDGE, "1"}};
   for (const Bad& bad : table)
     try {
       IT::intrinsic_Delaunay_triangulation(bad.points, bad.triangles);

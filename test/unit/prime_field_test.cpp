@@ -5,7 +5,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Residues.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/upper_product.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 
 #include <gtest/gtest.h>
 
@@ -39,8 +39,8 @@ Prime_field::Number image(const Prime_field& f, const Integer& x) { return f.fro
 // Numbers at the ends of the range among random ones.
 std::vector<Prime_field::Number> numbers(const Prime_field& f, Random_bits& random)
 {
-  std::vector<Prime_field::Number> result{0, 1, 2, f.one(), f.negative(f.one()), f.prime() - 1, f.prime() - 2,
-                                          f.prime() / 2, f.prime() / 2 + 1};
+  std::vector<Prime_field::Number> result{
+    0, 1, 2, f.one(), f.negative(f.one()), f.prime() - 1, f.prime() - 2, f.prime() / 2, f.prime() / 2 + 1};
   for (int i = 0; i < 8; ++i)
     result.push_back(random() % f.prime());
   return result;
@@ -61,7 +61,8 @@ std::vector<Gaussian_residue> elements(const Prime_field& f, Random_bits& random
 TEST(Upper_product, is_the_quotient_of_exact_integers)
 {
   Random_bits random(1);
-  std::vector<std::uint64_t> numbers = {0, 1, 2, 0xffffffffu, 0x100000000u, 0x100000001u, ~std::uint64_t(0), ~std::uint64_t(0) - 1};
+  std::vector<std::uint64_t> numbers = {
+    0, 1, 2, 0xffffffffu, 0x100000000u, 0x100000001u, ~std::uint64_t(0), ~std::uint64_t(0) - 1};
   for (int i = 0; i < 200; ++i)
     numbers.push_back(random() >> i % 64);
   for (std::uint64_t a : numbers)
@@ -139,8 +140,8 @@ TEST(Prime_field, agrees_with_integers)
       }
     }
     const Integer p(f.prime());
-    for (const Integer& x : {Integer(0), Integer(1), Integer(-1), p, Integer(-p), Integer(p - 1), Integer(p * p * p + 5),
-                             Integer(-p * p - 7), Integer(Integer(1) << 5000)})
+    for (const Integer& x : {Integer(0), Integer(1), Integer(-1), p, Integer(-p), Integer(p - 1),
+                             Integer(p * p * p + 5), Integer(-p * p - 7), Integer(Integer(1) << 5000)})
       EXPECT_EQ(integer(f, image(f, x)), modulo(f, x)) << x;
     EXPECT_EQ(f.power(image(f, 3), 0), f.one());
     EXPECT_EQ(f.power(image(f, 3), 100), image(f, boost::multiprecision::pow(Integer(3), 100)));
@@ -153,7 +154,8 @@ TEST(Prime_field, a_double_goes_where_its_numerator_over_its_denominator_goes)
 {
   Random_bits random(3);
   const Prime_field f(random);
-  std::vector<double> doubles{0., -0., 1., -1., 0.1, 3., 0x1p62, 0x1p-1022, 0x1p-1074, -3 * 0x1p-1074, 0x1.fffffffffffffp1023};
+  std::vector<double> doubles{
+    0., -0., 1., -1., 0.1, 3., 0x1p62, 0x1p-1022, 0x1p-1074, -3 * 0x1p-1074, 0x1.fffffffffffffp1023};
   for (int i = 0; i < 200; ++i)
     doubles.push_back(std::ldexp(double(std::int64_t(random())), int(random() % 1900) - 1000));
   for (double x : doubles) {

@@ -9,7 +9,6 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/circle_pattern_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
@@ -25,10 +24,10 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 
-Triangulation Delaunay_triangulation(const IT::Indexed_triangles& surface)
+Triangulation Delaunay_triangulation(const samples::Indexed_triangles& surface)
 {
-  Triangulation t(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles),
-                  surface.points, IT::Filtered_edge_length_traits());
+  Triangulation t(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points,
+                  IT::Filtered_edge_length_traits());
   IT::flip_to_Delaunay(t);
   return t;
 }
@@ -56,21 +55,27 @@ void expect_progress(const Compute& compute, std::size_t number)
 
 TEST(Progress, overlay)
 {
-  const Triangulation t = Delaunay_triangulation(IT::bad_torus(60, 60));
+  const Triangulation t = Delaunay_triangulation(samples::bad_torus(60, 60));
   ASSERT_GT(t.connectivity().number_of_edges(), 10000u);
   const IT::Overlay overlay(t);
-  expect_progress([&](const IT::Progress_function& progress) { IT::Overlay(t, progress); }, 8);
+  expect_progress([&](const IT::Progress_function& progress) { IT::Overlay(t, CGAL::parameters::visitor(progress)); },
+                  8);
   const auto find_positions = [&](const IT::Progress_function& progress) {
-    IT::Overlay_positions(t.connectivity(), t.exact_geometry(), overlay, progress);
+    IT::Overlay_positions(IT::internal::engine(t), overlay, CGAL::parameters::visitor(progress));
   };
   expect_progress(find_positions, 3);
-  expect_progress([&](const IT::Progress_function& progress) { IT::Common_subdivision(t, progress); }, 11);
+  expect_progress(
+    [&](const IT::Progress_function& progress) { IT::Common_subdivision(t, CGAL::parameters::visitor(progress)); }, 11);
 }
 
 TEST(Progress, circle_pattern)
 {
-  const Triangulation t = Delaunay_triangulation(IT::disk_with_spike(16, 10, 1, 0.3));
-  expect_progress([&](const IT::Progress_function& progress) { IT::circle_pattern_parameterization(t, progress); }, 5);
+  const Triangulation t = Delaunay_triangulation(samples::disk_with_spike(16, 10, 1, 0.3));
+  expect_progress(
+    [&](const IT::Progress_function& progress) {
+      IT::circle_pattern_parameterization(t, CGAL::parameters::visitor(progress));
+    },
+    5);
 }
 
 } // namespace

@@ -28,7 +28,7 @@
 
 namespace {
 
-typedef IT::Finding_kind Kind;
+typedef IT::Invalid_surface_error::Defect Kind;
 typedef Surface_file_test Read_surface;
 typedef std::vector<std::array<double, 3>> Points;
 typedef std::vector<std::array<std::uint32_t, 3>> Triangles;
@@ -75,8 +75,8 @@ void expect_same_bits(const Points& a, const Points& b)
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i)
     ASSERT_EQ(std::memcmp(&a[i], &b[i], sizeof(a[i])), 0)
-      << i << ": " << digits(a[i][0]) << " " << digits(a[i][1]) << " " << digits(a[i][2]) << ", "
-      << digits(b[i][0]) << " " << digits(b[i][1]) << " " << digits(b[i][2]);
+      << i << ": " << digits(a[i][0]) << " " << digits(a[i][1]) << " " << digits(a[i][2]) << ", " << digits(b[i][0])
+      << " " << digits(b[i][1]) << " " << digits(b[i][2]);
 }
 
 TEST_F(Read_surface, seventeen_digits_come_back)
@@ -113,7 +113,9 @@ TEST_F(Read_surface, seventeen_digits_come_back)
   const std::string files[] = {
     write("a.off", "OFF\n" + std::to_string(points.size()) + " " + std::to_string(triangles.size()) + " 0\n" +
                      vertices + off_faces),
-    write("a.OBJ", obj), write("a.stl", stl + "endsolid\n"), write("a.ts", ts + "END\n"),
+    write("a.OBJ", obj),
+    write("a.stl", stl + "endsolid\n"),
+    write("a.ts", ts + "END\n"),
     write("a.ply", ply_header("ascii", points.size(), triangles.size()) + vertices + off_faces),
     write("b.ply", ply)};
   for (const std::string& file : files) {
@@ -178,14 +180,13 @@ TEST_F(Read_surface, can_be_watched_and_stopped)
 
 TEST_F(Read_surface, polygons_are_kept)
 {
-  const idt::Surface_input input = idt::read_surface(
-    write("a.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n3 0 1 4\n4 3 2 1 0\n0\n"));
+  const idt::Surface_input input =
+    idt::read_surface(write("a.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n3 0 1 4\n4 3 2 1 0\n0\n"));
   EXPECT_FALSE(input.is_triangulated());
   EXPECT_TRUE(input.triangles.empty());
   ASSERT_EQ(input.number_of_faces(), 3u);
   const idt::Surface_input::Polygon quadrangle = input.polygon(1);
-  EXPECT_EQ(std::vector<std::uint32_t>(quadrangle.begin(), quadrangle.end()),
-            (std::vector<std::uint32_t>{3, 2, 1, 0}));
+  EXPECT_EQ(std::vector<std::uint32_t>(quadrangle.begin(), quadrangle.end()), (std::vector<std::uint32_t>{3, 2, 1, 0}));
   EXPECT_EQ(input.polygon(2).size(), 0u);
   const IT::Surface_report report = idt::examine(input);
   ASSERT_NE(report.find(Kind::NOT_A_TRIANGLE), nullptr);
@@ -210,7 +211,8 @@ TEST_F(Read_surface, forms_that_are_read)
     write("long_comment.off", "#" + std::string(100000, 'x') + "\nOFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
     write("slashes.obj", "o x\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2//1 3/1\n"),
     write("negative.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n"),
-    write("others.obj", "g x\nv 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\n  l\t1 2 \\\n  3 1\np 1 2\ncstype bezier\ndeg 2\ncurv 0 1 1 \\\r\n2 \\\r\n3\nend\nf 1 2 3\nl 2 3"),
+    write("others.obj", "g x\nv 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2\n  l\t1 2 \\\n  3 1\np 1 2\ncstype bezier\ndeg 2\ncurv "
+                        "0 1 1 \\\r\n2 \\\r\n3\nend\nf 1 2 3\nl 2 3"),
     write("tabs.obj", "v\t0\t0\t0\nv\t1 0\t0\nv 0\t1 0\nf 1\t2\t3\n"),
     write("float.ply", ply_header("ascii", 3, 1, "float") + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
     write("list.ply", ply_header("ascii", 3, 1, "float", "int uint") + "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")};
@@ -249,9 +251,10 @@ TEST_F(Read_surface, forms_of_binary_ply)
   EXPECT_EQ(input.triangles, (Triangles{{{0, 1, 2}}}));
 
   // Coordinates in another order and of two types, lists and numbers of no interest, another element in between.
-  content = begin + "element vertex 3\nproperty float z\nproperty list ushort short weights\nproperty double x\n"
-                    "property uchar red\nproperty float y\nelement edge 2\nproperty int a\nelement face 3\n"
-                    "property list uint float quality\nproperty list short uint vertex_index\nproperty char flag\n" +
+  content = begin +
+            "element vertex 3\nproperty float z\nproperty list ushort short weights\nproperty double x\n"
+            "property uchar red\nproperty float y\nelement edge 2\nproperty int a\nelement face 3\n"
+            "property list uint float quality\nproperty list short uint vertex_index\nproperty char flag\n" +
             end;
   for (const auto& p : points)
     content += little(float(p[2])) + little(std::uint16_t(2)) + "abcd" + little(p[0]) + 'r' + little(float(p[1]));
@@ -267,7 +270,9 @@ TEST_F(Read_surface, forms_of_binary_ply)
   EXPECT_EQ(input.corners, (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 0, 1}));
   EXPECT_EQ(input.first_corner, (std::vector<std::size_t>{0, 3, 7, 7}));
   EXPECT_EQ(idt::read_surface(write("mixed.ply", content + std::string("\n\0", 2))).warnings.size(), 1u);
-  refused("mixed.ply", content + "what follows", "from byte " + std::to_string(content.size()) + " on there are 12 bytes behind the elements that the header announces (3 vertex, 2 edge, 3 face)");
+  refused("mixed.ply", content + "what follows",
+          "from byte " + std::to_string(content.size()) +
+            " on there are 12 bytes behind the elements that the header announces (3 vertex, 2 edge, 3 face)");
   refused("mixed.ply", content.substr(0, content.size() - 1), "element face 2: the file ends within flag");
   refused("mixed.ply", content.substr(0, content.size() - 8), "element face 2: the file ends within quality");
 
@@ -288,7 +293,8 @@ TEST_F(Read_surface, forms_of_binary_ply)
 TEST_F(Read_surface, all_formats_can_be_watched_and_stopped)
 {
   const std::size_t n = 150000; // more than a piece of each file
-  std::string points, obj, stl = "solid\n", ts = "GOCAD TSurf 1\nTFACE\n", binary = ply_header("binary_little_endian", n, 1);
+  std::string points, obj, stl = "solid\n", ts = "GOCAD TSurf 1\nTFACE\n",
+                           binary = ply_header("binary_little_endian", n, 1);
   for (std::size_t i = 0; i < n; ++i) {
     const std::string place = std::to_string(i) + " " + std::to_string(i * i % 7) + " 0\n";
     points += place;
@@ -303,8 +309,8 @@ TEST_F(Read_surface, all_formats_can_be_watched_and_stopped)
   std::replace(one_line.begin(), one_line.end(), '\n', ' ');
   stl += "facet normal 0 0 0 outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet endsolid";
   for (const std::string& file :
-       {write("a.obj", obj + "f 1 2 3\n"), write("a.ts", ts + "TRGL 0 1 2\nEND\n"), write("a.stl", stl), write("a.ply", binary),
-        write("b.ply", ply_header("ascii", n, 1) + points + "3 0 1 2\n"),
+       {write("a.obj", obj + "f 1 2 3\n"), write("a.ts", ts + "TRGL 0 1 2\nEND\n"), write("a.stl", stl),
+        write("a.ply", binary), write("b.ply", ply_header("ascii", n, 1) + points + "3 0 1 2\n"),
         write("c.ply", ply_header("ascii", n, 1) + one_line + "3 0 1 2\n")}) {
     SCOPED_TRACE(file);
     std::vector<double> fractions;
@@ -356,9 +362,9 @@ TEST_F(Read_surface, unusual_numbers)
 
 TEST_F(Read_surface, other_elements_of_obj)
 {
-  const idt::Surface_input input = idt::read_surface(
-    write("a.obj", "f 2 3 4\nmg 1 0.5\nusemtl a\nv 0 0 0 1 0.5\nv 1 0 0 # a comment\nvp 1 2 3 \\\n4\n"
-                   "vt 0 \\\n 0\nv 0 1 0\n\tv 0 0 1\nf 1/1 2//1 3/1/1 4\nf\n# f 7\n#f\n"));
+  const idt::Surface_input input =
+    idt::read_surface(write("a.obj", "f 2 3 4\nmg 1 0.5\nusemtl a\nv 0 0 0 1 0.5\nv 1 0 0 # a comment\nvp 1 2 3 \\\n4\n"
+                                     "vt 0 \\\n 0\nv 0 1 0\n\tv 0 0 1\nf 1/1 2//1 3/1/1 4\nf\n# f 7\n#f\n"));
   EXPECT_EQ(input.points.size(), 4u);
   EXPECT_EQ(input.first_corner, (std::vector<std::size_t>{0, 3, 7, 7}));
   EXPECT_EQ(input.corners, (std::vector<std::uint32_t>{1, 2, 3, 0, 1, 2, 3}));
@@ -367,11 +373,10 @@ TEST_F(Read_surface, other_elements_of_obj)
 TEST_F(Read_surface, corners_of_stl_are_merged_by_position)
 {
   const float tenth = 0.1f, next = std::nextafter(0.1f, 1.0f);
-  const idt::Surface_input input =
-    idt::read_surface(write("a.stl", binary_stl({{{0, 0, 0, tenth, 0, 0, 0, 1, 0}},
-                                                 {{0, 1, 0, tenth, 0, 0, 1, 1, 0}},
-                                                 {{next, 0, 0, 1, 1, 0, 2, 2, 2}}},
-                                                3)));
+  const idt::Surface_input input = idt::read_surface(write(
+    "a.stl",
+    binary_stl({{{0, 0, 0, tenth, 0, 0, 0, 1, 0}}, {{0, 1, 0, tenth, 0, 0, 1, 1, 0}}, {{next, 0, 0, 1, 1, 0, 2, 2, 2}}},
+               3)));
   EXPECT_EQ(input.points.size(), 6u);
   EXPECT_EQ(input.triangles, (Triangles{{{0, 1, 2}}, {{2, 1, 3}}, {{4, 3, 5}}}));
   EXPECT_EQ(input.points[1][0], static_cast<double>(tenth));
@@ -415,7 +420,8 @@ TEST_F(Read_surface, broken_off)
   refused("a.off", head + "0 0 0\n1 0,5 0\n0 1 0\n3 0 1 2\n", "line 4 (vertex 1): \"0,5\" is not a number");
   refused("a.off", head + "0 0 0\n1 0\n0 1 0\n3 0 1 2\n", "line 4 (vertex 1): there are 2 numbers where 3 are needed");
   refused("a.off", "OFF\n7 1 0\n" + points + "3 0 1 2\n4 0 1 2 2\n",
-          "line 6 (vertex 3): there are 4 numbers where the vertices before have 3; the header announces 7 vertices and 1 face on line 2");
+          "line 6 (vertex 3): there are 4 numbers where the vertices before have 3; the header announces 7 vertices "
+          "and 1 face on line 2");
   refused("a.off", "OFF\n7 1 0\n" + points + "3 0 1\n4 0 1\n", "the file ends after 5 of 7 vertices");
   refused("a.off", "CNOFF\n3 1 0\n" + points + "3 0 1 2\n",
           "line 3 (vertex 0): there are 3 numbers where 6 are needed");
@@ -433,7 +439,8 @@ TEST_F(Read_surface, broken_off)
                   Defect::BAD_INDEX);
   EXPECT_EQ(error.element(), 1u);
   EXPECT_EQ(error.count(), 3u);
-  refused("a.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 nan\n", "line 5 (vertex 2): the coordinate \"nan\" is not finite", Defect::NOT_FINITE);
+  refused("a.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 nan\n", "line 5 (vertex 2): the coordinate \"nan\" is not finite",
+          Defect::NOT_FINITE);
 }
 
 TEST_F(Read_surface, broken_obj)
@@ -441,10 +448,9 @@ TEST_F(Read_surface, broken_obj)
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   refused("a.obj", points, "there is no face", Defect::EMPTY);
   refused("a.obj", "# nothing\n", "there is no vertex", Defect::EMPTY);
-  refused("a.obj", "v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n",
-          "line 2 (vertex 1): the coordinate \"nan\" is not finite", Defect::NOT_FINITE);
-  refused("a.obj", "v 0 0 0\nv\t1\t0\nv 0 1 0\nf 1 2 3\n",
-          "line 2 (vertex 1): there are 2 numbers where 3 are needed");
+  refused("a.obj", "v 0 0 0\nv 1 nan 0\nv 0 1 0\nf 1 2 3\n", "line 2 (vertex 1): the coordinate \"nan\" is not finite",
+          Defect::NOT_FINITE);
+  refused("a.obj", "v 0 0 0\nv\t1\t0\nv 0 1 0\nf 1 2 3\n", "line 2 (vertex 1): there are 2 numbers where 3 are needed");
   refused("a.obj", points + "f 1 2 3\nlines 1 2\n", "\"lines 1 2\" is not understood");
   refused("a.obj", points + "l 1 2 \\\n\n3 1\nf 1 2 3\n", "\"3 1\" is not understood");
   refused("a.obj", points + "f 1 2 3\nrubbish\nf 1 2 3\n",
@@ -469,8 +475,10 @@ TEST_F(Read_surface, broken_ply)
   refused("a.ply", "ply\nformat ascii 1.0\nelement vertex x\nend_header\n", "has no number of elements");
   refused("a.ply", "ply\nformat ascii 1.0\nend_header\n", "the file has no element vertex", Defect::EMPTY);
   refused("a.ply", header("half", "uchar int"), "line 4 of the header: \"property half x\" has a type");
-  EXPECT_EQ(idt::read_surface(write("a.ply", header("int", "uchar int") + points + "3 0 1 2\n")).points[1], (std::array<double, 3>{1, 0, 0}));
-  refused("a.ply", header("int", "uchar int") + "0 0 0.5\n" + points + "3 0 1 2\n", "line 10, element vertex 0: \"0.5\" is not an integer, which is needed for z");
+  EXPECT_EQ(idt::read_surface(write("a.ply", header("int", "uchar int") + points + "3 0 1 2\n")).points[1],
+            (std::array<double, 3>{1, 0, 0}));
+  refused("a.ply", header("int", "uchar int") + "0 0 0.5\n" + points + "3 0 1 2\n",
+          "line 10, element vertex 0: \"0.5\" is not an integer, which is needed for z");
   refused("a.ply", header("list uchar float", "uchar int"), "by the header the vertices have no coordinate x");
   refused("a.ply", header("float", "uchar float"), "has the type float, which is none of integers");
   refused("a.ply", header("double", "uchar int") + "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n",
@@ -508,10 +516,11 @@ TEST_F(Read_surface, broken_stl)
   std::array<float, 9> bad = good;
   bad[4] = std::numeric_limits<float>::quiet_NaN();
   refused("a.stl", "abc", "shorter than the header of 84 bytes");
-  refused("a.stl", binary_stl({good, good}, 1000000000), "the header announces 1000000000 facets, the file has"
-                                                         " room for 2");
-  const IT::Invalid_surface_error error = refused("a.stl", binary_stl({good, bad}, 2),
-                                                  "facet 1: a coordinate is not finite", Defect::NOT_FINITE);
+  refused("a.stl", binary_stl({good, good}, 1000000000),
+          "the header announces 1000000000 facets, the file has"
+          " room for 2");
+  const IT::Invalid_surface_error error =
+    refused("a.stl", binary_stl({good, bad}, 2), "facet 1: a coordinate is not finite", Defect::NOT_FINITE);
   EXPECT_EQ(error.element(), 1u);
 
   const std::string begin = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n";
@@ -566,8 +575,7 @@ TEST_F(Read_surface, damaged_files)
         IT::message(idt::examine(idt::read_surface(name)));
       } catch (const IT::Invalid_surface_error& error) {
         ASSERT_EQ(std::string(error.what()).compare(0, name.size(), name), 0);
-        ASSERT_FALSE(contains(error.what(), "CGAL ERROR")) << error.what() << "\n"
-                                                           << content;
+        ASSERT_FALSE(contains(error.what(), "CGAL ERROR")) << error.what() << "\n" << content;
       }
     };
     EXPECT_NO_THROW(idt::read_surface(write(file.first, file.second)));
@@ -595,8 +603,7 @@ fs::path data_folder()
   const char* const variable = std::getenv("IDT_DATA_DIR");
   if (variable != nullptr && *variable != 0)
     return variable;
-  for (fs::path checkout = fs::path(__FILE__).parent_path(); !checkout.empty();
-       checkout = checkout.parent_path()) {
+  for (fs::path checkout = fs::path(__FILE__).parent_path(); !checkout.empty(); checkout = checkout.parent_path()) {
     if (fs::exists(checkout / "include" / "CGAL" / "Intrinsic_triangulations"))
       return checkout / ".." / "shared" / "data";
     if (checkout == checkout.parent_path())
@@ -668,7 +675,7 @@ TEST(Bad_files, are_refused_or_merely_ugly)
                                                     {"misoriented", Kind::INCONSISTENT_ORIENTATION},
                                                     {"nonmanifold_vertices", Kind::NON_MANIFOLD_VERTEX},
                                                     {"unreferenced", Kind::UNREFERENCED_VERTEX},
-                                                    {"zero_area", Kind::ZERO_AREA_FACE}};
+                                                    {"zero_area", Kind::DEGENERATE_FACE}};
   std::size_t files = 0;
   for (const Manifest_row& row : read_manifest(manifest)) {
     if (row.fields.at("folder") != "bad")
@@ -690,8 +697,7 @@ TEST(Bad_files, are_refused_or_merely_ugly)
         defects.erase("zero_area"); // the same face
       for (const std::pair<const std::string, Kind>& kind : kinds) {
         const IT::Finding* const finding = report.find(kind.second);
-        EXPECT_EQ(finding == nullptr ? 0 : finding->count,
-                  defects.count(kind.first) == 0 ? 0 : defects[kind.first])
+        EXPECT_EQ(finding == nullptr ? 0 : finding->count, defects.count(kind.first) == 0 ? 0 : defects[kind.first])
           << kind.first;
       }
       try {
@@ -737,7 +743,7 @@ TEST(Bad_files, good_ones_are_taken)
     EXPECT_EQ(std::to_string(report.number_of_edges), row.fields.at("E"));
     EXPECT_EQ(std::to_string(report.number_of_border_edges), row.fields.at("boundary_edges"));
     EXPECT_EQ(std::to_string(report.number_of_components), row.fields.at("components"));
-    const IT::Finding* const flat = report.find(Kind::ZERO_AREA_FACE);
+    const IT::Finding* const flat = report.find(Kind::DEGENERATE_FACE);
     EXPECT_EQ(std::to_string(flat == nullptr ? 0 : flat->count), row.fields.at("zero_area_faces"));
   }
   EXPECT_GT(files, 0u);

@@ -7,7 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/angles.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
@@ -23,6 +23,7 @@
 #include <functional>
 #include <limits>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -31,19 +32,20 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 
-Triangulation triangulation_of(const IT::Indexed_triangles& surface)
+Triangulation triangulation_of(const samples::Indexed_triangles& surface)
 {
   return Triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
 }
 
-void expect_refined(const Triangulation& triangulation, const IT::Refinement_report& report, const IT::Refinement_criteria& criteria)
+void expect_refined(const Triangulation& triangulation, const IT::Refinement_report& report, double minimum_angle = 25,
+                    double maximum_edge_length = std::numeric_limits<double>::infinity())
 {
   EXPECT_EQ(report.status, IT::Refinement_status::REFINED);
   const IT::Delta_complex& complex = triangulation.connectivity();
   ASSERT_TRUE(complex.is_valid());
   for (IT::Edge_index e : complex.edges()) {
     if (complex.is_flippable(e)) {
-      ASSERT_NE(triangulation.exact_geometry().sign_by_unfolding(complex, e), CGAL::NEGATIVE);
+      ASSERT_NE(IT::internal::engine(triangulation).sign_by_unfolding(e), CGAL::NEGATIVE);
     }
   }
   std::set<IT::Face_index> listed;
@@ -56,31 +58,31 @@ void expect_refined(const Triangulation& triangulation, const IT::Refinement_rep
       continue;
     const IT::Halfedge_index h = complex.halfedge(f);
     for (IT::Halfedge_index side : {h, complex.next(h), complex.prev(h)}) {
-      EXPECT_GE(IT::angle(triangulation, side) * 180 / CGAL_PI, criteria.minimum_angle * (1 - 1e-12));
-      EXPECT_LE(triangulation.length(complex.edge(side)), criteria.maximum_edge_length);
+      EXPECT_GE(IT::angle(triangulation, side) * 180 / CGAL_PI, minimum_angle * (1 - 1e-12));
+      EXPECT_LE(triangulation.length(complex.edge(side)), maximum_edge_length);
     }
   }
 }
 
 TEST(Refine_Delaunay, leaves_no_thin_triangle)
 {
-  for (const IT::Indexed_triangles& surface :
-       {IT::torus(), IT::bad_torus(30, 30), IT::bumpy_dome(), IT::disk_with_spike(), IT::Schwarz_lantern(), IT::cap(1e-17), IT::cap(0.1),
-        IT::prism(), IT::pillow(60), IT::strip(200, 30)}) {
+  for (const samples::Indexed_triangles& surface :
+       {samples::torus(), samples::bad_torus(30, 30), samples::bumpy_dome(), samples::disk_with_spike(),
+        samples::Schwarz_lantern(), samples::cap(1e-17), samples::cap(0.1), samples::prism(), samples::pillow(60),
+        samples::strip(200, 30)}) {
     Triangulation triangulation = triangulation_of(surface);
     const IT::Refinement_report report = IT::refine_Delaunay(triangulation);
-    expect_refined(triangulation, report, {});
+    expect_refined(triangulation, report);
     EXPECT_TRUE(report.unrefined.empty());
   }
 }
 
 TEST(Refine_Delaunay, makes_large_triangles_small)
 {
-  Triangulation triangulation = triangulation_of({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}});
-  IT::Refinement_criteria criteria;
-  criteria.maximum_edge_length = 0.05;
-  const IT::Refinement_report report = IT::refine_Delaunay(triangulation, criteria);
-  expect_refined(triangulation, report, criteria);
+  Triangulation triangulation =
+    triangulation_of({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}});
+  const IT::Refinement_report report = IT::refine_Delaunay(triangulation, CGAL::parameters::maximum_edge_length(0.05));
+  expect_refined(triangulation, report, 25, 0.05);
   EXPECT_TRUE(report.unrefined.empty());
   EXPECT_GT(report.insertions, 300u);
 }
@@ -89,7 +91,7 @@ TEST(Refine_Delaunay, makes_large_triangles_small)
 TEST(Refine_Delaunay, protects_small_cones)
 {
   for (double degrees : {5., 20., 59.}) {
-    IT::Indexed_triangles cone;
+    samples::Indexed_triangles cone;
     const double radius = degrees / 360, height = std::sqrt(1 - radius * radius);
     const std::uint32_t n = 12;
     cone.points.push_back({0, 0, height});
@@ -99,7 +101,7 @@ TEST(Refine_Delaunay, protects_small_cones)
     }
     Triangulation triangulation = triangulation_of(cone);
     const IT::Refinement_report report = IT::refine_Delaunay(triangulation);
-    expect_refined(triangulation, report, {});
+    expect_refined(triangulation, report);
     EXPECT_EQ(report.unrefined.size(), degrees < 25 ? 1u : 0u) << degrees;
     for (const IT::Unrefined_face& f : report.unrefined)
       EXPECT_EQ(f.reason, IT::Refinement_obstacle::CONE);
@@ -109,9 +111,10 @@ TEST(Refine_Delaunay, protects_small_cones)
 // A triangle with a corner of one degree between border edges.
 TEST(Refine_Delaunay, leaves_small_corners_of_the_border)
 {
-  Triangulation triangulation = triangulation_of({{{0, 0, 0}, {1, 0, 0}, {std::cos(CGAL_PI / 180), std::sin(CGAL_PI / 180), 0}}, {{0, 1, 2}}});
+  Triangulation triangulation =
+    triangulation_of({{{0, 0, 0}, {1, 0, 0}, {std::cos(CGAL_PI / 180), std::sin(CGAL_PI / 180), 0}}, {{0, 1, 2}}});
   const IT::Refinement_report report = IT::refine_Delaunay(triangulation);
-  expect_refined(triangulation, report, {});
+  expect_refined(triangulation, report);
   ASSERT_FALSE(report.unrefined.empty());
   for (const IT::Unrefined_face& f : report.unrefined)
     EXPECT_EQ(f.reason, IT::Refinement_obstacle::SMALL_INPUT_ANGLE);
@@ -120,7 +123,7 @@ TEST(Refine_Delaunay, leaves_small_corners_of_the_border)
 // Two sides of a box, far closer to each other than what matters.
 TEST(Refine_Delaunay, leaves_what_is_too_small)
 {
-  IT::Indexed_triangles plate;
+  samples::Indexed_triangles plate;
   for (double z : {0., 1e-5})
     for (const auto& [x, y] : {std::pair(0., 0.), std::pair(1., 0.), std::pair(1., 1.), std::pair(0., 1.)})
       plate.points.push_back({x, y, z});
@@ -131,10 +134,8 @@ TEST(Refine_Delaunay, leaves_what_is_too_small)
     plate.triangles.push_back({i, j + 4, i + 4});
   }
   Triangulation triangulation = triangulation_of(plate);
-  IT::Refinement_criteria criteria;
-  criteria.minimum_size = 0.01;
-  criteria.maximum_edge_length = 0.3;
-  const IT::Refinement_report report = IT::refine_Delaunay(triangulation, criteria);
+  const IT::Refinement_report report =
+    IT::refine_Delaunay(triangulation, CGAL::parameters::minimum_size(0.01).maximum_edge_length(0.3));
   EXPECT_EQ(report.status, IT::Refinement_status::REFINED);
   EXPECT_LT(report.insertions + report.segment_splits, 2000u);
   EXPECT_FALSE(report.unrefined.empty());
@@ -155,28 +156,27 @@ TEST(Refine_Delaunay, leaves_what_is_too_small)
   }
 }
 
-struct Limited_visitor : IT::Default_refinement_visitor
+struct Limited_visitor
 {
-  bool go_further(std::uint64_t points, std::uint64_t) { return points < 10; }
+  bool go_further(const IT::Progress& progress) { return progress.insertions < 10; }
   void after_insertion(IT::Vertex_index) { ++insertions; }
   int insertions = 0;
 };
 
 TEST(Refine_Delaunay, ends_early_where_told_to)
 {
-  Triangulation triangulation = triangulation_of(IT::bad_torus(30, 30));
+  Triangulation triangulation = triangulation_of(samples::bad_torus(30, 30));
   Limited_visitor visitor;
-  const IT::Refinement_report cancelled = IT::refine_Delaunay(triangulation, {}, CGAL::parameters::visitor(std::ref(visitor)));
-  EXPECT_EQ(cancelled.status, IT::Refinement_status::CANCELLED);
+  EXPECT_THROW(IT::refine_Delaunay(triangulation, CGAL::parameters::visitor(std::ref(visitor))), IT::Cancelled_error);
   EXPECT_EQ(visitor.insertions, 10);
-  const IT::Refinement_report exhausted = IT::refine_Delaunay(triangulation, {}, CGAL::parameters::maximum_number(5));
+  const IT::Refinement_report exhausted = IT::refine_Delaunay(triangulation, CGAL::parameters::maximum_number(5));
   EXPECT_EQ(exhausted.status, IT::Refinement_status::BUDGET_EXHAUSTED);
   EXPECT_EQ(exhausted.insertions, 5u);
   EXPECT_FALSE(exhausted.unrefined.empty());
-  expect_refined(triangulation, IT::refine_Delaunay(triangulation), {});
+  expect_refined(triangulation, IT::refine_Delaunay(triangulation));
 }
 
-struct Progress_visitor : IT::Default_refinement_visitor
+struct Progress_visitor : IT::Default_visitor
 {
   void before_step(const IT::Refinement_progress& progress)
   {
@@ -194,17 +194,20 @@ struct Progress_visitor : IT::Default_refinement_visitor
 
 TEST(Refine_Delaunay, estimates_how_many_vertices_are_needed)
 {
-  const IT::Indexed_triangles square = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  const samples::Indexed_triangles square = {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   // A tube around which triangles cannot be longer than it is wide.
-  const IT::Indexed_triangles tube = {{{0, 0, 0}, {1, 0, 0}, {0, 1e-4, 0}, {1, 1e-4, 0}, {0, 0, 1e-4}, {1, 0, 1e-4}},
-                                      {{0, 1, 3}, {0, 3, 2}, {2, 3, 5}, {2, 5, 4}, {4, 5, 1}, {4, 1, 0}}};
-  IT::Refinement_criteria by_edge, by_circumradius;
-  by_edge.maximum_edge_length = 0.02;
-  by_circumradius.maximum_circumradius = 0.012;
-  for (const auto& [surface, criteria] : {std::pair{square, by_edge}, std::pair{square, by_circumradius}, std::pair{tube, IT::Refinement_criteria()}}) {
+  const samples::Indexed_triangles tube = {
+    {{0, 0, 0}, {1, 0, 0}, {0, 1e-4, 0}, {1, 1e-4, 0}, {0, 0, 1e-4}, {1, 0, 1e-4}},
+    {{0, 1, 3}, {0, 3, 2}, {2, 3, 5}, {2, 5, 4}, {4, 5, 1}, {4, 1, 0}}};
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const auto& [surface, edge, circumradius] :
+       {std::tuple{square, 0.02, infinity}, std::tuple{square, infinity, 0.012},
+        std::tuple{tube, infinity, infinity}}) {
     Triangulation triangulation = triangulation_of(surface);
     Progress_visitor visitor;
-    const IT::Refinement_report report = IT::refine_Delaunay(triangulation, criteria, CGAL::parameters::visitor(std::ref(visitor)));
+    const IT::Refinement_report report = IT::refine_Delaunay(
+      triangulation,
+      CGAL::parameters::maximum_edge_length(edge).maximum_circumradius(circumradius).visitor(std::ref(visitor)));
     const double needed = double(report.insertions + report.segment_splits);
     EXPECT_EQ(report.status, IT::Refinement_status::REFINED);
     EXPECT_GT(double(visitor.first_estimate), 0.5 * needed);
@@ -216,13 +219,12 @@ TEST(Refine_Delaunay, estimates_how_many_vertices_are_needed)
 // A smallest size ends the splits of edges for their own sake as well.
 TEST(Refine_Delaunay, splits_no_edge_below_the_smallest_size)
 {
-  const IT::Indexed_triangles needle = {{{0, 0, 0}, {1, 0, 0}, {0.6, 1e-5, 0}, {0.3, 1e-5, 0}}, {{0, 1, 2}, {0, 2, 3}}};
-  IT::Refinement_criteria criteria;
-  criteria.minimum_size = 1e-3;
-  criteria.splits_encroached_edges = true;
+  const samples::Indexed_triangles needle = {{{0, 0, 0}, {1, 0, 0}, {0.6, 1e-5, 0}, {0.3, 1e-5, 0}},
+                                             {{0, 1, 2}, {0, 2, 3}}};
   Triangulation triangulation = triangulation_of(needle);
-  const IT::Refinement_report report = IT::refine_Delaunay(triangulation, criteria);
-  expect_refined(triangulation, report, criteria);
+  const IT::Refinement_report report =
+    IT::refine_Delaunay(triangulation, CGAL::parameters::minimum_size(1e-3).splits_encroached_edges(true));
+  expect_refined(triangulation, report);
   EXPECT_GT(report.segment_splits, 100u);
   EXPECT_LT(report.segment_splits, 3000u);
   for (IT::Edge_index e : triangulation.connectivity().edges()) {
@@ -233,19 +235,24 @@ TEST(Refine_Delaunay, splits_no_edge_below_the_smallest_size)
 }
 
 // Stops after so many questions.
-struct Counting_visitor : IT::Default_refinement_visitor
+struct Counting_visitor
 {
-  bool go_further(std::uint64_t, std::uint64_t) { return number-- > 0; }
+  bool go_further(const IT::Progress& progress)
+  {
+    insertions = progress.insertions;
+    return number-- > 0;
+  }
   int number;
+  std::uint64_t insertions = 0;
 };
 
 TEST(Refine_Delaunay, asks_while_edges_are_flipped_at_first)
 {
   for (int number : {0, 100}) {
-    Triangulation triangulation = triangulation_of(IT::bad_torus(30, 30));
-    const IT::Refinement_report report = IT::refine_Delaunay(triangulation, {}, CGAL::parameters::visitor(Counting_visitor{{}, number}));
-    EXPECT_EQ(report.status, IT::Refinement_status::CANCELLED);
-    EXPECT_EQ(report.insertions + report.segment_splits, 0u);
+    Triangulation triangulation = triangulation_of(samples::bad_torus(30, 30));
+    Counting_visitor visitor{number};
+    EXPECT_THROW(IT::refine_Delaunay(triangulation, CGAL::parameters::visitor(std::ref(visitor))), IT::Cancelled_error);
+    EXPECT_EQ(visitor.insertions, 0u);
     EXPECT_EQ(triangulation.connectivity().number_of_vertices(), 900u);
     EXPECT_FALSE(IT::verify_Delaunay(triangulation).is_Delaunay());
   }
@@ -255,7 +262,7 @@ TEST(Refine_Delaunay, asks_while_edges_are_flipped_at_first)
 // doubles then goes round and round.
 TEST(Refine_Delaunay, ends_at_the_tips_of_needles)
 {
-  IT::Indexed_triangles surface;
+  samples::Indexed_triangles surface;
   for (int y = 0; y < 4; ++y)
     for (int x = 0; x < 4; ++x)
       surface.points.push_back({double(x), double(y), 0});
@@ -271,9 +278,9 @@ TEST(Refine_Delaunay, ends_at_the_tips_of_needles)
     std::vector<bool> is_constrained(triangulation.connectivity().number_of_edges());
     for (std::size_t e = 0; e < is_constrained.size(); e += std::size_t(step))
       is_constrained[e] = true;
-    const auto map = boost::make_function_property_map<IT::Edge_index, bool>([&](IT::Edge_index e) { return is_constrained[e.idx()]; });
-    const IT::Refinement_report report = IT::refine_Delaunay(triangulation, {}, CGAL::parameters::edge_is_constrained_map(map).maximum_number(200));
-    EXPECT_NE(report.status, IT::Refinement_status::CANCELLED);
+    const auto map = boost::make_function_property_map<IT::Edge_index, bool>(
+      [&](IT::Edge_index e) { return is_constrained[e.idx()]; });
+    IT::refine_Delaunay(triangulation, CGAL::parameters::edge_is_constrained_map(map).maximum_number(200));
     EXPECT_TRUE(triangulation.connectivity().is_valid());
   }
 }

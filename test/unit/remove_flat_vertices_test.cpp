@@ -8,7 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/angles.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/remove_flat_vertices.h>
@@ -37,7 +37,7 @@ struct Surface
   std::vector<Point> points;
 };
 
-Surface surface_of(const IT::Indexed_triangles& sample)
+Surface surface_of(const samples::Indexed_triangles& sample)
 {
   return {IT::make_Delta_complex_from_triangles(sample.points.size(), sample.triangles), sample.points};
 }
@@ -46,7 +46,7 @@ Surface surface_of(const IT::Indexed_triangles& sample)
 Surface cubes(const std::vector<std::array<int, 3>>& cells)
 {
   std::map<std::array<int, 3>, std::uint32_t> number;
-  IT::Indexed_triangles result;
+  samples::Indexed_triangles result;
   const auto vertex = [&](std::array<int, 3> p) {
     const auto [position, is_new] = number.emplace(p, std::uint32_t(result.points.size()));
     if (is_new)
@@ -84,7 +84,8 @@ Point normal(const Surface& s, IT::Face_index f)
 {
   const IT::Halfedge_index h = s.complex.halfedge(f);
   const Point& p = s.points[s.complex.source(h).idx()];
-  const Point u = minus(s.points[s.complex.target(h).idx()], p), v = minus(s.points[s.complex.target(s.complex.next(h)).idx()], p);
+  const Point u = minus(s.points[s.complex.target(h).idx()], p),
+              v = minus(s.points[s.complex.target(s.complex.next(h)).idx()], p);
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
@@ -110,8 +111,7 @@ std::map<std::array<std::int64_t, 4>, std::int64_t> areas(const Surface& s)
   for (IT::Face_index f : s.complex.faces()) {
     const Point n = normal(s, f);
     const auto key = plane(s, f);
-    const int axis = key[0] != 0 ? 0 : key[1] != 0 ? 1
-                                                   : 2;
+    const int axis = key[0] != 0 ? 0 : key[1] != 0 ? 1 : 2;
     result[key] += std::int64_t(n[axis]) / key[axis];
   }
   return result;
@@ -124,7 +124,8 @@ void flip_flat_edges(Surface& s, std::mt19937& random, int number)
     const IT::Edge_index e(std::uint32_t(random() % s.complex.number_of_edges()));
     if (!s.complex.is_flippable(e))
       continue;
-    const IT::Face_index f = s.complex.face(s.complex.halfedge(e)), g = s.complex.face(s.complex.opposite(s.complex.halfedge(e)));
+    const IT::Face_index f = s.complex.face(s.complex.halfedge(e)),
+                         g = s.complex.face(s.complex.opposite(s.complex.halfedge(e)));
     const auto before = plane(s, f);
     if (before != plane(s, g))
       continue;
@@ -209,8 +210,7 @@ TEST(Remove_flat_vertices, of_any_star)
   std::mt19937 random(2);
   int number_of_stars = 0;
   for (int run = 0; run < 3000; ++run) {
-    const int range = run % 3 == 0 ? 2 : run % 3 == 1 ? 6
-                                                      : 1000;
+    const int range = run % 3 == 0 ? 2 : run % 3 == 1 ? 6 : 1000;
     const auto coordinate = [&] { return int(random() % (2 * range + 1)) - range; };
     std::map<std::pair<int, int>, std::pair<int, int>> corner_by_direction;
     const int number = 3 + int(random() % 30);
@@ -222,8 +222,9 @@ TEST(Remove_flat_vertices, of_any_star)
     std::vector<std::pair<int, int>> corners;
     for (const auto& item : corner_by_direction)
       corners.push_back(item.second);
-    std::sort(corners.begin(), corners.end(), [](auto a, auto b) { return std::atan2(a.second, a.first) < std::atan2(b.second, b.first); });
-    IT::Indexed_triangles star;
+    std::sort(corners.begin(), corners.end(),
+              [](auto a, auto b) { return std::atan2(a.second, a.first) < std::atan2(b.second, b.first); });
+    samples::Indexed_triangles star;
     star.points.push_back({7, 7, 7});
     bool is_star = corners.size() > 2;
     const auto number_of_corners = std::uint32_t(corners.size());
@@ -246,7 +247,7 @@ TEST(Remove_flat_vertices, of_any_star)
 // The faces around vertex 0, between points that are given in order.
 Surface fan(const std::vector<Point>& points)
 {
-  IT::Indexed_triangles result;
+  samples::Indexed_triangles result;
   result.points.push_back({0, 0, 0});
   const auto number = std::uint32_t(points.size());
   for (std::uint32_t i = 0; i < number; ++i) {
@@ -293,16 +294,16 @@ TEST(Remove_flat_vertices, keeps_what_only_looks_flat)
   const std::vector<Point> once = {{2, 0, 0}, {1, 2, 0}, {-2, 1, 0}, {-1, -2, 0}, {1, -2, 0}};
   std::vector<Point> twice = once;
   twice.insert(twice.end(), once.begin(), once.end());
-  for (const std::vector<Point>& points : {
-         twice, // the angles sum to 4 pi
-         // half a turn, and one and a half on the other side of a straight line
-         {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 0, -1}, {-1, 0, 0}, {0, 0, 1}},
-         // a full turn on both sides of a line that returns
-         {{1, 0, 0}, {0, 1, 0}, {-1, -1, 0}, {2, 0, 0}, {0, 0, 1}, {-1, 0, -1}},
-         // faces that lie on each other
-         {{2, 0, 0}, {10, 17, 0}, {2.6, 1.5, 0}, {-2, 0.1, 0}, {0, -2, 0}},
-         // a face of zero area
-         {{1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}}) {
+  for (const std::vector<Point>& points :
+       {twice, // the angles sum to 4 pi
+        // half a turn, and one and a half on the other side of a straight line
+        {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 0, -1}, {-1, 0, 0}, {0, 0, 1}},
+        // a full turn on both sides of a line that returns
+        {{1, 0, 0}, {0, 1, 0}, {-1, -1, 0}, {2, 0, 0}, {0, 0, 1}, {-1, 0, -1}},
+        // faces that lie on each other
+        {{2, 0, 0}, {10, 17, 0}, {2.6, 1.5, 0}, {-2, 0.1, 0}, {0, -2, 0}},
+        // a face of zero area
+        {{1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}}}) {
     Surface s = fan(points);
     const IT::Delta_complex before = s.complex;
     EXPECT_EQ(IT::remove_flat_vertices(s.complex, s.points).size(), points.size() + 1);
@@ -312,13 +313,14 @@ TEST(Remove_flat_vertices, keeps_what_only_looks_flat)
 
 TEST(Remove_flat_vertices, keeps_borders_and_curved_surfaces)
 {
-  for (const IT::Indexed_triangles& sample : {IT::bumpy_dome(), IT::torus(8, 6), IT::bumpy_sphere()}) {
+  for (const samples::Indexed_triangles& sample :
+       {samples::bumpy_dome(), samples::torus(8, 6), samples::bumpy_sphere()}) {
     Surface s = surface_of(sample);
     const IT::Delta_complex before = s.complex;
     EXPECT_EQ(IT::remove_flat_vertices(s.complex, s.points).size(), sample.points.size());
     EXPECT_TRUE(s.complex == before);
   }
-  IT::Indexed_triangles grid;
+  samples::Indexed_triangles grid;
   for (std::uint32_t y = 0; y < 4; ++y)
     for (std::uint32_t x = 0; x < 4; ++x) {
       const std::uint32_t v = 4 * y + x;
@@ -346,7 +348,8 @@ double distance(const Point& p, const Point& a, const Point& b, const Point& c)
   const double uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), determinant = uu * vv - uv * uv;
   const double s = (vv * dot(u, d) - uv * dot(v, d)) / determinant, t = (uu * dot(v, d) - uv * dot(u, d)) / determinant;
   if (s >= 0 && t >= 0 && s + t <= 1)
-    result = std::min(result, std::hypot(d[0] - s * u[0] - t * v[0], d[1] - s * u[1] - t * v[1], d[2] - s * u[2] - t * v[2]));
+    result =
+      std::min(result, std::hypot(d[0] - s * u[0] - t * v[0], d[1] - s * u[1] - t * v[1], d[2] - s * u[2] - t * v[2]));
   return result;
 }
 
@@ -358,8 +361,9 @@ double largest_distance(const std::vector<Point>& points, const Surface& s)
     double smallest = 1e300;
     for (IT::Face_index f : s.complex.faces()) {
       const IT::Halfedge_index h = s.complex.halfedge(f);
-      smallest = std::min(smallest, distance(p, s.points[s.complex.source(h).idx()], s.points[s.complex.target(h).idx()],
-                                             s.points[s.complex.target(s.complex.next(h)).idx()]));
+      smallest =
+        std::min(smallest, distance(p, s.points[s.complex.source(h).idx()], s.points[s.complex.target(h).idx()],
+                                    s.points[s.complex.target(s.complex.next(h)).idx()]));
     }
     largest = std::max(largest, smallest);
   }

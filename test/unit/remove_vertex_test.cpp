@@ -11,13 +11,12 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Stage_counts.h>
+#include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/point_location.h>
-#include <CGAL/Intrinsic_triangulations/remove_vertex.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -39,7 +38,7 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 
-Triangulation Delaunay_triangulation_of(const IT::Indexed_triangles& surface)
+Triangulation Delaunay_triangulation_of(const samples::Indexed_triangles& surface)
 {
   Triangulation result(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
   IT::flip_to_Delaunay(result);
@@ -51,7 +50,8 @@ using Edge_set = std::vector<std::tuple<std::uint32_t, std::uint32_t, double, st
 Edge_set edges_without_ties(const Triangulation& triangulation)
 {
   const IT::Delta_complex& complex = triangulation.connectivity();
-  const IT::Normal_coordinates& coordinates = triangulation.exact_geometry().correspondence().coordinates();
+  const IT::internal::Normal_coordinates& coordinates =
+    IT::internal::engine(triangulation).correspondence().coordinates();
   Edge_set result;
   for (IT::Edge_index e : complex.edges()) {
     if (complex.is_flippable(e) && triangulation.sign_of_cotangent_weight(e) == CGAL::ZERO)
@@ -67,14 +67,14 @@ void expect_consistent(const Triangulation& triangulation)
 {
   const IT::Delta_complex& complex = triangulation.connectivity();
   ASSERT_TRUE(complex.is_valid(true));
-  const IT::Exact_geometry& geometry = triangulation.exact_geometry();
+  const IT::internal::Exact_engine& geometry = IT::internal::engine(triangulation);
   for (IT::Edge_index e : complex.edges()) {
     if (complex.is_flippable(e)) {
-      ASSERT_NE(geometry.sign_by_unfolding(complex, e), CGAL::NEGATIVE) << e;
+      ASSERT_NE(geometry.sign_by_unfolding(e), CGAL::NEGATIVE) << e;
     }
   }
   for (IT::Face_index f : complex.faces()) {
-    ASSERT_EQ(geometry.sign_of_area(complex, f), CGAL::POSITIVE) << f;
+    ASSERT_EQ(geometry.sign_of_area(f), CGAL::POSITIVE) << f;
   }
 }
 
@@ -87,13 +87,13 @@ void expect_overlay(const Triangulation& triangulation)
             std::int64_t(complex.number_of_vertices()) - complex.number_of_edges() + complex.number_of_faces());
   std::size_t crossings = 0;
   for (IT::Edge_index e : complex.edges())
-    crossings += std::size_t(triangulation.exact_geometry().correspondence().coordinates().number_of_crossings(e));
+    crossings += std::size_t(triangulation.number_of_crossings(e));
   EXPECT_EQ(overlay.number_of_vertices(), complex.number_of_vertices() + crossings);
 }
 
 std::size_t number_of_inserted_vertices(const Triangulation& triangulation)
 {
-  return triangulation.exact_geometry().correspondence().number_of_inserted_vertices();
+  return IT::internal::engine(triangulation).correspondence().number_of_inserted_vertices();
 }
 
 IT::Vertex_index random_inserted_vertex(const Triangulation& triangulation, std::mt19937& random)
@@ -105,9 +105,10 @@ IT::Vertex_index random_inserted_vertex(const Triangulation& triangulation, std:
 TEST(Remove_vertex, undoes_insertions_in_any_order)
 {
   std::mt19937 random(1);
-  for (const IT::Indexed_triangles& surface :
-       {IT::sheared_grid(), IT::random_diagonal_grid(), IT::torus(), IT::bad_torus(30, 30), IT::bumpy_dome(), IT::disk_with_spike(),
-        IT::Schwarz_lantern(), IT::cap(), IT::cap(0), IT::prism(16), IT::pillow(60), IT::sliver_sheet(12), IT::helical_tube()})
+  for (const samples::Indexed_triangles& surface :
+       {samples::sheared_grid(), samples::random_diagonal_grid(), samples::torus(), samples::bad_torus(30, 30),
+        samples::bumpy_dome(), samples::disk_with_spike(), samples::Schwarz_lantern(), samples::cap(), samples::cap(0),
+        samples::prism(16), samples::pillow(60), samples::sliver_sheet(12), samples::helical_tube()})
     for (unsigned largest_coordinate : {1u, 1000u}) {
       Triangulation triangulation = Delaunay_triangulation_of(surface);
       const Edge_set before = edges_without_ties(triangulation);
@@ -123,7 +124,7 @@ TEST(Remove_vertex, undoes_insertions_in_any_order)
 // The straight line runs from one side of a fold to the other, so the faces that are left are bent.
 TEST(Remove_vertex, on_a_line_across_a_fold)
 {
-  IT::Indexed_triangles kite;
+  samples::Indexed_triangles kite;
   kite.points = {{{-1, 0, 1}}, {{1, 0, 1}}, {{0, 1, 0}}, {{0, -1, 0}}};
   kite.triangles = {{0, 3, 2}, {1, 2, 3}};
   Triangulation triangulation = Delaunay_triangulation_of(kite);
@@ -136,7 +137,8 @@ TEST(Remove_vertex, on_a_line_across_a_fold)
   while (complex.source(h).idx() > 1)
     h = complex.next_around_target(h);
   const IT::Edge_index line = complex.edge(h);
-  const IT::Removed_elements removed = triangulation.unsplit_edge(h);
+  const IT::Removed_elements removed =
+    IT::internal::Whole_triangulation<IT::Filtered_edge_length_traits>(triangulation).unsplit_edge(h);
   EXPECT_DOUBLE_EQ(triangulation.squared_length(removed.edge_after(line)), 8);
   EXPECT_DOUBLE_EQ(triangulation.length(removed.edge_after(line)), std::sqrt(8.));
 }
@@ -148,7 +150,9 @@ TEST(Remove_vertex, flat_parts_are_decided_as_by_unfolding)
   std::mt19937 random(7);
   std::uint64_t in_planes = 0;
   std::size_t ties = 0;
-  for (const IT::Indexed_triangles& surface : {IT::prism(8), IT::prism(12, 1), IT::sheared_grid(6, 6), IT::random_diagonal_grid(6), IT::cap(), IT::cap(0)})
+  for (const samples::Indexed_triangles& surface :
+       {samples::prism(8), samples::prism(12, 1), samples::sheared_grid(6, 6), samples::random_diagonal_grid(6),
+        samples::cap(), samples::cap(0)})
     for (unsigned largest_coordinate : {1u, 3u, 1000000u}) {
       Triangulation triangulation = Delaunay_triangulation_of(surface);
       const IT::Delta_complex& complex = triangulation.connectivity();
@@ -156,11 +160,11 @@ TEST(Remove_vertex, flat_parts_are_decided_as_by_unfolding)
         IT::insert_random_vertices(triangulation, 10, largest_coordinate, random);
         for (std::size_t n = random() % 8; n > 0 && number_of_inserted_vertices(triangulation) > 0; --n)
           IT::remove_vertex(triangulation, random_inserted_vertex(triangulation, random));
-        const IT::Exact_geometry& geometry = triangulation.exact_geometry();
+        const IT::internal::Exact_engine& geometry = IT::internal::engine(triangulation);
         for (IT::Edge_index e : complex.edges())
           if (complex.is_flippable(e)) {
-            const CGAL::Sign sign = geometry.sign_of_cotangents(complex, e);
-            ASSERT_EQ(sign, geometry.sign_by_unfolding(complex, e)) << e;
+            const CGAL::Sign sign = geometry.sign_of_cotangents(e);
+            ASSERT_EQ(sign, geometry.sign_by_unfolding(e)) << e;
             ties += sign == CGAL::ZERO ? 1 : 0;
           }
       }
@@ -173,7 +177,8 @@ TEST(Remove_vertex, flat_parts_are_decided_as_by_unfolding)
 TEST(Remove_vertex, between_insertions)
 {
   std::mt19937 random(2);
-  for (const IT::Indexed_triangles& surface : {IT::torus(8, 6), IT::bumpy_dome(), IT::pillow(20), IT::helical_tube()}) {
+  for (const samples::Indexed_triangles& surface :
+       {samples::torus(8, 6), samples::bumpy_dome(), samples::pillow(20), samples::helical_tube()}) {
     Triangulation triangulation = Delaunay_triangulation_of(surface);
     const Edge_set before = edges_without_ties(triangulation);
     for (int i = 0; i < 30; ++i) {
@@ -194,7 +199,7 @@ TEST(Remove_vertex, between_insertions)
 // By input edges: a half of a constrained edge coincides with it, and nothing else does.
 bool is_constrained(const Triangulation& triangulation, IT::Edge_index e)
 {
-  const IT::Correspondence& correspondence = triangulation.exact_geometry().correspondence();
+  const IT::internal::Correspondence& correspondence = IT::internal::engine(triangulation).correspondence();
   const IT::Halfedge_index h = triangulation.connectivity().halfedge(e);
   return correspondence.coordinates().is_original(e) &&
          correspondence.input().edge(correspondence.input_halfedge(h)).idx() % 3 == 0;
@@ -211,12 +216,14 @@ std::size_t number_of_constrained(const Triangulation& triangulation)
 TEST(Remove_vertex, joins_the_parts_of_border_and_constrained_edges)
 {
   std::mt19937 random(3);
-  for (const IT::Indexed_triangles& surface : {IT::bumpy_dome(), IT::torus(8, 6), IT::cap()}) {
-    Triangulation triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
+  for (const samples::Indexed_triangles& surface : {samples::bumpy_dome(), samples::torus(8, 6), samples::cap()}) {
+    Triangulation triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles),
+                                surface.points);
     const IT::Delta_complex input = triangulation.connectivity();
-    const auto fixed = CGAL::parameters::edge_is_constrained_map(boost::make_function_property_map<IT::Edge_index, bool>(
-      [&](IT::Edge_index e) { return is_constrained(triangulation, e); }));
-    triangulation.exact_geometry();
+    const auto fixed =
+      CGAL::parameters::edge_is_constrained_map(boost::make_function_property_map<IT::Edge_index, bool>(
+        [&](IT::Edge_index e) { return is_constrained(triangulation, e); }));
+    IT::internal::engine(triangulation);
     IT::flip_to_Delaunay(triangulation, fixed);
     const std::size_t before = number_of_constrained(triangulation);
     std::size_t inserted = 0;
@@ -239,9 +246,10 @@ TEST(Remove_vertex, joins_the_parts_of_border_and_constrained_edges)
       std::vector<bool> before_removal;
       for (IT::Edge_index e : triangulation.connectivity().edges())
         before_removal.push_back(is_constrained(triangulation, e));
-      IT::remove_vertex(triangulation, random_inserted_vertex(triangulation, random),
-                        CGAL::parameters::edge_is_constrained_map(boost::make_function_property_map<IT::Edge_index, bool>(
-                          [&](IT::Edge_index e) { return before_removal[e.idx()]; })));
+      IT::remove_vertex(
+        triangulation, random_inserted_vertex(triangulation, random),
+        CGAL::parameters::edge_is_constrained_map(boost::make_function_property_map<IT::Edge_index, bool>(
+          [&](IT::Edge_index e) { return before_removal[e.idx()]; })));
       ASSERT_TRUE(triangulation.connectivity().is_valid(true));
     }
     EXPECT_EQ(number_of_constrained(triangulation), before);
@@ -256,7 +264,7 @@ TEST(Remove_vertex, in_the_middle_of_a_square)
   std::mt19937 random(6);
   std::size_t crossed = 0;
   for (int i = 0; i < 100; ++i) {
-    const IT::Indexed_triangles square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+    const samples::Indexed_triangles square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
     Triangulation triangulation = Delaunay_triangulation_of(square);
     const IT::Delta_complex input = triangulation.connectivity();
     for (IT::Edge_index e : input.edges())
@@ -267,7 +275,8 @@ TEST(Remove_vertex, in_the_middle_of_a_square)
       IT::remove_vertex(triangulation, IT::Vertex_index(triangulation.connectivity().number_of_vertices() - 1));
     expect_consistent(triangulation);
     expect_overlay(triangulation);
-    const IT::Normal_coordinates& coordinates = triangulation.exact_geometry().correspondence().coordinates();
+    const IT::internal::Normal_coordinates& coordinates =
+      IT::internal::engine(triangulation).correspondence().coordinates();
     for (IT::Edge_index e : triangulation.connectivity().edges()) {
       EXPECT_EQ(coordinates.number_of_crossings(e), coordinates.is_original(e) ? 0 : 1);
       crossed += coordinates.is_original(e) ? 0 : 1;
@@ -280,7 +289,8 @@ TEST(Remove_vertex, in_the_middle_of_a_square)
 TEST(Remove_vertex, of_a_torus_with_one_vertex)
 {
   std::mt19937 random(4);
-  for (const IT::Glued_triangles& gluing : {IT::one_vertex_torus(), IT::sheared_one_vertex_torus(20), IT::one_vertex_torus(1, 10, 10)}) {
+  for (const samples::Glued_triangles& gluing :
+       {samples::one_vertex_torus(), samples::sheared_one_vertex_torus(20), samples::one_vertex_torus(1, 10, 10)}) {
     IT::Delta_complex input = IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides);
     const std::vector<double> lengths(gluing.side_lengths.begin(), gluing.side_lengths.begin() + 3);
     Triangulation triangulation = Triangulation::from_lengths(std::move(input), lengths);
@@ -305,7 +315,7 @@ TEST(Remove_vertex, of_a_torus_with_one_vertex)
 TEST(Remove_vertex, then_points_are_located_there_and_back)
 {
   std::mt19937 random(5);
-  Triangulation triangulation = Delaunay_triangulation_of(IT::bumpy_dome());
+  Triangulation triangulation = Delaunay_triangulation_of(samples::bumpy_dome());
   IT::insert_random_vertices(triangulation, 60, 9, random);
   for (int i = 0; i < 30; ++i)
     IT::remove_vertex(triangulation, random_inserted_vertex(triangulation, random));
@@ -324,10 +334,11 @@ TEST(Remove_vertex, then_points_are_located_there_and_back)
 
 TEST(Remove_vertex, refuses_vertices_of_the_input)
 {
-  Triangulation triangulation = Delaunay_triangulation_of(IT::torus(8, 6));
+  Triangulation triangulation = Delaunay_triangulation_of(samples::torus(8, 6));
   const IT::Delta_complex before = triangulation.connectivity();
   EXPECT_THROW(IT::remove_vertex(triangulation, IT::Vertex_index(0)), IT::Invalid_removal_error);
-  EXPECT_THROW(IT::remove_vertex(triangulation, IT::Vertex_index(before.number_of_vertices())), IT::Invalid_removal_error);
+  EXPECT_THROW(IT::remove_vertex(triangulation, IT::Vertex_index(before.number_of_vertices())),
+               IT::Invalid_removal_error);
   EXPECT_EQ(triangulation.connectivity(), before);
 }
 

@@ -44,8 +44,7 @@ void expect_true_map(const Points& points, const Polygons& polygons, const IT::R
   for (std::size_t f = 0; f < repaired.triangles.size(); ++f) {
     const Indices& face = polygons[repaired.input_faces[f]];
     for (std::size_t v : repaired.triangles[f])
-      EXPECT_TRUE(std::any_of(face.begin(), face.end(),
-                              [&](std::size_t w) { return points[w] == repaired.points[v]; }))
+      EXPECT_TRUE(std::any_of(face.begin(), face.end(), [&](std::size_t w) { return points[w] == repaired.points[v]; }))
         << f;
   }
   EXPECT_TRUE(std::is_sorted(repaired.input_faces.begin(), repaired.input_faces.end()));
@@ -65,7 +64,7 @@ IT::Repaired_polygons expect_repaired(const Points& points, const Polygons& poly
   }
   const IT::Surface_report report = IT::examine_polygons(repaired.points, repaired.triangles);
   EXPECT_EQ(report.first_fatal(), nullptr) << IT::message(report);
-  EXPECT_EQ(report.find(IT::Finding_kind::UNREFERENCED_VERTEX), nullptr);
+  EXPECT_EQ(report.find(IT::Invalid_surface_error::Defect::UNREFERENCED_VERTEX), nullptr);
   expect_true_map(points, polygons, repaired);
   return repaired;
 }
@@ -75,7 +74,8 @@ IT::Surface_report examine(const IT::Repaired_polygons& repaired)
   return IT::examine_polygons(repaired.points, repaired.triangles);
 }
 
-const Points cube_points = {{{0, 0, 0}}, {{1, 0, 0}}, {{1, 1, 0}}, {{0, 1, 0}}, {{0, 0, 1}}, {{1, 0, 1}}, {{1, 1, 1}}, {{0, 1, 1}}};
+const Points cube_points = {{{0, 0, 0}}, {{1, 0, 0}}, {{1, 1, 0}}, {{0, 1, 0}},
+                            {{0, 0, 1}}, {{1, 0, 1}}, {{1, 1, 1}}, {{0, 1, 1}}};
 const Polygons cube_faces = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
 const Points tetrahedron_points = {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}};
 const Polygons tetrahedron_faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
@@ -150,19 +150,19 @@ TEST(Repair_polygons, orients)
 TEST(Repair_polygons, cuts_where_three_faces_meet)
 {
   const Points points = {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}, {{0, -1, 0}}};
-  const IT::Repaired_polygons repaired =
-    expect_repaired(points, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}, {{Kind::SPLIT_VERTEX, {0, 1}}, {Kind::OPENED_EDGE, {0, 1, 2}}});
+  const IT::Repaired_polygons repaired = expect_repaired(
+    points, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}, {{Kind::SPLIT_VERTEX, {0, 1}}, {Kind::OPENED_EDGE, {0, 1, 2}}});
   EXPECT_EQ(repaired.points.size(), 9u);
   EXPECT_EQ(examine(repaired).number_of_components, 3u);
-  EXPECT_EQ(IT::message(repaired.repairs[1]),
-            "edge 0-1 of face 0 became border: of its 3 faces, no other one was left that fits, and 2 more edges like it");
+  EXPECT_EQ(
+    IT::message(repaired.repairs[1]),
+    "edge 0-1 of face 0 became border: of its 3 faces, no other one was left that fits, and 2 more edges like it");
 }
 
 TEST(Repair_polygons, separates_fans_that_touch_at_a_vertex)
 {
   const Points points = {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{-1, 0, 0}}, {{0, -1, 0}}};
-  const IT::Repaired_polygons repaired =
-    expect_repaired(points, {{0, 1, 2}, {0, 3, 4}}, {{Kind::SPLIT_VERTEX, {0}}});
+  const IT::Repaired_polygons repaired = expect_repaired(points, {{0, 1, 2}, {0, 3, 4}}, {{Kind::SPLIT_VERTEX, {0}}});
   EXPECT_EQ(repaired.input_vertices, (Indices{0, 1, 2, 3, 4, 0}));
 }
 
@@ -184,8 +184,8 @@ TEST(Repair_polygons, cuts_a_Moebius_strip_open)
   for (std::size_t i = 0; i < n; ++i) {
     const double t = 2 * 3.14159265358979 * static_cast<double>(i) / static_cast<double>(n);
     for (const double s : {-0.3, 0.3})
-      points.push_back({{(1 + s * std::cos(t / 2)) * std::cos(t), (1 + s * std::cos(t / 2)) * std::sin(t),
-                         s * std::sin(t / 2)}});
+      points.push_back(
+        {{(1 + s * std::cos(t / 2)) * std::cos(t), (1 + s * std::cos(t / 2)) * std::sin(t), s * std::sin(t / 2)}});
     const std::size_t a = 2 * i, b = 2 * i + 1;
     const std::size_t c = i + 1 < n ? a + 2 : 1, d = i + 1 < n ? b + 2 : 0;
     faces.push_back({a, c, b});
@@ -219,9 +219,8 @@ TEST(Repair_polygons, closes_seams)
   Polygons faces = tetrahedron_faces;
   std::reverse(faces[2].begin(), faces[2].end());
   take_apart(points, faces);
-  const IT::Repaired_polygons repaired = expect_repaired(
-    points, faces,
-    {{Kind::MERGED_VERTEX, {3, 4, 6, 7, 8, 9, 10, 11}}, {Kind::REVERSED_FACE, {2}}});
+  const IT::Repaired_polygons repaired =
+    expect_repaired(points, faces, {{Kind::MERGED_VERTEX, {3, 4, 6, 7, 8, 9, 10, 11}}, {Kind::REVERSED_FACE, {2}}});
   EXPECT_EQ(repaired.points.size(), 4u);
   EXPECT_EQ(examine(repaired).number_of_border_edges, 0u);
   EXPECT_EQ(IT::message(repaired.repairs[0]),
@@ -265,8 +264,8 @@ TEST(Repair_polygons, removes_duplicate_and_collapsed_faces_and_unused_vertices)
   faces.push_back({1, 1, 2});
   faces.push_back({});
   faces.push_back({2, 4});
-  const IT::Repaired_polygons repaired =
-    expect_repaired(points, faces, {{Kind::COLLAPSED_FACE, {5, 6, 7}}, {Kind::DUPLICATE_FACE, {1}}, {Kind::DROPPED_VERTEX, {0}}});
+  const IT::Repaired_polygons repaired = expect_repaired(
+    points, faces, {{Kind::COLLAPSED_FACE, {5, 6, 7}}, {Kind::DUPLICATE_FACE, {1}}, {Kind::DROPPED_VERTEX, {0}}});
   EXPECT_EQ(repaired.input_vertices, (Indices{1, 2, 3, 4}));
   EXPECT_EQ(repaired.input_faces, (Indices{0, 2, 3, 4}));
 }
@@ -275,8 +274,8 @@ TEST(Repair_polygons, cuts_polygons_at_vertices_that_they_name_twice)
 {
   // A square with a spike, and two triangles in one polygon.
   const Points points = {{{0, 0, 0}}, {{1, 0, 0}}, {{1, 1, 0}}, {{0, 1, 0}}, {{-1, 0, 0}}, {{-1, -1, 0}}, {{0, -1, 0}}};
-  const IT::Repaired_polygons spike = expect_repaired(
-    points, {{0, 1, 2, 3, 0, 4}}, {{Kind::TRIANGULATED_FACE, {0}}, {Kind::DROPPED_VERTEX, {4, 5, 6}}});
+  const IT::Repaired_polygons spike =
+    expect_repaired(points, {{0, 1, 2, 3, 0, 4}}, {{Kind::TRIANGULATED_FACE, {0}}, {Kind::DROPPED_VERTEX, {4, 5, 6}}});
   EXPECT_EQ(spike.triangles.size(), 2u);
   const IT::Repaired_polygons eight =
     expect_repaired(points, {{0, 1, 2, 0, 4, 5}},
@@ -335,10 +334,12 @@ TEST(Repair_polygons, asks_before_each_polygon_whether_to_go_on)
     }
   }
   std::vector<double> fractions;
-  EXPECT_EQ(IT::repair_polygons(points, crowns, [&](double fraction) {
-              fractions.push_back(fraction);
-              return true;
-            }).triangles.size(),
+  EXPECT_EQ(IT::repair_polygons(points, crowns,
+                                [&](double fraction) {
+                                  fractions.push_back(fraction);
+                                  return true;
+                                })
+              .triangles.size(),
             30u * 998);
   ASSERT_GE(fractions.size(), 32u);
   EXPECT_EQ(fractions.front(), 0);
@@ -365,8 +366,8 @@ TEST(Repair_polygons, refuses_what_is_damaged)
   Points points = tetrahedron_points;
   points[2][1] = std::numeric_limits<double>::quiet_NaN();
   refused(points, tetrahedron_faces, Defect::NOT_FINITE);
-  EXPECT_TRUE(IT::is_repairable(IT::Finding_kind::NOT_A_TRIANGLE));
-  EXPECT_FALSE(IT::is_repairable(IT::Finding_kind::BAD_INDEX));
+  EXPECT_TRUE(IT::is_repairable(IT::Invalid_surface_error::Defect::NOT_A_TRIANGLE));
+  EXPECT_FALSE(IT::is_repairable(IT::Invalid_surface_error::Defect::BAD_INDEX));
 }
 
 TEST(Repair_polygons, random_polygons_become_surfaces)

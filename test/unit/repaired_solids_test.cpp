@@ -113,7 +113,8 @@ std::vector<double> volumes(const IT::Repaired_polygons& repaired)
   std::map<std::size_t, double> volume;
   for (const auto& [a, b, c] : repaired.triangles) {
     const auto &p = repaired.points[a], &q = repaired.points[b], &r = repaired.points[c];
-    volume[find(a)] += p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) + p[2] * (q[0] * r[1] - q[1] * r[0]);
+    volume[find(a)] +=
+      p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) + p[2] * (q[0] * r[1] - q[1] * r[0]);
   }
   std::vector<double> result;
   for (const auto& [v, x] : volume)
@@ -166,7 +167,8 @@ void expect_solids(const std::set<Cell>& cells)
   const IT::Repaired_polygons repaired = expect_surface(mesh);
   const std::vector<double> pieces = volumes(repaired);
   EXPECT_EQ(sum(pieces), 6. * double(cells.size()));
-  EXPECT_EQ(std::size_t(std::count_if(pieces.begin(), pieces.end(), [](double x) { return x > 0; })), number_of_solids(cells));
+  EXPECT_EQ(std::size_t(std::count_if(pieces.begin(), pieces.end(), [](double x) { return x > 0; })),
+            number_of_solids(cells));
   EXPECT_EQ(count(repaired, IT::Repair_kind::REVERSED_FACE), 0u);
 
   const IT::Repaired_polygons inside_out = expect_surface(turned_over(mesh));
@@ -339,7 +341,8 @@ TEST(Repaired_solids, a_fin_is_cut_off)
         turn_over(mesh.faces.back());
       const IT::Repaired_polygons repaired = expect_surface(mesh, 3, 1);
       EXPECT_EQ(volumes(repaired).size(), 2u);
-      EXPECT_EQ(IT::message(repaired.repairs.back()), "edge 0-3 of face 12 became border: of its 3 faces, no other one was left that fits");
+      EXPECT_EQ(IT::message(repaired.repairs.back()),
+                "edge 0-3 of face 12 became border: of its 3 faces, no other one was left that fits");
     }
 }
 
@@ -375,7 +378,8 @@ TEST(Repaired_solids, a_hole_stays_the_only_hole)
 
 TEST(Repaired_solids, a_triangle_given_twice_leaves_a_border_that_is_told)
 {
-  const IT::Repaired_polygons repaired = IT::repair_polygons(Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, Triangles{{0, 1, 2}, {2, 1, 0}});
+  const IT::Repaired_polygons repaired =
+    IT::repair_polygons(Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, Triangles{{0, 1, 2}, {2, 1, 0}});
   EXPECT_EQ(count(repaired, IT::Repair_kind::OPENED_EDGE), 3u);
   EXPECT_EQ(IT::message(repaired.repairs.back()),
             "edge 0-1 of face 0 became border: its two faces do not fit, or one was removed, and 2 more edges like it");

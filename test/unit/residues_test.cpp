@@ -5,7 +5,7 @@
 // those of another number are not.
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Residues.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 
 #include <gtest/gtest.h>
 
@@ -57,9 +57,7 @@ TEST(Residues, map_rationals)
 // The smallest number that is not zero, and one that is divisible by three of the four primes.
 TEST(Residues, do_not_take_small_numbers_for_zero)
 {
-  EXPECT_EQ(number_of_zeros([](Residue_rings& r) {
-              return r.rational(Rational(Integer(1), Integer(1) << 100000));
-            }),
+  EXPECT_EQ(number_of_zeros([](Residue_rings& r) { return r.rational(Rational(Integer(1), Integer(1) << 100000)); }),
             0);
   Interruption none;
   for (std::size_t last = 0; last < 4; ++last) {
@@ -112,10 +110,9 @@ TEST(Residues, roots_of_multiples_by_squares_are_multiples)
 {
   EXPECT_EQ(number_of_zeros([](Residue_rings& r) { return r.root(18) - r.rational(3) * r.root(2); }), 100);
   EXPECT_EQ(number_of_zeros([](Residue_rings& r) { return r.root(18) + r.rational(3) * r.root(2); }), 0);
-  EXPECT_EQ(number_of_zeros([](Residue_rings& r) {
-              return r.root(Rational(63, 25)) - r.rational(Rational(3, 5)) * r.root(7);
-            }),
-            100);
+  EXPECT_EQ(
+    number_of_zeros([](Residue_rings& r) { return r.root(Rational(63, 25)) - r.rational(Rational(3, 5)) * r.root(7); }),
+    100);
 }
 
 TEST(Residues, the_root_of_a_product_is_the_product_of_roots)
@@ -187,7 +184,8 @@ TEST(Residues, the_signs_of_roots_are_random)
       if (root.y != 0)
         continue;
       const Integer r(f.product(root.x, 1));
-      equal_images += ((rings.root(q) - rings.rational(Rational(r))) * rings.rational(Rational(others))).is_zero() ? 1 : -1;
+      equal_images +=
+        ((rings.root(q) - rings.rational(Rational(r))) * rings.rational(Rational(others))).is_zero() ? 1 : -1;
     }
   }
   EXPECT_LT(std::abs(equal_images), 150); // of about 600, the difference of both signs

@@ -26,9 +26,8 @@
 
 namespace {
 
-namespace IT = CGAL::Intrinsic_triangulations;
-using IT::Glued_triangles;
-using IT::Indexed_triangles;
+using samples::Glued_triangles;
+using samples::Indexed_triangles;
 
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
@@ -275,78 +274,78 @@ Flip_result flip_to_Delaunay(const Indexed_triangles& surface, bool newest_first
 
 TEST(Sample_surfaces, closed_surfaces)
 {
-  check(IT::bumpy_sphere(), 5002, 10000, 2, 0);
-  check(IT::bumpy_sphere(3, 2), 5, 6, 2, 0);
-  check(IT::latitude_longitude_sphere(12, 7), 74, 144, 2, 0);
-  check(IT::latitude_longitude_sphere(3, 2), 5, 6, 2, 0);
-  check(IT::torus(7, 5), 35, 70, 0, 0);
-  check(IT::torus(3, 3), 9, 18, 0, 0);
-  check(IT::bad_torus(50, 40, 7), 2000, 4000, 0, 0);
+  check(samples::bumpy_sphere(), 5002, 10000, 2, 0);
+  check(samples::bumpy_sphere(3, 2), 5, 6, 2, 0);
+  check(samples::latitude_longitude_sphere(12, 7), 74, 144, 2, 0);
+  check(samples::latitude_longitude_sphere(3, 2), 5, 6, 2, 0);
+  check(samples::torus(7, 5), 35, 70, 0, 0);
+  check(samples::torus(3, 3), 9, 18, 0, 0);
+  check(samples::bad_torus(50, 40, 7), 2000, 4000, 0, 0);
   for (std::size_t n : {3u, 4u, 80u, 185u})
-    check(IT::prism(n), 2 * n, 4 * n - 4, 2, 0);
-  check(IT::helical_tube(), 60, 116, 2, 0);
-  check(IT::helical_tube(4), 4, 4, 2, 0);
-  check(IT::helical_tube(60, 1e7), 60, 116, 2, 0);
-  check(IT::pillow(), 300, 596, 2, 0);
-  check(IT::pillow(6), 6, 8, 2, 0);
+    check(samples::prism(n), 2 * n, 4 * n - 4, 2, 0);
+  check(samples::helical_tube(), 60, 116, 2, 0);
+  check(samples::helical_tube(4), 4, 4, 2, 0);
+  check(samples::helical_tube(60, 1e7), 60, 116, 2, 0);
+  check(samples::pillow(), 300, 596, 2, 0);
+  check(samples::pillow(6), 6, 8, 2, 0);
 }
 
 TEST(Sample_surfaces, surfaces_with_boundary)
 {
-  check(IT::disk_with_spike(), 1001, 1960, 1, 40);
-  check(IT::disk_with_spike(3, 1), 4, 3, 1, 3);
-  check(IT::bumpy_dome(), 433, 840, 1, 24);
-  check(IT::bumpy_dome(3, 1), 4, 3, 1, 3);
-  check(IT::Schwarz_lantern(9, 4), 45, 72, 0, 18);
-  check(IT::Schwarz_lantern(3, 1), 6, 6, 0, 6);
+  check(samples::disk_with_spike(), 1001, 1960, 1, 40);
+  check(samples::disk_with_spike(3, 1), 4, 3, 1, 3);
+  check(samples::bumpy_dome(), 433, 840, 1, 24);
+  check(samples::bumpy_dome(3, 1), 4, 3, 1, 3);
+  check(samples::Schwarz_lantern(9, 4), 45, 72, 0, 18);
+  check(samples::Schwarz_lantern(3, 1), 6, 6, 0, 6);
   for (double bulge : {0.0, 1e-17, 1e-10, 1e-3})
     for (std::uint64_t rotation_seed : {0u, 5u})
-      check(IT::cap(bulge, rotation_seed), 23, 40, 1, 4);
+      check(samples::cap(bulge, rotation_seed), 23, 40, 1, 4);
   for (double scale : {1e-3, 1e-9, 1e-12})
-    check(IT::sliver_sheet(40, scale, scale), 1600, 3042, 1, 156);
-  check(IT::sliver_sheet(2), 4, 2, 1, 4);
-  check(IT::random_diagonal_grid(8, 5, 2, 3), 54, 80, 1, 26);
-  check(IT::sheared_grid(8, 5, -3.5), 54, 80, 1, 26);
-  check(IT::strip(), 10000, 9998, 1, 10000);
-  check(IT::strip(2, 1), 4, 2, 1, 4);
-  check(IT::strip(50, 0), 100, 98, 1, 100);
-  check(IT::strip(50, 49), 100, 98, 1, 100);
+    check(samples::sliver_sheet(40, scale, scale), 1600, 3042, 1, 156);
+  check(samples::sliver_sheet(2), 4, 2, 1, 4);
+  check(samples::random_diagonal_grid(8, 5, 2, 3), 54, 80, 1, 26);
+  check(samples::sheared_grid(8, 5, -3.5), 54, 80, 1, 26);
+  check(samples::strip(), 10000, 9998, 1, 10000);
+  check(samples::strip(2, 1), 4, 2, 1, 4);
+  check(samples::strip(50, 0), 100, 98, 1, 100);
+  check(samples::strip(50, 49), 100, 98, 1, 100);
 }
 
 TEST(Sample_surfaces, faces_are_degenerate_only_where_stated)
 {
-  for (const IT::Sample& sample : IT::sample_names()) {
-    const auto surface = IT::make_sample(sample.name);
+  for (const samples::Sample& sample : samples::sample_names()) {
+    const auto surface = samples::make_sample(sample.name);
     if (const auto* triangles = std::get_if<Indexed_triangles>(&surface)) {
       EXPECT_EQ(degenerate_faces(*triangles), 0u) << sample.name;
     }
   }
-  EXPECT_EQ(degenerate_faces(IT::cap(0)), 19u);
-  EXPECT_EQ(degenerate_faces(IT::sliver_sheet(40, 1e-12, 1e-12)), 0u);
-  EXPECT_EQ(degenerate_faces(IT::helical_tube(60, 1e7)), 0u);
+  EXPECT_EQ(degenerate_faces(samples::cap(0)), 19u);
+  EXPECT_EQ(degenerate_faces(samples::sliver_sheet(40, 1e-12, 1e-12)), 0u);
+  EXPECT_EQ(degenerate_faces(samples::helical_tube(60, 1e7)), 0u);
 }
 
 TEST(Sample_surfaces, faces_are_counterclockwise)
 {
   const double pi = std::acos(-1.0);
-  EXPECT_NEAR(volume(IT::latitude_longitude_sphere(100, 100)), 4 * pi / 3, 0.01);
-  EXPECT_GT(volume(IT::bumpy_sphere()), 3);
-  EXPECT_GT(volume(IT::bumpy_dome()), 3); // of the cone over it from the centre
-  EXPECT_NEAR(volume(IT::torus(100, 100)), 2 * pi * pi * 0.16, 0.01);
-  EXPECT_NEAR(volume(IT::bad_torus()), 2 * pi * pi * 0.32 * 0.32, 0.02);
-  EXPECT_NEAR(volume(IT::prism(1000)), 5 * pi, 0.001);
-  EXPECT_NEAR(volume(IT::prism(1000, 3)), 5 * pi, 0.001);
-  EXPECT_GT(volume(IT::helical_tube()), 0);
-  EXPECT_EQ(volume(IT::pillow()), 0);
-  for (const auto& flat : {IT::cap(0.1), IT::random_diagonal_grid(), IT::sheared_grid(), IT::strip(),
-                           IT::disk_with_spike(), IT::sliver_sheet(40, 1, 0)})
+  EXPECT_NEAR(volume(samples::latitude_longitude_sphere(100, 100)), 4 * pi / 3, 0.01);
+  EXPECT_GT(volume(samples::bumpy_sphere()), 3);
+  EXPECT_GT(volume(samples::bumpy_dome()), 3); // of the cone over it from the centre
+  EXPECT_NEAR(volume(samples::torus(100, 100)), 2 * pi * pi * 0.16, 0.01);
+  EXPECT_NEAR(volume(samples::bad_torus()), 2 * pi * pi * 0.32 * 0.32, 0.02);
+  EXPECT_NEAR(volume(samples::prism(1000)), 5 * pi, 0.001);
+  EXPECT_NEAR(volume(samples::prism(1000, 3)), 5 * pi, 0.001);
+  EXPECT_GT(volume(samples::helical_tube()), 0);
+  EXPECT_EQ(volume(samples::pillow()), 0);
+  for (const auto& flat : {samples::cap(0.1), samples::random_diagonal_grid(), samples::sheared_grid(),
+                           samples::strip(), samples::disk_with_spike(), samples::sliver_sheet(40, 1, 0)})
     for (std::size_t face = 0; face < flat.triangles.size(); ++face)
       ASSERT_GT(area_vector(flat, face)[2], 0) << "face " << face;
 }
 
 TEST(Sample_surfaces, rotation_is_rigid)
 {
-  const Indexed_triangles still = IT::prism(20), turned = IT::prism(20, 9);
+  const Indexed_triangles still = samples::prism(20), turned = samples::prism(20, 9);
   EXPECT_FALSE(same(still, turned));
   EXPECT_EQ(still.triangles, turned.triangles);
   for (std::size_t i = 0; i < still.points.size(); ++i)
@@ -358,14 +357,14 @@ TEST(Sample_surfaces, rotation_is_rigid)
 
 TEST(Sample_surfaces, seeds_decide_everything)
 {
-  EXPECT_TRUE(same(IT::bumpy_sphere(), IT::bumpy_sphere()));
-  EXPECT_FALSE(same(IT::bad_torus(9, 9, 1), IT::bad_torus(9, 9, 2)));
-  EXPECT_TRUE(same(IT::bad_torus(9, 9, 2), IT::bad_torus(9, 9, 2)));
-  EXPECT_EQ(IT::random_gluing(20, 3).glued_sides, IT::random_gluing(20, 3).glued_sides);
-  EXPECT_EQ(IT::random_gluing(20, 3).side_lengths, IT::random_gluing(20, 3).side_lengths);
-  EXPECT_NE(IT::random_gluing(20, 3).glued_sides, IT::random_gluing(20, 4).glued_sides);
+  EXPECT_TRUE(same(samples::bumpy_sphere(), samples::bumpy_sphere()));
+  EXPECT_FALSE(same(samples::bad_torus(9, 9, 1), samples::bad_torus(9, 9, 2)));
+  EXPECT_TRUE(same(samples::bad_torus(9, 9, 2), samples::bad_torus(9, 9, 2)));
+  EXPECT_EQ(samples::random_gluing(20, 3).glued_sides, samples::random_gluing(20, 3).glued_sides);
+  EXPECT_EQ(samples::random_gluing(20, 3).side_lengths, samples::random_gluing(20, 3).side_lengths);
+  EXPECT_NE(samples::random_gluing(20, 3).glued_sides, samples::random_gluing(20, 4).glued_sides);
   // The standard states the 10,000th number of the default seed: the conversion must not vary.
-  IT::internal::Sample_random random(std::mt19937_64::default_seed);
+  samples::Sample_random random(std::mt19937_64::default_seed);
   for (int i = 1; i < 10000; ++i)
     random.uniform();
   EXPECT_EQ(random.uniform(), static_cast<double>(9981545732273789042ull >> 11) / 9007199254740992.0);
@@ -373,18 +372,18 @@ TEST(Sample_surfaces, seeds_decide_everything)
 
 TEST(Sample_surfaces, small_gluings)
 {
-  const Counts torus = check(IT::one_vertex_torus());
+  const Counts torus = check(samples::one_vertex_torus());
   EXPECT_EQ(torus.vertices, 1u);
   EXPECT_EQ(torus.edges, 3u);
   EXPECT_EQ(torus.boundary_edges, 0u);
   for (double shear : {0.0, 0.5, -7.0, 100.0, 1e5})
-    EXPECT_EQ(check(IT::sheared_one_vertex_torus(shear)).vertices, 1u);
-  const Counts cone = check(IT::self_glued_triangle());
+    EXPECT_EQ(check(samples::sheared_one_vertex_torus(shear)).vertices, 1u);
+  const Counts cone = check(samples::self_glued_triangle());
   EXPECT_EQ(cone.vertices, 2u);
   EXPECT_EQ(cone.edges, 2u);
   EXPECT_EQ(cone.boundary_edges, 1u);
   EXPECT_EQ(cone.Euler_characteristic(), 1);
-  const Counts sphere = check(IT::self_glued_sphere());
+  const Counts sphere = check(samples::self_glued_sphere());
   EXPECT_EQ(sphere.vertices, 3u);
   EXPECT_EQ(sphere.edges, 3u);
   EXPECT_EQ(sphere.boundary_edges, 0u);
@@ -399,10 +398,10 @@ TEST(Sample_surfaces, random_gluings)
       for (bool with_boundary : {false, true})
         for (bool connected : {false, true}) {
           if (!with_boundary && faces % 2 == 1) {
-            EXPECT_THROW(IT::random_gluing(faces, seed, with_boundary, connected), std::invalid_argument);
+            EXPECT_THROW(samples::random_gluing(faces, seed, with_boundary, connected), std::invalid_argument);
             continue;
           }
-          const Glued_triangles gluing = IT::random_gluing(faces, seed, with_boundary, connected);
+          const Glued_triangles gluing = samples::random_gluing(faces, seed, with_boundary, connected);
           EXPECT_EQ(gluing.number_of_faces, faces);
           const Counts counts = check(gluing);
           EXPECT_EQ(counts.boundary_edges > 0, with_boundary);
@@ -423,35 +422,35 @@ TEST(Sample_surfaces, random_gluings)
 TEST(Sample_surfaces, flips_are_as_many_as_stated)
 {
   for (bool newest_first : {false, true}) {
-    EXPECT_EQ(flip_to_Delaunay(IT::strip(), newest_first, 1000000).flips, 298110u);
-    const std::size_t pillow_flips = flip_to_Delaunay(IT::pillow(), newest_first, 1000000).flips;
+    EXPECT_EQ(flip_to_Delaunay(samples::strip(), newest_first, 1000000).flips, 298110u);
+    const std::size_t pillow_flips = flip_to_Delaunay(samples::pillow(), newest_first, 1000000).flips;
     EXPECT_GE(pillow_flips, 45000u);
     EXPECT_LE(pillow_flips, 50000u);
-    const std::size_t torus_flips = flip_to_Delaunay(IT::bad_torus(200, 200), newest_first, 1000000).flips;
+    const std::size_t torus_flips = flip_to_Delaunay(samples::bad_torus(200, 200), newest_first, 1000000).flips;
     EXPECT_NEAR(static_cast<double>(torus_flips), 0.37 * 120000, 0.01 * 120000);
     for (double pitch : {30.0, 1e7}) {
-      const Flip_result tube = flip_to_Delaunay(IT::helical_tube(60, pitch), newest_first, 1000000);
+      const Flip_result tube = flip_to_Delaunay(samples::helical_tube(60, pitch), newest_first, 1000000);
       EXPECT_EQ(tube.loops, 58u);
       EXPECT_EQ(tube.self_glued_edges, 2u);
     }
-    EXPECT_EQ(flip_to_Delaunay(IT::random_diagonal_grid(), newest_first, 1000000).flips, 0u);
+    EXPECT_EQ(flip_to_Delaunay(samples::random_diagonal_grid(), newest_first, 1000000).flips, 0u);
   }
 }
 
 TEST(Sample_surfaces, names)
 {
-  const std::vector<IT::Sample> samples = IT::sample_names();
+  const std::vector<samples::Sample> samples = samples::sample_names();
   std::set<std::string> names;
-  for (const IT::Sample& sample : samples) {
+  for (const samples::Sample& sample : samples) {
     SCOPED_TRACE(sample.name);
     EXPECT_FALSE(sample.description.empty());
     EXPECT_TRUE(names.insert(sample.name).second);
-    const auto surface = IT::make_sample(sample.name);
+    const auto surface = samples::make_sample(sample.name);
     EXPECT_EQ(std::holds_alternative<Glued_triangles>(surface), sample.name == "one-vertex-torus");
   }
   EXPECT_EQ(names.size(), 16u);
   try {
-    IT::make_sample("klein-bottle");
+    samples::make_sample("klein-bottle");
     ADD_FAILURE() << "an unknown name was accepted";
   } catch (const std::invalid_argument& error) {
     for (const std::string& name : names)
@@ -461,19 +460,19 @@ TEST(Sample_surfaces, names)
 
 TEST(Sample_surfaces, bad_arguments_are_refused)
 {
-  EXPECT_THROW(IT::torus(2, 3), std::invalid_argument);
-  EXPECT_THROW(IT::bad_torus(3, 2), std::invalid_argument);
-  EXPECT_THROW(IT::prism(2), std::invalid_argument);
-  EXPECT_THROW(IT::cap(-1e-3), std::invalid_argument);
-  EXPECT_THROW(IT::sliver_sheet(1), std::invalid_argument);
-  EXPECT_THROW(IT::helical_tube(3), std::invalid_argument);
-  EXPECT_THROW(IT::helical_tube(60, std::nan("")), std::invalid_argument);
-  EXPECT_THROW(IT::pillow(7), std::invalid_argument);
-  EXPECT_THROW(IT::strip(10, 10), std::invalid_argument);
-  EXPECT_THROW(IT::one_vertex_torus(1, 1, 2), std::invalid_argument);
-  EXPECT_THROW(IT::sheared_one_vertex_torus(1e9), std::invalid_argument);
-  EXPECT_THROW(IT::self_glued_triangle(1, 2), std::invalid_argument);
-  EXPECT_THROW(IT::random_gluing(0, 1, true), std::invalid_argument);
+  EXPECT_THROW(samples::torus(2, 3), std::invalid_argument);
+  EXPECT_THROW(samples::bad_torus(3, 2), std::invalid_argument);
+  EXPECT_THROW(samples::prism(2), std::invalid_argument);
+  EXPECT_THROW(samples::cap(-1e-3), std::invalid_argument);
+  EXPECT_THROW(samples::sliver_sheet(1), std::invalid_argument);
+  EXPECT_THROW(samples::helical_tube(3), std::invalid_argument);
+  EXPECT_THROW(samples::helical_tube(60, std::nan("")), std::invalid_argument);
+  EXPECT_THROW(samples::pillow(7), std::invalid_argument);
+  EXPECT_THROW(samples::strip(10, 10), std::invalid_argument);
+  EXPECT_THROW(samples::one_vertex_torus(1, 1, 2), std::invalid_argument);
+  EXPECT_THROW(samples::sheared_one_vertex_torus(1e9), std::invalid_argument);
+  EXPECT_THROW(samples::self_glued_triangle(1, 2), std::invalid_argument);
+  EXPECT_THROW(samples::random_gluing(0, 1, true), std::invalid_argument);
 }
 
 } // namespace

@@ -35,7 +35,8 @@ Sharp_edges sharp_edges(const Points& points, const Triangles& triangles, double
   Sharp_edges result;
   for (IT::Edge_index e : complex.edges())
     if (is_sharp[e.idx()]) {
-      const auto &p = points[complex.source(complex.halfedge(e)).idx()], &q = points[complex.target(complex.halfedge(e)).idx()];
+      const auto &p = points[complex.source(complex.halfedge(e)).idx()],
+                 &q = points[complex.target(complex.halfedge(e)).idx()];
       ++result.number;
       result.length += std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
     }
@@ -65,7 +66,8 @@ TEST(Sharp_edges, are_those_of_a_box)
   Points points;
   for (int i = 0; i < 8; ++i)
     points.push_back({double(i & 1), double(i >> 1 & 1), double(i >> 2)});
-  const Triangles triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4}, {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  const Triangles triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                               {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
   EXPECT_EQ(sharp_edges(points, triangles, 89).number, 12u);
   EXPECT_EQ(sharp_edges(points, triangles, 91).number, 0u);
   EXPECT_EQ(sharp_edges(points, triangles, 0).number, 12u);

@@ -3,10 +3,10 @@
 //
 // Lengths of shortest paths against what is known of them.
 
+#include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
@@ -46,12 +46,7 @@ IT::Tufted_cover Delaunay_cover(const Points& points, const Triangles& triangles
   return result;
 }
 
-IT::Geodesic_distance_options with_tolerance(double tolerance)
-{
-  IT::Geodesic_distance_options result;
-  result.tolerance = tolerance;
-  return result;
-}
+auto with_tolerance(double tolerance) { return CGAL::parameters::tolerance(tolerance); }
 
 double straight(const Points& points, std::size_t v, std::size_t w)
 {
@@ -107,8 +102,10 @@ TEST(Geodesic_distances, in_a_polygon_without_inner_vertices)
     Triangles triangles;
     make_polygon(n, points, triangles);
     for (double tolerance : {0., 0.001}) {
-      const auto on_triangulation = IT::geodesic_distances(Delaunay(points, triangles), {Vertex_index(3)}, with_tolerance(tolerance));
-      const auto on_cover = IT::geodesic_distances(Delaunay_cover(points, triangles), {Vertex_index(3)}, with_tolerance(tolerance));
+      const auto on_triangulation =
+        IT::geodesic_distances(Delaunay(points, triangles), {Vertex_index(3)}, with_tolerance(tolerance));
+      const auto on_cover =
+        IT::geodesic_distances(Delaunay_cover(points, triangles), {Vertex_index(3)}, with_tolerance(tolerance));
       EXPECT_TRUE(on_triangulation.is_complete);
       for (std::size_t v = 0; v < n; ++v)
         for (const auto* found : {&on_triangulation, &on_cover})
@@ -127,7 +124,8 @@ TEST(Geodesic_distances, are_those_of_Surface_mesh_shortest_path)
       const std::vector<double> exact = exact_distances(points, triangles, source);
       const Triangulation triangulation = Delaunay(points, triangles);
       const auto found = IT::geodesic_distances(triangulation, {Vertex_index(source)}, with_tolerance(0));
-      const auto on_cover = IT::geodesic_distances(Delaunay_cover(points, triangles), {Vertex_index(source)}, with_tolerance(0));
+      const auto on_cover =
+        IT::geodesic_distances(Delaunay_cover(points, triangles), {Vertex_index(source)}, with_tolerance(0));
       const auto near = IT::geodesic_distances(triangulation, {Vertex_index(source)});
       EXPECT_LE(near.number_of_ways, found.number_of_ways);
       for (std::size_t v = 0; v < exact.size(); ++v) {
@@ -163,9 +161,8 @@ TEST(Geodesic_distances, stay_between_line_and_edges_if_the_budget_ends)
   Points points;
   Triangles triangles;
   make_polygon(64, points, triangles);
-  IT::Geodesic_distance_options options;
-  options.maximum_number = 100;
-  const auto found = IT::geodesic_distances(Delaunay(points, triangles), {Vertex_index(20)}, options);
+  const auto found =
+    IT::geodesic_distances(Delaunay(points, triangles), {Vertex_index(20)}, CGAL::parameters::maximum_number(100));
   EXPECT_FALSE(found.is_complete);
   for (std::size_t v = 0; v < points.size(); ++v) {
     EXPECT_GE(found.distances[v], straight(points, 20, v) * (1 - 1e-15));
@@ -179,9 +176,11 @@ TEST(Geodesic_distances, bad_input)
   Triangles triangles;
   make_polygon(5, points, triangles);
   const Triangulation triangulation = Delaunay(points, triangles);
-  EXPECT_THROW(IT::geodesic_distances(triangulation, {Vertex_index(5)}), IT::Invalid_surface_error);
-  EXPECT_THROW(IT::geodesic_distances(triangulation, {Vertex_index(0)}, with_tolerance(-1)), IT::Invalid_surface_error);
-  EXPECT_THROW(IT::geodesic_distances(triangulation, {Vertex_index(0)}, with_tolerance(std::nan(""))), IT::Invalid_surface_error);
+  EXPECT_THROW(IT::geodesic_distances(triangulation, {Vertex_index(5)}), IT::Invalid_argument_error);
+  EXPECT_THROW(IT::geodesic_distances(triangulation, {Vertex_index(0)}, with_tolerance(-1)),
+               IT::Invalid_argument_error);
+  EXPECT_THROW(IT::geodesic_distances(triangulation, {Vertex_index(0)}, with_tolerance(std::nan(""))),
+               IT::Invalid_argument_error);
   for (double d : IT::geodesic_distances(triangulation, {}).distances)
     EXPECT_EQ(d, std::numeric_limits<double>::infinity());
 }

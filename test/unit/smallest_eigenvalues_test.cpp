@@ -5,8 +5,8 @@
 
 #include "samples/sample_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/eigenvalues.h>
 #include <CGAL/Intrinsic_triangulations/point_cloud_Laplacian.h>
-#include <CGAL/Intrinsic_triangulations/smallest_eigenvalues.h>
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 
 #include <gtest/gtest.h>
@@ -27,17 +27,15 @@ constexpr double pi = 3.14159265358979;
 
 TEST(Smallest_eigenvalues, sphere)
 {
-  const IT::Indexed_triangles sphere = IT::latitude_longitude_sphere(80, 40);
+  const samples::Indexed_triangles sphere = samples::latitude_longitude_sphere(80, 40);
   for (IT::Mass_type mass_type : {IT::Mass_type::LUMPED, IT::Mass_type::GALERKIN}) {
-    IT::Tufted_Laplacian_options options;
-    options.mass_type = mass_type;
-    const IT::Tufted_Laplacian L = IT::tufted_Laplacian(sphere.points, sphere.triangles, options);
+    const IT::Tufted_Laplacian L =
+      IT::tufted_Laplacian(sphere.points, sphere.triangles, CGAL::parameters::mass_type(mass_type));
     const std::vector<double> found = IT::smallest_eigenvalues(L.stiffness, L.mass, 16);
     ASSERT_EQ(found.size(), 16u);
     EXPECT_NEAR(found[0], 0, 1e-8);
     for (std::size_t i = 1; i < 16; ++i) {
-      const double expected = i < 4 ? 2 : i < 9 ? 6
-                                                : 12; // l (l + 1), 2 l + 1 times
+      const double expected = i < 4 ? 2 : i < 9 ? 6 : 12; // l (l + 1), 2 l + 1 times
       EXPECT_NEAR(found[i], expected, 0.01 * expected) << i;
     }
   }
@@ -102,7 +100,8 @@ void make_Moebius_strip(int n, Points& points, Triangles& triangles)
   for (int c = 0; c < columns; ++c)
     for (int r = 0; r <= rows; ++r) {
       const double a = 2 * pi * c / columns, s = double(2 * r - rows) / rows * 0.4;
-      points.push_back({(1 + s * std::cos(a / 2)) * std::cos(a), (1 + s * std::cos(a / 2)) * std::sin(a), s * std::sin(a / 2)});
+      points.push_back(
+        {(1 + s * std::cos(a / 2)) * std::cos(a), (1 + s * std::cos(a / 2)) * std::sin(a), s * std::sin(a / 2)});
     }
   const auto vertex = [&](int c, int r) { return c < columns ? c * (rows + 1) + r : rows - r; };
   for (int c = 0; c < columns; ++c)
@@ -194,9 +193,11 @@ TEST(Point_cloud_Laplacian, points_in_a_plane_have_three_copies_of_their_triangu
 
 TEST(Point_cloud_Laplacian, points_that_make_no_surface_are_refused)
 {
-  EXPECT_THROW(IT::point_cloud_Laplacian(Points{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}), IT::Invalid_surface_error);
+  EXPECT_THROW(IT::point_cloud_Laplacian(Points{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}),
+               IT::Invalid_surface_error);
   EXPECT_THROW(IT::point_cloud_Laplacian(Points{{0, 0, 0}, {1, 0, 0}}), IT::Invalid_surface_error);
-  EXPECT_THROW(IT::point_cloud_Laplacian(Points{{0, 0, 0}, {1, 0, 0}, {0, std::nan(""), 0}}), IT::Invalid_surface_error);
+  EXPECT_THROW(IT::point_cloud_Laplacian(Points{{0, 0, 0}, {1, 0, 0}, {0, std::nan(""), 0}}),
+               IT::Invalid_surface_error);
 }
 
 } // namespace

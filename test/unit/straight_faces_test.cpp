@@ -4,9 +4,9 @@
 // Double-doubles, and doubles, of triangles in space with one bound for all their errors, against numbers of 100 digits.
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Double_metric.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Two_straight_faces.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/ratios_in_space.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Double_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Two_straight_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/ratios_in_space.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <boost/multiprecision/mpfr.hpp>
@@ -40,7 +40,8 @@ std::vector<Triangle> triangles()
       Triangle t{point(), point(), point()};
       result.push_back(t);
       for (int c = 0; c < 3; ++c) // near to the line of the others, or to one of them
-        t[2][c] = i % 2 == 0 ? (t[0][c] + t[1][c]) / 2 + std::ldexp(t[2][c], exponent) : t[0][c] + std::ldexp(t[2][c], exponent);
+        t[2][c] = i % 2 == 0 ? (t[0][c] + t[1][c]) / 2 + std::ldexp(t[2][c], exponent)
+                             : t[0][c] + std::ldexp(t[2][c], exponent);
       result.push_back(t);
       for (Point& p : t)
         for (double& x : p)
@@ -128,7 +129,8 @@ Number value(const IT::internal::Double_with_bound& x) { return Number(x.hi()); 
 template <class Find>
 void expect_bounds_of_ratios(const Find& find, double largest_error)
 {
-  const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(3, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}});
+  const IT::Delta_complex complex =
+    IT::make_Delta_complex_from_triangles(3, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}});
   std::size_t number_of_known = 0;
   const std::vector<Triangle> all = triangles();
   for (const Triangle& t : all) {
@@ -157,8 +159,10 @@ void expect_bounds_of_ratios(const Find& find, double largest_error)
 TEST(Ratios_in_space, bounds_hold)
 {
   expect_bounds_of_ratios(IT::internal::ratios_in_space, 0x1p-90);
-  const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(3, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}});
-  EXPECT_FALSE(IT::internal::ratios_in_space(complex, Points{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, complex.halfedge(IT::Face_index(0))));
+  const IT::Delta_complex complex =
+    IT::make_Delta_complex_from_triangles(3, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}});
+  EXPECT_FALSE(IT::internal::ratios_in_space(complex, Points{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}},
+                                             complex.halfedge(IT::Face_index(0))));
 }
 
 TEST(Ratios_in_space, bounds_of_rounded_ones_hold)

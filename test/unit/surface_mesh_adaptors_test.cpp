@@ -102,8 +102,7 @@ TEST(Is_simplicial, asks_for_elements_that_are_known_by_their_vertices)
   const Delta_complex pillow = IT::make_Delta_complex_from_gluing(2, Side_pairs{{0, 3}, {1, 5}, {2, 4}});
   EXPECT_FALSE(IT::is_simplicial(pillow));
   EXPECT_FALSE(IT::is_simplicial(IT::make_Delta_complex_from_gluing(1, Side_pairs{{0, 1}})));
-  EXPECT_FALSE(IT::is_simplicial(
-    IT::make_Delta_complex_from_gluing(2, Side_pairs{{0, 3}, {1, 4}, {2, 5}})));
+  EXPECT_FALSE(IT::is_simplicial(IT::make_Delta_complex_from_gluing(2, Side_pairs{{0, 3}, {1, 4}, {2, 5}})));
   Delta_complex c = tetrahedron();
   c.flip(Edge_index(0));
   EXPECT_FALSE(IT::is_simplicial(c));
@@ -114,19 +113,18 @@ TEST(Is_simplicial, asks_for_elements_that_are_known_by_their_vertices)
 
 TEST(To_surface_mesh, copies_any_complex_with_its_numbers)
 {
-  std::vector<Delta_complex> complexes{
-    tetrahedron(),
-    IT::make_Delta_complex_from_gluing(2, Side_pairs{{0, 3}, {1, 4}, {2, 5}}),
-    IT::make_Delta_complex_from_gluing(2, Side_pairs{{0, 3}, {1, 5}, {2, 4}}),
-    IT::make_Delta_complex_from_gluing(1, Side_pairs{{0, 1}}),
-    IT::make_Delta_complex_from_triangles(6, Triangles{{0, 1, 2}, {0, 2, 4}}), Delta_complex()};
+  std::vector<Delta_complex> complexes{tetrahedron(),
+                                       IT::make_Delta_complex_from_gluing(2, Side_pairs{{0, 3}, {1, 4}, {2, 5}}),
+                                       IT::make_Delta_complex_from_gluing(2, Side_pairs{{0, 3}, {1, 5}, {2, 4}}),
+                                       IT::make_Delta_complex_from_gluing(1, Side_pairs{{0, 1}}),
+                                       IT::make_Delta_complex_from_triangles(6, Triangles{{0, 1, 2}, {0, 2, 4}}),
+                                       Delta_complex()};
   Delta_complex c = tetrahedron(); // until vertex 3 is inside a loop
   for (int flips = 0; flips < 2; ++flips)
     c.flip(c.edge(c.halfedge(Vertex_index(3))));
   complexes.push_back(c);
   for (const Delta_complex& complex : complexes)
-    expect_same_links(IT::to_surface_mesh(complex, std::vector<Point>(complex.number_of_vertices())),
-                      complex);
+    expect_same_links(IT::to_surface_mesh(complex, std::vector<Point>(complex.number_of_vertices())), complex);
 }
 
 TEST(To_surface_mesh, refuses_a_wrong_number_of_points)
@@ -159,17 +157,16 @@ TEST(To_surface_mesh, carries_the_metric_and_the_points_of_the_input)
   // A geodesic edge is at least as long as the chord between its ends.
   const auto length = IT::internal::find_property_map<Mesh::Edge_index, double>(from_mesh, "e:length");
   for (auto e : from_mesh.edges())
-    EXPECT_GE(length[e] * (1 + 1e-12),
-              std::sqrt(CGAL::squared_distance(from_mesh.point(from_mesh.vertex(e, 0)),
-                                               from_mesh.point(from_mesh.vertex(e, 1)))));
+    EXPECT_GE(length[e] * (1 + 1e-12), std::sqrt(CGAL::squared_distance(from_mesh.point(from_mesh.vertex(e, 0)),
+                                                                        from_mesh.point(from_mesh.vertex(e, 1)))));
 }
 
 TEST(To_surface_mesh, takes_other_meshes_other_kernels_and_point_maps)
 {
   using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
   CGAL::Polyhedron_3<Exact> polyhedron;
-  polyhedron.make_tetrahedron(Exact::Point_3(0, 0, 0), Exact::Point_3(1, 0, 0),
-                              Exact::Point_3(0, 1, 0), Exact::Point_3(0, 0, 1));
+  polyhedron.make_tetrahedron(Exact::Point_3(0, 0, 0), Exact::Point_3(1, 0, 0), Exact::Point_3(0, 1, 0),
+                              Exact::Point_3(0, 0, 1));
   const auto t = IT::intrinsic_triangulation(polyhedron);
   const auto exact_mesh = IT::to_surface_mesh(t, polyhedron);
   expect_same_links(exact_mesh, t.connectivity());
@@ -181,7 +178,7 @@ TEST(To_surface_mesh, takes_other_meshes_other_kernels_and_point_maps)
   Mesh mesh;
   CGAL::make_tetrahedron(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1), mesh);
   auto moved = mesh.add_property_map<Mesh::Vertex_index, Point>("v:moved", Point(5, 5, 5)).first;
-  const auto copy = IT::to_surface_mesh(IT::intrinsic_triangulation(mesh), mesh,
-                                        CGAL::parameters::vertex_point_map(moved));
+  const auto copy =
+    IT::to_surface_mesh(IT::intrinsic_triangulation(mesh), mesh, CGAL::parameters::vertex_point_map(moved));
   EXPECT_EQ(copy.point(Mesh::Vertex_index(2)), Point(5, 5, 5));
 }

@@ -33,7 +33,7 @@ Result result_of(const Own_triangulation& t)
   for (IT::Halfedge_index h : halfedges_of_sides(t.connectivity())) {
     const IT::Edge_index e = t.connectivity().edge(h);
     result.triangles.lengths.push_back(t.length(e));
-    result.crossings.push_back(t.exact_geometry().correspondence().coordinates().number_of_crossings(e));
+    result.crossings.push_back(t.number_of_crossings(e));
   }
   const Eigen::SparseMatrix<double> matrix = IT::stiffness_matrix(t);
   for (int k = 0; k < matrix.outerSize(); ++k)
@@ -60,14 +60,18 @@ const std::vector<std::string> tasks = {"triangulation", "overlay", "Laplacian"}
 // Loops, multiple edges, faces that are glued to themselves, few vertices, ties, zero areas.
 TEST(SystemJudge, CallsTheExactResultRight)
 {
-  std::vector<Surface> surfaces = {
-    surface_of(IT::bumpy_sphere(12, 8)), surface_of(IT::helical_tube(20)), surface_of(IT::prism(12)),
-    surface_of(IT::cap(0)), surface_of(IT::one_vertex_torus()), surface_of(IT::sheared_one_vertex_torus(20)),
-    surface_of(IT::sheared_one_vertex_torus(10)),
-    surface_of(IT::self_glued_sphere()), surface_of(IT::pillow(12)),
-    surface_of(IT::random_diagonal_grid(5, 5, 1, 1))};
+  std::vector<Surface> surfaces = {surface_of(samples::bumpy_sphere(12, 8)),
+                                   surface_of(samples::helical_tube(20)),
+                                   surface_of(samples::prism(12)),
+                                   surface_of(samples::cap(0)),
+                                   surface_of(samples::one_vertex_torus()),
+                                   surface_of(samples::sheared_one_vertex_torus(20)),
+                                   surface_of(samples::sheared_one_vertex_torus(10)),
+                                   surface_of(samples::self_glued_sphere()),
+                                   surface_of(samples::pillow(12)),
+                                   surface_of(samples::random_diagonal_grid(5, 5, 1, 1))};
   for (std::uint64_t seed = 1; seed < 10; ++seed)
-    surfaces.push_back(surface_of(IT::random_gluing(20, seed, seed % 2 == 0, seed % 3 == 0)));
+    surfaces.push_back(surface_of(samples::random_gluing(20, seed, seed % 2 == 0, seed % 3 == 0)));
   for (const Surface& surface : surfaces) {
     const Result result = result_of(Delaunay_triangulation(surface));
     for (const std::string& task : tasks) {
@@ -80,8 +84,8 @@ TEST(SystemJudge, CallsTheExactResultRight)
 // Vertices and faces in another order, and each face begins at another corner.
 TEST(SystemJudge, DoesNotDependOnTheOrderOfFaces)
 {
-  for (const Surface& surface : {surface_of(IT::prism(12)), surface_of(IT::random_gluing(20, 3, false, true)),
-                                 surface_of(IT::helical_tube(20))}) {
+  for (const Surface& surface : {surface_of(samples::prism(12)), surface_of(samples::random_gluing(20, 3, false, true)),
+                                 surface_of(samples::helical_tube(20))}) {
     const Result result = result_of(Delaunay_triangulation(surface));
     const std::size_t n = result.triangles.number_of_sides();
     const auto moved = [n](std::size_t side) { return n - 3 - side / 3 * 3 + (side + 1) % 3; };
@@ -101,9 +105,9 @@ TEST(SystemJudge, DoesNotDependOnTheOrderOfFaces)
 
 TEST(SystemJudge, LeavesTheChoiceOfDiagonalsInTiesFree)
 {
-  for (const Surface& surface :
-       {surface_of(IT::prism(40)), surface_of(IT::random_diagonal_grid(8, 8)), surface_of(internal::box(4, 1)),
-        surface_of(IT::pillow(20)), surface_of(IT::one_vertex_torus(3, 4, 5))}) {
+  for (const Surface& surface : {surface_of(samples::prism(40)), surface_of(samples::random_diagonal_grid(8, 8)),
+                                 surface_of(internal::box(4, 1)), surface_of(samples::pillow(20)),
+                                 surface_of(samples::one_vertex_torus(3, 4, 5))}) {
     Own_triangulation t = Delaunay_triangulation(surface);
     ASSERT_GT(flip_ties(t, 0), 0u);
     for (const std::string& task : tasks) {
@@ -115,7 +119,7 @@ TEST(SystemJudge, LeavesTheChoiceOfDiagonalsInTiesFree)
 
 TEST(SystemJudge, CallsBrokenTiesClose)
 {
-  const Surface surface = surface_of(IT::random_diagonal_grid(8, 8, 1, 1));
+  const Surface surface = surface_of(samples::random_diagonal_grid(8, 8, 1, 1));
   Own_triangulation t = Delaunay_triangulation(surface);
   ASSERT_GT(flip_ties(t, 1e-12), 20u);
   const Judgement judgement = judge("triangulation", surface, result_of(t));
@@ -126,14 +130,15 @@ TEST(SystemJudge, CallsBrokenTiesClose)
 
 TEST(SystemJudge, CallsAMissingFlipWrong)
 {
-  const Surface surface = surface_of(IT::bumpy_sphere(12, 8));
+  const Surface surface = surface_of(samples::bumpy_sphere(12, 8));
   EXPECT_EQ(judge("triangulation", surface, result_of(make_own_triangulation(surface))).verdict, Verdict::WRONG);
 
   const Own_triangulation exact = Delaunay_triangulation(surface);
   std::size_t tried = 0;
   for (IT::Edge_index e : exact.connectivity().edges()) {
     Own_triangulation t = exact;
-    if (!t.connectivity().is_flippable(e) || t.cotangent_weight(e) < 0.1 || t.flip(e) != Own_triangulation::Flip_outcome::FLIPPED)
+    if (!t.connectivity().is_flippable(e) || t.cotangent_weight(e) < 0.1 ||
+        t.flip(e) != Own_triangulation::Flip_outcome::FLIPPED)
       continue;
     ++tried;
     const Judgement judgement = judge("triangulation", surface, result_of(t));
@@ -148,8 +153,8 @@ TEST(SystemJudge, CallsAMissingFlipWrong)
 
 TEST(SystemJudge, CallsALengthThatIsALieWrong)
 {
-  for (const Surface& surface : {surface_of(IT::prism(12)), surface_of(IT::random_gluing(20, 3, false, true)),
-                                 surface_of(IT::helical_tube(20))}) {
+  for (const Surface& surface : {surface_of(samples::prism(12)), surface_of(samples::random_gluing(20, 3, false, true)),
+                                 surface_of(samples::helical_tube(20))}) {
     const Result right = result_of(Delaunay_triangulation(surface));
     for (std::size_t side = 0; side < right.triangles.number_of_sides(); side += 7) {
       const auto with_length = [&](double length) {
@@ -170,7 +175,7 @@ TEST(SystemJudge, CallsALengthThatIsALieWrong)
 
 TEST(SystemJudge, CallsWhatIsNoTriangulationWrong)
 {
-  const Surface surface = surface_of(IT::bumpy_sphere(12, 8));
+  const Surface surface = surface_of(samples::bumpy_sphere(12, 8));
   const Result right = result_of(Delaunay_triangulation(surface));
   Result cut = right;
   cut.triangles.opposite[std::size_t(cut.triangles.opposite[5])] = -1;
@@ -191,7 +196,7 @@ TEST(SystemJudge, CallsWhatIsNoTriangulationWrong)
 
 TEST(SystemJudge, CallsAnotherNumberOfCrossingsWrong)
 {
-  const Surface surface = surface_of(IT::helical_tube(20));
+  const Surface surface = surface_of(samples::helical_tube(20));
   Result result = result_of(Delaunay_triangulation(surface));
   ++result.crossings[7];
   EXPECT_EQ(judge("overlay", surface, result).verdict, Verdict::WRONG);
@@ -200,7 +205,7 @@ TEST(SystemJudge, CallsAnotherNumberOfCrossingsWrong)
 
 TEST(SystemJudge, ComparesEachEntryOfTheLaplacian)
 {
-  const Surface surface = surface_of(IT::bumpy_sphere(12, 8));
+  const Surface surface = surface_of(samples::bumpy_sphere(12, 8));
   const Result right = result_of(Delaunay_triangulation(surface));
   for (std::size_t i = 0; i < right.Laplacian.size(); i += 11) {
     const auto with_change = [&](double relative) {

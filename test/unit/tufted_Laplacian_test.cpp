@@ -84,7 +84,8 @@ void check_operator(const IT::Tufted_Laplacian& result)
 }
 
 // A soup with edges of many faces, faces in one plane and turned any way.
-void make_soup(std::mt19937& random, Points& points, Triangles& triangles, int size, int number_of_points, int number_of_faces)
+void make_soup(std::mt19937& random, Points& points, Triangles& triangles, int size, int number_of_points,
+               int number_of_faces)
 {
   std::uniform_int_distribution<int> coordinate(-size, size);
   points.clear();
@@ -133,7 +134,8 @@ TEST(Tufted_Laplacian, an_obtuse_triangle_is_flipped_across_its_border)
 
 TEST(Tufted_Laplacian, closed_oriented_surfaces_have_the_same_bits_as_the_intrinsic_operator)
 {
-  for (const IT::Indexed_triangles& surface : {IT::bumpy_sphere(30, 15), IT::torus(20, 10), IT::bad_torus(12, 12)}) {
+  for (const samples::Indexed_triangles& surface :
+       {samples::bumpy_sphere(30, 15), samples::torus(20, 10), samples::bad_torus(12, 12)}) {
     typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
     Mesh mesh;
     for (const auto& [x, y, z] : surface.points)
@@ -146,8 +148,7 @@ TEST(Tufted_Laplacian, closed_oriented_surfaces_have_the_same_bits_as_the_intrin
     EXPECT_EQ(Dense(found.stiffness), Dense(expected.stiffness));
     EXPECT_EQ(Dense(found.mass), Dense(expected.mass));
     EXPECT_EQ(found.stiffness.nonZeros(), expected.stiffness.nonZeros());
-    IT::Tufted_Laplacian_options options;
-    options.mass_type = IT::Mass_type::GALERKIN;
+    const auto options = CGAL::parameters::mass_type(IT::Mass_type::GALERKIN);
     expect_near(Dense(IT::tufted_Laplacian(surface.points, surface.triangles, options).mass),
                 Dense(IT::Galerkin_mass_matrix(IT::intrinsic_Delaunay_triangulation(mesh).triangulation)), 1e-15);
   }
@@ -157,7 +158,7 @@ TEST(Tufted_Laplacian, closed_oriented_surfaces_have_the_same_bits_as_the_intrin
 // of each face there is a double of this face alone.
 TEST(Tufted_Laplacian, all_faces_twice)
 {
-  const IT::Indexed_triangles surface = IT::bumpy_sphere(10, 6);
+  const samples::Indexed_triangles surface = samples::bumpy_sphere(10, 6);
   Triangles twice = surface.triangles;
   Dense expected = Dense(IT::tufted_Laplacian(surface.points, surface.triangles).stiffness);
   for (const auto& [a, b, c] : surface.triangles) {
@@ -209,8 +210,9 @@ TEST(Tufted_Laplacian, matrices_are_sums_over_the_flipped_cover)
   Triangles triangles;
   for (int round = 0; round < 40; ++round) {
     make_soup(random, points, triangles, 6, 12, 25);
-    triangles.erase(std::remove_if(triangles.begin(), triangles.end(), [&](const auto& t) { return !has_area(points, t); }),
-                    triangles.end());
+    triangles.erase(
+      std::remove_if(triangles.begin(), triangles.end(), [&](const auto& t) { return !has_area(points, t); }),
+      triangles.end());
     IT::Tufted_cover cover = IT::make_tufted_cover(points, triangles);
     IT::flip_to_Delaunay(cover.triangulation);
     EXPECT_TRUE(IT::verify_Delaunay(cover.triangulation).is_Delaunay());
@@ -257,7 +259,8 @@ TEST(Tufted_Laplacian, the_order_of_everything_is_of_no_importance)
     std::shuffle(number.begin(), number.end(), random);
     Points moved(points.size());
     for (std::size_t v = 0; v < points.size(); ++v) // by a rotation times 3
-      moved[number[v]] = {2 * points[v][0] - points[v][1] + 2 * points[v][2], 2 * points[v][0] + 2 * points[v][1] - points[v][2],
+      moved[number[v]] = {2 * points[v][0] - points[v][1] + 2 * points[v][2],
+                          2 * points[v][0] + 2 * points[v][1] - points[v][2],
                           -points[v][0] + 2 * points[v][1] + 2 * points[v][2]};
     Triangles shuffled;
     for (auto t : triangles) {
@@ -278,9 +281,8 @@ TEST(Tufted_Laplacian, the_order_of_everything_is_of_no_importance)
 
 TEST(Tufted_Laplacian, a_fixed_border_gives_the_operator_of_the_mesh)
 {
-  const IT::Indexed_triangles surface = IT::bumpy_dome(12, 8);
-  IT::Tufted_Laplacian_options options;
-  options.cover = IT::Surface_cover::NONE;
+  const samples::Indexed_triangles surface = samples::bumpy_dome(12, 8);
+  const auto options = CGAL::parameters::surface_cover(IT::Surface_cover::NONE);
   IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits> triangulation(
     IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
   IT::flip_to_Delaunay(triangulation);
@@ -292,9 +294,8 @@ TEST(Tufted_Laplacian, a_fixed_border_gives_the_operator_of_the_mesh)
 // The same surface by points and by lengths; and a closed gluing, which is taken as it is.
 TEST(Tufted_Laplacian, surfaces_given_by_lengths)
 {
-  const IT::Indexed_triangles surface = IT::bumpy_dome(9, 7);
-  const IT::Delta_complex complex =
-    IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
+  const samples::Indexed_triangles surface = samples::bumpy_dome(9, 7);
+  const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
   std::vector<double> lengths;
   for (IT::Edge_index e : complex.edges()) {
     const IT::Halfedge_index h = complex.halfedge(e);
@@ -308,8 +309,8 @@ TEST(Tufted_Laplacian, surfaces_given_by_lengths)
   expect_near(Dense(by_lengths.stiffness), Dense(by_points.stiffness), 1e-10);
   expect_near(Dense(by_lengths.mass), Dense(by_points.mass), 1e-10);
 
-  const IT::Delta_complex torus = IT::make_Delta_complex_from_gluing(
-    2, std::vector<std::array<int, 2>>{{0, 3}, {1, 4}, {2, 5}});
+  const IT::Delta_complex torus =
+    IT::make_Delta_complex_from_gluing(2, std::vector<std::array<int, 2>>{{0, 3}, {1, 4}, {2, 5}});
   const IT::Tufted_Laplacian one = IT::tufted_Laplacian(torus, {3, 4, 5});
   EXPECT_EQ(Dense(one.stiffness), Dense::Zero(1, 1));
   EXPECT_NEAR(one.mass.coeff(0, 0), 12, 1e-14);
@@ -329,8 +330,7 @@ TEST(Tufted_Laplacian, vertices_that_triangles_without_area_join_are_merged)
   const IT::Tufted_Laplacian expected =
     IT::tufted_Laplacian(points, Triangles{{0, 3, 2}, {3, 1, 2}, {0, 5, 3}, {3, 5, 1}});
   expect_near(Dense(result.stiffness), Dense(expected.stiffness), 1e-12);
-  IT::Tufted_Laplacian_options options;
-  options.coincident_vertices = IT::Coincident_vertices::ERROR;
+  const auto options = CGAL::parameters::coincident_vertices(IT::Coincident_vertices::ERROR);
   try {
     IT::tufted_Laplacian(points, triangles, options);
     FAIL();
@@ -343,11 +343,9 @@ TEST(Tufted_Laplacian, vertices_that_triangles_without_area_join_are_merged)
 TEST(Tufted_Laplacian, mollification_is_reported)
 {
   const Points points = {{0, 0, 0}, {1, 0, 0}, {0.5, 1e-9, 0}};
-  IT::Tufted_Laplacian_options options;
   const Triangles triangles = {{0, 1, 2}};
-  EXPECT_EQ(IT::tufted_Laplacian(points, triangles, options).report.mollification.number_of_changed_edges, 0u);
-  options.mollification = 1e-3;
-  const IT::Tufted_Laplacian result = IT::tufted_Laplacian(points, triangles, options);
+  EXPECT_EQ(IT::tufted_Laplacian(points, triangles).report.mollification.number_of_changed_edges, 0u);
+  const IT::Tufted_Laplacian result = IT::tufted_Laplacian(points, triangles, CGAL::parameters::mollification(1e-3));
   check_operator(result);
   EXPECT_EQ(result.report.mollification.number_of_changed_edges, 3u);
   EXPECT_GT(result.report.mollification.largest_relative_change, 1e-4);
@@ -355,23 +353,21 @@ TEST(Tufted_Laplacian, mollification_is_reported)
 
 struct Impatient_visitor
 {
-  bool go_further(std::uint64_t, std::uint64_t) { return false; }
-  void after_flip(IT::Edge_index) {}
+  bool go_further(const IT::Progress& progress) { return progress.tests == 0; }
 };
 
 TEST(Tufted_Laplacian, flips_can_be_cancelled)
 {
-  const IT::Indexed_triangles surface = IT::bumpy_dome(9, 7);
-  EXPECT_THROW(IT::tufted_Laplacian(surface.points, surface.triangles, {}, CGAL::parameters::visitor(Impatient_visitor())),
+  const samples::Indexed_triangles surface = samples::bumpy_dome(9, 7);
+  EXPECT_THROW(IT::tufted_Laplacian(surface.points, surface.triangles, CGAL::parameters::visitor(Impatient_visitor())),
                IT::Cancelled_error);
 }
 
 TEST(Tufted_Laplacian, a_function_ends_it)
 {
-  const IT::Indexed_triangles surface = IT::bumpy_dome(9, 7);
-  IT::Tufted_Laplacian_options options;
+  const samples::Indexed_triangles surface = samples::bumpy_dome(9, 7);
   bool goes_on = false;
-  options.go_further = [&goes_on] { return goes_on; };
+  const auto options = CGAL::parameters::visitor([&goes_on] { return goes_on; });
   EXPECT_THROW(IT::make_tufted_cover(surface.points, surface.triangles, options), IT::Cancelled_error);
   EXPECT_THROW(IT::tufted_Laplacian(surface.points, surface.triangles, options), IT::Cancelled_error);
   goes_on = true;
@@ -389,7 +385,8 @@ TEST(Tufted_Laplacian, a_function_ends_weights_that_are_computed_exactly)
     triangles.push_back({2 * i, 2 * i + 2, 2 * i + 3});
     triangles.push_back({2 * i, 2 * i + 3, 2 * i + 1});
   }
-  IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits> t(IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
+  IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits> t(
+    IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
   t.set_interruption([] { return false; });
   EXPECT_THROW(IT::stiffness_matrix(t), IT::Cancelled_error);
 }

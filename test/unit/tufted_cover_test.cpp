@@ -3,8 +3,8 @@
 //
 // What is glued to what in a tufted cover, in which order, and what is dropped before.
 
+#include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Faces_around_edge.h>
-#include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
 
 #include <gtest/gtest.h>
 
@@ -222,8 +222,7 @@ TEST(Tufted_cover, Moebius_strip_has_a_torus)
   EXPECT_FALSE(cover.report.is_orientable);
   EXPECT_EQ(cover.report.border_edges, std::size_t(2 * n));
   EXPECT_EQ(Euler_characteristic(cover), 0);
-  IT::Tufted_cover_options none;
-  none.cover = Surface_cover::NONE;
+  const auto none = CGAL::parameters::surface_cover(Surface_cover::NONE);
   try {
     IT::make_tufted_cover(points, triangles, none);
     FAIL();
@@ -235,8 +234,8 @@ TEST(Tufted_cover, Moebius_strip_has_a_torus)
 TEST(Tufted_cover, a_closed_surface_is_its_own_cover_however_its_faces_are_turned)
 {
   const Points points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {9, 9, 9}};
-  for (const Triangles& triangles : {Triangles{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}},
-                                     Triangles{{0, 2, 1}, {1, 0, 3}, {3, 2, 1}, {2, 0, 3}}}) {
+  for (const Triangles& triangles :
+       {Triangles{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}, Triangles{{0, 2, 1}, {1, 0, 3}, {3, 2, 1}, {2, 0, 3}}}) {
     const Tufted_cover cover = IT::make_tufted_cover(points, triangles);
     check_cover(cover, points);
     EXPECT_EQ(cover.triangulation.connectivity().number_of_faces(), 4u);
@@ -299,20 +298,18 @@ TEST(Tufted_cover, coincident_vertices_have_a_policy)
 {
   const Points points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, -0., 0}, {1, 1, 0}};
   const Triangles triangles = {{0, 1, 2}, {1, 3, 2}, {3, 4, 2}};
-  IT::Tufted_cover_options options;
-  const Tufted_cover merged = IT::make_tufted_cover(points, triangles, options);
+  const Tufted_cover merged = IT::make_tufted_cover(points, triangles);
   EXPECT_EQ(merged.report.merged_vertices, 1u);
   EXPECT_EQ(merged.report.collapsed_faces, 1u);
   EXPECT_EQ(merged.representative, (std::vector<std::uint32_t>{0, 1, 2, 1, 4}));
   EXPECT_EQ(merged.report.border_edges, 4u);
-  options.coincident_vertices = Coincident_vertices::DROP;
-  const Tufted_cover dropped = IT::make_tufted_cover(points, triangles, options);
+  const Tufted_cover dropped =
+    IT::make_tufted_cover(points, triangles, CGAL::parameters::coincident_vertices(Coincident_vertices::DROP));
   EXPECT_EQ(dropped.report.merged_vertices, 0u);
   EXPECT_EQ(dropped.report.zero_length_faces, 1u);
   EXPECT_EQ(dropped.report.border_edges, 6u);
-  options.coincident_vertices = Coincident_vertices::ERROR;
   try {
-    IT::make_tufted_cover(points, triangles, options);
+    IT::make_tufted_cover(points, triangles, CGAL::parameters::coincident_vertices(Coincident_vertices::ERROR));
     FAIL();
   } catch (const IT::Invalid_surface_error& error) {
     EXPECT_EQ(error.defect(), Defect::ZERO_LENGTH_EDGE);
@@ -324,10 +321,8 @@ TEST(Tufted_cover, soups_are_welded_on_request_only)
 {
   const Points points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   const Triangles triangles = {{0, 1, 2}, {3, 4, 5}};
-  IT::Tufted_cover_options options;
-  EXPECT_EQ(IT::make_tufted_cover(points, triangles, options).report.border_edges, 6u);
-  options.is_welded = true;
-  const Tufted_cover welded = IT::make_tufted_cover(points, triangles, options);
+  EXPECT_EQ(IT::make_tufted_cover(points, triangles).report.border_edges, 6u);
+  const Tufted_cover welded = IT::make_tufted_cover(points, triangles, CGAL::parameters::is_welded(true));
   EXPECT_EQ(welded.report.border_edges, 4u);
   EXPECT_EQ(welded.report.merged_vertices, 2u);
 }
@@ -336,8 +331,7 @@ TEST(Tufted_cover, parts_without_area_are_dropped)
 {
   // A fin that joins nothing, and one that is given twice, so that the two enclose one more part.
   const Points points = {{0, 0, 0}, {4, 0, 0}, {1, 3, 0}, {2, 0, 0}, {7, 0, 0}, {8, 0, 0}, {9, 0, 0}};
-  const Tufted_cover cover =
-    IT::make_tufted_cover(points, Triangles{{0, 1, 2}, {4, 5, 6}, {0, 1, 3}, {0, 1, 3}});
+  const Tufted_cover cover = IT::make_tufted_cover(points, Triangles{{0, 1, 2}, {4, 5, 6}, {0, 1, 3}, {0, 1, 3}});
   check_cover(cover, points);
   EXPECT_EQ(cover.report.faces_without_area, 1u);
   EXPECT_EQ(cover.report.unreferenced_vertices, 3u);
@@ -375,8 +369,7 @@ TEST(Tufted_cover, what_cannot_be_covered_is_refused)
 
 TEST(Tufted_cover, without_a_cover_the_border_stays)
 {
-  IT::Tufted_cover_options none;
-  none.cover = Surface_cover::NONE;
+  const auto none = CGAL::parameters::surface_cover(Surface_cover::NONE);
   const Points points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
   const Tufted_cover cover = IT::make_tufted_cover(points, Triangles{{0, 1, 2}, {1, 2, 3}}, none);
   EXPECT_EQ(cover.triangulation.connectivity().number_of_faces(), 2u);

@@ -39,8 +39,19 @@ bool are_same(T a, T b)
 const std::vector<double>& special_numbers()
 {
   using Limits = std::numeric_limits<double>;
-  static const std::vector<double> numbers{
-    0., -0., 1., -1., 3., 1. / 3., -1e-160, 1e160, 5e-324, Limits::max(), Limits::infinity(), -Limits::infinity(), Limits::quiet_NaN()};
+  static const std::vector<double> numbers{0.,
+                                           -0.,
+                                           1.,
+                                           -1.,
+                                           3.,
+                                           1. / 3.,
+                                           -1e-160,
+                                           1e160,
+                                           5e-324,
+                                           Limits::max(),
+                                           Limits::infinity(),
+                                           -Limits::infinity(),
+                                           Limits::quiet_NaN()};
   return numbers;
 }
 
@@ -96,30 +107,12 @@ std::vector<std::array<Point, 3>> triangles()
   return result;
 }
 
-double area(double a)
-{
-  return a;
-}
-double error(double)
-{
-  return 0;
-}
-double area(const IT::Bounded_area& a)
-{
-  return a.value;
-}
-double error(const IT::Bounded_area& a)
-{
-  return a.error;
-}
-double first(const Two_doubles& a)
-{
-  return a.first();
-}
-double second(const Two_doubles& a)
-{
-  return a.second();
-}
+double area(double a) { return a; }
+double error(double) { return 0; }
+double area(const IT::Bounded_area& a) { return a.value; }
+double error(const IT::Bounded_area& a) { return a.error; }
+double first(const Two_doubles& a) { return a.first(); }
+double second(const Two_doubles& a) { return a.second(); }
 template <class Two_faces>
 IT::Bounded_area first(const Two_faces& a)
 {
@@ -147,12 +140,12 @@ TYPED_TEST(Two_faces, have_the_numbers_of_each)
   for (std::size_t n = 0; n + 1 < all.size(); ++n) {
     const auto &s = all[n], &t = all[n + 1];
     const auto both = [&](int i) {
-      return IT::internal::Two_points{Two_doubles(s[i][0], t[i][0]), Two_doubles(s[i][1], t[i][1]), Two_doubles(s[i][2], t[i][2])};
+      return IT::internal::Two_points{Two_doubles(s[i][0], t[i][0]), Two_doubles(s[i][1], t[i][1]),
+                                      Two_doubles(s[i][2], t[i][2])};
     };
-    const Two_doubles pq = edge.of_two(both(0), both(1)), qr = edge.of_two(both(1), both(2)),
-                      pr = edge.of_two(both(0), both(2));
-    const auto areas = face.of_two(both(0), both(1), both(2));
-    const auto of_corners = bounds.of_two(areas, pq, qr, pr);
+    const Two_doubles pq = edge(both(0), both(1)), qr = edge(both(1), both(2)), pr = edge(both(0), both(2));
+    const auto areas = face(both(0), both(1), both(2));
+    const auto of_corners = bounds(areas, pq, qr, pr);
     int number = 0;
     for (const auto& u : {s, t}) {
       const auto of_face = face(u[0], u[1], u[2]);
@@ -180,17 +173,17 @@ bool is_known(const Triangulation& t, IT::Edge_index e)
   for (IT::Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))}) {
     if (complex.is_border(h))
       return false;
-    sum += t.traits().compute_cotangent_bounds_object()(
-      t.face_data(complex.face(h)), t.edge_data(e), t.edge_data(complex.edge(complex.next(h))),
-      t.edge_data(complex.edge(complex.prev(h))))[0];
+    sum += t.traits().compute_cotangent_bounds_object()(t.face_data(complex.face(h)), t.edge_data(e),
+                                                        t.edge_data(complex.edge(complex.next(h))),
+                                                        t.edge_data(complex.edge(complex.prev(h))))[0];
   }
   return sum > 0;
 }
 
 TYPED_TEST(Two_faces, give_bounds_that_are_kept_through_flips)
 {
-  for (const IT::Indexed_triangles& surface :
-       {IT::bad_torus(20, 20), IT::sheared_grid(9, 7, 3.3), IT::bumpy_dome(12, 12)}) {
+  for (const samples::Indexed_triangles& surface :
+       {samples::bad_torus(20, 20), samples::sheared_grid(9, 7, 3.3), samples::bumpy_dome(12, 12)}) {
     IT::Intrinsic_triangulation<TypeParam> t(
       IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
     const IT::internal::Whole_triangulation<TypeParam> whole(t);

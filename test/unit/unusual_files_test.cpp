@@ -7,7 +7,7 @@
 #include "faces_of_file.h"
 #include "valid_files.h"
 
-#include <CGAL/Intrinsic_triangulations/read_polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <gtest/gtest.h>
 
@@ -102,13 +102,17 @@ std::string off_with_counts(const Sheet_in_files& s, std::size_t v, std::size_t 
 }
 std::string ply_with_count(const std::string& text, const std::string& element, std::size_t from, std::size_t to)
 {
-  return replaced(text, "element " + element + " " + std::to_string(from) + "\n", "element " + element + " " + std::to_string(to) + "\n");
+  return replaced(text, "element " + element + " " + std::to_string(from) + "\n",
+                  "element " + element + " " + std::to_string(to) + "\n");
 }
-std::string strips(const Sheet_in_files& s, const std::string& format, const std::string& type, const std::string& more = "")
+std::string strips(const Sheet_in_files& s, const std::string& format, const std::string& type,
+                   const std::string& more = "")
 {
   std::string text = ply_text(s, {format, "float", "uchar", "int", "", "vertex_indices"});
-  const std::size_t header = text.find("element face"), end = text.find("end_header\n") + 11, body = end + (format == "ascii" ? 0 : 12 * s.v());
-  std::string vertices = format == "ascii" ? text.substr(end, begin_of_line(text, s.ply_face(0)) - end) : text.substr(end, body - end);
+  const std::size_t header = text.find("element face"), end = text.find("end_header\n") + 11,
+                    body = end + (format == "ascii" ? 0 : 12 * s.v());
+  std::string vertices =
+    format == "ascii" ? text.substr(end, begin_of_line(text, s.ply_face(0)) - end) : text.substr(end, body - end);
   std::string list = more;
   Ply_form form;
   form.format = format;
@@ -120,8 +124,8 @@ std::string strips(const Sheet_in_files& s, const std::string& format, const std
     }
   std::string count = "\n";
   append_ply_number(count, double(entries), "int", form);
-  return text.substr(0, header) + "element tristrips 1\nproperty list int " + type + " vertex_indices\nend_header\n" + vertices + count.substr(1) + list +
-         (format == "ascii" ? "\n" : "");
+  return text.substr(0, header) + "element tristrips 1\nproperty list int " + type + " vertex_indices\nend_header\n" +
+         vertices + count.substr(1) + list + (format == "ascii" ? "\n" : "");
 }
 
 struct Case
@@ -137,75 +141,261 @@ std::vector<Case> cases()
 {
   return {
     // ---- text STL
-    {"stl", "a capital in one line", [](S& s, E&) { return with_line(stl_text(s), s.stl_facet(s.middle()), "Facet normal 0 0 1"); }},
+    {"stl", "a capital in one line",
+     [](S& s, E&) { return with_line(stl_text(s), s.stl_facet(s.middle()), "Facet normal 0 0 1"); }},
     {"stl", "END SOLID", [](S& s, E&) { return replaced(stl_text(s), "endsolid", "END SOLID"); }},
-    {"stl", "end loop, end facet", [](S& s, E&) { return replaced(replaced(stl_text(s), "endloop", "end loop"), "endfacet", "end facet"); }},
+    {"stl", "end loop, end facet",
+     [](S& s, E&) { return replaced(replaced(stl_text(s), "endloop", "end loop"), "endfacet", "end facet"); }},
     {"stl", "a tab behind solid", [](S& s, E&) { return replaced(stl_text(s), "solid ", "solid\t"); }},
     {"stl", "tabs and blanks", [](S& s, E&) { return replaced(stl_text(s), " ", " \t "); }},
     {"stl", "byte order mark", [](S& s, E&) { return "\xef\xbb\xbf" + stl_text(s); }},
     {"stl", "CR alone", [](S& s, E&) { return replaced(stl_text(s), "\n", "\r"); }},
     {"stl", "one line", [](S& s, E&) { return replaced(stl_text(s), "\n", " "); }},
-    {"stl", "normals that are NaN or missing", [](S& s, E&) { return replaced(with_line(stl_text(s), s.stl_facet(s.middle()), "facet normal"), "normal 0 0 1", "normal nan -nan(ind) 1.#QNAN"); }},
-    {"stl", "colors and comments", [](S& s, E&) { return replaced(replaced(stl_text(s), "outer", "color 1 0 0\nouter"), "endloop", "endloop # facet"); }},
-    {"stl", "no endsolid", [](S& s, E& e) { e.warning = "without a line endsolid, behind facet " + std::to_string(s.f() - 1); return replaced(stl_text(s), "endsolid sheet\n", ""); }},
-    {"stl", "no endsolid before another solid", [](S& s, E& e) { e.warning = "line " + std::to_string(s.stl_facet(s.f())) + ": a solid begins"; e.faces = 2 * s.f(); return replaced(stl_text(s), "endsolid sheet\n", "") + stl_text(s); }},
-    {"stl", "several solids, named as facets", [](S& s, E& e) { e.faces = 2 * s.f(); return stl_text(s) + replaced(stl_text(s), "solid sheet", "solid facet normal"); }},
-    {"stl", "no facet normal", [](S& s, E& e) { e.error = at(s.stl_facet(s.middle()), "facet", s.middle()) + ": \"outer\" where facet or endsolid is expected: the line facet normal is missing"; return without_line(stl_text(s), s.stl_facet(s.middle())); }},
-    {"stl", "no outer loop", [](S& s, E& e) { e.error = at(s.stl_facet(s.middle()) + 4, "facet", s.middle()) + ": \"endloop\" where endfacet"; return without_line(stl_text(s), s.stl_facet(s.middle()) + 1); }},
-    {"stl", "no vertex", [](S& s, E& e) { e.error = at(s.stl_facet(s.middle()) + 5, "facet", s.middle()) + ": the facet does not have three"; return without_line(stl_text(s), s.stl_facet(s.middle()) + 2); }},
-    {"stl", "four vertices", [](S& s, E& e) { e.error = at(s.stl_facet(s.middle()) + 5, "facet", s.middle()) + ": the facet does not have three"; return doubled(stl_text(s), s.stl_facet(s.middle()) + 2); }},
-    {"stl", "no endloop", [](S& s, E& e) { e.error = at(s.stl_facet(s.middle()) + 5, "facet", s.middle()) + ": \"endfacet\" where endloop"; return without_line(stl_text(s), s.stl_facet(s.middle()) + 5); }},
-    {"stl", "no endfacet", [](S& s, E& e) { e.error = at(s.stl_facet(s.middle()) + 6, "facet", s.middle()) + ": \"facet\" where endfacet"; return without_line(stl_text(s), s.stl_facet(s.middle()) + 6); }},
-    {"stl", "facetnormal", [](S& s, E& e) { e.error = at(s.stl_facet(s.middle()), "facet", s.middle()) + ": \"facetnormal\" where facet or"; return with_line(stl_text(s), s.stl_facet(s.middle()), "facetnormal 0 0 1"); }},
-    {"stl", "face normal", [](S& s, E& e) { e.error = at(s.stl_facet(s.middle()), "facet", s.middle()) + ": \"face\" where facet or"; return with_line(stl_text(s), s.stl_facet(s.middle()), "face normal 0 0 1"); }},
-    {"stl", "vertx", [](S& s, E& e) { e.error = at(s.stl_facet(s.middle()) + 3, "facet", s.middle()) + ": \"vertx\" where vertex"; return with_line(stl_text(s), s.stl_facet(s.middle()) + 3, "vertx 0 0 0"); }},
-    {"stl", "two numbers", [](S& s, E& e) { e.error = at(s.stl_facet(s.middle()) + 3, "facet", s.middle()) + ": a vertex has 2 numbers"; return with_line(stl_text(s), s.stl_facet(s.middle()) + 3, "vertex 0 0"); }},
-    {"stl", "four numbers", [](S& s, E& e) { e.error = at(s.stl_facet(s.middle()) + 3, "facet", s.middle()) + ": \"4\" where vertex"; return with_line(stl_text(s), s.stl_facet(s.middle()) + 3, "vertex 0 0 0 4"); }},
-    {"stl", "a vertex that is NaN", [](S& s, E& e) { e.error = at(s.stl_facet(s.middle()) + 3, "facet", s.middle()) + ": the coordinate \"nan\" is not finite"; return with_line(stl_text(s), s.stl_facet(s.middle()) + 3, "vertex 0 nan 0"); }},
-    {"stl", "no line solid", [](S& s, E& e) { e.error = "the first word is \"facet\" and not solid"; return without_line(stl_text(s), 1); }},
-    {"stl", "endsolid in the middle", [](S& s, E& e) { e.error = at(s.stl_facet(s.middle()) + 1, "facet", s.middle()) + ": \"facet\" where solid"; return with_line(stl_text(s), s.stl_facet(s.middle()), "endsolid\nfacet normal 0 0 1"); }},
-    {"stl", "cut off", [](S& s, E& e) { e.error = "the file ends within facet " + std::to_string(s.middle()); const std::string t = stl_text(s); return t.substr(0, begin_of_line(t, s.stl_facet(s.middle()) + 3)); }},
+    {"stl", "normals that are NaN or missing",
+     [](S& s, E&) {
+       return replaced(with_line(stl_text(s), s.stl_facet(s.middle()), "facet normal"), "normal 0 0 1",
+                       "normal nan -nan(ind) 1.#QNAN");
+     }},
+    {"stl", "colors and comments",
+     [](S& s, E&) {
+       return replaced(replaced(stl_text(s), "outer", "color 1 0 0\nouter"), "endloop", "endloop # facet");
+     }},
+    {"stl", "no endsolid",
+     [](S& s, E& e) {
+       e.warning = "without a line endsolid, behind facet " + std::to_string(s.f() - 1);
+       return replaced(stl_text(s), "endsolid sheet\n", "");
+     }},
+    {"stl", "no endsolid before another solid",
+     [](S& s, E& e) {
+       e.warning = "line " + std::to_string(s.stl_facet(s.f())) + ": a solid begins";
+       e.faces = 2 * s.f();
+       return replaced(stl_text(s), "endsolid sheet\n", "") + stl_text(s);
+     }},
+    {"stl", "several solids, named as facets",
+     [](S& s, E& e) {
+       e.faces = 2 * s.f();
+       return stl_text(s) + replaced(stl_text(s), "solid sheet", "solid facet normal");
+     }},
+    {"stl", "no facet normal",
+     [](S& s, E& e) {
+       e.error = at(s.stl_facet(s.middle()), "facet", s.middle()) +
+                 ": \"outer\" where facet or endsolid is expected: the line facet normal is missing";
+       return without_line(stl_text(s), s.stl_facet(s.middle()));
+     }},
+    {"stl", "no outer loop",
+     [](S& s, E& e) {
+       e.error = at(s.stl_facet(s.middle()) + 4, "facet", s.middle()) + ": \"endloop\" where endfacet";
+       return without_line(stl_text(s), s.stl_facet(s.middle()) + 1);
+     }},
+    {"stl", "no vertex",
+     [](S& s, E& e) {
+       e.error = at(s.stl_facet(s.middle()) + 5, "facet", s.middle()) + ": the facet does not have three";
+       return without_line(stl_text(s), s.stl_facet(s.middle()) + 2);
+     }},
+    {"stl", "four vertices",
+     [](S& s, E& e) {
+       e.error = at(s.stl_facet(s.middle()) + 5, "facet", s.middle()) + ": the facet does not have three";
+       return doubled(stl_text(s), s.stl_facet(s.middle()) + 2);
+     }},
+    {"stl", "no endloop",
+     [](S& s, E& e) {
+       e.error = at(s.stl_facet(s.middle()) + 5, "facet", s.middle()) + ": \"endfacet\" where endloop";
+       return without_line(stl_text(s), s.stl_facet(s.middle()) + 5);
+     }},
+    {"stl", "no endfacet",
+     [](S& s, E& e) {
+       e.error = at(s.stl_facet(s.middle()) + 6, "facet", s.middle()) + ": \"facet\" where endfacet";
+       return without_line(stl_text(s), s.stl_facet(s.middle()) + 6);
+     }},
+    {"stl", "facetnormal",
+     [](S& s, E& e) {
+       e.error = at(s.stl_facet(s.middle()), "facet", s.middle()) + ": \"facetnormal\" where facet or";
+       return with_line(stl_text(s), s.stl_facet(s.middle()), "facetnormal 0 0 1");
+     }},
+    {"stl", "face normal",
+     [](S& s, E& e) {
+       e.error = at(s.stl_facet(s.middle()), "facet", s.middle()) + ": \"face\" where facet or";
+       return with_line(stl_text(s), s.stl_facet(s.middle()), "face normal 0 0 1");
+     }},
+    {"stl", "vertx",
+     [](S& s, E& e) {
+       e.error = at(s.stl_facet(s.middle()) + 3, "facet", s.middle()) + ": \"vertx\" where vertex";
+       return with_line(stl_text(s), s.stl_facet(s.middle()) + 3, "vertx 0 0 0");
+     }},
+    {"stl", "two numbers",
+     [](S& s, E& e) {
+       e.error = at(s.stl_facet(s.middle()) + 3, "facet", s.middle()) + ": a vertex has 2 numbers";
+       return with_line(stl_text(s), s.stl_facet(s.middle()) + 3, "vertex 0 0");
+     }},
+    {"stl", "four numbers",
+     [](S& s, E& e) {
+       e.error = at(s.stl_facet(s.middle()) + 3, "facet", s.middle()) + ": \"4\" where vertex";
+       return with_line(stl_text(s), s.stl_facet(s.middle()) + 3, "vertex 0 0 0 4");
+     }},
+    {"stl", "a vertex that is NaN",
+     [](S& s, E& e) {
+       e.error = at(s.stl_facet(s.middle()) + 3, "facet", s.middle()) + ": the coordinate \"nan\" is not finite";
+       return with_line(stl_text(s), s.stl_facet(s.middle()) + 3, "vertex 0 nan 0");
+     }},
+    {"stl", "no line solid",
+     [](S& s, E& e) {
+       e.error = "the first word is \"facet\" and not solid";
+       return without_line(stl_text(s), 1);
+     }},
+    {"stl", "endsolid in the middle",
+     [](S& s, E& e) {
+       e.error = at(s.stl_facet(s.middle()) + 1, "facet", s.middle()) + ": \"facet\" where solid";
+       return with_line(stl_text(s), s.stl_facet(s.middle()), "endsolid\nfacet normal 0 0 1");
+     }},
+    {"stl", "cut off",
+     [](S& s, E& e) {
+       e.error = "the file ends within facet " + std::to_string(s.middle());
+       const std::string t = stl_text(s);
+       return t.substr(0, begin_of_line(t, s.stl_facet(s.middle()) + 3));
+     }},
     // ---- binary STL
     {"stl", "attributes", [](S& s, E&) { return stl_bytes(s, "COLOR=\xff\x10", std::uint32_t(s.f()), 0x8123); }},
-    {"stl", "a header that begins with solid", [](S& s, E&) { return stl_bytes(s, "solid facet normal", std::uint32_t(s.f())); }},
-    {"stl", "count 0", [](S& s, E& e) { e.warning = "the header announces 0 facets; all " + s.number_of_faces(); return stl_bytes(s, "x", 0); }},
-    {"stl", "count -1", [](S& s, E& e) { e.warning = "the header announces 4294967295 facets; all " + s.number_of_faces(); return stl_bytes(s, "x", 4294967295u); }},
-    {"stl", "count too small", [](S& s, E& e) { e.error = "facet " + std::to_string(s.f() - 1) + ", at byte " + std::to_string(84 + 50 * (s.f() - 1)) + ", is the first behind them"; return stl_bytes(s, "x", std::uint32_t(s.f() - 1)); }},
-    {"stl", "count too large", [](S& s, E& e) { e.error = "it ends within facet " + s.number_of_faces() + ", which begins at byte " + std::to_string(84 + 50 * s.f()); return stl_bytes(s, "x", std::uint32_t(s.f() + 1)); }},
-    {"stl", "bytes behind the facets", [](S& s, E& e) { e.warning = "there are 3 bytes behind the " + s.number_of_faces() + " facets"; return stl_bytes(s, "x", std::uint32_t(s.f())) + "\n\n\n"; }},
-    {"stl", "a facet behind the facets", [](S& s, E& e) { e.error = "facet " + s.number_of_faces() + ", at byte"; const std::string b = stl_bytes(s, "x", std::uint32_t(s.f())); return b + b.substr(84, 50); }},
-    {"stl", "a binary file cut off", [](S& s, E& e) { e.error = "it ends within facet " + std::to_string(s.f() - 1); std::string b = stl_bytes(s, "solid x", std::uint32_t(s.f())); b.pop_back(); return b; }},
+    {"stl", "a header that begins with solid",
+     [](S& s, E&) { return stl_bytes(s, "solid facet normal", std::uint32_t(s.f())); }},
+    {"stl", "count 0",
+     [](S& s, E& e) {
+       e.warning = "the header announces 0 facets; all " + s.number_of_faces();
+       return stl_bytes(s, "x", 0);
+     }},
+    {"stl", "count -1",
+     [](S& s, E& e) {
+       e.warning = "the header announces 4294967295 facets; all " + s.number_of_faces();
+       return stl_bytes(s, "x", 4294967295u);
+     }},
+    {"stl", "count too small",
+     [](S& s, E& e) {
+       e.error = "facet " + std::to_string(s.f() - 1) + ", at byte " + std::to_string(84 + 50 * (s.f() - 1)) +
+                 ", is the first behind them";
+       return stl_bytes(s, "x", std::uint32_t(s.f() - 1));
+     }},
+    {"stl", "count too large",
+     [](S& s, E& e) {
+       e.error =
+         "it ends within facet " + s.number_of_faces() + ", which begins at byte " + std::to_string(84 + 50 * s.f());
+       return stl_bytes(s, "x", std::uint32_t(s.f() + 1));
+     }},
+    {"stl", "bytes behind the facets",
+     [](S& s, E& e) {
+       e.warning = "there are 3 bytes behind the " + s.number_of_faces() + " facets";
+       return stl_bytes(s, "x", std::uint32_t(s.f())) + "\n\n\n";
+     }},
+    {"stl", "a facet behind the facets",
+     [](S& s, E& e) {
+       e.error = "facet " + s.number_of_faces() + ", at byte";
+       const std::string b = stl_bytes(s, "x", std::uint32_t(s.f()));
+       return b + b.substr(84, 50);
+     }},
+    {"stl", "a binary file cut off",
+     [](S& s, E& e) {
+       e.error = "it ends within facet " + std::to_string(s.f() - 1);
+       std::string b = stl_bytes(s, "solid x", std::uint32_t(s.f()));
+       b.pop_back();
+       return b;
+     }},
     // ---- OFF
     {"off", "OFF4 4 0", [](S& s, E&) { return off_text(s, "OFF"); }},
     {"off", "off in small letters", [](S& s, E&) { return off_text(s, "off\n"); }},
-    {"off", "counts on three lines", [](S& s, E&) { return with_line(off_text(s), 2, s.number_of_points() + " # vertices\n\n" + s.number_of_faces() + "\n0"); }},
-    {"off", "comments everywhere", [](S& s, E&) { return replaced(off_text(s, "# 3\nOFF # 4\n# 5\n"), "\n", " # 3 0 1 2\n#\n\n"); }},
-    {"off", "faces over several lines", [](S& s, E&) { return with_line(off_text(s), s.off_face(s.middle()), [](const std::string& l) { return replaced(l, " ", "\n"); }); }},
+    {"off", "counts on three lines",
+     [](S& s, E&) {
+       return with_line(off_text(s), 2, s.number_of_points() + " # vertices\n\n" + s.number_of_faces() + "\n0");
+     }},
+    {"off", "comments everywhere",
+     [](S& s, E&) { return replaced(off_text(s, "# 3\nOFF # 4\n# 5\n"), "\n", " # 3 0 1 2\n#\n\n"); }},
+    {"off", "faces over several lines",
+     [](S& s, E&) {
+       return with_line(off_text(s), s.off_face(s.middle()),
+                        [](const std::string& l) { return replaced(l, " ", "\n"); });
+     }},
     {"off", "NOFF", [](S& s, E&) { return off_text(s, "NOFF\n", " 0 0 1"); }},
     {"off", "COFF, floats", [](S& s, E&) { return off_text(s, "COFF\n", " 0.5 0.5 0.5 1"); }},
     {"off", "STOFF", [](S& s, E&) { return off_text(s, "STOFF\n", " 0.5 0.5"); }},
     {"off", "CNOFF", [](S& s, E&) { return off_text(s, "CNOFF\n", " 0 0 1 255 255 255"); }},
     {"off", "4OFF", [](S& s, E&) { return off_text(s, "4OFF\n", " 2"); }},
     {"off", "nOFF of dimension 3", [](S& s, E&) { return off_text(s, "nOFF\n3\n"); }},
-    {"off", "nOFF of dimension 5", [](S& s, E& e) { e.error = "points of \"5\" coordinates are not read"; return off_text(s, "nOFF\n5\n", " 0 0"); }},
+    {"off", "nOFF of dimension 5",
+     [](S& s, E& e) {
+       e.error = "points of \"5\" coordinates are not read";
+       return off_text(s, "nOFF\n5\n", " 0 0");
+     }},
     {"off", "colors without C", [](S& s, E&) { return off_text(s, "OFF\n", " 255 0 0"); }},
-    {"off", "colors of faces", [](S& s, E&) { return appended(off_text(s, "OFF\n", "", " 0.1 0.2 0.3"), s.off_face(s.middle()), " 1"); }},
-    {"off", "a byte order mark and CR LF", [](S& s, E&) { return "\xef\xbb\xbf" + replaced(off_text(s), "\n", "\r\n"); }},
+    {"off", "colors of faces",
+     [](S& s, E&) { return appended(off_text(s, "OFF\n", "", " 0.1 0.2 0.3"), s.off_face(s.middle()), " 1"); }},
+    {"off", "a byte order mark and CR LF",
+     [](S& s, E&) { return "\xef\xbb\xbf" + replaced(off_text(s), "\n", "\r\n"); }},
     {"off", "CR alone", [](S& s, E&) { return replaced(off_text(s), "\n", "\r"); }},
-    {"off", "binary", [](S&, E& e) { e.error = "binary OFF is not read"; return std::string("OFF BINARY\n\0\0\0\4", 15); }},
-    {"off", "no number of edges", [](S& s, E& e) { e.error = "line 3: \"500e-3\" is not a number of edges"; return with_line(off_text(s), 2, s.number_of_points() + " " + s.number_of_faces()); }},
-    {"off", "fewer faces announced", [](S& s, E& e) { e.error = at(s.off_face(s.f() - 1), "face", s.f() - 1) + ": \"3 "; return off_with_counts(s, s.v(), s.f() - 1); }},
-    {"off", "more faces announced", [](S& s, E& e) { e.error = "the file ends after " + s.number_of_faces() + " of " + std::to_string(s.f() + 1) + " faces"; return off_with_counts(s, s.v(), s.f() + 1); }},
-    {"off", "more vertices announced", [](S& s, E& e) { e.error = at(s.off_face(0), "vertex", s.v()) + ": there are 4 numbers where the vertices before have 3; the header announces"; return off_with_counts(s, s.v() + 1, s.f()); }},
-    {"off", "fewer vertices announced", [](S& s, E& e) { e.error = at(s.off_vertex(s.v() - 1), "face", 0) + ": "; return off_with_counts(s, s.v() - 1, s.f()); }},
-    {"off", "a vertex missing", [](S& s, E& e) { e.error = at(s.off_face(0) - 1, "vertex", s.v() - 1) + ": there are 4 numbers"; return without_line(off_text(s), s.off_vertex(s.v() / 2)); }},
-    {"off", "a face missing", [](S& s, E& e) { e.error = "the file ends after " + std::to_string(s.f() - 1) + " of " + s.number_of_faces(); return without_line(off_text(s), s.off_face(s.middle())); }},
-    {"off", "a face doubled", [](S& s, E& e) { e.error = at(s.off_face(s.f()), "face", s.f()) + ": \"3 "; return doubled(off_text(s), s.off_face(s.middle())); }},
-    {"off", "a coordinate missing", [](S& s, E& e) { e.error = at(s.off_vertex(s.v() / 2), "vertex", s.v() / 2) + ": there are 2 numbers where 3"; return with_line(off_text(s), s.off_vertex(s.v() / 2), "1 2"); }},
-    {"off", "a corner missing", [](S& s, E& e) { e.error = at(s.off_face(s.middle()), "face", s.middle()) + ": there are 2 vertices where 3"; return with_line(off_text(s), s.off_face(s.middle()), "3 1 2"); }},
-    {"off", "words behind a vertex", [](S& s, E& e) { e.error = at(s.off_vertex(1), "vertex", 1) + ": \"red\" is behind"; return appended(off_text(s), s.off_vertex(1), " red"); }},
-    {"off", "two faces in a line", [](S& s, E& e) { e.error = at(s.off_face(s.middle()), "face", s.middle()) + ": \"3\" is behind the numbers"; return appended(off_text(s), s.off_face(s.middle()), " 1 2 3 4 3"); }},
-    {"off", "indices from 1", [](S& s, E& e) {
+    {"off", "binary",
+     [](S&, E& e) {
+       e.error = "binary OFF is not read";
+       return std::string("OFF BINARY\n\0\0\0\4", 15);
+     }},
+    {"off", "no number of edges",
+     [](S& s, E& e) {
+       e.error = "line 3: \"500e-3\" is not a number of edges";
+       return with_line(off_text(s), 2, s.number_of_points() + " " + s.number_of_faces());
+     }},
+    {"off", "fewer faces announced",
+     [](S& s, E& e) {
+       e.error = at(s.off_face(s.f() - 1), "face", s.f() - 1) + ": \"3 ";
+       return off_with_counts(s, s.v(), s.f() - 1);
+     }},
+    {"off", "more faces announced",
+     [](S& s, E& e) {
+       e.error = "the file ends after " + s.number_of_faces() + " of " + std::to_string(s.f() + 1) + " faces";
+       return off_with_counts(s, s.v(), s.f() + 1);
+     }},
+    {"off", "more vertices announced",
+     [](S& s, E& e) {
+       e.error = at(s.off_face(0), "vertex", s.v()) +
+                 ": there are 4 numbers where the vertices before have 3; the header announces";
+       return off_with_counts(s, s.v() + 1, s.f());
+     }},
+    {"off", "fewer vertices announced",
+     [](S& s, E& e) {
+       e.error = at(s.off_vertex(s.v() - 1), "face", 0) + ": ";
+       return off_with_counts(s, s.v() - 1, s.f());
+     }},
+    {"off", "a vertex missing",
+     [](S& s, E& e) {
+       e.error = at(s.off_face(0) - 1, "vertex", s.v() - 1) + ": there are 4 numbers";
+       return without_line(off_text(s), s.off_vertex(s.v() / 2));
+     }},
+    {"off", "a face missing",
+     [](S& s, E& e) {
+       e.error = "the file ends after " + std::to_string(s.f() - 1) + " of " + s.number_of_faces();
+       return without_line(off_text(s), s.off_face(s.middle()));
+     }},
+    {"off", "a face doubled",
+     [](S& s, E& e) {
+       e.error = at(s.off_face(s.f()), "face", s.f()) + ": \"3 ";
+       return doubled(off_text(s), s.off_face(s.middle()));
+     }},
+    {"off", "a coordinate missing",
+     [](S& s, E& e) {
+       e.error = at(s.off_vertex(s.v() / 2), "vertex", s.v() / 2) + ": there are 2 numbers where 3";
+       return with_line(off_text(s), s.off_vertex(s.v() / 2), "1 2");
+     }},
+    {"off", "a corner missing",
+     [](S& s, E& e) {
+       e.error = at(s.off_face(s.middle()), "face", s.middle()) + ": there are 2 vertices where 3";
+       return with_line(off_text(s), s.off_face(s.middle()), "3 1 2");
+     }},
+    {"off", "words behind a vertex",
+     [](S& s, E& e) {
+       e.error = at(s.off_vertex(1), "vertex", 1) + ": \"red\" is behind";
+       return appended(off_text(s), s.off_vertex(1), " red");
+     }},
+    {"off", "two faces in a line",
+     [](S& s, E& e) {
+       e.error = at(s.off_face(s.middle()), "face", s.middle()) + ": \"3\" is behind the numbers";
+       return appended(off_text(s), s.off_face(s.middle()), " 1 2 3 4 3");
+     }},
+    {"off", "indices from 1",
+     [](S& s, E& e) {
        e.error = "No face names vertex 0: the indices seem to count from 1";
        std::string t = off_text(s);
        t.resize(begin_of_line(t, s.off_face(0)));
@@ -213,18 +403,39 @@ std::vector<Case> cases()
          t += "3 " + text_of(f, 1) + "\n";
        return t;
      }},
-    {"off", "a vertex that is NaN", [](S& s, E& e) { e.error = at(s.off_vertex(1), "vertex", 1) + ": the coordinate \"nan\" is not finite"; return with_line(off_text(s), s.off_vertex(1), "1 nan 0"); }},
-    {"off", "a vertex that is NaN and has no face", [](S& s, E& e) { e.error = at(s.off_vertex(s.v()), "vertex", s.v()) + ": the coordinate \"nan\" is not finite"; return appended(off_with_counts(s, s.v() + 1, s.f()), s.off_vertex(s.v() - 1), "\nnan 0 inf"); }},
+    {"off", "a vertex that is NaN",
+     [](S& s, E& e) {
+       e.error = at(s.off_vertex(1), "vertex", 1) + ": the coordinate \"nan\" is not finite";
+       return with_line(off_text(s), s.off_vertex(1), "1 nan 0");
+     }},
+    {"off", "a vertex that is NaN and has no face",
+     [](S& s, E& e) {
+       e.error = at(s.off_vertex(s.v()), "vertex", s.v()) + ": the coordinate \"nan\" is not finite";
+       return appended(off_with_counts(s, s.v() + 1, s.f()), s.off_vertex(s.v() - 1), "\nnan 0 inf");
+     }},
     // ---- OBJ
-    {"obj", "faces that go on", [](S& s, E&) { return with_line(obj_text(s), s.obj_face(s.middle()), [](const std::string& l) { return replaced(l, " ", "\\\n "); }); }},
-    {"obj", "vertices that go on", [](S& s, E&) { return with_line(obj_text(s), 3, [](const std::string& l) { return replaced(l, " ", " \\ \r\n"); }); }},
-    {"obj", "comments and others that go on", [](S& s, E&) { return "# a comment \\\n goes on\ng a \\\n b\n" + obj_text(s); }},
-    {"obj", "a comment that ends as a path", [](S& s, E& e) { e.error = "line 3: \"v "; return with_line(obj_text(s), 2, "# C:\\models\\"); }},
+    {"obj", "faces that go on",
+     [](S& s, E&) {
+       return with_line(obj_text(s), s.obj_face(s.middle()),
+                        [](const std::string& l) { return replaced(l, " ", "\\\n "); });
+     }},
+    {"obj", "vertices that go on",
+     [](S& s, E&) {
+       return with_line(obj_text(s), 3, [](const std::string& l) { return replaced(l, " ", " \\ \r\n"); });
+     }},
+    {"obj", "comments and others that go on",
+     [](S& s, E&) { return "# a comment \\\n goes on\ng a \\\n b\n" + obj_text(s); }},
+    {"obj", "a comment that ends as a path",
+     [](S& s, E& e) {
+       e.error = "line 3: \"v ";
+       return with_line(obj_text(s), 2, "# C:\\models\\");
+     }},
     {"obj", "capitals", [](S& s, E&) { return replaced(replaced(obj_text(s), "\nv ", "\nV "), "\nf ", "\nF\t"); }},
     {"obj", "weights and colors", [](S& s, E&) { return obj_text(s, " 1 0.5 0.5 0.5"); }},
     {"obj", "v/vt/vn", [](S& s, E&) { return obj_text(s, "", "/1/1"); }},
     {"obj", "v//vn", [](S& s, E&) { return obj_text(s, "", "//1"); }},
-    {"obj", "negative indices", [](S& s, E&) {
+    {"obj", "negative indices",
+     [](S& s, E&) {
        std::string t = obj_text(s);
        t.resize(begin_of_line(t, s.obj_face(0)));
        for (const auto& f : s.triangles) {
@@ -235,80 +446,283 @@ std::vector<Case> cases()
        }
        return t;
      }},
-    {"obj", "lines, points, curves", [](S& s, E&) { return obj_text(s) + "l 1 2 3\np 1\ncstype bezier\ncurv 0 1 1 2 3\nend\nSHADOW_OBJ x\n"; }},
-    {"obj", "faces before vertices", [](S& s, E&) { const std::string t = obj_text(s); return t.substr(begin_of_line(t, s.obj_face(0))) + t.substr(0, begin_of_line(t, s.obj_face(0))); }},
+    {"obj", "lines, points, curves",
+     [](S& s, E&) { return obj_text(s) + "l 1 2 3\np 1\ncstype bezier\ncurv 0 1 1 2 3\nend\nSHADOW_OBJ x\n"; }},
+    {"obj", "faces before vertices",
+     [](S& s, E&) {
+       const std::string t = obj_text(s);
+       return t.substr(begin_of_line(t, s.obj_face(0))) + t.substr(0, begin_of_line(t, s.obj_face(0)));
+     }},
     {"obj", "a byte order mark", [](S& s, E&) { return "\xef\xbb\xbf" + obj_text(s); }},
     {"obj", "CR alone", [](S& s, E&) { return replaced(obj_text(s), "\n", "\r"); }},
-    {"obj", "fc", [](S& s, E& e) { e.error = "line " + std::to_string(s.obj_face(s.middle())) + ": \"fc 1 2 3\" is not understood"; return with_line(obj_text(s), s.obj_face(s.middle()), "fc 1 2 3"); }},
-    {"obj", "f1", [](S& s, E& e) { e.error = "line " + std::to_string(s.obj_face(s.middle())) + ": \"f1 2 3\" is not understood"; return with_line(obj_text(s), s.obj_face(s.middle()), "f1 2 3"); }},
-    {"obj", "a vertex missing", [](S& s, E& e) { e.error = "the face names vertex " + s.number_of_points() + ", but there are " + std::to_string(s.v() - 1); return without_line(obj_text(s), 3); }},
-    {"obj", "two vertices in a line", [](S& s, E& e) { e.error = at(3, "vertex", 0) + ": \"v\" is behind the coordinates"; return with_line(obj_text(s), 3, "v 0 0 0 v 1 1 1"); }},
-    {"obj", "two faces in a line", [](S& s, E& e) { e.error = at(s.obj_face(s.middle()), "face", s.middle()) + ": \"f\" is not a corner"; return with_line(obj_text(s), s.obj_face(s.middle()), "f 1 2 3 f 2 3 4"); }},
-    {"obj", "another file", [](S& s, E& e) { e.error = "line 1: \"call b.obj\" runs another file or program"; return "call b.obj\n" + obj_text(s); }},
-    {"obj", "curved surfaces", [](S& s, E& e) { e.warning = "line 1: this and all other curved surfaces are left out"; return "surf 0 1 0 1 1 2 3 4\nend\nbzp 1 2 3\n" + obj_text(s); }},
-    {"obj", "index 0", [](S& s, E& e) { e.error = at(s.obj_face(s.middle()), "face", s.middle()) + ": \"0\" names vertex 0, but vertices are counted from 1"; return with_line(obj_text(s), s.obj_face(s.middle()), "f 0 1 2"); }},
-    {"obj", "a vertex that is NaN and has no face", [](S& s, E& e) { e.error = "(vertex " + s.number_of_points() + "): the coordinate \"nan\" is not finite"; return obj_text(s) + "v nan nan nan\n"; }},
+    {"obj", "fc",
+     [](S& s, E& e) {
+       e.error = "line " + std::to_string(s.obj_face(s.middle())) + ": \"fc 1 2 3\" is not understood";
+       return with_line(obj_text(s), s.obj_face(s.middle()), "fc 1 2 3");
+     }},
+    {"obj", "f1",
+     [](S& s, E& e) {
+       e.error = "line " + std::to_string(s.obj_face(s.middle())) + ": \"f1 2 3\" is not understood";
+       return with_line(obj_text(s), s.obj_face(s.middle()), "f1 2 3");
+     }},
+    {"obj", "a vertex missing",
+     [](S& s, E& e) {
+       e.error = "the face names vertex " + s.number_of_points() + ", but there are " + std::to_string(s.v() - 1);
+       return without_line(obj_text(s), 3);
+     }},
+    {"obj", "two vertices in a line",
+     [](S& s, E& e) {
+       e.error = at(3, "vertex", 0) + ": \"v\" is behind the coordinates";
+       return with_line(obj_text(s), 3, "v 0 0 0 v 1 1 1");
+     }},
+    {"obj", "two faces in a line",
+     [](S& s, E& e) {
+       e.error = at(s.obj_face(s.middle()), "face", s.middle()) + ": \"f\" is not a corner";
+       return with_line(obj_text(s), s.obj_face(s.middle()), "f 1 2 3 f 2 3 4");
+     }},
+    {"obj", "another file",
+     [](S& s, E& e) {
+       e.error = "line 1: \"call b.obj\" runs another file or program";
+       return "call b.obj\n" + obj_text(s);
+     }},
+    {"obj", "curved surfaces",
+     [](S& s, E& e) {
+       e.warning = "line 1: this and all other curved surfaces are left out";
+       return "surf 0 1 0 1 1 2 3 4\nend\nbzp 1 2 3\n" + obj_text(s);
+     }},
+    {"obj", "index 0",
+     [](S& s, E& e) {
+       e.error =
+         at(s.obj_face(s.middle()), "face", s.middle()) + ": \"0\" names vertex 0, but vertices are counted from 1";
+       return with_line(obj_text(s), s.obj_face(s.middle()), "f 0 1 2");
+     }},
+    {"obj", "a vertex that is NaN and has no face",
+     [](S& s, E& e) {
+       e.error = "(vertex " + s.number_of_points() + "): the coordinate \"nan\" is not finite";
+       return obj_text(s) + "v nan nan nan\n";
+     }},
     // ---- PLY, text
-    {"ply", "ushort", [](S& s, E&) { return ply_text(s, {"ascii", "float", "uchar", "ushort", "", "vertex_indices"}); }},
-    {"ply", "header in capitals", [](S& s, E&) { return replaced(replaced(ply_text(s, {}), "element", "ELEMENT"), "ply\n", "PLY \n"); }},
-    {"ply", "comments before the format, blank lines", [](S& s, E&) { return replaced(replaced(ply_text(s, {}), "ply\n", "ply\ncomment x\n\n"), "end_header\n", "\nend_header\n\n"); }},
-    {"ply", "a byte order mark and CR LF", [](S& s, E&) { return "\xef\xbb\xbf" + replaced(ply_text(s, {}), "\n", "\r\n"); }},
+    {"ply", "ushort",
+     [](S& s, E&) {
+       return ply_text(s, {"ascii", "float", "uchar", "ushort", "", "vertex_indices"});
+     }},
+    {"ply", "header in capitals",
+     [](S& s, E&) { return replaced(replaced(ply_text(s, {}), "element", "ELEMENT"), "ply\n", "PLY \n"); }},
+    {"ply", "comments before the format, blank lines",
+     [](S& s, E&) {
+       return replaced(replaced(ply_text(s, {}), "ply\n", "ply\ncomment x\n\n"), "end_header\n", "\nend_header\n\n");
+     }},
+    {"ply", "a byte order mark and CR LF",
+     [](S& s, E&) { return "\xef\xbb\xbf" + replaced(ply_text(s, {}), "\n", "\r\n"); }},
     {"ply", "CR alone", [](S& s, E&) { return replaced(ply_text(s, {}), "\n", "\r"); }},
-    {"ply", "rows over several lines", [](S& s, E&) { return with_line(ply_text(s, {}), s.ply_face(s.middle()), [](const std::string& l) { return replaced(l, " ", "\n"); }); }},
-    {"ply", "one row too long", [](S& s, E& e) { e.error = ply_at(s.ply_face(s.middle()), "face", s.middle()) + ": \"0\" is behind the numbers"; return appended(ply_text(s, {}), s.ply_face(s.middle()), " 0"); }},
-    {"ply", "all rows too long", [](S& s, E& e) { e.error = ply_at(s.ply_face(0) + 1, "face", 0) + ": \"7\" is behind the numbers that the header names (vertex_indices)"; return replaced(ply_text(s, {"ascii", "float", "uchar", "int", "uchar", "vertex_indices"}), "property uchar extra\nend", "end"); }},
-    {"ply", "one row too short", [](S& s, E& e) { e.error = "line " + std::to_string(s.ply_face(s.middle())) + ", element face " + std::to_string(s.middle()) + ", which goes on over line"; return with_line(ply_text(s, {}), s.ply_face(s.middle()), "3 0 1"); }},
-    {"ply", "a vertex missing", [](S& s, E& e) { e.error = ply_at(s.ply_face(0) - 1, "vertex", s.v() - 1) + ": "; return without_line(ply_text(s, {}), s.ply_vertex(1)); }},
-    {"ply", "a face missing", [](S& s, E& e) { e.error = "the file ends too early, after " + s.number_of_points() + " vertices and " + std::to_string(s.f() - 1); return without_line(ply_text(s, {}), s.ply_face(s.middle())); }},
-    {"ply", "a face doubled", [](S& s, E& e) { e.error = "line " + std::to_string(s.ply_face(s.f())) + ": \"3\" is behind the"; return doubled(ply_text(s, {}), s.ply_face(s.middle())); }},
-    {"ply", "fewer vertices announced", [](S& s, E& e) { e.error = ply_at(s.ply_vertex(s.v() - 1), "face", 0) + ": "; return ply_with_count(ply_text(s, {}), "vertex", s.v(), s.v() - 1); }},
-    {"ply", "more vertices announced", [](S& s, E& e) { e.error = ply_at(s.ply_face(0), "vertex", s.v()) + ": "; return ply_with_count(ply_text(s, {}), "vertex", s.v(), s.v() + 1); }},
-    {"ply", "a property of unknown type", [](S& s, E& e) { e.error = "line 7 of the header: \"property flot y\" has a type that is not known"; return replaced(ply_text(s, {}), "float y", "flot y"); }},
-    {"ply", "a property twice", [](S& s, E& e) { e.error = "line 8 of the header: \"property float y\" names a property for the second time"; return replaced(ply_text(s, {}), "float z", "float y"); }},
-    {"ply", "an element twice", [](S& s, E& e) { e.error = "names an element for the second time"; return doubled(ply_text(s, {}), 9); }},
-    {"ply", "end_headr", [](S& s, E& e) { e.error = "line 11 of the header: \"end_headr\" is not understood"; return replaced(ply_text(s, {}), "end_header", "end_headr"); }},
-    {"ply", "numbers of any kind in properties that are skipped", [](S& s, E&) {
+    {"ply", "rows over several lines",
+     [](S& s, E&) {
+       return with_line(ply_text(s, {}), s.ply_face(s.middle()),
+                        [](const std::string& l) { return replaced(l, " ", "\n"); });
+     }},
+    {"ply", "one row too long",
+     [](S& s, E& e) {
+       e.error = ply_at(s.ply_face(s.middle()), "face", s.middle()) + ": \"0\" is behind the numbers";
+       return appended(ply_text(s, {}), s.ply_face(s.middle()), " 0");
+     }},
+    {"ply", "all rows too long",
+     [](S& s, E& e) {
+       e.error =
+         ply_at(s.ply_face(0) + 1, "face", 0) + ": \"7\" is behind the numbers that the header names (vertex_indices)";
+       return replaced(ply_text(s, {"ascii", "float", "uchar", "int", "uchar", "vertex_indices"}),
+                       "property uchar extra\nend", "end");
+     }},
+    {"ply", "one row too short",
+     [](S& s, E& e) {
+       e.error = "line " + std::to_string(s.ply_face(s.middle())) + ", element face " + std::to_string(s.middle()) +
+                 ", which goes on over line";
+       return with_line(ply_text(s, {}), s.ply_face(s.middle()), "3 0 1");
+     }},
+    {"ply", "a vertex missing",
+     [](S& s, E& e) {
+       e.error = ply_at(s.ply_face(0) - 1, "vertex", s.v() - 1) + ": ";
+       return without_line(ply_text(s, {}), s.ply_vertex(1));
+     }},
+    {"ply", "a face missing",
+     [](S& s, E& e) {
+       e.error =
+         "the file ends too early, after " + s.number_of_points() + " vertices and " + std::to_string(s.f() - 1);
+       return without_line(ply_text(s, {}), s.ply_face(s.middle()));
+     }},
+    {"ply", "a face doubled",
+     [](S& s, E& e) {
+       e.error = "line " + std::to_string(s.ply_face(s.f())) + ": \"3\" is behind the";
+       return doubled(ply_text(s, {}), s.ply_face(s.middle()));
+     }},
+    {"ply", "fewer vertices announced",
+     [](S& s, E& e) {
+       e.error = ply_at(s.ply_vertex(s.v() - 1), "face", 0) + ": ";
+       return ply_with_count(ply_text(s, {}), "vertex", s.v(), s.v() - 1);
+     }},
+    {"ply", "more vertices announced",
+     [](S& s, E& e) {
+       e.error = ply_at(s.ply_face(0), "vertex", s.v()) + ": ";
+       return ply_with_count(ply_text(s, {}), "vertex", s.v(), s.v() + 1);
+     }},
+    {"ply", "a property of unknown type",
+     [](S& s, E& e) {
+       e.error = "line 7 of the header: \"property flot y\" has a type that is not known";
+       return replaced(ply_text(s, {}), "float y", "flot y");
+     }},
+    {"ply", "a property twice",
+     [](S& s, E& e) {
+       e.error = "line 8 of the header: \"property float y\" names a property for the second time";
+       return replaced(ply_text(s, {}), "float z", "float y");
+     }},
+    {"ply", "an element twice",
+     [](S& s, E& e) {
+       e.error = "names an element for the second time";
+       return doubled(ply_text(s, {}), 9);
+     }},
+    {"ply", "end_headr",
+     [](S& s, E& e) {
+       e.error = "line 11 of the header: \"end_headr\" is not understood";
+       return replaced(ply_text(s, {}), "end_header", "end_headr");
+     }},
+    {"ply", "numbers of any kind in properties that are skipped",
+     [](S& s, E&) {
        std::string text = ply_text(s, {"ascii", "float", "uchar", "int", "uchar", "vertex_indices"});
-       for (const auto& [place, number] : {std::pair{s.ply_vertex(0), "nan"}, {s.ply_vertex(1), "-inf"}, {s.ply_face(0), "300.5"}, {s.ply_face(1), "1e999"}})
-         text = with_line(text, place + 2, [number = number](const std::string& l) { return l.substr(0, l.rfind(' ') + 1) + number; });
-       return text; }},
-    {"ply", "a word in a property that is skipped", [](S& s, E& e) {
+       for (const auto& [place, number] : {std::pair{s.ply_vertex(0), "nan"},
+                                           {s.ply_vertex(1), "-inf"},
+                                           {s.ply_face(0), "300.5"},
+                                           {s.ply_face(1), "1e999"}})
+         text = with_line(text, place + 2,
+                          [number = number](const std::string& l) { return l.substr(0, l.rfind(' ') + 1) + number; });
+       return text;
+     }},
+    {"ply", "a word in a property that is skipped",
+     [](S& s, E& e) {
        e.error = ply_at(s.ply_face(1) + 2, "face", 1) + ": \"none\" is not a number, which is needed for extra";
        return with_line(ply_text(s, {"ascii", "float", "uchar", "int", "uchar", "vertex_indices"}), s.ply_face(1) + 2,
-                        [](const std::string& l) { return l.substr(0, l.rfind(' ')) + " none"; }); }},
-    {"ply", "binary, coordinates that are integers", [](S& s, E&) { return ply_text(s, {"binary_big_endian", "short"}); }},
-    {"ply", "binary, coordinates that are integers without a sign", [](S& s, E&) { return ply_text(s, {"binary_little_endian", "uint"}); }},
+                        [](const std::string& l) { return l.substr(0, l.rfind(' ')) + " none"; });
+     }},
+    {"ply", "binary, coordinates that are integers",
+     [](S& s, E&) {
+       return ply_text(s, {"binary_big_endian", "short"});
+     }},
+    {"ply", "binary, coordinates that are integers without a sign",
+     [](S& s, E&) {
+       return ply_text(s, {"binary_little_endian", "uint"});
+     }},
     {"ply", "strips", [](S& s, E&) { return strips(s, "ascii", "int"); }},
-    {"ply", "a strip of two", [](S& s, E& e) { e.error = "element tristrips 0: a strip of triangles ends after 2 vertices"; return strips(s, "ascii", "int", " 0 1 -1"); }},
-    {"ply", "faces before vertices, lists in vertices, other elements", [](S& s, E&) {
+    {"ply", "a strip of two",
+     [](S& s, E& e) {
+       e.error = "element tristrips 0: a strip of triangles ends after 2 vertices";
+       return strips(s, "ascii", "int", " 0 1 -1");
+     }},
+    {"ply", "faces before vertices, lists in vertices, other elements",
+     [](S& s, E&) {
        std::string t = ply_text(s, {});
        const std::size_t end = t.find("end_header\n") + 11, faces = begin_of_line(t, s.ply_face(0));
-       return "ply\nformat ascii 1.0\nelement other 2\nproperty list uchar float a\nproperty int b\nelement face " + s.number_of_faces() + "\nproperty list uchar int vertex_index\nelement vertex " + s.number_of_points() + "\nproperty float x\nproperty float y\nproperty float z\nproperty list uchar int more\nend_header\n2 1 2 3\n0 4\n" + t.substr(faces) + replaced(t.substr(end, faces - end), "\n", " 2 8 9\n");
+       return "ply\nformat ascii 1.0\nelement other 2\nproperty list uchar float a\nproperty int b\nelement face " +
+              s.number_of_faces() + "\nproperty list uchar int vertex_index\nelement vertex " + s.number_of_points() +
+              "\nproperty float x\nproperty float y\nproperty float z\nproperty list uchar int more\nend_header\n2 1 2 "
+              "3\n0 4\n" +
+              t.substr(faces) + replaced(t.substr(end, faces - end), "\n", " 2 8 9\n");
      }},
     // ---- PLY, binary
-    {"ply", "big endian, ushort", [](S& s, E&) { return ply_text(s, {"binary_big_endian", "float", "uchar", "ushort", "", "vertex_indices"}); }},
-    {"ply", "little endian, int and short", [](S& s, E&) { return ply_text(s, {"binary_little_endian", "double", "int", "short", "uchar", "vertex_index"}); }},
-    {"ply", "binary, fewer faces announced", [](S& s, E& e) { e.error = "on there are 13 bytes behind the elements that the header announces (" + s.number_of_points() + " vertex, " + std::to_string(s.f() - 1) + " face)"; return ply_with_count(ply_text(s, {"binary_little_endian"}), "face", s.f(), s.f() - 1); }},
-    {"ply", "binary, more faces announced", [](S& s, E& e) { e.error = "element face " + s.number_of_faces() + ": the file ends within vertex_indices"; return ply_with_count(ply_text(s, {"binary_little_endian"}), "face", s.f(), s.f() + 1); }},
-    {"ply", "binary, cut off", [](S& s, E& e) { e.error = "element face " + std::to_string(s.f() - 1) + ": the file ends within vertex_indices"; std::string t = ply_text(s, {"binary_big_endian"}); t.pop_back(); return t; }},
-    {"ply", "binary, a line end behind it", [](S& s, E& e) { e.warning = "on there is 1 byte behind the elements"; return ply_text(s, {"binary_little_endian"}) + "\n"; }},
+    {"ply", "big endian, ushort",
+     [](S& s, E&) {
+       return ply_text(s, {"binary_big_endian", "float", "uchar", "ushort", "", "vertex_indices"});
+     }},
+    {"ply", "little endian, int and short",
+     [](S& s, E&) {
+       return ply_text(s, {"binary_little_endian", "double", "int", "short", "uchar", "vertex_index"});
+     }},
+    {"ply", "binary, fewer faces announced",
+     [](S& s, E& e) {
+       e.error = "on there are 13 bytes behind the elements that the header announces (" + s.number_of_points() +
+                 " vertex, " + std::to_string(s.f() - 1) + " face)";
+       return ply_with_count(ply_text(s, {"binary_little_endian"}), "face", s.f(), s.f() - 1);
+     }},
+    {"ply", "binary, more faces announced",
+     [](S& s, E& e) {
+       e.error = "element face " + s.number_of_faces() + ": the file ends within vertex_indices";
+       return ply_with_count(ply_text(s, {"binary_little_endian"}), "face", s.f(), s.f() + 1);
+     }},
+    {"ply", "binary, cut off",
+     [](S& s, E& e) {
+       e.error = "element face " + std::to_string(s.f() - 1) + ": the file ends within vertex_indices";
+       std::string t = ply_text(s, {"binary_big_endian"});
+       t.pop_back();
+       return t;
+     }},
+    {"ply", "binary, a line end behind it",
+     [](S& s, E& e) {
+       e.warning = "on there is 1 byte behind the elements";
+       return ply_text(s, {"binary_little_endian"}) + "\n";
+     }},
     {"ply", "binary strips", [](S& s, E&) { return strips(s, "binary_big_endian", "int"); }},
     // ---- TS
     {"ts", "small letters", [](S& s, E&) { return replaced(replaced(ts_text(s), "TRGL", "trgl"), "VRTX", "Vrtx"); }},
-    {"ts", "properties of triangles", [](S& s, E&) { return ts_text(s, "TRGL_PROPERTIES a b\nTRGL_ESIZES 1 2\n", "VRTX ", "", " 1 2 3"); }},
-    {"ts", "properties that are not announced", [](S& s, E& e) { e.error = at(s.ts_face(0), "face", 0) + ": there is more in the line than three vertices"; return ts_text(s, "", "VRTX ", "", " 1"); }},
-    {"ts", "a property missing", [](S& s, E& e) { e.error = at(s.ts_face(0) + 1, "face", 0) + ": three vertices are not followed by 2 properties"; return ts_text(s, "TRGL_PROPERTIES a b\n", "VRTX ", "", " 1"); }},
-    {"ts", "PVRTX, control nodes", [](S& s, E&) { return ts_text(s, "PROPERTIES a\nPROPERTY_CLASS_HEADER a {\n*x: VRTX\n}\n", "PVRTX ", " -99999 CNXYZ"); }},
-    {"ts", "several TFACE, ATOM", [](S& s, E&) { return with_line(ts_text(s), s.ts_face(s.middle()), [](const std::string& l) { return "TFACE\nATOM 1000000 1\n" + l; }); }},
-    {"ts", "another object before it", [](S& s, E& e) { e.warning = "line 1: the part of the kind \"PLine\" is no surface"; return "GOCAD PLine 1\nILINE\nVRTX 1 0 0 0\nVRTX 2 1 1 1\nSEG 1 2\nEND\n" + ts_text(s); }},
-    {"ts", "two parts", [](S& s, E& e) { e.faces = 2 * s.f(); return ts_text(s) + ts_text(s); }},
-    {"ts", "TRG", [](S& s, E& e) { e.error = "line " + std::to_string(s.ts_face(s.middle())) + ", \"TRG\": it is not understood"; return with_line(ts_text(s), s.ts_face(s.middle()), "TRG 1 2 3"); }},
-    {"ts", "VRTXX", [](S& s, E& e) { e.error = "line " + std::to_string(s.ts_vertex(1)) + ", \"VRTXX\": it is not understood"; return with_line(ts_text(s), s.ts_vertex(1), "VRTXX 2 0 0 0"); }},
-    {"ts", "a vertex missing", [](S& s, E& e) { e.error = "the face names vertex 1, but its part has no vertex of this number"; return without_line(ts_text(s), s.ts_vertex(0)); }},
+    {"ts", "properties of triangles",
+     [](S& s, E&) { return ts_text(s, "TRGL_PROPERTIES a b\nTRGL_ESIZES 1 2\n", "VRTX ", "", " 1 2 3"); }},
+    {"ts", "properties that are not announced",
+     [](S& s, E& e) {
+       e.error = at(s.ts_face(0), "face", 0) + ": there is more in the line than three vertices";
+       return ts_text(s, "", "VRTX ", "", " 1");
+     }},
+    {"ts", "a property missing",
+     [](S& s, E& e) {
+       e.error = at(s.ts_face(0) + 1, "face", 0) + ": three vertices are not followed by 2 properties";
+       return ts_text(s, "TRGL_PROPERTIES a b\n", "VRTX ", "", " 1");
+     }},
+    {"ts", "PVRTX, control nodes",
+     [](S& s, E&) {
+       return ts_text(s, "PROPERTIES a\nPROPERTY_CLASS_HEADER a {\n*x: VRTX\n}\n", "PVRTX ", " -99999 CNXYZ");
+     }},
+    {"ts", "several TFACE, ATOM",
+     [](S& s, E&) {
+       return with_line(ts_text(s), s.ts_face(s.middle()),
+                        [](const std::string& l) { return "TFACE\nATOM 1000000 1\n" + l; });
+     }},
+    {"ts", "another object before it",
+     [](S& s, E& e) {
+       e.warning = "line 1: the part of the kind \"PLine\" is no surface";
+       return "GOCAD PLine 1\nILINE\nVRTX 1 0 0 0\nVRTX 2 1 1 1\nSEG 1 2\nEND\n" + ts_text(s);
+     }},
+    {"ts", "two parts",
+     [](S& s, E& e) {
+       e.faces = 2 * s.f();
+       return ts_text(s) + ts_text(s);
+     }},
+    {"ts", "TRG",
+     [](S& s, E& e) {
+       e.error = "line " + std::to_string(s.ts_face(s.middle())) + ", \"TRG\": it is not understood";
+       return with_line(ts_text(s), s.ts_face(s.middle()), "TRG 1 2 3");
+     }},
+    {"ts", "VRTXX",
+     [](S& s, E& e) {
+       e.error = "line " + std::to_string(s.ts_vertex(1)) + ", \"VRTXX\": it is not understood";
+       return with_line(ts_text(s), s.ts_vertex(1), "VRTXX 2 0 0 0");
+     }},
+    {"ts", "a vertex missing",
+     [](S& s, E& e) {
+       e.error = "the face names vertex 1, but its part has no vertex of this number";
+       return without_line(ts_text(s), s.ts_vertex(0));
+     }},
     {"ts", "no TFACE", [](S& s, E&) { return replaced(ts_text(s), "TFACE\n", ""); }},
-    {"ts", "an open brace", [](S& s, E& e) { e.error = "line 4, \"TFACE\": the brace on line 2 is not closed before it"; return without_line(ts_text(s), 4); }},
-    {"ts", "no END", [](S& s, E& e) { e.error = "the file has no line END"; return replaced(ts_text(s), "END\n", ""); }},
-    {"ts", "END in the middle", [](S& s, E& e) { e.error = "line " + std::to_string(s.ts_face(s.middle()) + 1) + ", \"TRGL\": nothing but a line GOCAD may follow"; return with_line(ts_text(s), s.ts_face(s.middle()), [](const std::string& l) { return "END\n" + l; }); }},
+    {"ts", "an open brace",
+     [](S& s, E& e) {
+       e.error = "line 4, \"TFACE\": the brace on line 2 is not closed before it";
+       return without_line(ts_text(s), 4);
+     }},
+    {"ts", "no END",
+     [](S& s, E& e) {
+       e.error = "the file has no line END";
+       return replaced(ts_text(s), "END\n", "");
+     }},
+    {"ts", "END in the middle",
+     [](S& s, E& e) {
+       e.error =
+         "line " + std::to_string(s.ts_face(s.middle()) + 1) + ", \"TRGL\": nothing but a line GOCAD may follow";
+       return with_line(ts_text(s), s.ts_face(s.middle()), [](const std::string& l) { return "END\n" + l; });
+     }},
     {"ts", "CR alone", [](S& s, E&) { return replaced(ts_text(s), "\n", "\r"); }}};
 }
 
@@ -335,14 +749,17 @@ TEST_F(Unusual_files, are_read_or_refused_at_the_place)
         for (const std::string& warning : soup.warnings)
           EXPECT_TRUE(contains(warning, expected.warning)) << warning;
         EXPECT_EQ(faces_of_file::difference(row.extension, content, soup), "");
-        outcome = std::to_string(soup.number_of_faces()) + " faces" + (soup.warnings.empty() ? "" : "; " + soup.warnings[0]);
+        outcome =
+          std::to_string(soup.number_of_faces()) + " faces" + (soup.warnings.empty() ? "" : "; " + soup.warnings[0]);
       } catch (const IT::Invalid_surface_error& error) {
         EXPECT_FALSE(expected.error.empty()) << error.what();
-        EXPECT_TRUE(contains(error.what(), expected.error)) << error.what() << "\nwhere this is expected: " << expected.error;
+        EXPECT_TRUE(contains(error.what(), expected.error))
+          << error.what() << "\nwhere this is expected: " << expected.error;
         outcome = std::string(error.what()).substr(file.size() + 2);
       }
       if (std::getenv("IDT_SHOW_FILES") != nullptr)
-        std::cout << "| " << row.extension << " | " << row.what << " | " << sheet.f() << " | " << outcome << " |" << std::endl;
+        std::cout << "| " << row.extension << " | " << row.what << " | " << sheet.f() << " | " << outcome << " |"
+                  << std::endl;
       ++files;
     }
   }

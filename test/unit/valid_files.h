@@ -42,12 +42,15 @@ inline std::string text_of(const std::array<double, 3>& p)
   const auto number = [](double x) { return std::to_string(int(x * 1000)) + "e-3"; };
   return number(p[0]) + " " + number(p[1]) + " " + number(p[2]);
 }
-inline std::string text_of(const std::array<std::uint32_t, 3>& t, std::uint32_t first = 0, const std::string& behind = "")
+inline std::string text_of(const std::array<std::uint32_t, 3>& t, std::uint32_t first = 0,
+                           const std::string& behind = "")
 {
-  return std::to_string(t[0] + first) + behind + " " + std::to_string(t[1] + first) + behind + " " + std::to_string(t[2] + first) + behind;
+  return std::to_string(t[0] + first) + behind + " " + std::to_string(t[1] + first) + behind + " " +
+         std::to_string(t[2] + first) + behind;
 }
 
-inline std::string off_text(const Sheet& sheet, const std::string& keyword = "OFF\n", const std::string& behind_vertex = "", const std::string& behind_face = "")
+inline std::string off_text(const Sheet& sheet, const std::string& keyword = "OFF\n",
+                            const std::string& behind_vertex = "", const std::string& behind_face = "")
 {
   std::string text = keyword + sheet.number_of_points() + " " + sheet.number_of_faces() + " 0\n";
   for (const auto& p : sheet.points)
@@ -56,7 +59,8 @@ inline std::string off_text(const Sheet& sheet, const std::string& keyword = "OF
     text += "3 " + text_of(t) + behind_face + "\n";
   return text;
 }
-inline std::string obj_text(const Sheet& sheet, const std::string& behind_vertex = "", const std::string& behind_corner = "")
+inline std::string obj_text(const Sheet& sheet, const std::string& behind_vertex = "",
+                            const std::string& behind_corner = "")
 {
   std::string text = "# a sheet\no sheet\n";
   for (const auto& p : sheet.points)
@@ -66,7 +70,8 @@ inline std::string obj_text(const Sheet& sheet, const std::string& behind_vertex
     text += "f " + text_of(t, 1, behind_corner) + "\n";
   return text;
 }
-inline std::string ts_text(const Sheet& sheet, const std::string& header = "", const std::string& keyword = "VRTX ", const std::string& behind_vertex = "", const std::string& behind_face = "")
+inline std::string ts_text(const Sheet& sheet, const std::string& header = "", const std::string& keyword = "VRTX ",
+                           const std::string& behind_vertex = "", const std::string& behind_face = "")
 {
   std::string text = "GOCAD TSurf 1\nHEADER {\nname:sheet\n}\n" + header + "TFACE\n";
   std::size_t i = 0;
@@ -88,7 +93,8 @@ inline std::string stl_text(const Sheet& sheet)
   return text + "endsolid sheet\n";
 }
 // \param attribute the last two bytes of each facet
-inline std::string stl_bytes(const Sheet& sheet, const std::string& header, std::uint32_t announced, std::uint16_t attribute = 0)
+inline std::string stl_bytes(const Sheet& sheet, const std::string& header, std::uint32_t announced,
+                             std::uint16_t attribute = 0)
 {
   std::string text = header;
   text.resize(80, ' ');
@@ -117,7 +123,8 @@ void append_ply(std::string& text, const T value, const Ply_form& form)
 inline void append_ply_number(std::string& text, const double value, const std::string& type, const Ply_form& form)
 {
   if (form.format == "ascii")
-    text += (text.back() == '\n' ? "" : " ") + (value == int(value) ? std::to_string(int(value)) : std::to_string(int(value * 1000)) + "e-3");
+    text += (text.back() == '\n' ? "" : " ") +
+            (value == int(value) ? std::to_string(int(value)) : std::to_string(int(value * 1000)) + "e-3");
   else if (type == "double" || type == "float64")
     append_ply(text, value, form);
   else if (type.compare(0, 5, "float") == 0)
@@ -133,10 +140,12 @@ inline void append_ply_number(std::string& text, const double value, const std::
 inline std::string ply_text(const Sheet& sheet, const Ply_form& form)
 {
   const std::string extra = form.extra.empty() ? "" : "property " + form.extra + " extra\n";
-  std::string text = "ply\nformat " + form.format + " 1.0\ncomment a sheet\nobj_info made for a test\nelement vertex " + sheet.number_of_points() + "\n";
+  std::string text = "ply\nformat " + form.format + " 1.0\ncomment a sheet\nobj_info made for a test\nelement vertex " +
+                     sheet.number_of_points() + "\n";
   for (const std::string name : {"x", "y", "z"})
     text += "property " + form.real + " " + name + "\n";
-  text += extra + "element face " + sheet.number_of_faces() + "\nproperty list " + form.size + " " + form.index + " " + form.name + "\n" + extra + "end_header\n";
+  text += extra + "element face " + sheet.number_of_faces() + "\nproperty list " + form.size + " " + form.index + " " +
+          form.name + "\n" + extra + "end_header\n";
   const auto add = [&](double value, const std::string& type) { append_ply_number(text, value, type, form); };
   const auto end = [&] {
     if (!form.extra.empty())
@@ -177,7 +186,8 @@ inline std::vector<Valid_file> valid_files(std::uint32_t n = 2)
   const Sheet sheet(n);
   const std::string stl = stl_text(sheet), one_line = with_line_ends(stl, " ");
   std::string capitals = stl;
-  std::transform(capitals.begin(), capitals.end(), capitals.begin(), [](char c) { return c >= 'a' && c <= 'z' && c != 'e' ? char(c - 'a' + 'A') : c; });
+  std::transform(capitals.begin(), capitals.end(), capitals.begin(),
+                 [](char c) { return c >= 'a' && c <= 'z' && c != 'e' ? char(c - 'a' + 'A') : c; });
   std::string many = stl + stl_text(Sheet(1));
   std::vector<Valid_file> files = {
     {"off", "plain", off_text(sheet)},
@@ -193,7 +203,8 @@ inline std::vector<Valid_file> valid_files(std::uint32_t n = 2)
     {"obj", "goes on", with_line_ends(obj_text(sheet, " \\\n 1 # a color"), "\n")},
     {"obj", "CR LF", with_line_ends(obj_text(sheet), "\r\n")},
     {"ts", "plain", ts_text(sheet)},
-    {"ts", "properties", ts_text(sheet, "PROPERTIES a\nTRGL_PROPERTIES b c\nTRGL_ESIZES 1 1\n", "PVRTX ", " 1.5", " 2 3")},
+    {"ts", "properties",
+     ts_text(sheet, "PROPERTIES a\nTRGL_PROPERTIES b c\nTRGL_ESIZES 1 1\n", "PVRTX ", " 1.5", " 2 3")},
     {"ts", "two parts", ts_text(sheet) + ts_text(Sheet(1))},
     {"stl", "plain", stl},
     {"stl", "capitals", capitals},
@@ -201,11 +212,17 @@ inline std::vector<Valid_file> valid_files(std::uint32_t n = 2)
     {"stl", "two solids", many},
     {"stl", "CR LF", with_line_ends(stl, "\r\n")},
     {"stl", "binary", stl_bytes(sheet, "a sheet", std::uint32_t(sheet.triangles.size())), true},
-    {"stl", "binary with attributes", stl_bytes(sheet, "solid COLOR=rgba", std::uint32_t(sheet.triangles.size()), 0x7fff), true}};
+    {"stl", "binary with attributes",
+     stl_bytes(sheet, "solid COLOR=rgba", std::uint32_t(sheet.triangles.size()), 0x7fff), true}};
   for (const std::string format : {"ascii", "binary_little_endian", "binary_big_endian"})
-    for (const auto& [real, size, index, extra, name] : std::vector<std::array<std::string, 5>>{
-           {"float", "uchar", "int", "", "vertex_indices"}, {"double", "uint8", "uint32", "", "vertex_index"}, {"float32", "int", "ushort", "uchar", "vertex_indices"}, {"float64", "short", "int16", "", "vertex_indices"}, {"float", "uchar", "char", "double", "vertex_index"}})
-      files.push_back({"ply", format + " " + index, ply_text(sheet, {format, real, size, index, extra, name}), format != "ascii"});
+    for (const auto& [real, size, index, extra, name] :
+         std::vector<std::array<std::string, 5>>{{"float", "uchar", "int", "", "vertex_indices"},
+                                                 {"double", "uint8", "uint32", "", "vertex_index"},
+                                                 {"float32", "int", "ushort", "uchar", "vertex_indices"},
+                                                 {"float64", "short", "int16", "", "vertex_indices"},
+                                                 {"float", "uchar", "char", "double", "vertex_index"}})
+      files.push_back(
+        {"ply", format + " " + index, ply_text(sheet, {format, real, size, index, extra, name}), format != "ascii"});
   return files;
 }
 

@@ -14,15 +14,16 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
-typedef IT::Finding_kind Kind;
 typedef IT::Invalid_surface_error::Defect Defect;
 typedef std::array<double, 3> Point;
 typedef std::vector<Point> Points;
@@ -40,15 +41,15 @@ Points curve(const int n)
 
 Polygons tetrahedron() { return {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}; }
 
-// Expects one fatal finding, of this kind, and returns it.
-IT::Finding only_fatal(const IT::Surface_report& report, const Kind kind, const Defect defect,
-                       const Indices& elements, const std::size_t count)
+// Expects one fatal finding, of this defect, and returns it.
+IT::Finding only_fatal(const IT::Surface_report& report, const Defect defect, const Indices& elements,
+                       const std::size_t count)
 {
   std::size_t fatal = 0;
   for (const IT::Finding& finding : report.findings)
     fatal += finding.is_fatal;
   EXPECT_EQ(fatal, 1u) << IT::message(report);
-  const IT::Finding* const finding = report.find(kind);
+  const IT::Finding* const finding = report.find(defect);
   if (finding == nullptr) {
     ADD_FAILURE() << "not found: " << IT::message(report);
     return IT::Finding();
@@ -119,14 +120,13 @@ TEST(Validate_triangles, any_ranges_of_points_and_indices)
   const std::vector<std::array<int, 3>> triangles = {{{0, 1, 2}}};
   EXPECT_TRUE(IT::examine_polygons(points, triangles).findings.empty());
   const std::vector<std::array<int, 3>> negative = {{{0, 1, -1}}};
-  only_fatal(IT::examine_polygons(points, negative), Kind::BAD_INDEX, Defect::BAD_INDEX, {0}, 1);
+  only_fatal(IT::examine_polygons(points, negative), Defect::BAD_INDEX, {0}, 1);
 }
 
 TEST(Validate_triangles, empty)
 {
-  only_fatal(IT::examine_polygons(Points(), Polygons()), Kind::EMPTY, Defect::EMPTY, {}, 1);
-  const IT::Finding finding =
-    only_fatal(IT::examine_polygons(curve(4), Polygons()), Kind::EMPTY, Defect::EMPTY, {}, 1);
+  only_fatal(IT::examine_polygons(Points(), Polygons()), Defect::EMPTY, {}, 1);
+  const IT::Finding finding = only_fatal(IT::examine_polygons(curve(4), Polygons()), Defect::EMPTY, {}, 1);
   EXPECT_TRUE(contains(finding.description, "4 vertices but no face"));
 }
 
@@ -135,43 +135,39 @@ TEST(Validate_triangles, bad_index)
   Polygons triangles = tetrahedron();
   triangles.push_back({0, 1, 4});
   triangles.push_back({0, static_cast<std::size_t>(-1), 2});
-  const IT::Finding finding = only_fatal(IT::examine_polygons(curve(4), triangles), Kind::BAD_INDEX,
-                                         Defect::BAD_INDEX, {4, 5}, 2);
+  const IT::Finding finding = only_fatal(IT::examine_polygons(curve(4), triangles), Defect::BAD_INDEX, {4, 5}, 2);
   EXPECT_EQ(finding.description, "face 4 names vertex 4, but there are 4 vertices");
   EXPECT_TRUE(contains(IT::message(finding), "and 1 more face like it; "));
   // Faces, but no vertex at all.
-  only_fatal(IT::examine_polygons(Points(), tetrahedron()), Kind::BAD_INDEX, Defect::BAD_INDEX, {0, 1, 2, 3},
-             4);
+  only_fatal(IT::examine_polygons(Points(), tetrahedron()), Defect::BAD_INDEX, {0, 1, 2, 3}, 4);
 }
 
 TEST(Validate_triangles, polygons)
 {
   const Polygons faces = {{0, 1, 2}, {0, 2, 3, 4}, {}, {5}, {5, 6}};
   const IT::Surface_report report = IT::examine_polygons(curve(7), faces);
-  const IT::Finding finding =
-    only_fatal(report, Kind::NOT_A_TRIANGLE, Defect::NOT_A_TRIANGLE, {1, 2, 3, 4}, 4);
+  const IT::Finding finding = only_fatal(report, Defect::NOT_A_TRIANGLE, {1, 2, 3, 4}, 4);
   EXPECT_EQ(finding.description, "face 1 (corners 0, 2, 3, 4) has 4 corners instead of 3");
   EXPECT_TRUE(contains(IT::message(finding), "triangulate"));
   EXPECT_EQ(report.number_of_edges, 6u);
   // At most ten elements are named.
   const IT::Surface_report many = IT::examine_polygons(curve(48), Polygons(12, {0, 1, 2, 3}));
-  ASSERT_NE(many.find(Kind::NOT_A_TRIANGLE), nullptr);
-  EXPECT_EQ(many.find(Kind::NOT_A_TRIANGLE)->elements.size(), 10u);
-  EXPECT_EQ(many.find(Kind::NOT_A_TRIANGLE)->count, 12u);
+  ASSERT_NE(many.find(Defect::NOT_A_TRIANGLE), nullptr);
+  EXPECT_EQ(many.find(Defect::NOT_A_TRIANGLE)->elements.size(), 10u);
+  EXPECT_EQ(many.find(Defect::NOT_A_TRIANGLE)->count, 12u);
 }
 
 TEST(Validate_triangles, repeated_corner)
 {
   const Polygons faces = {{0, 1, 2}, {3, 4, 3}};
-  IT::Finding finding = only_fatal(IT::examine_polygons(curve(5), faces), Kind::REPEATED_CORNER,
-                                   Defect::REPEATED_CORNER, {1}, 1);
+  IT::Finding finding = only_fatal(IT::examine_polygons(curve(5), faces), Defect::REPEATED_CORNER, {1}, 1);
   EXPECT_EQ(finding.description, "face 1 (corners 3, 4, 3) names a vertex twice");
   const IT::Surface_report polygon = IT::examine_polygons(curve(5), Polygons{{0, 1, 2, 3, 0, 4}});
-  ASSERT_NE(polygon.find(Kind::REPEATED_CORNER), nullptr);
-  EXPECT_EQ(polygon.find(Kind::REPEATED_CORNER)->count, 1u);
+  ASSERT_NE(polygon.find(Defect::REPEATED_CORNER), nullptr);
+  EXPECT_EQ(polygon.find(Defect::REPEATED_CORNER)->count, 1u);
   // One vertex three times.
   const IT::Surface_report point = IT::examine_polygons(curve(1), Polygons{{0, 0, 0}});
-  EXPECT_EQ(point.find(Kind::REPEATED_CORNER)->elements, Indices{0});
+  EXPECT_EQ(point.find(Defect::REPEATED_CORNER)->elements, Indices{0});
 }
 
 TEST(Validate_triangles, not_finite)
@@ -181,8 +177,7 @@ TEST(Validate_triangles, not_finite)
     for (int i = 0; i < 3; ++i) {
       Points points = curve(4);
       points[2][static_cast<std::size_t>(i)] = bad;
-      const IT::Finding finding = only_fatal(IT::examine_polygons(points, tetrahedron()), Kind::NOT_FINITE,
-                                             Defect::NOT_FINITE, {2}, 1);
+      const IT::Finding finding = only_fatal(IT::examine_polygons(points, tetrahedron()), Defect::NOT_FINITE, {2}, 1);
       EXPECT_TRUE(contains(finding.description, "vertex 2 has the coordinates ("));
     }
 }
@@ -190,8 +185,8 @@ TEST(Validate_triangles, not_finite)
 TEST(Validate_triangles, duplicate_faces)
 {
   // A triangle and its back side: closed, but the same three corners.
-  IT::Finding finding = only_fatal(IT::examine_polygons(curve(3), Polygons{{0, 1, 2}, {2, 1, 0}}),
-                                   Kind::DUPLICATE_FACE, Defect::DUPLICATE_FACE, {1}, 1);
+  IT::Finding finding =
+    only_fatal(IT::examine_polygons(curve(3), Polygons{{0, 1, 2}, {2, 1, 0}}), Defect::DUPLICATE_FACE, {1}, 1);
   EXPECT_EQ(finding.description, "face 1 (corners 2, 1, 0) has the same corners as face 0");
   // At edges with more than two faces.
   Polygons faces = tetrahedron();
@@ -199,17 +194,16 @@ TEST(Validate_triangles, duplicate_faces)
   faces.push_back({3, 2, 0});
   faces.push_back({0, 1, 2});
   const IT::Surface_report report = IT::examine_polygons(curve(4), faces);
-  ASSERT_NE(report.find(Kind::DUPLICATE_FACE), nullptr);
-  EXPECT_EQ(report.find(Kind::DUPLICATE_FACE)->elements, (Indices{4, 5, 6}));
-  EXPECT_EQ(report.find(Kind::DUPLICATE_FACE)->count, 3u);
+  ASSERT_NE(report.find(Defect::DUPLICATE_FACE), nullptr);
+  EXPECT_EQ(report.find(Defect::DUPLICATE_FACE)->elements, (Indices{4, 5, 6}));
+  EXPECT_EQ(report.find(Defect::DUPLICATE_FACE)->count, 3u);
 }
 
 TEST(Validate_triangles, non_manifold_edge)
 {
   const Polygons fan = {{0, 2, 4}, {3, 4, 2}, {2, 4, 1}};
   const IT::Surface_report report = IT::examine_polygons(curve(5), fan);
-  const IT::Finding finding =
-    only_fatal(report, Kind::NON_MANIFOLD_EDGE, Defect::NON_MANIFOLD_EDGE, {0}, 1);
+  const IT::Finding finding = only_fatal(report, Defect::NON_MANIFOLD_EDGE, {0}, 1);
   EXPECT_EQ(finding.edges, (std::vector<std::array<std::size_t, 2>>{{{2, 4}}}));
   EXPECT_EQ(finding.description, "edge 2-4 has 3 faces (faces 0, 1, 2)");
   EXPECT_EQ(report.number_of_edges, 7u);
@@ -221,8 +215,8 @@ TEST(Validate_triangles, non_manifold_edge)
   book.push_back({14, 1, 2});
   book.push_back({15, 1, 2});
   const IT::Surface_report pages = IT::examine_polygons(curve(16), book);
-  ASSERT_NE(pages.find(Kind::NON_MANIFOLD_EDGE), nullptr);
-  EXPECT_TRUE(contains(IT::message(*pages.find(Kind::NON_MANIFOLD_EDGE)),
+  ASSERT_NE(pages.find(Defect::NON_MANIFOLD_EDGE), nullptr);
+  EXPECT_TRUE(contains(IT::message(*pages.find(Defect::NON_MANIFOLD_EDGE)),
                        "edge 0-1 has 12 faces (faces 0, 1, 2, 3, 4, 5, 6, 7, ...), and 1 more edge like it"));
 }
 
@@ -231,8 +225,7 @@ TEST(Validate_triangles, inconsistent_orientation)
   Polygons faces = tetrahedron();
   std::swap(faces[2][0], faces[2][1]);
   const IT::Surface_report report = IT::examine_polygons(curve(4), faces);
-  const IT::Finding finding = only_fatal(report, Kind::INCONSISTENT_ORIENTATION,
-                                         Defect::INCONSISTENT_ORIENTATION, {0, 1, 2}, 3);
+  const IT::Finding finding = only_fatal(report, Defect::INCONSISTENT_ORIENTATION, {0, 1, 2}, 3);
   EXPECT_TRUE(report.is_orientable);
   EXPECT_TRUE(contains(finding.description, "edge 0-1 ")) << finding.description;
   EXPECT_TRUE(contains(finding.description, "(faces 0, 2)")) << finding.description;
@@ -245,7 +238,7 @@ TEST(Validate_triangles, inconsistent_orientation)
   const IT::Surface_report moebius = IT::examine_polygons(curve(5), strip);
   EXPECT_FALSE(moebius.is_orientable);
   ASSERT_NE(moebius.first_fatal(), nullptr);
-  EXPECT_EQ(moebius.first_fatal()->kind, Kind::INCONSISTENT_ORIENTATION);
+  EXPECT_EQ(moebius.first_fatal()->defect, Defect::INCONSISTENT_ORIENTATION);
   EXPECT_TRUE(contains(IT::message(moebius), "one-sided"));
 }
 
@@ -253,28 +246,24 @@ TEST(Validate_triangles, non_manifold_vertex)
 {
   // Two triangles that touch, two tetrahedra that touch, a triangle on top of a tetrahedron.
   IT::Finding finding =
-    only_fatal(IT::examine_polygons(curve(5), Polygons{{1, 0, 2}, {3, 4, 2}}),
-               Kind::NON_MANIFOLD_VERTEX, Defect::NON_MANIFOLD_VERTEX, {2}, 1);
+    only_fatal(IT::examine_polygons(curve(5), Polygons{{1, 0, 2}, {3, 4, 2}}), Defect::NON_MANIFOLD_VERTEX, {2}, 1);
   EXPECT_EQ(finding.description, "the faces around vertex 2 form 2 fans that touch only there"
                                  " (one with face 0, another with face 1)");
   Polygons pair = tetrahedron();
   for (const std::vector<std::size_t>& face : tetrahedron())
     pair.push_back({face[0] + 3, face[1] + 3, face[2] + 3});
-  only_fatal(IT::examine_polygons(curve(7), pair), Kind::NON_MANIFOLD_VERTEX, Defect::NON_MANIFOLD_VERTEX,
-             {3}, 1);
+  only_fatal(IT::examine_polygons(curve(7), pair), Defect::NON_MANIFOLD_VERTEX, {3}, 1);
   Polygons hat = tetrahedron();
   hat.push_back({1, 4, 5});
   hat.push_back({2, 6, 7});
-  only_fatal(IT::examine_polygons(curve(8), hat), Kind::NON_MANIFOLD_VERTEX, Defect::NON_MANIFOLD_VERTEX,
-             {1, 2}, 2);
+  only_fatal(IT::examine_polygons(curve(8), hat), Defect::NON_MANIFOLD_VERTEX, {1, 2}, 2);
 }
 
 TEST(Validate_triangles, zero_length_edge)
 {
   Points points = curve(4);
   points[2] = points[1];
-  const IT::Finding finding = only_fatal(IT::examine_polygons(points, tetrahedron()), Kind::ZERO_LENGTH_EDGE,
-                                         Defect::ZERO_LENGTH_EDGE, {0}, 1);
+  const IT::Finding finding = only_fatal(IT::examine_polygons(points, tetrahedron()), Defect::ZERO_LENGTH_EDGE, {0}, 1);
   EXPECT_EQ(finding.edges, (std::vector<std::array<std::size_t, 2>>{{{1, 2}}}));
   EXPECT_TRUE(contains(finding.description, "edge 1-2 of faces 0, 3 has zero length"));
   // Coincident vertices without an edge between them do no harm; the smallest difference is a length.
@@ -298,8 +287,7 @@ TEST(Validate_triangles, range_of_lengths)
   EXPECT_TRUE(triangles(1e308, 1e308).findings.empty());
   EXPECT_TRUE(triangles(1e-150, 1e20).findings.empty());
   EXPECT_TRUE(triangles(1e-70, 1e110).findings.empty());
-  const IT::Finding finding = only_fatal(triangles(1e-150, 1e150), Kind::LENGTH_RANGE, Defect::OUT_OF_RANGE,
-                                         {0}, 1);
+  const IT::Finding finding = only_fatal(triangles(1e-150, 1e150), Defect::OUT_OF_RANGE, {0}, 1);
   EXPECT_EQ(finding.edges, (std::vector<std::array<std::size_t, 2>>{{{0, 1}}}));
   EXPECT_TRUE(contains(finding.description, "edge 0-1 (length about 1e-150) and edge 0-2 (length about 1e+150)"))
     << finding.description;
@@ -317,9 +305,9 @@ TEST(Validate_triangles, not_fatal)
   IT::Surface_report report = IT::examine_polygons(flat, Polygons{{0, 1, 2}});
   EXPECT_EQ(report.first_fatal(), nullptr);
   ASSERT_EQ(report.findings.size(), 2u);
-  EXPECT_EQ(report.findings[0].kind, Kind::ZERO_AREA_FACE);
+  EXPECT_EQ(report.findings[0].defect, Defect::DEGENERATE_FACE);
   EXPECT_EQ(report.findings[0].elements, Indices{0});
-  EXPECT_EQ(report.findings[1].kind, Kind::UNREFERENCED_VERTEX);
+  EXPECT_EQ(report.findings[1].defect, Defect::UNREFERENCED_VERTEX);
   EXPECT_EQ(report.findings[1].elements, Indices{3});
   EXPECT_EQ(IT::message(report, "name"),
             "name: face 0 (corners 0, 1, 2) has zero area; vertex 3 is not referenced by any face");
@@ -335,7 +323,7 @@ TEST(Validate_triangles, not_fatal)
         for (double& x : p)
           x *= scale;
       const IT::Surface_report scaled = IT::examine_polygons(points, Polygons{{0, 1, 2}});
-      EXPECT_EQ(scaled.find(Kind::ZERO_AREA_FACE) != nullptr, points.size() == 4);
+      EXPECT_EQ(scaled.find(Defect::DEGENERATE_FACE) != nullptr, points.size() == 4);
       EXPECT_EQ(scaled.first_fatal(), nullptr);
     }
 
@@ -351,7 +339,7 @@ TEST(Validate_triangles, several_defects)
 {
   Polygons faces = {{0, 1, 2}, {0, 1, 3}, {4, 4, 5}, {5, 6, 7, 8}};
   const IT::Surface_report report = IT::examine_polygons(curve(9), faces);
-  EXPECT_EQ(report.first_fatal()->kind, Kind::NOT_A_TRIANGLE);
+  EXPECT_EQ(report.first_fatal()->defect, Defect::NOT_A_TRIANGLE);
   EXPECT_TRUE(contains(IT::message(report), "(also: 1 face with a repeated corner, 1 edge with faces of opposite"
                                             " orientation"))
     << IT::message(report);
@@ -395,13 +383,13 @@ TEST(Validate_triangles, random_polygons)
       crowded += side.size() > 2;
       turned += side.size() == 2 && side[0] == side[1];
     }
-    const auto count = [&](const Kind kind) {
-      return report.find(kind) == nullptr ? 0 : report.find(kind)->count;
+    const auto count = [&](const Defect defect) {
+      return report.find(defect) == nullptr ? 0 : report.find(defect)->count;
     };
-    ASSERT_EQ(count(Kind::BAD_INDEX), bad);
-    ASSERT_EQ(count(Kind::REPEATED_CORNER), repeated);
-    ASSERT_EQ(count(Kind::NON_MANIFOLD_EDGE), crowded);
-    ASSERT_EQ(count(Kind::INCONSISTENT_ORIENTATION), turned);
+    ASSERT_EQ(count(Defect::BAD_INDEX), bad);
+    ASSERT_EQ(count(Defect::REPEATED_CORNER), repeated);
+    ASSERT_EQ(count(Defect::NON_MANIFOLD_EDGE), crowded);
+    ASSERT_EQ(count(Defect::INCONSISTENT_ORIENTATION), turned);
     ASSERT_EQ(report.number_of_edges, edges);
     for (const IT::Finding& finding : report.findings)
       ASSERT_FALSE(IT::message(finding).empty());
@@ -431,7 +419,7 @@ TEST(Validate_triangles, the_quick_question_has_the_same_answer)
     const IT::Surface_report report = IT::examine_polygons(points, polygons);
     std::size_t findings = 0;
     for (const IT::Finding& finding : report.findings)
-      findings += finding.kind != Kind::SEVERAL_COMPONENTS;
+      findings += finding.defect != Defect::SEVERAL_COMPONENTS;
     IT::Delta_complex complex;
     const bool is_plain = is_complex(points, polygons, complex) && IT::is_clean(complex, points);
     EXPECT_EQ(is_plain, findings == 0) << IT::message(report);
@@ -453,7 +441,8 @@ TEST(Validate_triangles, the_quick_question_has_the_same_answer)
   Polygons triangles;
   grid(7, points, triangles);
   compare(points, triangles);
-  for (const double x : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(), 1e300, 1.7e308}) {
+  for (const double x :
+       {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(), 1e300, 1.7e308}) {
     Points spoilt = points;
     spoilt[11][2] = x;
     compare(spoilt, triangles);
@@ -465,6 +454,17 @@ TEST(Validate_triangles, the_quick_question_has_the_same_answer)
   compare(points, triangles);
   EXPECT_GT(plain, 30u);
   EXPECT_GT(ugly, 1000u);
+}
+
+TEST(Turned_triangles, make_neighbors_agree)
+{
+  const std::vector<std::array<double, 3>> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                                  {2, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}};
+  // The second triangle runs against the first, the third with it; the last is a part of its own.
+  std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {0, 3, 2}, {1, 4, 2}, {5, 7, 6}};
+  EXPECT_EQ(IT::turned_triangles(points, triangles), (std::vector<std::size_t>{1}));
+  std::swap(triangles[1][0], triangles[1][2]);
+  EXPECT_TRUE(IT::turned_triangles(points, triangles).empty());
 }
 
 } // namespace

@@ -5,12 +5,12 @@
 
 #include "samples/sample_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/Vector_heat_method.h>
-#include <CGAL/Intrinsic_triangulations/angles.h>
-#include <CGAL/Intrinsic_triangulations/connection_Laplacian.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/halfedge_vectors.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 
 #include <Eigen/Dense>
 #include <Eigen/Eigenvalues>
@@ -47,11 +47,11 @@ const double pi = std::acos(-1.);
 
 Complex complex_number(const Vector& v) { return {v.x(), v.y()}; }
 
-Triangulation make_triangulation(const IT::Indexed_triangles& surface)
+Triangulation make_triangulation(const samples::Indexed_triangles& surface)
 {
   return Triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
 }
-Triangulation Delaunay(const IT::Indexed_triangles& surface)
+Triangulation Delaunay(const samples::Indexed_triangles& surface)
 {
   Triangulation result = make_triangulation(surface);
   IT::flip_to_Delaunay(result);
@@ -61,7 +61,9 @@ Triangulation Delaunay(const IT::Indexed_triangles& surface)
 // Rings of vertices around an apex at the origin, and one triangle after the other between them; flat inside for an angle of 2π.
 Triangulation cone(double angle, std::size_t sides, std::size_t rings, double radius = 1)
 {
-  const auto vertex = [&](std::size_t ring, std::size_t i) { return std::uint32_t(ring == 0 ? 0 : 1 + (ring - 1) * sides + i % sides); };
+  const auto vertex = [&](std::size_t ring, std::size_t i) {
+    return std::uint32_t(ring == 0 ? 0 : 1 + (ring - 1) * sides + i % sides);
+  };
   std::vector<std::array<std::uint32_t, 3>> triangles;
   for (std::size_t r = 0; r < rings; ++r)
     for (std::size_t i = 0; i < sides; ++i) {
@@ -72,14 +74,18 @@ Triangulation cone(double angle, std::size_t sides, std::size_t rings, double ra
   const Delta_complex complex = IT::make_Delta_complex_from_triangles(1 + rings * sides, triangles);
   const auto place = [&](Vertex_index v) {
     const std::size_t n = v.idx();
-    return n == 0 ? Complex(0) : std::polar(radius * double(1 + (n - 1) / sides) / double(rings), angle / double(sides) * double((n - 1) % sides));
+    return n == 0 ? Complex(0)
+                  : std::polar(radius * double(1 + (n - 1) / sides) / double(rings),
+                               angle / double(sides) * double((n - 1) % sides));
   };
   std::vector<double> lengths;
   for (Edge_index e : complex.edges()) {
     const Halfedge_index h = complex.halfedge(e);
     const Complex a = place(complex.source(h)), b = place(complex.target(h));
     // Between neighbors, whatever the numbers say where the ring is closed.
-    const bool is_radial = std::abs(a) == 0 || std::abs(b) == 0 || (complex.source(h).idx() + sides - 1) % sides == (complex.target(h).idx() + sides - 1) % sides;
+    const bool is_radial =
+      std::abs(a) == 0 || std::abs(b) == 0 ||
+      (complex.source(h).idx() + sides - 1) % sides == (complex.target(h).idx() + sides - 1) % sides;
     const double turn = is_radial ? 0 : angle / double(sides);
     lengths.push_back(std::abs(std::abs(a) - std::polar(std::abs(b), turn)));
   }
@@ -96,14 +102,15 @@ void project_to_unit_sphere(std::array<double, 3>& p)
 }
 
 // Triangles that are cut into four so many times, with their vertices on the unit sphere.
-IT::Indexed_triangles cut_on_sphere(IT::Indexed_triangles result, int cuts)
+samples::Indexed_triangles cut_on_sphere(samples::Indexed_triangles result, int cuts)
 {
   for (auto& p : result.points)
     project_to_unit_sphere(p);
   for (; cuts > 0; --cuts) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
     const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-      const auto [position, is_new] = middles.insert({{std::min(a, b), std::max(a, b)}, std::uint32_t(result.points.size())});
+      const auto [position, is_new] =
+        middles.insert({{std::min(a, b), std::max(a, b)}, std::uint32_t(result.points.size())});
       if (is_new) {
         const auto &p = result.points[a], &q = result.points[b];
         result.points.push_back({p[0] + q[0], p[1] + q[1], p[2] + q[2]});
@@ -122,10 +129,10 @@ IT::Indexed_triangles cut_on_sphere(IT::Indexed_triangles result, int cuts)
 }
 
 // An icosahedron that is cut.
-IT::Indexed_triangles sphere(int cuts)
+samples::Indexed_triangles sphere(int cuts)
 {
   const double g = (1 + std::sqrt(5.)) / 2;
-  IT::Indexed_triangles result;
+  samples::Indexed_triangles result;
   for (double a : {-1., 1.})
     for (double b : {-g, g})
       result.points.insert(result.points.end(), {{a, b, 0}, {0, a, b}, {b, 0, a}});
@@ -133,7 +140,8 @@ IT::Indexed_triangles sphere(int cuts)
   for (std::uint32_t i = 0; i < 12; ++i)
     for (std::uint32_t j = i + 1; j < 12; ++j)
       for (std::uint32_t k = j + 1; k < 12; ++k)
-        if (std::max({(point(i) - point(j)).norm(), (point(j) - point(k)).norm(), (point(k) - point(i)).norm()}) < 2.1) {
+        if (std::max({(point(i) - point(j)).norm(), (point(j) - point(k)).norm(), (point(k) - point(i)).norm()}) <
+            2.1) {
           const bool is_outside = (point(j) - point(i)).cross(point(k) - point(i)).dot(point(i)) > 0;
           result.triangles.push_back({i, is_outside ? j : k, is_outside ? k : j});
         }
@@ -141,16 +149,17 @@ IT::Indexed_triangles sphere(int cuts)
 }
 
 // An octahedron that is cut: nearly all of its edges run in four directions.
-IT::Indexed_triangles sphere_of_octahedron(int cuts)
+samples::Indexed_triangles sphere_of_octahedron(int cuts)
 {
-  IT::Indexed_triangles result;
+  samples::Indexed_triangles result;
   result.points = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
   result.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
   return cut_on_sphere(result, cuts);
 }
 
 // What a loop of halfedges does to a vector at the end.
-Complex turn_around(const Delta_complex& complex, const std::vector<Vector>& vectors, const std::vector<Halfedge_index>& loop)
+Complex turn_around(const Delta_complex& complex, const std::vector<Vector>& vectors,
+                    const std::vector<Halfedge_index>& loop)
 {
   Complex result = 1;
   for (Halfedge_index h : loop)
@@ -192,7 +201,7 @@ TEST(Connection, turns_by_the_angle_defect_around_a_cone)
 
 TEST(Connection_Laplacian, is_that_of_numbers_where_the_surface_is_flat)
 {
-  const IT::Indexed_triangles surface = IT::random_diagonal_grid(8, 8);
+  const samples::Indexed_triangles surface = samples::random_diagonal_grid(8, 8);
   const Triangulation t = Delaunay(surface);
   const auto L = IT::connection_Laplacian(t);
   EXPECT_LT((Eigen::MatrixXcd(L) - Eigen::MatrixXcd(L).adjoint()).norm(), 1e-12);
@@ -218,9 +227,10 @@ double smallest_eigenvalue(const Triangulation& t)
 
 TEST(Connection_Laplacian, is_positive_semidefinite_on_closed_Delaunay_surfaces)
 {
-  for (const IT::Indexed_triangles& surface : {IT::bumpy_sphere(12, 8), IT::bad_torus(9, 9), IT::Schwarz_lantern(6, 12), IT::pillow(20)})
+  for (const samples::Indexed_triangles& surface :
+       {samples::bumpy_sphere(12, 8), samples::bad_torus(9, 9), samples::Schwarz_lantern(6, 12), samples::pillow(20)})
     EXPECT_GT(smallest_eigenvalue(Delaunay(surface)), -1e-15);
-  EXPECT_LT(smallest_eigenvalue(make_triangulation(IT::pillow(20))), -1e-4);
+  EXPECT_LT(smallest_eigenvalue(make_triangulation(samples::pillow(20))), -1e-4);
 }
 
 // The frame of a vertex in a plane: what turns coordinates in the plane into those of the frame.
@@ -233,7 +243,7 @@ Complex turn_of_frame(const Triangulation& t, const Points& points, Vertex_index
   return complex_number(vectors[h.idx()]) / Complex(q[0] - p[0], q[1] - p[1]);
 }
 
-void expect_identity(const IT::Indexed_triangles& surface, Vertex_index source, double tolerance)
+void expect_identity(const samples::Indexed_triangles& surface, Vertex_index source, double tolerance)
 {
   const Triangulation t = Delaunay(surface);
   const IT::Vector_heat_method heat(t);
@@ -252,17 +262,17 @@ void expect_identity(const IT::Indexed_triangles& surface, Vertex_index source, 
 
 TEST(Log_map, of_a_flat_disk_is_the_identity)
 {
-  expect_identity(IT::random_diagonal_grid(20, 30), Vertex_index(100), 1e-12);
-  expect_identity(IT::random_diagonal_grid(20, 30), Vertex_index(0), 1e-12);
-  expect_identity(IT::sheared_grid(20, 20, 5), Vertex_index(100), 1e-10);
-  expect_identity(IT::strip(400, 60, 1), Vertex_index(7), 1e-10);
+  expect_identity(samples::random_diagonal_grid(20, 30), Vertex_index(100), 1e-12);
+  expect_identity(samples::random_diagonal_grid(20, 30), Vertex_index(0), 1e-12);
+  expect_identity(samples::sheared_grid(20, 20, 5), Vertex_index(100), 1e-10);
+  expect_identity(samples::strip(400, 60, 1), Vertex_index(7), 1e-10);
 }
 
 // Heat decreases below the range of double some 700 edges away.
 TEST(Log_map, reaches_the_end_of_a_long_strip)
 {
-  expect_identity(IT::strip(5000, 3, 1), Vertex_index(0), 1e-10);
-  const IT::Indexed_triangles surface = IT::strip(5000, 3, 1);
+  expect_identity(samples::strip(5000, 3, 1), Vertex_index(0), 1e-10);
+  const samples::Indexed_triangles surface = samples::strip(5000, 3, 1);
   const Triangulation t = Delaunay(surface);
   const auto field = IT::Vector_heat_method(t).transport_tangent_vectors({{Vertex_index(0), {0, 2}}});
   const Complex at_source = Complex(0, 2) / turn_of_frame(t, surface.points, Vertex_index(0));
@@ -276,7 +286,7 @@ struct Errors
 };
 
 // Of the logarithmic map on the unit sphere, up to a distance of 2.5.
-Errors errors_on_sphere(const IT::Indexed_triangles& surface, Vertex_index source)
+Errors errors_on_sphere(const samples::Indexed_triangles& surface, Vertex_index source)
 {
   const Triangulation t = Delaunay(surface);
   const Delta_complex& c = t.connectivity();
@@ -329,8 +339,8 @@ TEST(Log_map, gets_nearer_under_refinement_whatever_the_directions_of_edges)
 // The other component has another number of vertices, and a time of its own.
 TEST(Log_map, is_the_same_with_other_components)
 {
-  const IT::Indexed_triangles surface = sphere(2), other = sphere_of_octahedron(6);
-  IT::Indexed_triangles both = surface;
+  const samples::Indexed_triangles surface = sphere(2), other = sphere_of_octahedron(6);
+  samples::Indexed_triangles both = surface;
   both.points.insert(both.points.end(), other.points.begin(), other.points.end());
   for (auto [a, b, c] : other.triangles) {
     const std::uint32_t n = std::uint32_t(surface.points.size());
@@ -349,7 +359,9 @@ TEST(Transport, on_a_cone_depends_on_the_side_of_the_apex)
   const Triangulation t = cone(angle, sides, rings);
   const auto vectors = IT::halfedge_vectors_in_vertex(t);
   const Delta_complex& c = t.connectivity();
-  const auto vertex = [&](std::size_t ring, std::size_t i) { return Vertex_index(std::uint32_t(1 + (ring - 1) * sides + i % sides)); };
+  const auto vertex = [&](std::size_t ring, std::size_t i) {
+    return Vertex_index(std::uint32_t(1 + (ring - 1) * sides + i % sides));
+  };
   // The direction away from the apex, in the frame of a vertex: opposite to that of the edge inwards.
   const auto outwards = [&](std::size_t ring, std::size_t i) {
     Complex result = 0;
@@ -361,7 +373,8 @@ TEST(Transport, on_a_cone_depends_on_the_side_of_the_apex)
   };
   const Complex source = outwards(8, 0);
   ASSERT_NEAR(std::abs(source), 1, 1e-12);
-  const auto field = IT::Vector_heat_method(t).transport_tangent_vectors({{vertex(8, 0), {3 * source.real(), 3 * source.imag()}}});
+  const auto field =
+    IT::Vector_heat_method(t).transport_tangent_vectors({{vertex(8, 0), {3 * source.real(), 3 * source.imag()}}});
   for (std::size_t i : {6u, 12u, 16u, 32u, 36u, 42u}) {
     // In the plane of the cone cut open opposite to the source, the field is constant.
     const double turn = angle / double(sides) * (i <= sides / 2 ? double(i) : double(i) - double(sides));
@@ -372,7 +385,7 @@ TEST(Transport, on_a_cone_depends_on_the_side_of_the_apex)
 
 TEST(Transport, averages_between_sources_and_keeps_their_vectors)
 {
-  const IT::Indexed_triangles surface = IT::random_diagonal_grid(60, 6);
+  const samples::Indexed_triangles surface = samples::random_diagonal_grid(60, 6);
   const Triangulation t = Delaunay(surface);
   const IT::Vector_heat_method heat(t);
   const auto nearest = [&](double x, double y) {
@@ -395,7 +408,9 @@ TEST(Transport, averages_between_sources_and_keeps_their_vectors)
   };
   const Complex a(1, 0), b(0, 5);
   const auto field = heat.transport_tangent_vectors({{left, in_frame(left, a)}, {right, in_frame(right, b)}});
-  const auto in_plane = [&](Vertex_index v) { return complex_number(field[v.idx()]) / turn_of_frame(t, surface.points, v); };
+  const auto in_plane = [&](Vertex_index v) {
+    return complex_number(field[v.idx()]) / turn_of_frame(t, surface.points, v);
+  };
   EXPECT_LT(std::abs(in_plane(left) - a), 1e-14);
   EXPECT_LT(std::abs(in_plane(right) - b), 1e-14);
   EXPECT_LT(std::abs(in_plane(nearest(0.3 * width, height / 2)) - a), 1e-3);
@@ -407,7 +422,7 @@ TEST(Transport, averages_between_sources_and_keeps_their_vectors)
 // A fan of needles over one long border edge: every angle opposite to the border is obtuse.
 TEST(Vector_heat_method, inserts_vertices_where_the_border_has_obtuse_angles)
 {
-  IT::Indexed_triangles surface;
+  samples::Indexed_triangles surface;
   surface.points = {{0, 0, 0}, {40, 0, 0}, {20, 1, 0}, {20, 12, 0}};
   surface.triangles = {{0, 1, 2}, {0, 2, 3}, {2, 1, 3}};
   const Triangulation t = Delaunay(surface);
@@ -416,17 +431,17 @@ TEST(Vector_heat_method, inserts_vertices_where_the_border_has_obtuse_angles)
   EXPECT_EQ(heat.log_map(Vertex_index(0)).size(), 4u);
   expect_identity(surface, Vertex_index(2), 1e-10);
   expect_identity(surface, Vertex_index(0), 1e-10);
-  EXPECT_EQ(IT::Vector_heat_method(Delaunay(IT::random_diagonal_grid(5, 5))).number_of_border_vertices(), 0u);
+  EXPECT_EQ(IT::Vector_heat_method(Delaunay(samples::random_diagonal_grid(5, 5))).number_of_border_vertices(), 0u);
 }
 
 TEST(Vector_heat_method, can_be_cancelled)
 {
-  for (const Triangulation& t : {Delaunay(IT::random_diagonal_grid(5, 5)), cone(5, 6, 3)}) {
+  for (const Triangulation& t : {Delaunay(samples::random_diagonal_grid(5, 5)), cone(5, 6, 3)}) {
     bool goes_on = false;
     const auto go_further = [&] { return goes_on; };
-    EXPECT_THROW(IT::Vector_heat_method(t, std::nullopt, go_further), IT::Cancelled_error);
+    EXPECT_THROW(IT::Vector_heat_method(t, CGAL::parameters::visitor(go_further)), IT::Cancelled_error);
     goes_on = true;
-    const IT::Vector_heat_method heat(t, std::nullopt, go_further);
+    const IT::Vector_heat_method heat(t, CGAL::parameters::visitor(go_further));
     std::this_thread::sleep_for(std::chrono::milliseconds(20)); // it asks a hundred times a second
     goes_on = false;
     EXPECT_THROW(heat.log_map(Vertex_index(0)), IT::Cancelled_error);
@@ -439,8 +454,11 @@ TEST(Vector_heat_method, can_be_cancelled)
 // A strip that is a hundred thousand times as long as it is wide would ask for as many.
 TEST(Vector_heat_method, inserts_no_more_than_some_vertices_for_each)
 {
-  const std::vector<std::array<double, 3>> points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1e-5, 0}, {1, 1e-5, 0}, {2, 1e-5, 0}, {0, 2e-5, 0}, {7, 2e-5, 0}, {2, 2e-5, 0}};
-  const std::vector<std::array<int, 3>> triangles = {{0, 1, 4}, {1, 2, 5}, {3, 4, 7}, {4, 5, 8}, {0, 4, 3}, {1, 5, 4}, {3, 7, 6}, {4, 8, 7}};
+  const std::vector<std::array<double, 3>> points = {{0, 0, 0},    {1, 0, 0},    {2, 0, 0},
+                                                     {0, 1e-5, 0}, {1, 1e-5, 0}, {2, 1e-5, 0},
+                                                     {0, 2e-5, 0}, {7, 2e-5, 0}, {2, 2e-5, 0}};
+  const std::vector<std::array<int, 3>> triangles = {{0, 1, 4}, {1, 2, 5}, {3, 4, 7}, {4, 5, 8},
+                                                     {0, 4, 3}, {1, 5, 4}, {3, 7, 6}, {4, 8, 7}};
   IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits> triangulation(
     IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
   IT::flip_to_Delaunay(triangulation);
@@ -451,9 +469,10 @@ TEST(Vector_heat_method, inserts_no_more_than_some_vertices_for_each)
 
 TEST(Vector_heat_method, gives_numbers_or_infinity_everywhere)
 {
-  IT::Indexed_triangles surface = IT::random_diagonal_grid(3, 3);
+  samples::Indexed_triangles surface = samples::random_diagonal_grid(3, 3);
   const std::uint32_t n = std::uint32_t(surface.points.size());
-  surface.points.insert(surface.points.end(), {{9, 9, 9}, {20, 0, 0}, {21, 0, 0}, {20, 1, 0}, {30, 0, 0}, {31, 0, 0}, {30.25, 0, 0}});
+  surface.points.insert(surface.points.end(),
+                        {{9, 9, 9}, {20, 0, 0}, {21, 0, 0}, {20, 1, 0}, {30, 0, 0}, {31, 0, 0}, {30.25, 0, 0}});
   surface.triangles.push_back({n + 1, n + 2, n + 3});
   surface.triangles.push_back({n + 4, n + 5, n + 6}); // of zero area
   const Triangulation t = Delaunay(surface);
@@ -484,10 +503,10 @@ TEST(Vector_heat_method, gives_numbers_or_infinity_everywhere)
 
 TEST(Vector_heat_method, does_not_depend_on_the_scale)
 {
-  const IT::Indexed_triangles surface = IT::bumpy_dome(12, 9);
+  const samples::Indexed_triangles surface = samples::bumpy_dome(12, 9);
   const auto before = IT::Vector_heat_method(Delaunay(surface)).log_map(Vertex_index(5));
   for (int exponent : {-330, 330}) {
-    IT::Indexed_triangles scaled = surface;
+    samples::Indexed_triangles scaled = surface;
     for (auto& p : scaled.points)
       for (double& x : p)
         x = std::ldexp(x, exponent);
@@ -499,7 +518,7 @@ TEST(Vector_heat_method, does_not_depend_on_the_scale)
 
 TEST(Vector_heat_method, extends_values_to_those_who_are_near)
 {
-  const IT::Indexed_triangles surface = IT::random_diagonal_grid(60, 4);
+  const samples::Indexed_triangles surface = samples::random_diagonal_grid(60, 4);
   const Triangulation t = Delaunay(surface);
   double width = 0;
   for (const auto& p : surface.points)
@@ -519,14 +538,14 @@ TEST(Vector_heat_method, extends_values_to_those_who_are_near)
 
 TEST(Vector_heat_method, refuses_what_it_cannot_use)
 {
-  const Triangulation t = Delaunay(IT::random_diagonal_grid(3, 3));
-  EXPECT_THROW(IT::Vector_heat_method(t, 0), IT::Invalid_surface_error);
-  EXPECT_THROW(IT::Vector_heat_method(t, std::nan("")), IT::Invalid_surface_error);
+  const Triangulation t = Delaunay(samples::random_diagonal_grid(3, 3));
+  EXPECT_THROW(IT::Vector_heat_method(t, CGAL::parameters::time_coefficient(0)), IT::Invalid_argument_error);
+  EXPECT_THROW(IT::Vector_heat_method(t, CGAL::parameters::time_coefficient(std::nan(""))), IT::Invalid_argument_error);
   const IT::Vector_heat_method heat(t);
-  EXPECT_THROW(heat.log_map(Vertex_index(16)), IT::Invalid_surface_error);
-  EXPECT_THROW(heat.log_map(Vertex_index()), IT::Invalid_surface_error);
-  EXPECT_THROW(heat.transport_tangent_vectors({{Vertex_index(16), {1, 0}}}), IT::Invalid_surface_error);
-  EXPECT_THROW(heat.transport_tangent_vectors({{Vertex_index(0), {std::nan(""), 0}}}), IT::Invalid_surface_error);
+  EXPECT_THROW(heat.log_map(Vertex_index(16)), IT::Invalid_argument_error);
+  EXPECT_THROW(heat.log_map(Vertex_index()), IT::Invalid_argument_error);
+  EXPECT_THROW(heat.transport_tangent_vectors({{Vertex_index(16), {1, 0}}}), IT::Invalid_argument_error);
+  EXPECT_THROW(heat.transport_tangent_vectors({{Vertex_index(0), {std::nan(""), 0}}}), IT::Invalid_argument_error);
 }
 
 } // namespace

@@ -11,9 +11,9 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_DELTA_COMPLEX_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_DELTA_COMPLEX_H
 
-#include <CGAL/Intrinsic_triangulations/Index.h>
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/Removed_elements.h>
+#include <CGAL/Intrinsic_triangulations/internal/Index.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Removed_elements.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/prefetch.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/relaxed_atomic.h>
 
@@ -35,9 +35,8 @@ namespace Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
 /// \brief a random access iterator over the descriptors of consecutive elements of one kind.
 template <class Descriptor>
-class Descriptor_iterator
-  : public boost::iterator_facade<Descriptor_iterator<Descriptor>, Descriptor,
-                                  std::random_access_iterator_tag, Descriptor>
+class Descriptor_iterator : public boost::iterator_facade<Descriptor_iterator<Descriptor>, Descriptor,
+                                                          std::random_access_iterator_tag, Descriptor>
 {
 public:
   /// constructs the iterator at the first element.
@@ -133,8 +132,7 @@ public:
   ///   halfedge if there is one, the null descriptor for an isolated vertex
   /// \param face_halfedges for each face one of its halfedges
   /// \pre the result `is_valid()`. This is checked only if `CGAL_CHECK_EXPENSIVE` is defined.
-  Delta_complex(Halfedge_vector halfedges, Descriptor_vector vertex_halfedges,
-                Descriptor_vector face_halfedges)
+  Delta_complex(Halfedge_vector halfedges, Descriptor_vector vertex_halfedges, Descriptor_vector face_halfedges)
     : halfedges_(std::move(halfedges)), vertex_halfedges_(std::move(vertex_halfedges)),
       face_halfedges_(std::move(face_halfedges))
   {
@@ -191,15 +189,9 @@ public:
   /// returns whether `h` has no face.
   bool is_border(Halfedge_index h) const { return !face(h).is_valid(); }
   /// returns whether one of the two halfedges of `e` has no face.
-  bool is_border(Edge_index e) const
-  {
-    return is_border(halfedge(e)) || is_border(opposite(halfedge(e)));
-  }
+  bool is_border(Edge_index e) const { return is_border(halfedge(e)) || is_border(opposite(halfedge(e))); }
   /// returns whether the same face is on both sides of `e`.
-  bool is_self_glued(Edge_index e) const
-  {
-    return face(halfedge(e)) == face(opposite(halfedge(e)));
-  }
+  bool is_self_glued(Edge_index e) const { return face(halfedge(e)) == face(opposite(halfedge(e))); }
   /// returns whether `e` joins a vertex to itself.
   bool is_loop(Edge_index e) const { return target(halfedge(e)) == source(halfedge(e)); }
   /// returns whether `e` lies between two different faces, so that the connectivity can be
@@ -349,8 +341,8 @@ public:
   /// earlier flips. O(size).
   friend bool operator==(const Delta_complex& a, const Delta_complex& b)
   {
-    return a.number_of_vertices() == b.number_of_vertices() &&
-           a.face_halfedges_ == b.face_halfedges_ && has_equal_halfedges(a, b);
+    return a.number_of_vertices() == b.number_of_vertices() && a.face_halfedges_ == b.face_halfedges_ &&
+           has_equal_halfedges(a, b);
   }
   /// returns `!(a == b)`.
   friend bool operator!=(const Delta_complex& a, const Delta_complex& b) { return !(a == b); }

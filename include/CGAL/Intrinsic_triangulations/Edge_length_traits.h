@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EDGE_LENGTH_TRAITS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EDGE_LENGTH_TRAITS_H
 
-#include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Number_type_with_roots.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
@@ -40,7 +40,7 @@ namespace Intrinsic_triangulations {
 ///
 /// \cgalModels `IntrinsicTriangulationTraits`
 ///
-/// Source: the formulas of `hinge_formulas.h`; Delaunay criterion of Fisher, Springborn,
+/// Source: the formulas of `flip_hinge()`; Delaunay criterion of Fisher, Springborn,
 /// Schroeder, Bobenko (2006), section 2.1.
 template <class FT_>
 class Edge_length_traits
@@ -64,24 +64,17 @@ public:
   using Has_exact_decisions = typename Algebraic_structure_traits<FT>::Is_exact;
   /// no decision needs more than the data of the hinge
   using Uses_exact_geometry = Tag_false;
-  /// \cond SKIP_IN_MANUAL
-  using Takes_two_faces = std::conditional_t<std::is_same<FT_, double>::value, Edge_length_traits, void>;
-  /// \endcond
 
   /// makes the data of an edge from its end points or its length.
   struct Construct_edge_data
   {
-    /// makes the edge from `p` to `q`.
-    Edge_data operator()(const Point_data& p, const Point_data& q) const
+    /// \brief makes the edge from `p` to `q`.
+    /// \tparam Number `FT`, or two numbers for two edges
+    template <class Number>
+    Number operator()(const std::array<Number, 3>& p, const std::array<Number, 3>& q) const
     {
       return internal::squared_distance_3(p, q);
     }
-    /// \cond SKIP_IN_MANUAL
-    internal::Two_doubles of_two(const internal::Two_points& p, const internal::Two_points& q) const
-    {
-      return internal::squared_distance_3(p, q);
-    }
-    /// \endcond
     /// makes the edge of this length.
     Edge_data from_length(const FT& length) const { return length * length; }
   };
@@ -89,18 +82,14 @@ public:
   /// makes the data of a face from its corners, or from the lengths of its edges.
   struct Construct_face_data
   {
-    /// makes the face with these corners.
-    Face_data operator()(const Point_data& p, const Point_data& q, const Point_data& r) const
+    /// \brief makes the face with these corners.
+    /// \tparam Number `FT`, or two numbers for two faces
+    template <class Number>
+    Number operator()(const std::array<Number, 3>& p, const std::array<Number, 3>& q,
+                      const std::array<Number, 3>& r) const
     {
       return internal::four_areas_3(p, q, r);
     }
-    /// \cond SKIP_IN_MANUAL
-    internal::Two_doubles of_two(const internal::Two_points& p, const internal::Two_points& q,
-                                 const internal::Two_points& r) const
-    {
-      return internal::four_areas_3(p, q, r);
-    }
-    /// \endcond
     /// makes the face with sides of these lengths.
     /// \pre the lengths obey the triangle inequality
     Face_data from_lengths(const FT& ij, const FT& jk, const FT& ki) const
@@ -158,18 +147,14 @@ public:
   struct Compute_area
   {
     /// returns the area.
-    FT operator()(const Face_data& f, const Edge_data&, const Edge_data&, const Edge_data&) const
-    {
-      return f / FT(4);
-    }
+    FT operator()(const Face_data& f, const Edge_data&, const Edge_data&, const Edge_data&) const { return f / FT(4); }
   };
   /// gives the cotangent of the corner opposite to edge ij in the face ijk.
   /// \pre the area is not zero
   struct Compute_cotangent
   {
     /// returns the cotangent.
-    FT operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk,
-                  const Edge_data& ki) const
+    FT operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk, const Edge_data& ki) const
     {
       return twice_scalar_product(jk, ki, ij) / ijk;
     }
@@ -183,15 +168,11 @@ public:
     {
       return internal::rounded(internal::cotangent_bounds(ij, jk, ki, ijk));
     }
-    std::array<internal::Two_doubles, 3> of_two(const internal::Two_doubles& ijk, const internal::Two_doubles& ij,
-                                                const internal::Two_doubles& jk, const internal::Two_doubles& ki) const
+    std::array<internal::Two_doubles, 3> operator()(const internal::Two_doubles& ijk, const internal::Two_doubles& ij,
+                                                    const internal::Two_doubles& jk,
+                                                    const internal::Two_doubles& ki) const
     {
       return internal::cotangent_bounds(ij, jk, ki, ijk);
-    }
-    std::array<internal::Two_doubles, 3> of_two(double ijk, double other, const internal::Two_doubles& ij,
-                                                const internal::Two_doubles& jk, const internal::Two_doubles& ki) const
-    {
-      return of_two({ijk, other}, ij, jk, ki);
     }
   };
   // What is computed in float can be too far from what it stands for to be bounded in float,

@@ -8,8 +8,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_FILTERED_EDGE_LENGTH_TRAITS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_FILTERED_EDGE_LENGTH_TRAITS_H
 
-#include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
@@ -55,6 +55,11 @@ struct Two_bounded_areas
 };
 
 } // namespace internal
+
+inline internal::Two_bounded_areas two(const Bounded_area& a, const Bounded_area& b)
+{
+  return {{a.value, b.value}, {a.error, b.error}};
+}
 /// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
@@ -64,7 +69,7 @@ struct Two_bounded_areas
 /// Every Delaunay test gives the answer of exact real arithmetic on the piecewise-flat
 /// surface that the input defines, however many flips came before. The functors below
 /// are the first stage: they keep a running error bound for each face and answer if it
-/// suffices. If it does not, `Intrinsic_triangulation` asks its `Exact_geometry`, whose
+/// suffices. If it does not, `Intrinsic_triangulation` asks its exact engine, whose
 /// result replaces the stored numbers.
 ///
 /// Invariants: let s be the stored squared lengths of the three sides of a face, a the stored
@@ -110,27 +115,20 @@ public:
   using Point_data = std::array<double, 3>;
   /// decisions are those of exact arithmetic
   using Has_exact_decisions = Tag_true;
-  /// undecided tests are passed on to the `Exact_geometry` of the triangulation
+  /// undecided tests are passed on to the exact engine of the triangulation
   using Uses_exact_geometry = Tag_true;
-  /// \cond SKIP_IN_MANUAL
-  using Takes_two_faces = Filtered_edge_length_traits;
-  /// \endcond
 
   /// makes the squared length of an edge, with a relative error of at most 6 u.
   struct Construct_edge_data
   {
     // Each difference, square and sum adds at most u, and nothing cancels: right up to 6 u.
-    /// makes the edge from p to q.
-    Edge_data operator()(const Point_data& p, const Point_data& q) const
+    /// \brief makes the edge from p to q.
+    /// \tparam Number `double`, or two of them for two edges
+    template <class Number>
+    Number operator()(const std::array<Number, 3>& p, const std::array<Number, 3>& q) const
     {
       return internal::squared_distance_3(p, q);
     }
-    /// \cond SKIP_IN_MANUAL
-    internal::Two_doubles of_two(const internal::Two_points& p, const internal::Two_points& q) const
-    {
-      return internal::squared_distance_3(p, q);
-    }
-    /// \endcond
     /// makes the edge of this length.
     Edge_data from_length(double length) const { return length * length; }
   };
@@ -142,18 +140,17 @@ public:
     // the absolute values of their two terms, the vector by at most 4 √2 u |v| |w|; norm
     // and root add less than 3 u a. With a <= 2 |v| |w| <= v² + w², 9 u (v² + w²) covers
     // the error of a = 2 |v × w|. Hence (2), and (1) as 1.5 · 6 < 14.
-    /// makes the face with these corners.
-    Face_data operator()(const Point_data& p, const Point_data& q, const Point_data& r) const
+    /// \brief makes the face with these corners.
+    /// \tparam Number `double`, or two of them for two faces
+    template <class Number>
+    auto operator()(const std::array<Number, 3>& p, const std::array<Number, 3>& q,
+                    const std::array<Number, 3>& r) const
     {
-      return {internal::four_areas_3(p, q, r), initial_error(p, q, r)};
+      using Areas = std::conditional_t<std::is_same<Number, double>::value, Bounded_area, internal::Two_bounded_areas>;
+      const Number sum =
+        internal::squared_distance_3(p, q) + internal::squared_distance_3(q, r) + internal::squared_distance_3(p, r);
+      return Areas{internal::four_areas_3(p, q, r), initial_error(sum)};
     }
-    /// \cond SKIP_IN_MANUAL
-    internal::Two_bounded_areas of_two(const internal::Two_points& p, const internal::Two_points& q,
-                                       const internal::Two_points& r) const
-    {
-      return {internal::four_areas_3(p, q, r), initial_error(p, q, r)};
-    }
-    /// \endcond
     // Kahan's formula: each factor is right up to 2 u, a up to 10 u, and 15 / √3 < 14.
     /// makes the face with sides of these lengths.
     Face_data from_lengths(double ij, double jk, double ki) const
@@ -167,12 +164,6 @@ public:
     static N initial_error(const N& sum_of_sides)
     {
       return N(14 * u) * sum_of_sides + N(tiny_root);
-    }
-    template <class N>
-    static N initial_error(const std::array<N, 3>& p, const std::array<N, 3>& q, const std::array<N, 3>& r)
-    {
-      return initial_error(N(internal::squared_distance_3(p, q) + internal::squared_distance_3(q, r) +
-                             internal::squared_distance_3(p, r)));
     }
   };
 
@@ -189,8 +180,7 @@ public:
       // p_k b is wrong by at most |p_k| f / 1.5 + 0.84 e (b + f / 1.5). Its rounding and that of
       // the sum add 2.01 u |p_k| |b| <= |p_k| f / 9, and the same holds for p_l a: 0.9 times
       // the following covers all of it.
-      const double bound =
-        e * (std::abs(p_l) + b + f) + f * (std::abs(p_k) + a + e) + tiny;
+      const double bound = e * (std::abs(p_l) + b + f) + f * (std::abs(p_k) + a + e) + tiny;
       if (!(std::abs(value) > bound))
         return Boolean::indeterminate();
       return value > 0;
@@ -251,14 +241,13 @@ public:
       // and 9 u s_kl are added to the bounds of the two faces, of which the other two sides are;
       // 16 u s_kl makes up for the last terms, and for (3).
       const double of_sides =
-        sum + sum * r * (1.42 * (std::abs(along) + std::abs(across) + sum) + 1.03 * s_kl) +
-        16 * u * s_kl;
+        sum + sum * r * (1.42 * (std::abs(along) + std::abs(across) + sum) + 1.03 * s_kl) + 16 * u * s_kl;
       // x_k b and x_l a together are wrong by at most 0.78 (|x_k| f + |x_l| e) +
       // 0.84 (e b + f a + 4/3 e f), rounding of product and sum included. For (2), take 1.5 times
       // that, and as much of the area as r and the last product are wrong.
       const double of_products = e * b + f * a + 1.4 * e * f;
-      const Two of_area = r * (1.27 * (abs(at_k) * f + abs(at_l) * e + of_products) + 1.03 * abs(area) * sum) +
-                          4 * u * abs(area);
+      const Two of_area =
+        r * (1.27 * (abs(at_k) * f + abs(at_l) * e + of_products) + 1.03 * abs(area) * sum) + 4 * u * abs(area);
       const Two error = max_of(of_area, of_sides) + tiny;
       flipped.ilk.error = error.first();
       flipped.jkl.error = error.second();
@@ -285,21 +274,15 @@ public:
       return internal::rounded(internal::cotangent_bounds(ij, jk, ki, ijk.value));
     }
     /// \cond SKIP_IN_MANUAL
-    std::array<internal::Two_doubles, 3>
-    of_two(const internal::Two_bounded_areas& ijk, const internal::Two_doubles& ij,
-           const internal::Two_doubles& jk, const internal::Two_doubles& ki) const
+    std::array<internal::Two_doubles, 3> operator()(const internal::Two_bounded_areas& ijk,
+                                                    const internal::Two_doubles& ij, const internal::Two_doubles& jk,
+                                                    const internal::Two_doubles& ki) const
     {
       std::array<internal::Two_doubles, 3> bounds = internal::cotangent_bounds(ij, jk, ki, ijk.value);
       const internal::Two_doubles least = 0x1p25 * ijk.error;
       for (internal::Two_doubles& bound : bounds)
         bound = if_greater(ijk.value, least, bound, -std::numeric_limits<double>::infinity());
       return bounds;
-    }
-    std::array<internal::Two_doubles, 3> of_two(const Face_data& ijk, const Face_data& other,
-                                                const internal::Two_doubles& ij, const internal::Two_doubles& jk,
-                                                const internal::Two_doubles& ki) const
-    {
-      return of_two({{ijk.value, other.value}, {ijk.error, other.error}}, ij, jk, ki);
     }
     /// \endcond
   };
@@ -319,8 +302,7 @@ public:
     /// The bound is infinite unless the squared lengths have relative errors of at most 6 u;
     /// they are shared with other faces, so they must not be replaced otherwise.
     template <class Number>
-    Face_data operator()(const Number& four_areas, const Number& ij, const Number& jk,
-                         const Number& ki) const
+    Face_data operator()(const Number& four_areas, const Number& ij, const Number& jk, const Number& ki) const
     {
       if (!(is_tight(ij) && is_tight(jk) && is_tight(ki)))
         return {four_areas.hi(), std::numeric_limits<double>::infinity()};
@@ -365,8 +347,7 @@ public:
   struct Compute_area
   {
     /// returns the area.
-    double operator()(const Face_data& f, const Edge_data&, const Edge_data&,
-                      const Edge_data&) const
+    double operator()(const Face_data& f, const Edge_data&, const Edge_data&, const Edge_data&) const
     {
       return f.value / 4;
     }
@@ -375,8 +356,7 @@ public:
   struct Compute_cotangent
   {
     /// returns the cotangent.
-    double operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk,
-                      const Edge_data& ki) const
+    double operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk, const Edge_data& ki) const
     {
       return twice_scalar_product(jk, ki, ij) / ijk.value;
     }
@@ -390,8 +370,7 @@ public:
     // is less than (0.92 + 0.73 |c|) E / a, and its two roundings add 2.01 u |c|, which is below
     // 0.11 |c| E / a by (3).
     /// returns the cotangent and its bound.
-    Bounded_double operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk,
-                              const Edge_data& ki) const
+    Bounded_double operator()(const Face_data& ijk, const Edge_data& ij, const Edge_data& jk, const Edge_data& ki) const
     {
       if (!(ijk.value > 8 * ijk.error))
         return {0, std::numeric_limits<double>::infinity()};

@@ -8,17 +8,19 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_PATH_NETWORK_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_PATH_NETWORK_H
 
-#include <CGAL/Intrinsic_triangulations/Geodesic_report.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Linked_paths.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Wedge.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 
@@ -76,7 +78,7 @@ public:
   /// \brief adds a path with fixed ends.
   /// \param halfedges a range of halfedges, each of which begins where the one before ends
   /// \return the number of the path: 0, 1, 2, ...
-  /// \exception Invalid_point_error if there is no such halfedge, or one begins elsewhere
+  /// \exception Invalid_argument_error if there is no such halfedge, or one begins elsewhere
   template <class HalfedgeRange>
   std::size_t add_path(const HalfedgeRange& halfedges)
   {
@@ -86,7 +88,7 @@ public:
   ///
   /// \param halfedges as for `add_path()`; the first begins where the last ends
   /// \return the number of the path
-  /// \exception Invalid_point_error as `add_path()`, or if the curve is not closed
+  /// \exception Invalid_argument_error as `add_path()`, or if the curve is not closed
   template <class HalfedgeRange>
   std::size_t add_closed_path(const HalfedgeRange& halfedges)
   {
@@ -103,8 +105,8 @@ public:
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{visitor}
   ///     \cgalParamDescription{is told of each flip and can cancel; pass `std::ref()` to keep its state}
-  ///     \cgalParamType{a model of `IntrinsicFlipVisitor`}
-  ///     \cgalParamDefault{`Default_flip_visitor`}
+  ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
+  ///     \cgalParamDefault{`Default_visitor`}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{maximum_number}
   ///     \cgalParamDescription{the number of flips after which the algorithm gives up}
@@ -115,21 +117,21 @@ public:
   ///
   /// \return what happened. Triangulation and paths are valid whatever the status, and no path is longer than before. All this is so after
   /// an exception, too; the paths are unfinished then
-  /// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
-  /// \exception Cancelled_error if the visitor cancels within an exact decision
+  /// \exception Undecided_error as `sign_of_cotangent_weight()`
+  /// \exception Cancelled_error if the visitor says so
   template <class NamedParameters = parameters::Default_named_parameters>
   Geodesic_report shorten(const NamedParameters& np = parameters::default_values())
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
     const internal::Standard_arithmetic arithmetic;
-    auto given = choose_parameter(get_parameter(np, internal_np::visitor), Default_flip_visitor());
-    auto& visitor = internal::unwrapped(given);
-    budget_ = choose_parameter(get_parameter(np, internal_np::maximum_number), (std::numeric_limits<std::uint64_t>::max)());
+    auto observer = internal::observer_of(np);
+    budget_ =
+      choose_parameter(get_parameter(np, internal_np::maximum_number), (std::numeric_limits<std::uint64_t>::max)());
     report_ = {};
     is_stopped_ = false;
-    go_further_ = [&] { return visitor.go_further(report_.tests, report_.flips); };
-    after_flip_ = [&](Edge_index e) { visitor.after_flip(e); };
+    go_further_ = [&] { return observer.go_further(report_.tests, report_.flips); };
+    after_flip_ = [&](Edge_index e) { observer.after_flip(e); };
     const internal::Interruption_scope<Triangulation> scope(triangulation_, go_further_);
     for (Outcome& outcome : outcomes_)
       if (outcome.status != Geodesic_status::CONTRACTIBLE)
@@ -173,7 +175,7 @@ public:
   }
   /// \brief decides whether path `p` is locally shortest: whether at each inner vertex that is not fixed, the angle on either side
   /// is at least π, or contains the border or a constrained edge. A curve that was shrunk to a point is.
-  /// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
+  /// \exception Undecided_error as `sign_of_cotangent_weight()`
   bool is_geodesic(std::size_t p)
   {
     const std::vector<Halfedge_index> sides = halfedges(p);
@@ -312,8 +314,9 @@ private:
   bool goes_on()
   {
     ++report_.tests;
-    if (!is_stopped_)
-      is_stopped_ = report_.flips >= budget_ || !go_further_();
+    is_stopped_ = is_stopped_ || report_.flips >= budget_;
+    if (!is_stopped_ && !go_further_())
+      throw Cancelled_error("the search for shorter paths was cancelled");
     return !is_stopped_;
   }
 
@@ -420,8 +423,9 @@ private:
     journal_ = &flips;
     bool is_shorter = false;
     try {
-      is_shorter = leads_round(s, wedge, is_on_left) &&
-                   (paths_.first(p) == Linked_paths::none || certainly((precise_length(p) - length_before).sign() == NEGATIVE));
+      is_shorter =
+        leads_round(s, wedge, is_on_left) &&
+        (paths_.first(p) == Linked_paths::none || certainly((precise_length(p) - length_before).sign() == NEGATIVE));
     } catch (...) {
       undo(s, loop, flips);
       throw;
@@ -462,7 +466,7 @@ private:
   {
     journal_ = nullptr;
     for (std::size_t i = flips.size(); i-- > 0;)
-      triangulation_.flip_back(flips[i]);
+      internal::Whole_triangulation<Traits>(triangulation_).flip_back(flips[i]);
     paths_.restore_loop(s, loop);
   }
 
@@ -472,7 +476,7 @@ private:
     internal::Bounded_double_double sum;
     for (Halfedge_index h : halfedges(p)) {
       const Halfedge_index side = complex().is_border(h) ? complex().opposite(h) : h;
-      sum = sum + sqrt(triangulation_.exact_geometry().corner(complex(), side).s_opposite);
+      sum = sum + sqrt(internal::engine(triangulation_).corner(side).s_opposite);
     }
     return sum;
   }

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_HALF_ANGLE_TRAITS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_HALF_ANGLE_TRAITS_H
 
-#include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Number_type_with_roots.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 
@@ -63,8 +63,7 @@ public:
   /// angle α opposite to side a of a triangle with sides a, b, c (section 2.2).
   static FT tan_half_angle(const FT& a, const FT& b, const FT& c)
   {
-    return internal::sqrt_of_non_negative(
-      FT(((a - b + c) * (a + b - c)) / ((a + b + c) * (b + c - a))));
+    return internal::sqrt_of_non_negative(FT(((a - b + c) * (a + b - c)) / ((a + b + c) * (b + c - a))));
   }
 
   /// returns `cot α = (1 − t²) / (2 t)` for `t = tan(α/2)` (section 2.2).
@@ -86,10 +85,7 @@ public:
   struct Construct_face_data
   {
     /// makes the face with these corners.
-    Face_data operator()(const Point_data&, const Point_data&, const Point_data&) const
-    {
-      return {};
-    }
+    Face_data operator()(const Point_data&, const Point_data&, const Point_data&) const { return {}; }
     /// makes the face with sides of these lengths.
     Face_data from_lengths(const FT&, const FT&, const FT&) const { return {}; }
   };
@@ -101,9 +97,7 @@ public:
     /// decides by the sum of the cotangents.
     Boolean operator()(const Hinge_data& h) const
     {
-      return cotangent(tan_half_angle(h.ij, h.jk, h.ki)) +
-               cotangent(tan_half_angle(h.ij, h.il, h.lj)) >=
-             FT(0);
+      return cotangent(tan_half_angle(h.ij, h.jk, h.ki)) + cotangent(tan_half_angle(h.ij, h.il, h.lj)) >= FT(0);
     }
   };
 
@@ -151,8 +145,7 @@ public:
   struct Compute_area
   {
     /// returns the area.
-    FT operator()(const Face_data&, const Edge_data& ij, const Edge_data& jk,
-                  const Edge_data& ki) const
+    FT operator()(const Face_data&, const Edge_data& ij, const Edge_data& jk, const Edge_data& ki) const
     {
       return internal::sqrt_of_non_negative(squared_four_areas_from_lengths(ij, jk, ki)) / FT(4);
     }
@@ -162,8 +155,7 @@ public:
   struct Compute_cotangent
   {
     /// returns the cotangent.
-    FT operator()(const Face_data&, const Edge_data& ij, const Edge_data& jk,
-                  const Edge_data& ki) const
+    FT operator()(const Face_data&, const Edge_data& ij, const Edge_data& jk, const Edge_data& ki) const
     {
       return cotangent(tan_half_angle(ij, jk, ki));
     }

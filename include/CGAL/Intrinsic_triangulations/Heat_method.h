@@ -8,9 +8,9 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_HEAT_METHOD_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_HEAT_METHOD_H
 
-#include <CGAL/Intrinsic_triangulations/Index.h>
+#include <CGAL/Intrinsic_triangulations/internal/Index.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Distance_bounds.h>
@@ -24,6 +24,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <Eigen/SparseCore>
 
@@ -51,21 +53,29 @@ enum class Heat_boundary {
   AVERAGED   ///< the mean of both, which is often nearest to the truth
 };
 
-/// \ingroup PkgIntrinsicTriangulationsHeat
-/// \brief how distances are found.
-struct Heat_method_options
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+struct Heat_options
 {
-  /// what heat does at the border
-  Heat_boundary boundary = Heat_boundary::NEUMANN;
-  /// the time for which heat spreads, in units of the squared mean length of the edges: the larger, the smoother
-  double time_coefficient = 1;
-  /// whether distances that are less than those of the vertices around allow are raised. Without that the
-  /// method rounds off ridges, where fronts from several sides meet: it is smoother there, and too small
-  bool keeps_ridges = true;
-  /// is asked before each matrix is factorized or linear system is solved, by the constructor and by all functions; if it returns `false`,
-  /// they throw `Cancelled_error`. A factorization that has begun is finished: with a million faces, it takes some ten seconds
-  std::function<bool()> go_further = {};
+  Heat_boundary boundary;
+  double time_coefficient;
+  bool keeps_ridges;
+  std::function<bool()> go_further;
 };
+
+template <class NamedParameters>
+Heat_options heat_options_of(const NamedParameters& np)
+{
+  const Heat_options result{value_of<Parameter::HEAT_BOUNDARY>(np, Heat_boundary::NEUMANN),
+                            value_of<Parameter::TIME_COEFFICIENT>(np, 1.), value_of<Parameter::KEEPS_RIDGES>(np, true),
+                            go_further_function_of(np)};
+  require_time_coefficient(result.time_coefficient);
+  return result;
+}
+
+} // namespace internal
+/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
 ///
@@ -101,15 +111,45 @@ public:
   ///
   /// The triangulation is not needed any more afterwards. It should be Delaunay, and the angles opposite to border edges should not
   /// be obtuse: otherwise heat can be negative, and distances far from right. The tufted cover has neither problem.
-  /// \exception Invalid_surface_error if a length or weight is beyond the range of `double`, or the time coefficient is not positive
-  ///   and finite
+  /// \param triangulation the triangulation
+  /// \param np an optional sequence of named parameters
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{heat_boundary}
+  ///     \cgalParamDescription{what heat does at the border}
+  ///     \cgalParamType{`Heat_boundary`}
+  ///     \cgalParamDefault{`Heat_boundary::NEUMANN`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{time_coefficient}
+  ///     \cgalParamDescription{the time for which heat spreads, in units of the squared mean length of the edges: the larger, the smoother}
+  ///     \cgalParamType{`double`}
+  ///     \cgalParamDefault{1}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{keeps_ridges}
+  ///     \cgalParamDescription{whether distances that are less than those of the vertices around allow are raised. Without that the
+  ///       method rounds off ridges, where fronts from several sides meet: it is smoother there, and too small}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`true`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{visitor}
+  ///     \cgalParamDescription{is asked before each matrix is factorized or linear system is solved, by the constructor and by all functions,
+  ///       which throw `Cancelled_error` if it says no. A factorization that has begun is finished: with a million faces, it takes some ten
+  ///       seconds}
+  ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
+  ///     \cgalParamDefault{`Default_visitor`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
+  /// \exception Invalid_argument_error if the time coefficient is not positive and finite
+  /// \exception Invalid_surface_error if a length or weight is beyond the range of `double`
   /// \exception Numerical_error if a matrix cannot be factorized
-  /// \exception Cancelled_error as `Heat_method_options` says
-  template <class Traits>
+  /// \exception Cancelled_error if the visitor says so
+  template <class Traits, class NamedParameters = parameters::Default_named_parameters>
   explicit Heat_method(const Intrinsic_triangulation<Traits>& triangulation,
-                       const Heat_method_options& options = Heat_method_options())
-    : Heat_method(internal::make_heat_surface(triangulation),
-                  internal::Distance_bounds(triangulation, internal::Row_of_vertex(triangulation.connectivity())), options)
+                       const NamedParameters& np = parameters::default_values())
+    : Heat_method(
+        internal::heat_options_of(np), [&] { return internal::make_heat_surface(triangulation); },
+        [&] { return internal::Distance_bounds(triangulation, internal::Row_of_vertex(triangulation.connectivity())); })
   {}
 
   /// \brief as above, for any triangles. The vertices are those of the input, and
@@ -117,9 +157,11 @@ public:
   ///
   /// A closed cover has no border, so all boundary conditions are the same there.
   /// \pre the cover was made Delaunay by `flip_to_Delaunay(cover.triangulation)`
-  explicit Heat_method(const Tufted_cover& cover, const Heat_method_options& options = Heat_method_options())
-    : Heat_method(internal::make_heat_surface(cover), internal::Distance_bounds(cover.triangulation, internal::Row_of_cover_vertex(cover)),
-                  options)
+  template <class NamedParameters = parameters::Default_named_parameters>
+  explicit Heat_method(const Tufted_cover& cover, const NamedParameters& np = parameters::default_values())
+    : Heat_method(
+        internal::heat_options_of(np), [&] { return internal::make_heat_surface(cover); },
+        [&] { return internal::Distance_bounds(cover.triangulation, internal::Row_of_cover_vertex(cover)); })
   {
     representative_ = cover.representative;
   }
@@ -127,7 +169,7 @@ public:
   /// \name Sources
   /// @{
 
-  /// makes `v` a source; returns whether it was none. \exception Invalid_surface_error if there is no such vertex
+  /// makes `v` a source; returns whether it was none. \exception Invalid_argument_error if there is no such vertex
   bool add_source(Vertex_index v)
   {
     const bool is_new = vertex_sources_.insert({v, row_of(v)}).second;
@@ -140,7 +182,7 @@ public:
   /// the plane of the face.
   /// \param triangulation the one that was given to the constructor
   /// \param point a point in a face of it; see `Point_location` for a point of the input
-  /// \exception Invalid_surface_error if this is no point of a face with an area
+  /// \exception Invalid_point_error if this is no point of a face with an area
   template <class Traits>
   void add_source(const Intrinsic_triangulation<Traits>& triangulation, const Surface_point& point)
   {
@@ -172,7 +214,7 @@ public:
   ///
   /// The result is kept until the sources change.
   /// \exception Numerical_error if a linear system cannot be solved
-  /// \exception Cancelled_error as `Heat_method_options` says. The next call begins anew
+  /// \exception Cancelled_error if the visitor says so. The next call begins anew
   const std::vector<double>& distances()
   {
     if (is_changed_)
@@ -220,16 +262,14 @@ private:
   using Diffusion = internal::Heat_diffusion<LinearSolver>;
   using Poisson = internal::Pinned_system<LinearSolver>;
 
-  Heat_method(internal::Heat_surface surface, internal::Distance_bounds bounds, const Heat_method_options& options)
-    : options_(checked(options)), interruption_(std::make_unique<internal::Interruption>(options.go_further)), surface_(std::make_unique<internal::Heat_surface>(std::move(surface))),
-      diffusion_(std::make_unique<Diffusion>(*surface_, options.time_coefficient, *interruption_)), bounds_(std::move(bounds))
+  // Makes surface and bounds once the options are known to be right.
+  template <class MakeSurface, class MakeBounds>
+  Heat_method(internal::Heat_options options, const MakeSurface& make_surface, const MakeBounds& make_bounds)
+    : options_(std::move(options)), interruption_(std::make_unique<internal::Interruption>(options_.go_further)),
+      surface_(std::make_unique<internal::Heat_surface>(make_surface())),
+      diffusion_(std::make_unique<Diffusion>(*surface_, options_.time_coefficient, *interruption_)),
+      bounds_(make_bounds())
   {}
-
-  static const Heat_method_options& checked(const Heat_method_options& options)
-  {
-    internal::require_time_coefficient(options.time_coefficient);
-    return options;
-  }
 
   std::uint32_t row_of_input(std::size_t v) const
   {
@@ -292,7 +332,8 @@ private:
     distances_.resize(surface_->size());
     for (std::size_t v = 0; v < distances_.size(); ++v) {
       const std::uint32_t row = row_of_input(v);
-      distances_[v] = is_reachable[row] ? std::ldexp(of_rows[row], surface_->exponent) : std::numeric_limits<double>::infinity();
+      distances_[v] =
+        is_reachable[row] ? std::ldexp(of_rows[row], surface_->exponent) : std::numeric_limits<double>::infinity();
     }
   }
 
@@ -335,7 +376,8 @@ private:
     if (options_.boundary == Heat_boundary::NEUMANN || !has_border())
       return internal::flux_of_unit_gradient(*surface_, spread, spread);
     if (!cold_border_)
-      cold_border_ = std::make_unique<Diffusion>(*surface_, options_.time_coefficient, *interruption_, surface_->is_border);
+      cold_border_ =
+        std::make_unique<Diffusion>(*surface_, options_.time_coefficient, *interruption_, surface_->is_border);
     const internal::Layered_heat cold = cold_border_->spread(heat_of_sources(pins), is_reachable);
     if (options_.boundary == Heat_boundary::DIRICHLET)
       return internal::flux_of_unit_gradient(*surface_, cold, spread);
@@ -358,7 +400,7 @@ private:
     return std::find(surface_->is_border.begin(), surface_->is_border.end(), true) != surface_->is_border.end();
   }
 
-  Heat_method_options options_;
+  internal::Heat_options options_;
   std::unique_ptr<const internal::Interruption> interruption_; // the solvers refer to it, too
   std::unique_ptr<const internal::Heat_surface> surface_;      // the solvers refer to it
   std::unique_ptr<Diffusion> diffusion_;

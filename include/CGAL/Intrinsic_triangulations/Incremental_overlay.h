@@ -3,17 +3,20 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The overlay graph updated with each flip, by the order along the quadrilateral's sides alone.
+// The overlay of the input triangulation and the intrinsic one, updated with each flip, and its
+// comparison with an overlay that is built at the end.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INCREMENTAL_OVERLAY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INCREMENTAL_OVERLAY_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Dynamic_overlay_graph.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -26,7 +29,7 @@ namespace Intrinsic_triangulations {
 /// It is the same graph as `Overlay`, updated as in the paper: a flip removes the edge,
 /// merges the input segments at its crossings, and decides from the cyclic order along the sides of
 /// the quadrilateral alone which segments the other diagonal crosses. It uses neither lengths nor
-/// `Normal_coordinates`, so the two methods are independent of each other.
+/// normal coordinates, so the two methods are independent of each other.
 /// `Overlay` is cheaper, since most intermediate crossings later disappear. Use this class
 /// if you need the overlay after every flip.
 ///
@@ -35,7 +38,7 @@ namespace Intrinsic_triangulations {
 ///
 /// Memory: 32 bytes a segment, and that of two `Delta_complex`.
 ///
-/// \cgalModels `IntrinsicFlipVisitor`, to be passed as `std::ref(overlay)`
+/// \cgalModels `IntrinsicTriangulationVisitor`, to be passed as `std::ref(overlay)`
 ///
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 2.3 and figure 5.
 class Incremental_overlay
@@ -51,9 +54,7 @@ public:
   using Halfedge = Overlay::Halfedge;
 
   /// constructs the overlay of a triangulation and itself: every segment has the label `BOTH`.
-  explicit Incremental_overlay(const Delta_complex& input)
-    : input_(input), intrinsic_(input), graph_(input)
-  {}
+  explicit Incremental_overlay(const Delta_complex& input) : input_(input), intrinsic_(input), graph_(input) {}
 
   /// \brief flips intrinsic edge `e`, as `Delta_complex::flip()` does.
   ///
@@ -67,7 +68,7 @@ public:
   /// \name Visitor
   /// @{
   /// never stops the flips.
-  bool go_further(std::uint64_t /* tests */, std::uint64_t /* flips */) const { return true; }
+  bool go_further(const Progress&) const { return true; }
   /// performs the same flip in the overlay.
   void after_flip(Edge_index e) { flip(e); }
   /// @}
@@ -164,11 +165,32 @@ private:
   std::vector<Side> sides_; // of the sources of chords
 };
 
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// Says how the two differ, or nothing. Crossings have no numbers in common: those of
+// `incremental` are learnt along the intrinsic edges.
+std::string difference_of_overlays(const Overlay& overlay, const Incremental_overlay& incremental);
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsOverlay
+/// \brief returns whether two overlays are the same: whether each edge of both triangulations has
+/// the same crossings in the same order, and the same edges coincide, in the same direction.
+///
+/// The numbers of segments and crossings may differ. O(size).
+/// \param overlay built from the integers
+/// \param incremental updated flip by flip
+/// \param verbose whether the first difference is described on `std::cerr`
+bool are_same_overlay(const Overlay& overlay, const Incremental_overlay& incremental, bool verbose = false);
+
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Incremental_overlay_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/overlay/are_same_overlay_impl.h>
 #endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INCREMENTAL_OVERLAY_H

@@ -9,10 +9,10 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTRINSIC_TRIANGULATION_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/Removed_elements.h>
-#include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Removed_elements.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_conversion.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/metric_construction.h>
@@ -44,6 +44,7 @@ template <class Traits>
 class Whole_triangulation;
 template <class Traits>
 class Triangulation_block;
+struct Engine_access;
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsRef
@@ -101,16 +102,15 @@ public:
   /// \exception Invalid_surface_error if a coordinate is not finite, an edge has length
   ///   zero, or squared lengths leave the range of the number type. O(size).
   template <class PointRange>
-  Intrinsic_triangulation(Delta_complex connectivity, const PointRange& points,
-                          const Traits& traits = Traits())
+  Intrinsic_triangulation(Delta_complex connectivity, const PointRange& points, const Traits& traits = Traits())
     : Intrinsic_triangulation(std::move(connectivity), converted(points), traits)
   {}
 
   /// \brief as above, and takes the points over instead of copying them.
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
   template <class ConcurrencyTag = Sequential_tag>
-  Intrinsic_triangulation(Delta_complex connectivity, Point_vector&& points,
-                          const Traits& traits = Traits(), ConcurrencyTag = ConcurrencyTag())
+  Intrinsic_triangulation(Delta_complex connectivity, Point_vector&& points, const Traits& traits = Traits(),
+                          ConcurrencyTag = ConcurrencyTag())
     : Intrinsic_triangulation(std::move(connectivity), std::move(points), traits, ConcurrencyTag(),
                               internal::Null_copier())
   {}
@@ -124,8 +124,9 @@ public:
   {
     const Arithmetic arithmetic;
     arithmetic.check();
-    exponent_ = internal::normalize_points<ConcurrencyTag>(points, internal::Is_used_vertex{connectivity_});
-    internal::construct_metric_from_points<ConcurrencyTag>(connectivity_, copier, traits_, points, edges_, faces_, bounds_);
+    exponent_ = internal::normalize_points<ConcurrencyTag>(points, internal::Is_used_vertex{engine_.connectivity()});
+    internal::construct_metric_from_points<ConcurrencyTag>(engine_.connectivity(), copier, traits_, points, edges_,
+                                                           faces_, bounds_);
     if constexpr (uses_exact_geometry)
       keep_input(Input_metric::from_normalized_points(std::move(points), exponent_));
   }
@@ -145,11 +146,22 @@ public:
     arithmetic.check();
     Intrinsic_triangulation t(std::move(connectivity), traits);
     t.exponent_ = internal::normalize_lengths(lengths);
-    internal::construct_metric_from_lengths(t.connectivity_, t.traits_, lengths, t.edges_,
-                                            t.faces_, t.bounds_);
+    internal::construct_metric_from_lengths(t.connectivity(), t.traits_, lengths, t.edges_, t.faces_, t.bounds_);
     if constexpr (uses_exact_geometry)
       t.keep_input(Input_metric::from_normalized_lengths(std::move(lengths), t.exponent_));
     return t;
+  }
+
+  /// \brief as above, with lengths of any number type, which are rounded to `FT` if it cannot hold them.
+  template <class LengthRange>
+  static Intrinsic_triangulation from_lengths(Delta_complex connectivity, const LengthRange& lengths,
+                                              const Traits& traits = Traits())
+  {
+    std::vector<FT> converted_lengths;
+    converted_lengths.reserve(std::size_t(std::distance(lengths.begin(), lengths.end())));
+    for (const auto& length : lengths)
+      converted_lengths.push_back(internal::convert_number<FT>(length));
+    return from_lengths(std::move(connectivity), std::move(converted_lengths), traits);
   }
 
   /// \brief constructs the triangulation of a surface from its exact metric, as `metric_from_squared_lengths()`
@@ -158,18 +170,16 @@ public:
   /// For traits with exact geometry only.
   /// \exception Invalid_surface_error if a squared length is not positive, or three
   ///   violate the triangle inequality; equality is accepted. O(size) rational operations.
-  static Intrinsic_triangulation
-  from_metric(Delta_complex connectivity,
-              Input_metric metric,
-              const Traits& traits = Traits())
+  static Intrinsic_triangulation from_metric(Delta_complex connectivity, Input_metric metric,
+                                             const Traits& traits = Traits())
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
     arithmetic.check();
     Intrinsic_triangulation t(std::move(connectivity), traits);
-    metric.check(t.connectivity_);
+    metric.check(t.connectivity());
     t.exponent_ = metric.unit_exponent();
-    internal::construct_metric_from_input(t.connectivity_, t.traits_, metric, t.edges_, t.faces_, t.bounds_);
+    internal::construct_metric_from_input(t.connectivity(), t.traits_, metric, t.edges_, t.faces_, t.bounds_);
     t.keep_input(std::move(metric));
     return t;
   }
@@ -180,54 +190,54 @@ public:
   /// Needed for `verify_Delaunay()` and for everything that relates input and result.
   /// With `Filtered_edge_length_traits` the constructors do it.
   /// \param metric the exact metric of the current, as yet unflipped triangulation
-  void keep_input(Input_metric metric)
-  {
-    geometry_ = Exact_geometry(std::move(metric));
-  }
+  void keep_input(Input_metric metric) { engine_.keep_input(std::move(metric)); }
 
   /// \brief sets what exact decisions accept as a tie from now on. \pre `keeps_input()`
   void set_tie_proof(Tie_proof tie_proof)
   {
     CGAL_precondition(keeps_input());
-    geometry_->set_tie_proof(tie_proof);
+    engine_.set_tie_proof(tie_proof);
   }
-  /// \brief as `set_interruption()` of `Exact_geometry`: lets a function end exact decisions that take long.
+  /// \brief sets a function that is called from time to time during a single exact decision that takes long: if it returns
+  /// `false`, the decision ends with a `Cancelled_error`, and nothing is changed.
+  ///
+  /// An empty function, as at the beginning, never ends one. Copies do not take it over. It is called by the threads that
+  /// decide, by several at once if they do.
+  /// \return the function that was set before
   /// \pre `keeps_input()`
   std::function<bool()> set_interruption(std::function<bool()> go_further)
   {
     CGAL_precondition(keeps_input());
-    return geometry_->set_interruption(std::move(go_further));
+    return engine_.set_interruption(std::move(go_further));
   }
 
   /// returns whether the input was kept.
-  bool keeps_input() const { return geometry_.has_value(); }
+  bool keeps_input() const { return engine_.keeps_input(); }
 
-  /// \brief returns the exact geometry, ready for its queries.
-  ///
-  /// The first call costs O(size + number of flips).
-  /// \tparam ConcurrencyTag as for `prepare()` of `Exact_geometry`
-  /// \exception Integer_overflow_error as `prepare()` of `Correspondence`
+  /// \name Where the input lies
+  /// Of the triangulation as it was when its input was kept. The first question after flips costs O(size + number of flips).
   /// \pre `keeps_input()`
-  template <class ConcurrencyTag = Sequential_tag>
-  const Exact_geometry& exact_geometry() const
-  {
-    CGAL_precondition(keeps_input());
-    geometry_->template prepare<ConcurrencyTag>(connectivity_);
-    return *geometry_;
-  }
+  /// \exception Integer_overflow_error if an edge crosses more than 2^60 input edges
+  /// @{
 
-  /// \brief gives up the triangulation, and returns its connectivity and its exact geometry, which are not copied.
-  ///
-  /// Afterwards the triangulation can only be destroyed or assigned to. \pre `keeps_input()`
-  std::pair<Delta_complex, Exact_geometry> release() &&
-  {
-    CGAL_precondition(keeps_input());
-    Intrinsic_triangulation given_up(std::move(*this)); // its stored numbers are freed
-    return {std::move(given_up.connectivity_), std::move(*given_up.geometry_)};
-  }
+  /// returns the connectivity of the input. It has the same vertices, edges, halfedges and faces as at the beginning;
+  /// `halfedge(v)` and `halfedge(f)` may be other halfedges of the vertex and the face.
+  const Delta_complex& input() const { return prepared_engine().correspondence().input(); }
+  /// returns how many times input edges cross `e`; 0 if it coincides with one.
+  std::int64_t number_of_crossings(Edge_index e) const { return integers().number_of_crossings(e); }
+  /// returns whether `e` coincides with an edge of the input, or with a part of one.
+  bool is_input_edge(Edge_index e) const { return integers().is_original(e); }
+  /// returns the halfedge of the input along `h`. \pre `is_input_edge(connectivity().edge(h))`
+  Halfedge_index input_halfedge(Halfedge_index h) const { return prepared_engine().correspondence().input_halfedge(h); }
+  /// returns whether `v` was inserted: whether it is no vertex of the input.
+  bool is_inserted(Vertex_index v) const { return prepared_engine().correspondence().is_inserted(v); }
+  /// returns where an inserted vertex lies on the input. The coordinates are exact once they are divided by their sum.
+  /// \pre `is_inserted(v)`
+  const Surface_point& location(Vertex_index v) const { return prepared_engine().correspondence().location(v); }
+  /// @}
 
   /// returns the triangles.
-  const Delta_complex& connectivity() const { return connectivity_; }
+  const Delta_complex& connectivity() const { return engine_.connectivity(); }
   /// returns the traits.
   const Traits& traits() const { return traits_; }
 
@@ -240,7 +250,7 @@ public:
   FT length(Edge_index e) const
   {
     if constexpr (uses_exact_geometry)
-      return exact_geometry().length(connectivity_, e);
+      return engine_.length(e);
     return in_input_unit(traits_.compute_length_object()(edge_data(e)), 1);
   }
   /// returns the squared length of `e`.
@@ -252,34 +262,34 @@ public:
   FT area(Face_index f) const
   {
     if constexpr (uses_exact_geometry)
-      return exact_geometry().area(connectivity_, f);
-    const Halfedge_index h = connectivity_.halfedge(f);
+      return engine_.area(f);
+    const Halfedge_index h = connectivity().halfedge(f);
     return in_input_unit(traits_.compute_area_object()(face_data(f), edge_data(edge(h)),
-                                                       edge_data(edge(connectivity_.next(h))),
-                                                       edge_data(edge(connectivity_.prev(h)))),
+                                                       edge_data(edge(connectivity().next(h))),
+                                                       edge_data(edge(connectivity().prev(h)))),
                          2);
   }
   /// returns the cotangent of the angle opposite to `h` in its face.
   /// \pre `h` is not a border halfedge, and its face has positive area
   FT cotangent(Halfedge_index h) const
   {
-    CGAL_precondition(!connectivity_.is_border(h));
+    CGAL_precondition(!connectivity().is_border(h));
     if constexpr (uses_exact_geometry)
-      return exact_geometry().cotangent(connectivity_, h);
-    return traits_.compute_cotangent_object()(face_data(connectivity_.face(h)), edge_data(edge(h)),
-                                              edge_data(edge(connectivity_.next(h))),
-                                              edge_data(edge(connectivity_.prev(h))));
+      return engine_.cotangent(h);
+    return traits_.compute_cotangent_object()(face_data(connectivity().face(h)), edge_data(edge(h)),
+                                              edge_data(edge(connectivity().next(h))),
+                                              edge_data(edge(connectivity().prev(h))));
   }
   /// returns the sum of the cotangents of the one or two angles opposite to `e`, without
   /// a factor: a weight of the Laplace-Beltrami operator (section 3.1 of the paper).
   FT cotangent_weight(Edge_index e) const
   {
     if constexpr (uses_exact_geometry)
-      return exact_geometry().cotangent_weight(connectivity_, e);
-    const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
-    if (connectivity_.is_border(h))
+      return engine_.cotangent_weight(e);
+    const Halfedge_index h = connectivity().halfedge(e), g = connectivity().opposite(h);
+    if (connectivity().is_border(h))
       return cotangent(g);
-    if (connectivity_.is_border(g))
+    if (connectivity().is_border(g))
       return cotangent(h);
     return cotangent(h) + cotangent(g);
   }
@@ -291,13 +301,13 @@ public:
   /// \return an uncertain value if an interval number type cannot tell
   Boolean is_locally_Delaunay(Edge_index e) const
   {
-    if (!connectivity_.is_flippable(e))
+    if (!connectivity().is_flippable(e))
       return true;
     const Arithmetic arithmetic;
     const Boolean answer = traits_.is_locally_Delaunay_object()(hinge(e));
     if constexpr (uses_exact_geometry)
       if (!is_certain(answer))
-        return exact_geometry().sign_of_cotangents(connectivity_, e) != NEGATIVE;
+        return engine_.sign_of_cotangents(e) != NEGATIVE;
     return answer;
   }
 
@@ -306,7 +316,7 @@ public:
   /// Where both faces have zero area, it is negative if both opposite angles are π, and
   /// zero otherwise.
   /// \pre `keeps_input()` and `connectivity().is_flippable(e)`
-  /// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`
+  /// \exception Undecided_error as `sign_of_cotangent_weight()`
   Sign sign_of_cotangent_weight(Edge_index e) const
   {
     const Arithmetic arithmetic;
@@ -315,7 +325,7 @@ public:
       if (is_certain(answer)) // the filter decides no tie
         return certainly(answer) ? POSITIVE : NEGATIVE;
     }
-    return exact_geometry().sign_of_cotangents(connectivity_, e);
+    return engine_.sign_of_cotangents(e);
   }
 
   /// \brief returns how many tests of `flip_to_Delaunay()` each stage decided.
@@ -323,7 +333,7 @@ public:
   /// With traits that use no exact geometry all are counted for the filter.
   Stage_counts stage_counts() const
   {
-    Stage_counts counts = uses_exact_geometry ? geometry_->stage_counts() : Stage_counts();
+    Stage_counts counts = uses_exact_geometry ? engine_.stage_counts() : Stage_counts();
     counts.decided[std::size_t(Stage::FILTER)] = number_of_filter_decisions_;
     return counts;
   }
@@ -334,7 +344,10 @@ public:
   /// the quadrilateral is convex is decided exactly: where the error bounds do not suffice, in time proportional to the
   /// number of input edges that its sides cross.
   /// \pre `connectivity().is_flippable(e)`
-  /// \exception Undecided_error as `sign_of_cotangents()` of `Exact_geometry`, and others as `flip_not_Delaunay()`
+  /// \exception Undecided_error if a proof is demanded of each tie, and takes too long
+  /// \exception Invalid_surface_error if the new edge has length zero, so that two vertices of the input coincide
+  /// \exception Cancelled_error as `set_interruption()` says
+  /// \exception Integer_overflow_error if the new edge crosses more than 2^60 input edges
   Flip_outcome flip(Edge_index e)
   {
     const Arithmetic arithmetic;
@@ -342,174 +355,6 @@ public:
       if (!is_convex(e))
         return Flip_outcome::NOT_CONVEX;
     return flip_not_Delaunay(e);
-  }
-
-  /// \brief as `flip()`, for an edge that is not Delaunay.
-  ///
-  /// The quadrilateral around such an edge is always strictly convex. So traits whose decisions
-  /// are exact need not look, and the flip takes O(1) unless both old faces may have zero area.
-  /// Numbers are computed from the old hinge first, then the connectivity is changed and
-  /// they are stored.
-  /// \pre `connectivity().is_flippable(e)` and not `is_locally_Delaunay(e)`
-  /// \exception Invalid_surface_error if the new edge has length zero, so that two vertices of the input coincide
-  /// \exception Cancelled_error as `set_interruption()` says
-  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
-  Flip_outcome flip_not_Delaunay(Edge_index e)
-  {
-    CGAL_precondition(connectivity_.is_flippable(e));
-    const Arithmetic arithmetic;
-    return flip_not_Delaunay(connectivity_.hinge(e));
-  }
-  /// as above, for the halfedges around the edge.
-  Flip_outcome flip_not_Delaunay(const Hinge_halfedges& around)
-  {
-    const Hinge_data old = hinge(around);
-    bool is_straight = false;
-    std::optional<Replaced_numbers> replaced;
-    const Flip_outcome outcome = flip_hinge(around, old, [&] {
-      // Asked here: `old` refers to the numbers that the flip replaces.
-      if (!is_new_edge_known_to_have_length(old))
-        replaced = replaced_numbers(around);
-      is_straight = geometry_ && geometry_->flip(connectivity_, around);
-    });
-    if (outcome != Flip_outcome::FLIPPED)
-      return outcome;
-    if constexpr (uses_exact_geometry) {
-      if (replaced)
-        check_length(around, *replaced);
-      if (is_straight)
-        measure_straight_faces(around);
-    }
-    return outcome;
-  }
-
-  /// \cond SKIP_IN_MANUAL
-  // Undoes the flip of an edge, the last one that was not undone. Never throws.
-  void flip_back(Edge_index e)
-  {
-    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
-    typename Traits::Flipped_hinge_data flipped{};
-    traits_.construct_flipped_hinge_object()(hinge(e), flipped);
-    const Hinge_halfedges now = connectivity_.hinge(e);
-    flip_back({now.ij, now.lj, now.jk, now.ji, now.ki, now.il},
-              {flipped.kl, flipped.jkl, flipped.ilk, now.ij, now.ji}); // both stay in their faces, as other sides need not
-  }
-  /// \endcond
-
-  /// \name New vertices
-  /// For traits with exact geometry only. Nothing is flipped. See `insert_vertex()`. An exception leaves everything as it was:
-  /// beside those that are named, `Undecided_error` and `Cancelled_error` as `sign_of_cotangents()` of `Exact_geometry`.
-  /// @{
-
-  /// \brief splits a face into three by a new vertex.
-  /// \param piece the piece of the face that contains the vertex, between the input edges that cross it
-  /// \param location where the vertex lies: strictly inside a face of the input, and inside of the piece. The metric is not
-  ///   changed: its coordinates are taken as exact once they are divided by their sum
-  /// \return the new vertex, as `split_face(piece.side)` of `Delta_complex`
-  /// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
-  Vertex_index split_face(const Triangle_piece& piece, const Surface_point& location)
-  {
-    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
-    const Arithmetic arithmetic;
-    const Face_index f = connectivity_.face(piece.side);
-    const Halfedge_index first = connectivity_.halfedge(f);
-    make_room_for_vertex();
-    geometry_->split_face(connectivity_, piece, location);
-    const Vertex_index v = connectivity_.split_face(piece.side);
-    measure_star(v, [&] {
-      geometry_->unsplit_face(connectivity_, v);
-      remove(connectivity_.unsplit_face(v));
-      connectivity_.set_halfedge(f, first);
-    });
-    return v;
-  }
-  /// \brief splits an edge that coincides with an input edge, and the faces beside it, by a new vertex.
-  /// \param h a halfedge of the edge, which lies on the border or between two different faces
-  /// \param location where the vertex lies: strictly between the ends of the edge, on the input edge
-  /// \return the new vertex, as `split_edge(h)` of `Delta_complex`
-  /// \exception Integer_overflow_error as above
-  Vertex_index split_edge(Halfedge_index h, const Surface_point& location)
-  {
-    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
-    const Arithmetic arithmetic;
-    const Face_index faces[] = {connectivity_.face(h), connectivity_.face(connectivity_.opposite(h))};
-    Halfedge_index first[2];
-    for (int i : {0, 1})
-      if (faces[i].is_valid())
-        first[i] = connectivity_.halfedge(faces[i]);
-    make_room_for_vertex();
-    geometry_->split_edge(connectivity_, h, location);
-    const Vertex_index v = connectivity_.split_edge(h);
-    measure_star(v, [&] {
-      geometry_->unsplit_edge(connectivity_, h);
-      remove(connectivity_.unsplit_edge(h));
-      for (int i : {0, 1})
-        if (faces[i].is_valid())
-          connectivity_.set_halfedge(faces[i], first[i]);
-    });
-    return v;
-  }
-  /// \brief removes an inserted vertex in the middle of three faces, which become one. See `remove_vertex()`.
-  /// \return what was removed, as `unsplit_face(v)` of `Delta_complex`
-  Removed_elements unsplit_face(Vertex_index v)
-  {
-    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
-    const Arithmetic arithmetic;
-    const Corners parts = exact_geometry().corners_at(connectivity_, v);
-    CGAL_precondition(parts.size() == 3);
-    const auto& [side, a] = parts[0];
-    const Exact_geometry::Corner &b = parts[1].second, &c = parts[2].second;
-    const auto whole = triangle(a.four_areas + b.four_areas + c.four_areas, c.s_opposite, b.s_opposite, a.s_opposite);
-    geometry_->unsplit_face(connectivity_, v);
-    const Removed_elements removed = connectivity_.unsplit_face(v);
-    remove(removed);
-    replace(after(removed, side), whole);
-    return removed;
-  }
-  /// \brief removes an inserted vertex on a straight line of two edges.
-  /// \param h a halfedge to the vertex. What continues it forms an angle of π with it
-  /// \return what was removed, as `unsplit_edge(h)` of `Delta_complex`
-  /// \exception Integer_overflow_error as above
-  Removed_elements unsplit_edge(Halfedge_index h)
-  {
-    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
-    const Arithmetic arithmetic;
-    const Halfedge_index g = connectivity_.opposite(h), behind = connectivity_.continuation(h);
-    const Corners parts = exact_geometry().corners_at(connectivity_, connectivity_.target(h));
-    const Corners whole = joined(parts, {{{h, h, behind}, {g, connectivity_.opposite(behind), g}}});
-    geometry_->unsplit_edge(connectivity_, h);
-    const Removed_elements removed = connectivity_.unsplit_edge(h);
-    remove(removed);
-    edges_[edge(after(removed, h)).idx()] = traits_.construct_refined_data_object()(whole.front().second.s_opposite);
-    for (const auto& [side, corner] : whole)
-      replace(after(removed, side), corner);
-    return removed;
-  }
-  /// @}
-
-  /// \brief replaces the stored numbers of `f` by those that follow from the input, where these are better.
-  ///
-  /// After many flips their error bounds are so wide that filters decide little. For traits with exact geometry. Costs time
-  /// proportional to the number of input edges that the sides cross.
-  void recompute(Face_index f)
-  {
-    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
-    const Arithmetic arithmetic;
-    CGAL_precondition(keeps_input());
-    const Halfedge_index h = connectivity_.halfedge(f);
-    recompute(h, geometry_->kept_corner(connectivity_, h));
-  }
-
-  /// \brief replaces the stored numbers of all faces around `v` by those that follow from the input.
-  ///
-  /// As `recompute(Face_index)` for each of them, but each edge from `v` is laid out once. `v` lies inside the surface or on its border.
-  /// \pre `v` has a face
-  void recompute(Vertex_index v)
-  {
-    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
-    const Arithmetic arithmetic;
-    CGAL_precondition(keeps_input());
-    measure(geometry_->kept_corners_at(connectivity_, v));
   }
 
   /// returns the datum that the traits keep for `e`, in the internal unit.
@@ -525,7 +370,16 @@ private:
   friend class internal::Whole_triangulation;
   template <class>
   friend class internal::Triangulation_block;
+  friend struct internal::Engine_access;
   /// \endcond
+
+  const internal::Exact_engine& prepared_engine() const
+  {
+    CGAL_precondition(keeps_input());
+    engine_.prepare();
+    return engine_;
+  }
+  const internal::Normal_coordinates& integers() const { return prepared_engine().correspondence().coordinates(); }
 
   // What error bounds assume; interval types set the rounding mode themselves.
   struct Any_arithmetic
@@ -538,12 +392,12 @@ private:
   static constexpr bool keeps_bounds = internal::Has_cotangent_bounds<Traits>::value;
 
   Intrinsic_triangulation(Delta_complex connectivity, const Traits& traits)
-    : connectivity_(std::move(connectivity)), traits_(traits),
-      edges_(connectivity_.number_of_edges(), internal::default_init),
-      faces_(connectivity_.number_of_faces(), internal::default_init)
+    : engine_(std::move(connectivity)), traits_(traits),
+      edges_(this->connectivity().number_of_edges(), internal::default_init),
+      faces_(this->connectivity().number_of_faces(), internal::default_init)
   {
     if (keeps_bounds)
-      bounds_ = internal::Cotangent_bounds(connectivity_);
+      bounds_ = internal::Cotangent_bounds(this->connectivity());
   }
 
   template <class PointRange>
@@ -552,14 +406,14 @@ private:
     Point_vector result;
     result.reserve(std::size_t(std::distance(points.begin(), points.end())));
     for (const auto& p : points)
-      result.push_back({internal::convert_number<FT>(p[0]), internal::convert_number<FT>(p[1]),
-                        internal::convert_number<FT>(p[2])});
+      result.push_back(
+        {internal::convert_number<FT>(p[0]), internal::convert_number<FT>(p[1]), internal::convert_number<FT>(p[2])});
     return result;
   }
 
-  Edge_index edge(Halfedge_index h) const { return connectivity_.edge(h); }
+  Edge_index edge(Halfedge_index h) const { return connectivity().edge(h); }
 
-  Hinge_data hinge(Edge_index e) const { return hinge(connectivity_.hinge(e)); }
+  Hinge_data hinge(Edge_index e) const { return hinge(connectivity().hinge(e)); }
   Hinge_data hinge(const Hinge_halfedges& around) const
   {
     return {edge_data(edge(around.ij)),
@@ -567,26 +421,181 @@ private:
             edge_data(edge(around.ki)),
             edge_data(edge(around.il)),
             edge_data(edge(around.lj)),
-            face_data(connectivity_.face(around.ij)),
-            face_data(connectivity_.face(around.ji))};
+            face_data(connectivity().face(around.ij)),
+            face_data(connectivity().face(around.ji))};
   }
 
-  // Computes all numbers from the old hinge, and replaces it. `before()` is called once it is certain that the flip
+  // Computes all numbers from the old hinge, and replaces it. `flip()` flips the connectivity, once it is certain that the flip
   // exists; an exception of it leaves everything as it was.
-  template <class Before>
-  Flip_outcome flip_hinge(const Hinge_halfedges& around, const Hinge_data& old, const Before& before)
+  template <class Flip>
+  Flip_outcome flip_hinge(const Hinge_halfedges& around, const Hinge_data& old, const Flip& flip)
   {
     typename Traits::Flipped_hinge_data flipped{};
     const Boolean is_convex = traits_.construct_flipped_hinge_object()(old, flipped);
     if (!certainly(is_convex))
       return possibly(is_convex) ? Flip_outcome::UNDECIDED : Flip_outcome::NOT_CONVEX;
-    before();
-    connectivity_.flip(around);
+    flip();
     edges_[edge(around.ij).idx()] = flipped.kl;
-    faces_[connectivity_.face(around.ij).idx()] = flipped.ilk;
-    faces_[connectivity_.face(around.ji).idx()] = flipped.jkl;
+    faces_[connectivity().face(around.ij).idx()] = flipped.ilk;
+    faces_[connectivity().face(around.ji).idx()] = flipped.jkl;
     internal::bound_corners_of_flipped(traits_, around, old, flipped, bounds_);
     return Flip_outcome::FLIPPED;
+  }
+
+  // as `flip()`, for an edge that is not Delaunay.
+  //
+  // The quadrilateral around such an edge is always strictly convex. So traits whose decisions
+  // are exact need not look, and the flip takes O(1) unless both old faces may have zero area.
+  // Numbers are computed from the old hinge first, then the connectivity is changed and
+  // they are stored.
+  // \pre `connectivity().is_flippable(e)` and not `is_locally_Delaunay(e)`
+  // \exception Invalid_surface_error if the new edge has length zero, so that two vertices of the input coincide
+  // \exception Cancelled_error as `set_interruption()` says
+  // \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
+  Flip_outcome flip_not_Delaunay(Edge_index e)
+  {
+    CGAL_precondition(connectivity().is_flippable(e));
+    const Arithmetic arithmetic;
+    return flip_not_Delaunay(connectivity().hinge(e));
+  }
+  // as above, for the halfedges around the edge.
+  Flip_outcome flip_not_Delaunay(const Hinge_halfedges& around)
+  {
+    const Hinge_data old = hinge(around);
+    bool is_straight = false;
+    std::optional<Replaced_numbers> replaced;
+    const Flip_outcome outcome = flip_hinge(around, old, [&] {
+      // Asked here: `old` refers to the numbers that the flip replaces.
+      if (!is_new_edge_known_to_have_length(old))
+        replaced = replaced_numbers(around);
+      is_straight = engine_.flip(around);
+    });
+    if (outcome != Flip_outcome::FLIPPED)
+      return outcome;
+    if constexpr (uses_exact_geometry) {
+      if (replaced)
+        check_length(around, *replaced);
+      if (is_straight)
+        measure_straight_faces(around);
+    }
+    return outcome;
+  }
+
+  // Undoes the flip of an edge, the last one that was not undone. Never throws.
+  void flip_back(Edge_index e)
+  {
+    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
+    typename Traits::Flipped_hinge_data flipped{};
+    traits_.construct_flipped_hinge_object()(hinge(e), flipped);
+    const Hinge_halfedges now = connectivity().hinge(e);
+    flip_back(
+      {now.ij, now.lj, now.jk, now.ji, now.ki, now.il},
+      {flipped.kl, flipped.jkl, flipped.ilk, now.ij, now.ji}); // both stay in their faces, as other sides need not
+  }
+
+  // ---------------------------------------------------------------- new vertices: nothing is flipped
+
+  // splits a face into three by a new vertex.
+  // \param piece the piece of the face that contains the vertex, between the input edges that cross it
+  // \param location where the vertex lies: strictly inside a face of the input, and inside of the piece. The metric is not
+  //   changed: its coordinates are taken as exact once they are divided by their sum
+  // \return the new vertex, as `split_face(piece.side)` of `Delta_complex`
+  // \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
+  Vertex_index split_face(const internal::Triangle_piece& piece, const Surface_point& location)
+  {
+    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
+    const Arithmetic arithmetic;
+    const Face_index f = connectivity().face(piece.side);
+    const Halfedge_index first = connectivity().halfedge(f);
+    make_room_for_vertex();
+    const Vertex_index v = engine_.split_face(piece, location);
+    measure_star(v, [&] {
+      remove(engine_.unsplit_face(v));
+      engine_.set_halfedge(f, first);
+    });
+    return v;
+  }
+  // splits an edge that coincides with an input edge, and the faces beside it, by a new vertex.
+  // \param h a halfedge of the edge, which lies on the border or between two different faces
+  // \param location where the vertex lies: strictly between the ends of the edge, on the input edge
+  // \return the new vertex, as `split_edge(h)` of `Delta_complex`
+  // \exception Integer_overflow_error as above
+  Vertex_index split_edge(Halfedge_index h, const Surface_point& location)
+  {
+    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
+    const Arithmetic arithmetic;
+    const Face_index faces[] = {connectivity().face(h), connectivity().face(connectivity().opposite(h))};
+    Halfedge_index first[2];
+    for (int i : {0, 1})
+      if (faces[i].is_valid())
+        first[i] = connectivity().halfedge(faces[i]);
+    make_room_for_vertex();
+    const Vertex_index v = engine_.split_edge(h, location);
+    measure_star(v, [&] {
+      remove(engine_.unsplit_edge(h));
+      for (int i : {0, 1})
+        if (faces[i].is_valid())
+          engine_.set_halfedge(faces[i], first[i]);
+    });
+    return v;
+  }
+  // removes an inserted vertex in the middle of three faces, which become one. See `remove_vertex()`.
+  // \return what was removed, as `unsplit_face(v)` of `Delta_complex`
+  Removed_elements unsplit_face(Vertex_index v)
+  {
+    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
+    const Arithmetic arithmetic;
+    const Corners parts = engine_.corners_at(v);
+    CGAL_precondition(parts.size() == 3);
+    const auto& [side, a] = parts[0];
+    const internal::Exact_engine::Corner &b = parts[1].second, &c = parts[2].second;
+    const auto whole = triangle(a.four_areas + b.four_areas + c.four_areas, c.s_opposite, b.s_opposite, a.s_opposite);
+    const Removed_elements removed = engine_.unsplit_face(v);
+    remove(removed);
+    replace(after(removed, side), whole);
+    return removed;
+  }
+  // removes an inserted vertex on a straight line of two edges.
+  // \param h a halfedge to the vertex. What continues it forms an angle of π with it
+  // \return what was removed, as `unsplit_edge(h)` of `Delta_complex`
+  // \exception Integer_overflow_error as above
+  Removed_elements unsplit_edge(Halfedge_index h)
+  {
+    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
+    const Arithmetic arithmetic;
+    const Halfedge_index g = connectivity().opposite(h), behind = connectivity().continuation(h);
+    const Corners parts = engine_.corners_at(connectivity().target(h));
+    const Corners whole = joined(parts, {{{h, h, behind}, {g, connectivity().opposite(behind), g}}});
+    const Removed_elements removed = engine_.unsplit_edge(h);
+    remove(removed);
+    edges_[edge(after(removed, h)).idx()] = traits_.construct_refined_data_object()(whole.front().second.s_opposite);
+    for (const auto& [side, corner] : whole)
+      replace(after(removed, side), corner);
+    return removed;
+  }
+  // replaces the stored numbers of `f` by those that follow from the input, where these are better.
+  //
+  // After many flips their error bounds are so wide that filters decide little. For traits with exact geometry. Costs time
+  // proportional to the number of input edges that the sides cross.
+  void recompute(Face_index f)
+  {
+    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
+    const Arithmetic arithmetic;
+    CGAL_precondition(keeps_input());
+    const Halfedge_index h = connectivity().halfedge(f);
+    recompute(h, engine_.kept_corner(h));
+  }
+
+  // replaces the stored numbers of all faces around `v` by those that follow from the input.
+  //
+  // As `recompute(Face_index)` for each of them, but each edge from `v` is laid out once. `v` lies inside the surface or on its border.
+  // \pre `v` has a face
+  void recompute(Vertex_index v)
+  {
+    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
+    const Arithmetic arithmetic;
+    CGAL_precondition(keeps_input());
+    measure(engine_.kept_corners_at(v));
   }
 
   // The numbers of both faces are replaced by better ones where they leave it open: more flips beside them may follow.
@@ -595,23 +604,23 @@ private:
     const auto by_filter = traits_.is_convex_object();
     if (const Boolean answer = by_filter(hinge(e)); is_certain(answer))
       return certainly(answer);
-    recompute(connectivity_.face(connectivity_.halfedge(e)));
-    recompute(connectivity_.face(connectivity_.opposite(connectivity_.halfedge(e))));
+    recompute(connectivity().face(connectivity().halfedge(e)));
+    recompute(connectivity().face(connectivity().opposite(connectivity().halfedge(e))));
     const Boolean answer = by_filter(hinge(e));
-    return is_certain(answer) ? certainly(answer) : exact_geometry().is_convex(connectivity_, e);
+    return is_certain(answer) ? certainly(answer) : engine_.is_convex(e);
   }
 
   // Decides by the exact geometry, and replaces what was stored.
   BOOST_NOINLINE bool decide_and_recompute(Edge_index e)
   {
-    std::optional<Exact_geometry::Opposite_corners> corners;
-    const Sign sign = geometry_->decide(connectivity_, e, corners);
-    const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
+    std::optional<internal::Exact_engine::Opposite_corners> corners;
+    const Sign sign = engine_.decide(e, corners);
+    const Halfedge_index h = connectivity().halfedge(e), g = connectivity().opposite(h);
     if (corners) {
       recompute(h, corners->k);
       recompute(g, corners->l);
     } else {
-      measure_straight_faces(connectivity_.hinge(e));
+      measure_straight_faces(connectivity().hinge(e));
     }
     return sign != NEGATIVE;
   }
@@ -619,16 +628,16 @@ private:
   // Recomputed from their points, faces are as accurate as before the first flip.
   void measure_straight_faces(const Hinge_halfedges& around)
   {
-    const internal::Face_measurer<Sequential_tag, Traits> measurer(connectivity_, traits_, geometry_->metric().points(),
+    const internal::Face_measurer<Sequential_tag, Traits> measurer(connectivity(), traits_, engine_.metric().points(),
                                                                    edges_, faces_, bounds_);
-    const internal::Face_halfedges one(connectivity_, around.ij), two(connectivity_, around.ji);
+    const internal::Face_halfedges one(connectivity(), around.ij), two(connectivity(), around.ji);
     const auto is_accurate = traits_.is_accurate_object();
     const auto measures = [&](const internal::Face_halfedges& face) {
       if (is_accurate(face_data(face.face)))
         return false;
-      if (!geometry_->has_inserted_corner(connectivity_, face.h))
+      if (!engine_.has_inserted_corner(face.h))
         return true;
-      recompute(face.h, geometry_->corner(connectivity_, face.h)); // the points of inserted vertices are no doubles
+      recompute(face.h, engine_.corner(face.h)); // the points of inserted vertices are no doubles
       return false;
     };
     const bool measures_one = measures(one), measures_two = measures(two);
@@ -641,35 +650,33 @@ private:
       measurer.measure(two);
   }
 
-  void recompute(Halfedge_index h, const Exact_geometry::Corner& c)
+  void recompute(Halfedge_index h, const internal::Exact_engine::Corner& c)
   {
-    const Face_data face =
-      traits_.construct_refined_data_object()(c.four_areas, c.s_first, c.s_second, c.s_opposite);
+    const Face_data face = traits_.construct_refined_data_object()(c.four_areas, c.s_first, c.s_second, c.s_opposite);
     if (face.error < std::numeric_limits<double>::infinity())
       replace(h, c);
   }
 
   // Numbers that cannot be relied on are not stored for the sides, which other faces share.
-  void replace(Halfedge_index h, const Exact_geometry::Corner& c)
+  void replace(Halfedge_index h, const internal::Exact_engine::Corner& c)
   {
     const auto refined = traits_.construct_refined_data_object();
     const Face_data face = refined(c.four_areas, c.s_first, c.s_second, c.s_opposite);
     if (face.error < std::numeric_limits<double>::infinity()) {
-      edges_[edge(connectivity_.prev(h)).idx()] = refined(c.s_first);
-      edges_[edge(connectivity_.next(h)).idx()] = refined(c.s_second);
+      edges_[edge(connectivity().prev(h)).idx()] = refined(c.s_first);
+      edges_[edge(connectivity().next(h)).idx()] = refined(c.s_second);
       edges_[edge(h).idx()] = refined(c.s_opposite);
     }
-    faces_[connectivity_.face(h).idx()] = face;
+    faces_[connectivity().face(h).idx()] = face;
     bound_corners(h);
   }
 
   // Corners, each after the side opposite to it.
-  using Corners = std::vector<std::pair<Halfedge_index, Exact_geometry::Corner>>;
+  using Corners = std::vector<std::pair<Halfedge_index, internal::Exact_engine::Corner>>;
 
   // Afterwards a split does not throw.
   void make_room_for_vertex()
   {
-    connectivity_.make_room_for_vertex();
     internal::make_room(edges_, 3);
     internal::make_room(faces_, 2);
     if (keeps_bounds)
@@ -681,13 +688,13 @@ private:
   template <class Undo>
   void measure_star(Vertex_index v, const Undo& undo)
   {
-    const std::size_t number_of_new_edges = connectivity_.number_of_edges() - edges_.size();
-    edges_.resize(connectivity_.number_of_edges(), internal::default_init);
-    faces_.resize(connectivity_.number_of_faces(), internal::default_init);
+    const std::size_t number_of_new_edges = connectivity().number_of_edges() - edges_.size();
+    edges_.resize(connectivity().number_of_edges(), internal::default_init);
+    faces_.resize(connectivity().number_of_faces(), internal::default_init);
     if (keeps_bounds)
       bounds_.append(number_of_new_edges);
     try {
-      measure(geometry_->kept_corners_at(connectivity_, v));
+      measure(engine_.kept_corners_at(v));
     } catch (...) {
       undo();
       throw;
@@ -697,7 +704,6 @@ private:
   // Drops what was kept for removed elements. Never throws.
   void remove(const Removed_elements& removed)
   {
-    geometry_->remove(connectivity_, removed);
     remove_entries(edges_, removed.edges);
     remove_entries(faces_, removed.faces);
     if (keeps_bounds)
@@ -710,7 +716,8 @@ private:
 
   // The corner of a triangle with these sides.
   template <class Number>
-  static Exact_geometry::Corner triangle(const Number& four_areas, const Number& s_first, const Number& s_second, const Number& s_opposite)
+  static internal::Exact_engine::Corner triangle(const Number& four_areas, const Number& s_first,
+                                                 const Number& s_second, const Number& s_opposite)
   {
     return {s_first + s_second - s_opposite, four_areas, s_first, s_second, s_opposite};
   }
@@ -723,16 +730,18 @@ private:
   // The triangles on both sides of a straight line, from the corners at the vertex in its middle: opposite to the line.
   Corners joined(const Corners& parts, const std::array<Straight_line, 2>& sides) const
   {
-    const auto at = [&](Halfedge_index side) -> const Exact_geometry::Corner& {
+    const auto at = [&](Halfedge_index side) -> const internal::Exact_engine::Corner& {
       return std::find_if(parts.begin(), parts.end(), [&](const auto& part) { return part.first == side; })->second;
     };
     Corners result;
     for (const Straight_line& line : sides) {
-      if (connectivity_.is_border(line.first))
+      if (connectivity().is_border(line.first))
         continue;
-      const Exact_geometry::Corner &a = at(connectivity_.prev(line.first)), &b = at(connectivity_.next(line.second));
+      const internal::Exact_engine::Corner &a = at(connectivity().prev(line.first)),
+                                           &b = at(connectivity().next(line.second));
       const auto length = sqrt(a.s_second) + sqrt(b.s_first);
-      result.emplace_back(line.result, triangle(a.four_areas + b.four_areas, a.s_opposite, b.s_opposite, length * length));
+      result.emplace_back(line.result,
+                          triangle(a.four_areas + b.four_areas, a.s_opposite, b.s_opposite, length * length));
     }
     return result;
   }
@@ -743,11 +752,11 @@ private:
     const auto refined = traits_.construct_refined_data_object();
     for (const auto& [side, c] : corners) {
       const Face_data face = refined(c.four_areas, c.s_first, c.s_second, c.s_opposite);
-      edges_[edge(connectivity_.prev(side)).idx()] = refined(c.s_first);
-      edges_[edge(connectivity_.next(side)).idx()] = refined(c.s_second);
+      edges_[edge(connectivity().prev(side)).idx()] = refined(c.s_first);
+      edges_[edge(connectivity().next(side)).idx()] = refined(c.s_second);
       if (face.error < std::numeric_limits<double>::infinity())
         edges_[edge(side).idx()] = refined(c.s_opposite);
-      faces_[connectivity_.face(side).idx()] = face;
+      faces_[connectivity().face(side).idx()] = face;
     }
     for (const auto& corner : corners)
       bound_corners(corner.first);
@@ -755,10 +764,9 @@ private:
 
   void bound_corners(Halfedge_index h)
   {
-    const Halfedge_index next = connectivity_.next(h), prev = connectivity_.prev(h);
-    internal::bound_corners(traits_, h, next, prev, face_data(connectivity_.face(h)),
-                            edge_data(edge(h)), edge_data(edge(next)), edge_data(edge(prev)),
-                            bounds_);
+    const Halfedge_index next = connectivity().next(h), prev = connectivity().prev(h);
+    internal::bound_corners(traits_, h, next, prev, face_data(connectivity().face(h)), edge_data(edge(h)),
+                            edge_data(edge(next)), edge_data(edge(prev)), bounds_);
   }
 
   // The new edge leads from one side of the old one to the other: its ends can only coincide if
@@ -781,16 +789,17 @@ private:
   };
   BOOST_NOINLINE Replaced_numbers replaced_numbers(const Hinge_halfedges& around) const
   {
-    const Face_index f = connectivity_.face(around.ij), g = connectivity_.face(around.ji);
-    return {edge_data(edge(around.ij)), face_data(f), face_data(g), connectivity_.halfedge(f), connectivity_.halfedge(g)};
+    const Face_index f = connectivity().face(around.ij), g = connectivity().face(around.ji);
+    return {edge_data(edge(around.ij)), face_data(f), face_data(g), connectivity().halfedge(f),
+            connectivity().halfedge(g)};
   }
 
   // Of the edge that a flip has made. An exception undoes it.
   BOOST_NOINLINE void check_length(const Hinge_halfedges& around, const Replaced_numbers& replaced)
   {
     try {
-      if (exact_geometry().has_length_zero(connectivity_, edge(around.ij)))
-        internal::throw_no_length(connectivity_, edge(around.ij));
+      if (engine_.has_length_zero(edge(around.ij)))
+        internal::throw_no_length(connectivity(), edge(around.ij));
     } catch (...) {
       flip_back(around, replaced);
       throw;
@@ -800,11 +809,10 @@ private:
   // \param around the halfedges around the edge before the flip
   void flip_back(const Hinge_halfedges& around, const Replaced_numbers& replaced)
   {
-    geometry_->flip_back(connectivity_, around);
-    connectivity_.flip_back(around);
-    const Face_index f = connectivity_.face(around.ij), g = connectivity_.face(around.ji);
-    connectivity_.set_halfedge(f, replaced.first_of_ijk);
-    connectivity_.set_halfedge(g, replaced.first_of_jil);
+    engine_.flip_back(around);
+    const Face_index f = connectivity().face(around.ij), g = connectivity().face(around.ji);
+    engine_.set_halfedge(f, replaced.first_of_ijk);
+    engine_.set_halfedge(g, replaced.first_of_jil);
     edges_[edge(around.ij).idx()] = replaced.ij;
     faces_[f.idx()] = replaced.ijk;
     faces_[g.idx()] = replaced.jil;
@@ -817,7 +825,7 @@ private:
     return exponent_ == 0 ? x : internal::times_power_of_two(x, dimension * exponent_);
   }
 
-  Delta_complex connectivity_;
+  internal::Exact_engine engine_; // which has the connectivity
   Traits traits_;
   // Left uninitialized until they are filled: one more pass would be measurable.
   Large_vector<Edge_data> edges_;
@@ -825,8 +833,49 @@ private:
   internal::Cotangent_bounds bounds_; // empty if the traits have none
   int exponent_ = 0;
   std::uint64_t number_of_filter_decisions_ = 0;
-  std::optional<Exact_geometry> geometry_;
 };
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// What is left of a triangulation that was given up.
+struct Released_engine
+{
+  internal::Exact_engine engine;
+  std::function<bool()> go_further; // what was given to `set_interruption()`
+};
+
+struct Engine_access
+{
+  template <class Triangulation>
+  static const internal::Exact_engine& engine(const Triangulation& triangulation)
+  {
+    return triangulation.engine_;
+  }
+
+  // Afterwards the triangulation can only be destroyed or assigned to; its stored numbers are freed.
+  template <class Traits>
+  static Released_engine give_up(Intrinsic_triangulation<Traits>& triangulation)
+  {
+    Intrinsic_triangulation<Traits> given_up(std::move(triangulation));
+    std::function<bool()> go_further = given_up.set_interruption({});
+    return {std::move(given_up.engine_), std::move(go_further)};
+  }
+};
+
+// The engine of a triangulation, or of what was made from one, ready for its queries.
+// \pre the input was kept
+template <class ConcurrencyTag = Sequential_tag, class Triangulation>
+const internal::Exact_engine& engine(const Triangulation& triangulation)
+{
+  const internal::Exact_engine& result = Engine_access::engine(triangulation);
+  CGAL_precondition(result.keeps_input());
+  result.template prepare<ConcurrencyTag>();
+  return result;
+}
+
+} // namespace internal
+/// \endcond
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

@@ -3,25 +3,27 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The Laplace-Beltrami operator of a triangulation as sparse matrices of Eigen: stiffness and
-// mass.
+// The Laplace-Beltrami operator of a triangulation, its mass matrix, and the Laplacian of tangent vectors.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_LAPLACE_BELTRAMI_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_LAPLACE_BELTRAMI_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Planar_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
 #include <Eigen/SparseCore>
 
 #include <algorithm>
+#include <complex>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -40,19 +42,17 @@ enum class Stiffness_factor {
 namespace internal {
 
 template <class ConcurrencyTag, class Edge_weight>
-Eigen::SparseMatrix<double> assemble_stiffness_matrix(const Delta_complex& complex,
-                                                      const Edge_weight& weight, Stiffness_factor factor)
+Eigen::SparseMatrix<double> assemble_stiffness_matrix(const Delta_complex& complex, const Edge_weight& weight,
+                                                      Stiffness_factor factor)
 {
   const double scale = factor == Stiffness_factor::HALF ? -0.5 : -1;
   return assemble_symmetric_matrix<ConcurrencyTag>(
-    complex, [&](Edge_index e) { return scale * weight(e); },
-    [](int, double sum_of_others) { return -sum_of_others; });
+    complex, [&](Edge_index e) { return scale * weight(e); }, [](int, double sum_of_others) { return -sum_of_others; });
 }
 
 // For each vertex the sum over all corners that meet there of the area of the face times a
 // factor.
-inline std::vector<double> corner_sums(const Delta_complex& complex,
-                                       const std::vector<double>& areas, double factor)
+inline std::vector<double> corner_sums(const Delta_complex& complex, const std::vector<double>& areas, double factor)
 {
   std::vector<double> sums(complex.number_of_vertices(), 0);
   for (Halfedge_index h : complex.halfedges())
@@ -62,8 +62,7 @@ inline std::vector<double> corner_sums(const Delta_complex& complex,
 }
 
 // The areas of the faces beside an edge.
-inline double area_beside(const Delta_complex& complex, const std::vector<double>& areas,
-                          Edge_index e)
+inline double area_beside(const Delta_complex& complex, const std::vector<double>& areas, Edge_index e)
 {
   const Halfedge_index h = complex.halfedge(e);
   double sum = 0;
@@ -95,9 +94,8 @@ inline double area_beside(const Delta_complex& complex, const std::vector<double
 ///   same, bit for bit
 /// \pre there is a weight for each edge. O(size).
 template <class ConcurrencyTag = Sequential_tag>
-Eigen::SparseMatrix<double>
-stiffness_matrix(const Delta_complex& complex, const std::vector<double>& weights,
-                 Stiffness_factor factor = Stiffness_factor::HALF)
+Eigen::SparseMatrix<double> stiffness_matrix(const Delta_complex& complex, const std::vector<double>& weights,
+                                             Stiffness_factor factor = Stiffness_factor::HALF)
 {
   CGAL_precondition(weights.size() == complex.number_of_edges());
   return internal::assemble_stiffness_matrix<ConcurrencyTag>(
@@ -115,9 +113,8 @@ stiffness_matrix(const Delta_complex& complex, const std::vector<double>& weight
 /// \exception Invalid_surface_error as `cotangent_weights()`
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 3.1.
 template <class ConcurrencyTag = Sequential_tag, class Traits>
-Eigen::SparseMatrix<double>
-stiffness_matrix(const Intrinsic_triangulation<Traits>& triangulation,
-                 Stiffness_factor factor = Stiffness_factor::HALF)
+Eigen::SparseMatrix<double> stiffness_matrix(const Intrinsic_triangulation<Traits>& triangulation,
+                                             Stiffness_factor factor = Stiffness_factor::HALF)
 {
   const Delta_complex& complex = triangulation.connectivity();
   if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
@@ -135,8 +132,7 @@ stiffness_matrix(const Intrinsic_triangulation<Traits>& triangulation,
 /// \param complex the triangles
 /// \param areas the area of each face. O(size).
 /// \pre there is an area for each face
-inline Eigen::SparseMatrix<double> lumped_mass_matrix(const Delta_complex& complex,
-                                                      const std::vector<double>& areas)
+inline Eigen::SparseMatrix<double> lumped_mass_matrix(const Delta_complex& complex, const std::vector<double>& areas)
 {
   CGAL_precondition(areas.size() == complex.number_of_faces());
   const std::vector<double> sums = internal::corner_sums(complex, areas, 1. / 3);
@@ -152,8 +148,7 @@ inline Eigen::SparseMatrix<double> lumped_mass_matrix(const Delta_complex& compl
 template <class ConcurrencyTag = Sequential_tag, class Traits>
 Eigen::SparseMatrix<double> lumped_mass_matrix(const Intrinsic_triangulation<Traits>& triangulation)
 {
-  return lumped_mass_matrix(triangulation.connectivity(),
-                            face_areas<ConcurrencyTag>(triangulation));
+  return lumped_mass_matrix(triangulation.connectivity(), face_areas<ConcurrencyTag>(triangulation));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
@@ -167,15 +162,13 @@ Eigen::SparseMatrix<double> lumped_mass_matrix(const Intrinsic_triangulation<Tra
 /// \pre there is an area for each face
 /// \tparam ConcurrencyTag as for `stiffness_matrix()`
 template <class ConcurrencyTag = Sequential_tag>
-Eigen::SparseMatrix<double> Galerkin_mass_matrix(const Delta_complex& complex,
-                                                 const std::vector<double>& areas)
+Eigen::SparseMatrix<double> Galerkin_mass_matrix(const Delta_complex& complex, const std::vector<double>& areas)
 {
   CGAL_precondition(areas.size() == complex.number_of_faces());
   std::vector<double> diagonal = internal::corner_sums(complex, areas, 1. / 6);
   for (Edge_index e : complex.edges())
     if (complex.is_loop(e)) // two corners of each face beside it are the same vertex
-      diagonal[complex.target(complex.halfedge(e)).idx()] +=
-        internal::area_beside(complex, areas, e) / 6;
+      diagonal[complex.target(complex.halfedge(e)).idx()] += internal::area_beside(complex, areas, e) / 6;
   return internal::assemble_symmetric_matrix<ConcurrencyTag>(
     complex, [&](Edge_index e) { return internal::area_beside(complex, areas, e) / 12; },
     [&](int v, double) { return diagonal[std::size_t(v)]; });
@@ -185,11 +178,9 @@ Eigen::SparseMatrix<double> Galerkin_mass_matrix(const Delta_complex& complex,
 /// \brief as above, with the areas of `face_areas()`.
 /// \tparam ConcurrencyTag as above
 template <class ConcurrencyTag = Sequential_tag, class Traits>
-Eigen::SparseMatrix<double>
-Galerkin_mass_matrix(const Intrinsic_triangulation<Traits>& triangulation)
+Eigen::SparseMatrix<double> Galerkin_mass_matrix(const Intrinsic_triangulation<Traits>& triangulation)
 {
-  return Galerkin_mass_matrix<ConcurrencyTag>(triangulation.connectivity(),
-                                              face_areas<ConcurrencyTag>(triangulation));
+  return Galerkin_mass_matrix<ConcurrencyTag>(triangulation.connectivity(), face_areas<ConcurrencyTag>(triangulation));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
@@ -211,9 +202,8 @@ struct Laplace_Beltrami_operator
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
           class NamedParameters = parameters::Default_named_parameters>
-Laplace_Beltrami_operator
-intrinsic_Delaunay_Laplacian(const TriangleMesh& mesh,
-                             const NamedParameters& np = parameters::default_values())
+Laplace_Beltrami_operator intrinsic_Delaunay_Laplacian(const TriangleMesh& mesh,
+                                                       const NamedParameters& np = parameters::default_values())
 {
   const auto triangulation = intrinsic_Delaunay_triangulation<ConcurrencyTag>(mesh, np).triangulation;
   return {stiffness_matrix<ConcurrencyTag>(triangulation), lumped_mass_matrix<ConcurrencyTag>(triangulation)};
@@ -225,12 +215,80 @@ intrinsic_Delaunay_Laplacian(const TriangleMesh& mesh,
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
           class NamedParameters = parameters::Default_named_parameters>
-Laplace_Beltrami_operator
-extrinsic_Laplacian(const TriangleMesh& mesh,
-                    const NamedParameters& np = parameters::default_values())
+Laplace_Beltrami_operator extrinsic_Laplacian(const TriangleMesh& mesh,
+                                              const NamedParameters& np = parameters::default_values())
 {
   const auto triangulation = intrinsic_triangulation<ConcurrencyTag>(mesh, np);
   return {stiffness_matrix<ConcurrencyTag>(triangulation), lumped_mass_matrix<ConcurrencyTag>(triangulation)};
+}
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// What turns a vector at the target of h into the parallel one at its source.
+inline std::complex<double> transport_to_source(const Delta_complex& complex,
+                                                const std::vector<Planar_vector<double>>& vectors, Halfedge_index h)
+{
+  const auto direction = [&](Halfedge_index side) {
+    const Planar_vector<double>& v = vectors[side.idx()];
+    return std::arg(std::complex<double>(v.x(), v.y()));
+  };
+  // The same halfedge as both ends see it: backwards at the target.
+  return -std::polar(1., direction(h) - direction(complex.opposite(h)));
+}
+
+// \param vectors those of `halfedge_vectors_in_vertex()`
+// \param weight gives that of an edge
+template <class Weight>
+Eigen::SparseMatrix<std::complex<double>>
+assemble_connection_Laplacian(const Delta_complex& complex, const std::vector<Planar_vector<double>>& vectors,
+                              const Weight& weight)
+{
+  using Scalar = std::complex<double>;
+  std::vector<Eigen::Triplet<Scalar>> entries;
+  entries.reserve(4 * std::size_t(complex.number_of_edges()));
+  for (Edge_index e : complex.edges()) {
+    const double w = weight(e);
+    if (w == 0)
+      continue;
+    const Halfedge_index h = complex.halfedge(e);
+    const int i = int(complex.source(h).idx()), j = int(complex.target(h).idx());
+    const Scalar r = transport_to_source(complex, vectors, h);
+    entries.emplace_back(i, i, w);
+    entries.emplace_back(j, j, w);
+    entries.emplace_back(i, j, -w * r);
+    entries.emplace_back(j, i, -w * std::conj(r));
+  }
+  const auto n = Eigen::Index(complex.number_of_vertices());
+  Eigen::SparseMatrix<Scalar> result(n, n);
+  result.setFromTriplets(entries.begin(), entries.end());
+  return result;
+}
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \brief returns the connection Laplacian: the operator on tangent vectors whose kernel are the parallel fields.
+///
+/// A vector at a vertex is a complex number in the tangent plane of `halfedge_vectors_in_vertex()`. The matrix L is Hermitian, and
+/// u* L u is the sum over the edges ij of w |u_i - r u_j|², with half the sum w of the cotangents, where r turns vectors at j into the parallel
+/// ones at i. So it is positive semidefinite if no weight is negative: on a Delaunay triangulation, except for edges of the border whose
+/// opposite angle is obtuse. Where the surface is flat, and for real numbers instead of vectors, it is `stiffness_matrix()`.
+///
+/// \param triangulation all of its faces have positive area
+/// \return a matrix with a row for each vertex; the weights and the turns are rounded as those of `cotangent_weights()` and
+///   `halfedge_vectors_in_vertex()`. The weight has no unit
+/// \exception Invalid_surface_error if a face has no area. \exception Undecided_error as `angle()`. O(size).
+///
+/// Source: N. Sharp, Y. Soliman, K. Crane, "The vector heat method", 2019, section 3.
+template <class Traits>
+Eigen::SparseMatrix<std::complex<double>> connection_Laplacian(const Intrinsic_triangulation<Traits>& triangulation)
+{
+  const internal::Cotangent_weight<Traits> cotangents(triangulation);
+  return internal::assemble_connection_Laplacian(triangulation.connectivity(),
+                                                 halfedge_vectors_in_vertex(triangulation),
+                                                 [&](Edge_index e) { return cotangents(e) / 2; });
 }
 
 } // namespace Intrinsic_triangulations

@@ -27,15 +27,12 @@ namespace Intrinsic_triangulations {
 /// nearest. Without expression templates, so that `auto` is safe.
 ///
 /// \cgalModels `FieldWithSqrt`, `RealEmbeddable`
-using Mpfr_float = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>,
-                                                 boost::multiprecision::et_off>;
+using Mpfr_float =
+  boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>, boost::multiprecision::et_off>;
 
 /// \ingroup PkgIntrinsicTriangulationsNumbers
 /// \brief returns the precision of `x` in bits.
-inline int precision_in_bits(const Mpfr_float& x)
-{
-  return int(mpfr_get_prec(x.backend().data()));
-}
+inline int precision_in_bits(const Mpfr_float& x) { return int(mpfr_get_prec(x.backend().data())); }
 
 /// \ingroup PkgIntrinsicTriangulationsNumbers
 /// \brief sets the precision of new `Mpfr_float`s for as long as it lives.
@@ -75,8 +72,7 @@ private:
   struct Has_thread_default : std::false_type
   {};
   template <class Number>
-  struct Has_thread_default<Number, decltype(void(Number::thread_default_precision()))>
-    : std::true_type
+  struct Has_thread_default<Number, decltype(void(Number::thread_default_precision()))> : std::true_type
   {};
   using Own_default = Has_thread_default<Mpfr_float>;
 

@@ -9,16 +9,17 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_H
 
-#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Index.h>
-#include <CGAL/Intrinsic_triangulations/Progress_function.h>
+#include <CGAL/Intrinsic_triangulations/internal/Index.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Overlay_arrays.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Overlay_builder.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <CGAL/Iterator_range.h>
-#include <CGAL/tags.h>
 #include <CGAL/assertions.h>
+#include <CGAL/tags.h>
 
 #include <cstdint>
 
@@ -30,6 +31,10 @@ class Intrinsic_triangulation;
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {
+class Exact_engine;
+template <class ConcurrencyTag, class Triangulation>
+const internal::Exact_engine& engine(const Triangulation& triangulation);
+
 struct Overlay_vertex_tag
 {
   static constexpr char letter = 'v';
@@ -69,7 +74,7 @@ enum class Segment_label : std::uint8_t {
 /// has neither coordinates nor lengths; see `Common_subdivision`. An inserted vertex divides the input edge on which it lies
 /// into segments, as a crossing does, or lies inside an input face.
 ///
-/// The overlay is built from the integers of `Normal_coordinates`; later flips do not change
+/// The overlay is built from the integers that say where the input lies; later flips do not change
 /// it. It is a halfedge graph like `Delta_complex`, with faces of any degree:
 /// halfedges `2s` and `2s + 1` belong to segment `s`. Halfedge `2s` runs in the direction of
 /// halfedge `2e` of the intrinsic edge that contains `s`, or of the input edge if the
@@ -100,26 +105,40 @@ public:
   ///
   /// O(size of the overlay), which is that of the surface plus the number of crossings.
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the overlay
-  ///   is the same, and `progress` is called only a few times
+  ///   is the same, and the visitor is asked only a few times
+  /// \param triangulation the triangulation
+  /// \param np an optional sequence of named parameters
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{visitor}
+  ///     \cgalParamDescription{is asked now and then, with the fraction that is done, and can cancel}
+  ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
+  ///     \cgalParamDefault{`Default_visitor`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
   /// \pre `triangulation.keeps_input()`
   /// \exception Integer_overflow_error if there are 2^31 segments or more
-  /// \exception Cancelled_error if `progress` returns `false`
-  template <class Traits, class ConcurrencyTag = Sequential_tag>
+  /// \exception Cancelled_error if the visitor says so
+  template <class Traits, class NamedParameters = parameters::Default_named_parameters,
+            class ConcurrencyTag = Sequential_tag>
   explicit Overlay(const Intrinsic_triangulation<Traits>& triangulation,
-                   const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
-    : Overlay(triangulation.connectivity(), triangulation.template exact_geometry<ConcurrencyTag>().correspondence(), progress,
+                   const NamedParameters& np = parameters::default_values(), ConcurrencyTag = ConcurrencyTag())
+    : Overlay(triangulation.connectivity(), internal::engine<ConcurrencyTag>(triangulation).correspondence(), np,
               ConcurrencyTag())
   {}
 
   /// \brief builds the overlay from the current connectivity and its correspondence to the input.
   /// \tparam ConcurrencyTag as above
+  /// \param intrinsic, correspondence those of the triangulation
+  /// \param np as above
   /// \pre `correspondence.is_prepared()`
   /// \exception Integer_overflow_error as above
   /// \exception Cancelled_error as above
-  template <class ConcurrencyTag = Sequential_tag>
-  Overlay(const Delta_complex& intrinsic, const Correspondence& correspondence,
-          const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
-    : arrays_(internal::build_overlay<ConcurrencyTag>(intrinsic, correspondence, progress))
+  template <class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>
+  Overlay(const Delta_complex& intrinsic, const internal::Correspondence& correspondence,
+          const NamedParameters& np = parameters::default_values(), ConcurrencyTag = ConcurrencyTag())
+    : arrays_(internal::build_overlay<ConcurrencyTag>(intrinsic, correspondence, internal::progress_function_of(np)))
   {}
 
   /// \name Size
@@ -213,10 +232,7 @@ public:
   }
   /// returns the halfedge of the input that contains `h`, with the same direction; the
   /// null descriptor if the label is `INTRINSIC`.
-  Halfedge_index input_halfedge(Halfedge h) const
-  {
-    return Halfedge_index(arrays_.input_halfedge(h.idx()));
-  }
+  Halfedge_index input_halfedge(Halfedge h) const { return Halfedge_index(arrays_.input_halfedge(h.idx())); }
   /// \brief returns a side of the input face that contains `face(h)`, on which `target(h)` lies.
   ///
   /// If `target(h)` is a vertex of the surface, this is the side that begins there,

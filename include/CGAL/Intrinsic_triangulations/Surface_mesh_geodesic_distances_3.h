@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Heat_method.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
-#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/copy_face_graph.h>
@@ -19,12 +19,11 @@
 #include <CGAL/Intrinsic_triangulations/internal/heat/Solver_traits_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
@@ -98,7 +97,8 @@ Tufted_cover make_Delaunay_cover(const TriangleMesh& mesh, const VertexPointMap&
   }
   for (auto f : faces(mesh)) {
     const auto h = halfedge(f, mesh);
-    triangles.push_back({get(numbers, source(h, mesh)), get(numbers, target(h, mesh)), get(numbers, target(next(h, mesh), mesh))});
+    triangles.push_back(
+      {get(numbers, source(h, mesh)), get(numbers, target(h, mesh)), get(numbers, target(next(h, mesh), mesh))});
   }
   Tufted_cover cover = make_tufted_cover(points, triangles);
   flip_to_Delaunay(cover.triangulation);
@@ -135,13 +135,15 @@ bool has_obtuse_border(const Triangulation& triangulation)
 /// \tparam VertexPointMap a model of `ReadablePropertyMap` from vertices to points
 /// \tparam LA a model of `SparseLinearAlgebraWithFactorTraits_d`; by default, the solver of `Heat_method`
 /// \tparam Traits only needed for points that are not of a kernel, whose distances it computes
-template <class TriangleMesh, class Mode = Direct, class VertexPointMap = Default, class LA = Default, class Traits = Default>
+template <class TriangleMesh, class Mode = Direct, class VertexPointMap = Default, class LA = Default,
+          class Traits = Default>
 class Surface_mesh_geodesic_distances_3
 {
   static_assert(std::is_same<Mode, Direct>::value || std::is_same<Mode, Intrinsic_Delaunay>::value,
                 "the mode is Direct or Intrinsic_Delaunay");
-  using Solver = std::conditional_t<std::is_same<LA, Default>::value, Intrinsic_triangulations::internal::Sparse_Cholesky<>,
-                                    Intrinsic_triangulations::internal::Solver_traits_adaptor<LA>>;
+  using Solver =
+    std::conditional_t<std::is_same<LA, Default>::value, Intrinsic_triangulations::internal::Sparse_Cholesky<>,
+                       Intrinsic_triangulations::internal::Solver_traits_adaptor<LA>>;
   using Numbers = typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<std::size_t>>::const_type;
 
 public:
@@ -269,7 +271,8 @@ void estimate_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vdm,
 /// \brief as above, for a range of sources.
 template <class TriangleMesh, class VertexDistanceMap, class VertexConstRange, class Mode = Intrinsic_Delaunay,
           class = std::enable_if_t<boost::has_range_const_iterator<VertexConstRange>::value>>
-void estimate_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vdm, const VertexConstRange& sources, Mode = Mode())
+void estimate_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vdm, const VertexConstRange& sources,
+                                 Mode = Mode())
 {
   Surface_mesh_geodesic_distances_3<TriangleMesh, Mode> distances(tm);
   distances.add_sources(sources);

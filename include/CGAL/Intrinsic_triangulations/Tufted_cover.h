@@ -3,18 +3,31 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// A closed oriented surface over any triangles, how it is made, and what was found on the way.
+// A closed oriented surface over any triangles.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TUFTED_COVER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TUFTED_COVER_H
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/gluing/Sides_by_edge.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
 #include <CGAL/Intrinsic_triangulations/mollify.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
+
+#include <CGAL/number_utils.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <iterator>
+#include <limits>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -39,33 +52,15 @@ enum class Coincident_vertices {
 };
 
 /// \ingroup PkgIntrinsicTriangulationsCover
-/// \brief how a cover is made.
-struct Tufted_cover_options
-{
-  /// what is built
-  Surface_cover cover = Surface_cover::TUFTED;
-  /// what is done with edges of length zero
-  Coincident_vertices coincident_vertices = Coincident_vertices::MERGE;
-  /// whether all vertices at the same place become one, whether an edge joins them or not: for triangles that do not
-  /// share their corners
-  bool is_welded = false;
-  /// if positive, lengths are rounded and edges lengthened as by `mollify_lengths()` with this margin; the metric
-  /// changes, and the report says how much
-  double mollification = 0;
-  /// is asked now and then while the cover is built, and while its operator is assembled; if it returns `false`, `Cancelled_error` is thrown
-  std::function<bool()> go_further = {};
-};
-
-/// \ingroup PkgIntrinsicTriangulationsCover
 /// \brief what was found in the triangles, and what was done with them.
 struct Tufted_cover_report
 {
-  std::size_t number_of_vertices = 0;    ///< the vertices given
-  std::size_t number_of_faces = 0;       ///< the faces given
-  std::size_t nonmanifold_edges = 0;     ///< edges with more than two faces
-  std::size_t nonmanifold_vertices = 0;  ///< vertices whose faces form more than one fan
-  std::size_t border_edges = 0;          ///< edges with one face
-  bool is_orientable = true;             ///< whether all faces can be turned so that they agree across each edge with two faces
+  std::size_t number_of_vertices = 0;   ///< the vertices given
+  std::size_t number_of_faces = 0;      ///< the faces given
+  std::size_t nonmanifold_edges = 0;    ///< edges with more than two faces
+  std::size_t nonmanifold_vertices = 0; ///< vertices whose faces form more than one fan
+  std::size_t border_edges = 0;         ///< edges with one face
+  bool is_orientable = true; ///< whether all faces can be turned so that they agree across each edge with two faces
   std::size_t repeated_corner_faces = 0; ///< faces dropped because they name a vertex twice
   std::size_t collapsed_faces = 0;       ///< faces dropped because corners of theirs were merged
   std::size_t zero_length_faces = 0;     ///< faces dropped by `Coincident_vertices::DROP`
@@ -107,7 +102,166 @@ struct Tufted_cover
   Tufted_cover_report report;
 };
 
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+struct Cover_options
+{
+  Surface_cover cover;
+  Coincident_vertices coincident_vertices;
+  bool is_welded;
+  double mollification;
+  std::function<bool()> go_further;
+};
+
+template <class NamedParameters>
+Cover_options cover_options_of(const NamedParameters& np)
+{
+  return {value_of<Parameter::SURFACE_COVER>(np, Surface_cover::TUFTED),
+          value_of<Parameter::COINCIDENT_VERTICES>(np, Coincident_vertices::MERGE),
+          value_of<Parameter::IS_WELDED>(np, false), value_of<Parameter::MOLLIFICATION>(np, 0.),
+          go_further_function_of(np)};
+}
+
+template <class PointRange>
+Points copy_points(const PointRange& points)
+{
+  Points result;
+  result.reserve(std::size_t(std::distance(std::begin(points), std::end(points))));
+  for (const auto& p : points)
+    result.push_back({to_double(p[0]), to_double(p[1]), to_double(p[2])});
+  if (result.size() >= (std::numeric_limits<std::uint32_t>::max)())
+    throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, 0, 1,
+                                "there are too many vertices for 32-bit indices");
+  return result;
+}
+
+template <class TriangleRange>
+std::vector<Index_triangle> copy_triangles(const TriangleRange& triangles, std::size_t number_of_vertices)
+{
+  std::vector<Index_triangle> result;
+  result.reserve(std::size_t(std::distance(std::begin(triangles), std::end(triangles))));
+  for (const auto& t : triangles) {
+    for (int i = 0; i < 3; ++i)
+      if (std::size_t(t[i]) >= number_of_vertices)
+        throw Invalid_surface_error(Invalid_surface_error::Defect::BAD_INDEX, result.size(), 1,
+                                    "face " + std::to_string(result.size()) + " names vertex " +
+                                      index_text(std::size_t(t[i])) + ", but there are only " +
+                                      std::to_string(number_of_vertices) + " vertices");
+    result.push_back({std::uint32_t(t[0]), std::uint32_t(t[1]), std::uint32_t(t[2])});
+  }
+  if (result.empty())
+    throw Invalid_surface_error(Invalid_surface_error::Defect::EMPTY, 0, 1, "there is no face");
+  return result;
+}
+
+// As make_tufted_cover().
+// \pre the vertices of all triangles exist
+Tufted_cover build_cover(const Points& points, const std::vector<Index_triangle>& triangles,
+                         const Cover_options& options);
+
+// As make_tufted_cover() for a complex.
+Tufted_cover build_cover_of_complex(const Delta_complex& complex, const std::vector<double>& lengths,
+                                    const Cover_options& options);
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsCover
+/// \brief builds an oriented surface without border over any triangles, for operators that want one.
+///
+/// Two copies are made of each face, the second turned over. At each edge the copies are glued in the order in which the
+/// faces lie around it: the copy that has a face on its left with that of the next face, counterclockwise,
+/// that has it on its right. A single face at an edge is glued to its own copy. So the cover is closed and oriented
+/// whatever the triangles are. Their edges may have any number of faces, their orientations need not agree, they may form a
+/// Möbius strip, and faces may be given several times. What is closed, orientable and has two faces
+/// at each edge is not doubled.
+///
+/// The order is decided exactly from the points, and depends neither on how these are rotated nor on how vertices and faces
+/// are numbered, except where isosceles triangles over the same edge lie in one half-plane, third vertices are at the
+/// same place, or more than two faces meet at the edge of one without area and several of them reach farthest.
+///
+/// Faces that name a vertex twice are dropped. So are parts of the cover without area. Other faces without area are flipped
+/// away, which cuts the faces beside them and changes no distance. Where they join vertices at the same place, these are one
+/// point of the cover. The parameter `coincident_vertices` says what happens then, and to edges of length zero.
+///
+/// \tparam PointRange a range of points whose coordinates are `p[0]`, `p[1]` and `p[2]`; they are rounded to `double`
+/// \tparam TriangleRange a range of random access ranges of three vertex indices each
+///
+/// \param points the vertices; those without faces may be anywhere
+/// \param triangles the faces
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{surface_cover}
+///     \cgalParamDescription{what is built}
+///     \cgalParamType{`Surface_cover`}
+///     \cgalParamDefault{`Surface_cover::TUFTED`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{coincident_vertices}
+///     \cgalParamDescription{what is done with edges of length zero}
+///     \cgalParamType{`Coincident_vertices`}
+///     \cgalParamDefault{`Coincident_vertices::MERGE`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{is_welded}
+///     \cgalParamDescription{whether all vertices at the same place become one, whether an edge joins them or not: for triangles that do
+///       not share their corners}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{mollification}
+///     \cgalParamDescription{if positive, lengths are rounded and edges lengthened as by `mollify_lengths()` with this margin; the metric
+///       changes, and the report says how much}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is asked now and then, and can cancel}
+///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
+///     \cgalParamDefault{`Default_visitor`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return the cover, not flipped: see `flip_to_Delaunay()`, and `tufted_Laplacian()` for its operator
+///
+/// \exception Invalid_surface_error if there is no face, an index is invalid, the point of a face is not finite or its
+///   squared lengths leave the range of `double`; if an edge has length zero and `Coincident_vertices::ERROR` is
+///   chosen; or if `Surface_cover::NONE` is chosen and the faces are not an orientable surface
+/// \exception Cancelled_error if the visitor says so
+///
+/// Complexity: O(n), and O(k log k) for an edge with k faces.
+///
+/// Source: N. Sharp, K. Crane, "A Laplacian for nonmanifold triangle meshes", 2020, section 4.
+template <class PointRange, class TriangleRange, class NamedParameters = parameters::Default_named_parameters>
+Tufted_cover make_tufted_cover(const PointRange& points, const TriangleRange& triangles,
+                               const NamedParameters& np = parameters::default_values())
+{
+  const internal::Standard_arithmetic arithmetic;
+  const internal::Points copied = internal::copy_points(points);
+  return internal::build_cover(copied, internal::copy_triangles(triangles, copied.size()),
+                               internal::cover_options_of(np));
+}
+
+/// \ingroup PkgIntrinsicTriangulationsCover
+/// \brief as `make_tufted_cover()` of points, for a surface that is given by lengths: doubled if it has a border.
+/// \param complex the triangles
+/// \param lengths the length of each edge
+/// \param np as above; `surface_cover` and `mollification` count, as a complex leaves nothing else open
+/// \exception Invalid_surface_error if a length is not positive and finite, or three violate the triangle inequality. O(n).
+template <class NamedParameters = parameters::Default_named_parameters>
+Tufted_cover make_tufted_cover(const Delta_complex& complex, const std::vector<double>& lengths,
+                               const NamedParameters& np = parameters::default_values())
+{
+  const internal::Standard_arithmetic arithmetic;
+  return internal::build_cover_of_complex(complex, lengths, internal::cover_options_of(np));
+}
+
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/internal/cover/Cover_builder_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/cover/Cover_of_complex_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_TUFTED_COVER_H

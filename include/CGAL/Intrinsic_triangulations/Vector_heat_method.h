@@ -8,9 +8,9 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_VECTOR_HEAT_METHOD_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_VECTOR_HEAT_METHOD_H
 
-#include <CGAL/Intrinsic_triangulations/Index.h>
+#include <CGAL/Intrinsic_triangulations/internal/Index.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Planar_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Planar_vector.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_diffusion.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
@@ -19,6 +19,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/heat/without_obtuse_border.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
@@ -28,7 +30,6 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -69,25 +70,43 @@ public:
   ///
   /// The triangulation is not needed any more afterwards.
   /// \param triangulation a Delaunay triangulation; its traits have to use exact geometry
-  /// \param time_coefficient the time for which heat spreads, in units of the squared mean length of the edges of each component. By
-  ///   default 0.05 times the cube root of the number of its vertices, and at least 0.5: with longer times, the ways that heat takes
-  ///   are further from the shortest ones; with shorter times, it prefers those along edges
-  /// \param go_further as in `Heat_method_options`; where several threads call member functions, any of them asks it
-  /// \exception Invalid_surface_error if a length or weight is beyond the range of `double`, or the time coefficient is not positive
-  ///   and finite
+  /// \param np an optional sequence of named parameters
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{time_coefficient}
+  ///     \cgalParamDescription{the time for which heat spreads, in units of the squared mean length of the edges of each component: with
+  ///       longer times, the ways that heat takes are further from the shortest ones; with shorter times, it prefers those along edges}
+  ///     \cgalParamType{`double` or `std::optional<double>`}
+  ///     \cgalParamDefault{0.05 times the cube root of the number of vertices of the component, and at least 0.5}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{visitor}
+  ///     \cgalParamDescription{is asked before each matrix is factorized or linear system is solved, by the constructor and by all functions,
+  ///       and can cancel; where several threads call member functions, any of them asks it}
+  ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
+  ///     \cgalParamDefault{`Default_visitor`}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
+  /// \exception Invalid_argument_error if the time coefficient is not positive and finite
+  /// \exception Invalid_surface_error if a length or weight is beyond the range of `double`
   /// \exception Numerical_error if a matrix cannot be factorized
   /// \exception Undecided_error as `angle()`
-  /// \exception Cancelled_error if `go_further` says so, as from all member functions
-  template <class Traits>
-  explicit Vector_heat_method(const Intrinsic_triangulation<Traits>& triangulation, std::optional<double> time_coefficient = std::nullopt,
-                              std::function<bool()> go_further = {})
+  /// \exception Cancelled_error if the visitor says so, as from all member functions
+  template <class Traits, class NamedParameters = parameters::Default_named_parameters>
+  explicit Vector_heat_method(const Intrinsic_triangulation<Traits>& triangulation,
+                              const NamedParameters& np = parameters::default_values())
     : number_of_vertices_(triangulation.connectivity().number_of_vertices()),
-      interruption_(std::make_unique<internal::Interruption>(std::move(go_further)))
+      interruption_(std::make_unique<internal::Interruption>(internal::go_further_function_of(np)))
   {
     static_assert(Intrinsic_triangulation<Traits>::uses_exact_geometry,
                   "Vector_heat_method needs traits with exact geometry, as Filtered_edge_length_traits");
-    if (time_coefficient)
-      internal::require_time_coefficient(*time_coefficient);
+    using Time = internal::Parameter_tag<internal::Parameter::TIME_COEFFICIENT>;
+    std::optional<double> time_coefficient;
+    if constexpr (!parameters::is_default_parameter<NamedParameters, Time>::value) {
+      time_coefficient = parameters::get_parameter(np, Time());
+      if (time_coefficient)
+        internal::require_time_coefficient(*time_coefficient);
+    }
     if (const auto refined = internal::without_obtuse_border(triangulation, *interruption_))
       build(*refined, time_coefficient);
     else
@@ -103,7 +122,7 @@ public:
   /// vanishes where there is no mean direction.
   /// \param sources vertices, and vectors there; a vertex may not appear twice
   /// \return a vector for each vertex: at the sources that which was given, and (0, 0) where no source is connected
-  /// \exception Invalid_surface_error if there is no such vertex, or a coordinate is not finite
+  /// \exception Invalid_argument_error if there is no such vertex, or a coordinate is not finite
   /// \exception Numerical_error if a linear system cannot be solved
   std::vector<Vector> transport_tangent_vectors(const std::vector<std::pair<Vertex_index, Vector>>& sources) const
   {
@@ -114,8 +133,7 @@ public:
       internal::require_vertex(v, number_of_vertices_);
       const Complex z(vector.x(), vector.y());
       if (!std::isfinite(z.real()) || !std::isfinite(z.imag()))
-        throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, v.idx(), 1,
-                                    "the vector at vertex " + std::to_string(v.idx()) + " is not finite");
+        throw Invalid_argument_error("the vector at vertex " + std::to_string(v.idx()) + " is not finite");
       from.push_back(std::uint32_t(v.idx()));
       const double length = std::hypot(z.real(), z.imag());
       heat[from.back()] += 1;
@@ -166,7 +184,7 @@ public:
   /// Where the surface is flat, and all ways between two vertices lead to the same vector, the result is exact up to rounding. Elsewhere it
   /// is an average over the ways that are about as short as the shortest one.
   /// \return a vector for each vertex, in the unit of the input: (0, 0) at the source, infinite where it is not connected
-  /// \exception Invalid_surface_error if there is no such vertex
+  /// \exception Invalid_argument_error if there is no such vertex
   /// \exception Numerical_error if a linear system cannot be solved, or heat spreads for so short a time that none arrives
   ///
   /// Source: Y. Soliman, N. Sharp, "The affine heat method", 2025. Their matrix with three rows for each vertex is triangular by blocks if
@@ -184,13 +202,16 @@ public:
     const std::vector<Eigen::VectorXcd> axis = vectors_->spread_likewise(direction, spread);
     // What comes over an edge has gone further by that edge, which is turned back on all the ways from the source.
     const auto add_steps = [&](Positions& right, std::size_t layer) {
-      const auto turned_back = [&](const Complex& step, std::size_t l, std::uint32_t v) { return step * std::conj(axis[l][v]); };
+      const auto turned_back = [&](const Complex& step, std::size_t l, std::uint32_t v) {
+        return step * std::conj(axis[l][v]);
+      };
       for (const auto& edge : vectors_->edges()) {
         const auto add = [&](std::uint32_t to, std::uint32_t from, const Complex& vector) {
           Complex step = turned_back(vector, layer, from);
           if (layer > 0 && spread.behind[layer - 1][from] && !spread.behind[layer - 1][to]) {
             const Complex before = turned_back(vector, layer - 1, from);
-            step += Complex(std::ldexp(before.real(), spread.factor(layer - 1)), std::ldexp(before.imag(), spread.factor(layer - 1)));
+            step += Complex(std::ldexp(before.real(), spread.factor(layer - 1)),
+                            std::ldexp(before.imag(), spread.factor(layer - 1)));
           }
           right(to, 0) += edge.weight * step.real();
           right(to, 1) += edge.weight * step.imag();
@@ -199,7 +220,8 @@ public:
         add(edge.i, edge.j, edge.ji);
       }
     };
-    const std::vector<Positions> positions = scalars_->spread_likewise(Positions(Positions::Zero(rows(), 2)), spread, add_steps);
+    const std::vector<Positions> positions =
+      scalars_->spread_likewise(Positions(Positions::Zero(rows(), 2)), spread, add_steps);
     std::vector<Vector> result;
     result.reserve(number_of_vertices_);
     for (std::size_t v = 0; v < number_of_vertices_; ++v) {
@@ -234,7 +256,8 @@ private:
 
   // Let edges be h long, on a surface of size 1, and t = c h². Heat that spreads over a width of about √√t errs by about √t = √c h; and as it
   // sees in which directions edges run, by about 1/c. The sum of both is least if c is as h^(-2/3). The factor is measured.
-  static std::vector<double> square_roots_of_times(const std::vector<std::uint32_t>& component, const std::optional<double>& coefficient)
+  static std::vector<double> square_roots_of_times(const std::vector<std::uint32_t>& component,
+                                                   const std::optional<double>& coefficient)
   {
     if (coefficient)
       return std::vector<double>(component.size(), std::sqrt(*coefficient));

@@ -47,8 +47,7 @@ struct AST_boost_mp<NT, boost::mpl::int_<boost::multiprecision::number_kind_floa
 };
 
 template <class NT>
-struct RET_boost_mp<NT, boost::mpl::int_<boost::multiprecision::number_kind_floating_point>>
-  : RET_boost_mp_base<NT>
+struct RET_boost_mp<NT, boost::mpl::int_<boost::multiprecision::number_kind_floating_point>> : RET_boost_mp_base<NT>
 {
   using Type = NT;
 

@@ -10,12 +10,13 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Progress_function.h>
-#include <CGAL/Intrinsic_triangulations/coherent_angles.h>
-#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
-#include <CGAL/Intrinsic_triangulations/disk_boundary.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
+#include <CGAL/Intrinsic_triangulations/internal/parameterization/coherent_angles.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -37,10 +38,14 @@ namespace Intrinsic_triangulations {
 /// \brief a map by a circle pattern, and how it was computed.
 struct Circle_pattern
 {
-  Planar_points uv;      ///< the position of each vertex; the image has the area of the surface
-  Coherent_angles input; ///< the angles whose circle pattern it is
-  double gradient = 0;   ///< the largest component of the energy's gradient at the end
-  int iterations = 0;    ///< the number of steps of Newton's method
+  Planar_points uv; ///< the position of each vertex; the image has the area of the surface
+  /// the angles whose circle pattern it is: for each halfedge, the one opposite to it in its face, and 0 for a border halfedge
+  std::vector<double> angles;
+  std::size_t number_of_clipped_edges =
+    0;                       ///< interior edges whose two angles on the surface sum to more than is allowed
+  double largest_change = 0; ///< of an angle on the surface, in radians
+  double gradient = 0;       ///< the largest component of the energy's gradient at the end
+  int iterations = 0;        ///< the number of steps of Newton's method
 };
 
 /// \cond SKIP_IN_MANUAL
@@ -71,8 +76,7 @@ public:
   // 2π minus twice the sum of the angles, for each face.
   Eigen::VectorXd gradient(const Eigen::VectorXd& rho) const
   {
-    Eigen::VectorXd result =
-      Eigen::VectorXd::Constant(rho.size(), boost::math::constants::two_pi<double>());
+    Eigen::VectorXd result = Eigen::VectorXd::Constant(rho.size(), boost::math::constants::two_pi<double>());
     for (Halfedge_index h : complex_.halfedges())
       if (!complex_.is_border(h))
         result[complex_.face(h).idx()] -= 2 * angle(h, rho);
@@ -123,8 +127,7 @@ public:
 private:
   double intersection_angle(Halfedge_index h) const
   {
-    return boost::math::constants::pi<double>() - angles_[h.idx()] -
-           angles_[complex_.opposite(h).idx()];
+    return boost::math::constants::pi<double>() - angles_[h.idx()] - angles_[complex_.opposite(h).idx()];
   }
   double weight(Halfedge_index h, double difference) const
   {
@@ -140,8 +143,7 @@ private:
       if (complex_.is_border(e))
         continue;
       const Halfedge_index h = complex_.halfedge(e);
-      const int k = int(complex_.face(h).idx()) - 1,
-                l = int(complex_.face(complex_.opposite(h)).idx()) - 1;
+      const int k = int(complex_.face(h).idx()) - 1, l = int(complex_.face(complex_.opposite(h)).idx()) - 1;
       const double w = weight(h);
       if (k >= 0)
         entries.emplace_back(k, k, w);
@@ -173,8 +175,8 @@ constexpr double circle_pattern_tolerance = 1e-10;
 // for nothing, so no step may change their ratios too much at once. The energy is convex, so
 // that its slope along the direction grows: a step is short enough as soon as the slope at
 // its end is at most half as steep upwards as it was downwards at the start.
-inline void minimize(const Circle_pattern_energy& energy, Eigen::VectorXd& rho,
-                     Circle_pattern& result, const Progress_function& progress)
+inline void minimize(const Circle_pattern_energy& energy, Eigen::VectorXd& rho, Circle_pattern& result,
+                     const Progress_function& progress)
 {
   Eigen::VectorXd gradient = energy.gradient(rho);
   result.gradient = gradient.cwiseAbs().maxCoeff();
@@ -215,8 +217,7 @@ inline Planar_points lay_out(const Delta_complex& complex, const Circle_pattern_
 {
   using Vector = std::complex<double>;
   std::vector<Vector> position(complex.number_of_vertices(), 0);
-  std::vector<bool> is_placed(complex.number_of_vertices(), false),
-    is_reached(complex.number_of_faces(), false);
+  std::vector<bool> is_placed(complex.number_of_vertices(), false), is_reached(complex.number_of_faces(), false);
   std::vector<std::pair<Halfedge_index, Vector>> queue;
   const auto reach = [&](Halfedge_index h, const Vector& side) {
     if (!complex.is_border(h) && !is_reached[complex.face(h).idx()]) {
@@ -231,16 +232,14 @@ inline Planar_points lay_out(const Delta_complex& complex, const Circle_pattern_
     }
   };
   const Halfedge_index first = complex.halfedge(Face_index(0));
-  const Vector first_side =
-    2 * std::exp(rho[0]) * std::sin(energy.angle(first, rho));
+  const Vector first_side = 2 * std::exp(rho[0]) * std::sin(energy.angle(first, rho));
   place(complex.source(first), 0);
   place(complex.target(first), first_side);
   reach(first, first_side);
   for (std::size_t next = 0; next < queue.size(); ++next) {
     const auto [ij, side] = queue[next];
     const Halfedge_index jk = complex.next(ij), ki = complex.prev(ij);
-    const double at_i = energy.angle(jk, rho), at_j = energy.angle(ki, rho),
-                 at_k = energy.angle(ij, rho);
+    const double at_i = energy.angle(jk, rho), at_j = energy.angle(ki, rho), at_k = energy.angle(ij, rho);
     const Vector ik = side * std::polar(std::sin(at_j) / std::sin(at_k), at_i);
     place(complex.target(jk), position[complex.source(ij).idx()] + ik);
     reach(complex.opposite(ij), -side);
@@ -261,7 +260,8 @@ inline Planar_points lay_out(const Delta_complex& complex, const Circle_pattern_
 /// \brief returns the discrete conformal map of a disk by a circle pattern: it preserves the angles at
 /// which the circumcircles of adjacent triangles meet, as far as flatness allows.
 ///
-/// First `find_coherent_angles()` changes the angles to those of some flat Delaunay triangulation.
+/// First the angles are changed to those of the flat Delaunay triangulation that are nearest in the least-squares sense: a convex
+/// quadratic program, solved by an interior-point method.
 /// Then the radii for which the circles fit together are found as the minimum of a convex
 /// energy, by Newton's method with sparse Cholesky factorizations, until no component of the
 /// gradient exceeds 1e-10. The boundary is free. The map preserves the orientation
@@ -275,32 +275,41 @@ inline Planar_points lay_out(const Delta_complex& complex, const Circle_pattern_
 /// \param complex the triangles of a disk
 /// \param lengths the length of each edge
 /// \param areas the area of each face
-/// \param progress is called before each iteration of the two minimizations, each of which counts as half
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is asked before each iteration of the two minimizations, each of which counts as half, and can cancel}
+///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
+///     \cgalParamDefault{`Default_visitor`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 ///
 /// \exception Invalid_surface_error if the surface is not a disk, or has an interior vertex with fewer
 ///   than three corners
 /// \exception Numerical_error if there are no coherent angles, or rounding prevents one of the
 ///   minimizations from succeeding
-/// \exception Cancelled_error if `progress` returns `false`
+/// \exception Cancelled_error if the visitor says so
 ///
 /// Sources: L. Kharevych, B. Springborn, P. Schröder, "Discrete conformal mappings via circle
 /// patterns", 2006; Fisher, Springborn, Schroeder, Bobenko (2006), section 3.3.
-inline Circle_pattern circle_pattern_parameterization(const Delta_complex& complex,
-                                                      const std::vector<double>& lengths,
-                                                      const std::vector<double>& areas,
-                                                      const Progress_function& progress = {})
+template <class NamedParameters = parameters::Default_named_parameters>
+Circle_pattern circle_pattern_parameterization(const Delta_complex& complex, const std::vector<double>& lengths,
+                                               const std::vector<double>& areas,
+                                               const NamedParameters& np = parameters::default_values())
 {
-  const auto half = [&progress](double begin) {
-    return progress ? Progress_function([&progress, begin](double x) { return progress(begin + x / 2); })
-                    : Progress_function();
-  };
+  const Progress_function progress = internal::progress_function_of(np);
   const std::vector<Halfedge_index> boundary = disk_boundary(complex);
   Circle_pattern result;
-  result.input = find_coherent_angles(complex, opposite_angles(complex, lengths, areas), 1e-3, half(0));
-  const internal::Circle_pattern_energy energy(complex, result.input.angles);
+  const internal::Coherent_angles coherent = internal::find_coherent_angles(
+    complex, internal::opposite_angles(complex, lengths, areas), 1e-3, internal::part_of_progress(progress, 0, 0.5));
+  result.angles = coherent.angles;
+  result.number_of_clipped_edges = coherent.number_of_clipped_edges;
+  result.largest_change = coherent.largest_change;
+  const internal::Circle_pattern_energy energy(complex, result.angles);
 
   Eigen::VectorXd rho = energy.first_guess();
-  internal::minimize(energy, rho, result, half(0.5));
+  internal::minimize(energy, rho, result, internal::part_of_progress(progress, 0.5, 1));
   result.uv = internal::lay_out(complex, energy, rho);
 
   double image_area = 0;
@@ -318,14 +327,14 @@ inline Circle_pattern circle_pattern_parameterization(const Delta_complex& compl
 }
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
-/// as above, for a triangulation; exceptions also as for `face_areas()`.
-template <class Traits>
-Circle_pattern
-circle_pattern_parameterization(const Intrinsic_triangulation<Traits>& triangulation,
-                                const Progress_function& progress = {})
+/// as above, for a triangulation; named parameters as of `circle_pattern_parameterization()` of a complex, exceptions also as for
+/// `face_areas()`.
+template <class Traits, class NamedParameters = parameters::Default_named_parameters>
+Circle_pattern circle_pattern_parameterization(const Intrinsic_triangulation<Traits>& triangulation,
+                                               const NamedParameters& np = parameters::default_values())
 {
-  return circle_pattern_parameterization(triangulation.connectivity(),
-                                         edge_lengths(triangulation), face_areas(triangulation), progress);
+  return circle_pattern_parameterization(triangulation.connectivity(), edge_lengths(triangulation),
+                                         face_areas(triangulation), np);
 }
 
 } // namespace Intrinsic_triangulations

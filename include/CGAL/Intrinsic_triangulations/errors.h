@@ -31,30 +31,31 @@ public:
 class Invalid_surface_error : public Error
 {
 public:
-  /// what is wrong with the input.
+  /// what is wrong with the input: first what `examine_polygons()` finds, in the order in which it should be fixed.
   enum class Defect {
     EMPTY,                    ///< there is no face
     BAD_INDEX,                ///< a face names a vertex that does not exist
+    NOT_FINITE,               ///< a coordinate or a length is NaN or infinite
     NOT_A_TRIANGLE,           ///< a face has fewer or more than three corners
     REPEATED_CORNER,          ///< a face names a vertex twice
-    DUPLICATE_FACE,           ///< two faces have the same three corners
+    DUPLICATE_FACE,           ///< a face has the three corners of an earlier one
     NON_MANIFOLD_EDGE,        ///< an edge has more than two faces
-    INCONSISTENT_ORIENTATION, ///< two faces traverse an edge in the same direction
+    INCONSISTENT_ORIENTATION, ///< the two faces of an edge traverse it in the same direction
     NON_MANIFOLD_VERTEX,      ///< the faces around a vertex form more than one fan
-    INVALID_GLUING,           ///< a side is glued twice, to itself, or out of range
-    NOT_FINITE,               ///< a coordinate or a length is NaN or infinite
+    ZERO_LENGTH_EDGE,         ///< the ends of an edge coincide
     OUT_OF_RANGE,             ///< squared lengths over- or underflow, or there are too many elements
-    ZERO_LENGTH_EDGE,         ///< an edge joins coincident vertices
+    DEGENERATE_FACE,          ///< a face of zero area: no error unless the number type cannot handle it
+    UNREFERENCED_VERTEX,      ///< a vertex belongs to no face: never an error
+    SEVERAL_COMPONENTS,       ///< the surface is in several pieces: never an error
+    INVALID_GLUING,           ///< a side is glued twice, to itself, or out of range
     TRIANGLE_INEQUALITY,      ///< three lengths that no triangle has
-    DEGENERATE_FACE,          ///< a face of zero area, where the number type cannot handle it
     WRONG_TOPOLOGY,           ///< a surface of another topological type than is asked for
     UNREADABLE                ///< the text or file is not of the expected form
   };
 
   /// constructs the error from what is wrong, the first offending element, how many there are, and the
   /// message that names them.
-  Invalid_surface_error(Defect defect, std::size_t element, std::size_t count,
-                        const std::string& message)
+  Invalid_surface_error(Defect defect, std::size_t element, std::size_t count, const std::string& message)
     : Error(message), defect_(defect), element_(element), count_(count)
   {}
 
@@ -72,6 +73,15 @@ private:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsErrors
+/// \brief is thrown if an argument is wrong though the surface is fine: a vertex or halfedge that does not exist, an option out of its
+/// range, or a polygon that is not convex.
+class Invalid_argument_error : public Error
+{
+public:
+  using Error::Error;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsErrors
 /// \brief is thrown if a point does not lie on the surface; the message says why.
 class Invalid_point_error : public Error
 {
@@ -85,10 +95,11 @@ public:
 /// There are three causes, which the message tells apart:
 /// - an edge crosses more than 2<sup>20</sup> input edges, too many to be laid out;
 /// - `Tie_proof::PROVEN` demands a proof that a number is zero, and the number has too many independent square roots;
-/// - an edge is not a straight line over the input triangles, as rounded decisions have flipped a hinge that is not convex.
+/// - an edge is not a straight line over the input triangles, as rounded decisions have flipped a hinge that is not
+/// convex.
 ///
-/// The first two can happen with any traits, the default ones included; nothing is changed then. An interval number type
-/// that cannot decide is no error: `flip_to_Delaunay()` reports `Flip_status::UNDECIDED`.
+/// The first two can happen with any traits, the default ones included; nothing is changed then. An interval number
+/// type that cannot decide is no error: `flip_to_Delaunay()` reports `Flip_status::UNDECIDED`.
 class Undecided_error : public Error
 {
 public:
@@ -123,8 +134,8 @@ public:
 /// \ingroup PkgIntrinsicTriangulationsErrors
 /// \brief says that the program's arithmetic on doubles does not follow IEEE 754, so that no answer can be trusted.
 ///
-/// The causes are options of the compiler that no macro reveals, a processor that flushes subnormal numbers to zero and cannot be set, or
-/// a fault that the library notices because more digits do not settle what they must.
+/// The causes are options of the compiler that no macro reveals, a processor that flushes subnormal numbers to zero and
+/// cannot be set, or a fault that the library notices because more digits do not settle what they must.
 class Arithmetic_error : public Error
 {
 public:
@@ -132,7 +143,9 @@ public:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsErrors
-/// \brief says that a computation ended early because its `Progress_function` asked for that.
+/// \brief says that a computation ended early because its visitor, or the function given to `set_interruption()`, asked for that.
+///
+/// The object that was worked on is valid, and the call can be repeated.
 class Cancelled_error : public Error
 {
 public:

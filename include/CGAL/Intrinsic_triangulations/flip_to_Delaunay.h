@@ -9,20 +9,19 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_FLIP_TO_DELAUNAY_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Flip_report.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Tie_proof.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Parallel_Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
-#include <boost/core/ref.hpp>
 #include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
@@ -39,22 +38,6 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// \brief the default visitor of `flip_to_Delaunay()`: it does nothing and never cancels.
-///
-/// \cgalModels `IntrinsicFlipVisitor`
-struct Default_flip_visitor
-{
-  /// \cond SKIP_IN_MANUAL
-  using Is_silent = Tag_true;
-  /// \endcond
-  /// is called before each test, with the numbers of tests and flips so far; the
-  /// algorithm stops if it returns `false`.
-  bool go_further(std::uint64_t /* tests */, std::uint64_t /* flips */) { return true; }
-  /// is called after each flip.
-  void after_flip(Edge_index) {}
-};
-
-/// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief returns the default bound on the number of flips for a surface with
 /// `number_of_edges` edges and an inexact number type.
 ///
@@ -67,55 +50,18 @@ inline std::uint64_t default_maximum_number_of_flips(std::size_t number_of_edges
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-template <class T>
-T& unwrapped(T& visitor)
-{
-  return visitor;
-}
-template <class T>
-T& unwrapped(std::reference_wrapper<T>& visitor)
-{
-  return visitor.get();
-}
-template <class T>
-T& unwrapped(boost::reference_wrapper<T>& visitor)
-{
-  return visitor.get();
-}
-
-// As long as it lives, exact decisions that take long ask a function whether to go on, after the one that
-// they asked before.
-template <class Triangulation>
-class Interruption_scope
-{
-public:
-  Interruption_scope(Triangulation& triangulation, const std::function<bool()>& go_further)
-    : triangulation_(triangulation)
-  {
-    std::function<bool()> both = [this, go_further] { return (!before_ || before_()) && go_further(); };
-    before_ = triangulation.set_interruption(std::move(both));
-  }
-  Interruption_scope(const Interruption_scope&) = delete;
-  Interruption_scope& operator=(const Interruption_scope&) = delete;
-  ~Interruption_scope() { triangulation_.set_interruption(std::move(before_)); }
-
-private:
-  Triangulation& triangulation_;
-  std::function<bool()> before_;
-};
-
 // \param triangulation a Whole_triangulation, or what has its members
 template <class ConcurrencyTag, class Triangulation, class ConstraintMap, class Visitor>
-Flip_report flip_all(Triangulation triangulation, const ConstraintMap& is_constrained,
-                     Visitor& visitor, std::uint64_t budget)
+Flip_report flip_all(Triangulation triangulation, const ConstraintMap& is_constrained, Visitor& visitor,
+                     std::uint64_t budget)
 {
   const Edge_index::size_type n = triangulation.connectivity().number_of_edges();
-  triangulation.begin_journal();
+  triangulation.engine().begin_journal();
   Edge_marks marks(n, default_init);
   if (n != 0)
     std::memset(marks.data(), int(Edge_mark::CANDIDATE), n);
-  Delaunay_flipper<Triangulation, ConstraintMap, Visitor> flipper(triangulation, is_constrained,
-                                                                  visitor, budget, marks);
+  Delaunay_flipper<Triangulation, ConstraintMap, Visitor> flipper(triangulation, is_constrained, visitor, budget,
+                                                                  marks);
   std::optional<Standard_arithmetic> arithmetic;
   if constexpr (Triangulation::Traits::Uses_exact_geometry::value)
     arithmetic.emplace();
@@ -140,16 +86,19 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
   using parameters::get_parameter;
   constexpr bool is_exact = Traits::Has_exact_decisions::value;
 
-  const std::uint64_t budget = choose_parameter(
-    get_parameter(np, internal_np::maximum_number),
-    is_exact ? (std::numeric_limits<std::uint64_t>::max)()
-             : default_maximum_number_of_flips(triangulation.connectivity().number_of_edges()));
-  auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Default_flip_visitor());
+  const std::uint64_t budget =
+    choose_parameter(get_parameter(np, internal_np::maximum_number),
+                     is_exact ? (std::numeric_limits<std::uint64_t>::max)()
+                              : default_maximum_number_of_flips(triangulation.connectivity().number_of_edges()));
+  auto observer = observer_of(np);
   if constexpr (Traits::Uses_exact_geometry::value &&
-                !parameters::is_default_parameter<NamedParameters, Tie_proof_tag>::value)
-    triangulation.set_tie_proof(get_parameter(np, Tie_proof_tag()));
-  return flip_all<ConcurrencyTag>(Whole_triangulation<Traits>(triangulation), is_constrained, unwrapped(visitor),
-                                  budget);
+                !parameters::is_default_parameter<NamedParameters, Parameter_tag<Parameter::TIE_PROOF>>::value)
+    triangulation.set_tie_proof(get_parameter(np, Parameter_tag<Parameter::TIE_PROOF>()));
+  if constexpr (decltype(observer)::template sees_tests<typename Traits::Boolean>)
+    return flip_all<Sequential_tag>(Watched_triangulation<Traits, decltype(observer)>(triangulation, observer),
+                                    is_constrained, observer, budget);
+  else
+    return flip_all<ConcurrencyTag>(Whole_triangulation<Traits>(triangulation), is_constrained, observer, budget);
 }
 
 } // namespace internal
@@ -187,12 +136,11 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is told of each flip and can cancel; pass `std::ref()` to keep its state}
-///     \cgalParamType{a model of `IntrinsicFlipVisitor`}
-///     \cgalParamDefault{`Default_flip_visitor`}
+///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
+///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{tie_proof}
-///     \cgalParamDescription{what exact decisions accept as a tie, in this run and later ones; has to be the first
-///       parameter of the sequence. Without exact geometry it changes nothing}
+///     \cgalParamDescription{what exact decisions accept as a tie, in this run and later ones. Without exact geometry it changes nothing}
 ///     \cgalParamType{`Tie_proof`}
 ///     \cgalParamDefault{what was set before, `Tie_proof::PROBABLE_IF_COSTLY` at the beginning}
 ///   \cgalParamNEnd
@@ -204,6 +152,7 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
 /// \cgalNamedParamsEnd
 ///
 /// \return what happened. The triangulation is valid whatever the status.
+/// \exception Cancelled_error if the visitor says so
 /// \exception Undecided_error if proofs of ties are demanded (`tie_proof`), and one takes too long. After any exception, that of a
 ///   visitor or `std::bad_alloc` as well, the triangulation is valid, and another call goes on
 ///
@@ -213,11 +162,7 @@ template <class ConcurrencyTag = Sequential_tag, class Traits,
 Flip_report flip_to_Delaunay(Intrinsic_triangulation<Traits>& triangulation,
                              const NamedParameters& np = parameters::default_values())
 {
-  return internal::flip_to_Delaunay_with<ConcurrencyTag>(
-    triangulation,
-    parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
-                                 Static_boolean_property_map<Edge_index, false>()),
-    np);
+  return internal::flip_to_Delaunay_with<ConcurrencyTag>(triangulation, internal::edge_constraints_of(np), np);
 }
 
 } // namespace Intrinsic_triangulations

@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_DISTANCES_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Index.h>
+#include <CGAL/Intrinsic_triangulations/internal/Index.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
@@ -19,12 +19,13 @@
 #include <CGAL/Intrinsic_triangulations/internal/heat/Window_propagation.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -33,23 +34,10 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
-/// \brief how `geodesic_distances()` looks for shortest paths.
-struct Geodesic_distance_options
-{
-  /// how much the length of a path may be changed at each edge that it crosses, as a part of the length of the edge. With 0,
-  /// distances are exact up to rounding; else far less is to be done on large surfaces
-  double tolerance = 0.001;
-  /// the largest number of bundles of straight ways that are followed from a face to the next; 0 stands for a million, and 500 for each face
-  std::uint64_t maximum_number = 0;
-  /// is asked now and then; if it returns `false`, `Cancelled_error` is thrown
-  std::function<bool()> go_further = {};
-};
-
-/// \ingroup PkgIntrinsicTriangulationsHeat
 /// \brief what `geodesic_distances()` found.
 struct Geodesic_distances
 {
-  std::vector<double> distances;    ///< of all vertices, in the unit of the input; infinite where no source is connected
+  std::vector<double> distances; ///< of all vertices, in the unit of the input; infinite where no source is connected
   std::uint64_t number_of_ways = 0; ///< how many bundles of straight ways were followed from a face to the next
   bool is_complete = true;          ///< whether all were. If not, distances may be as large as those along edges
 };
@@ -57,23 +45,26 @@ struct Geodesic_distances
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-// How many may be followed.
-inline std::uint64_t number_of_ways(const Geodesic_distance_options& options, const Delta_complex& complex)
+// How many bundles of straight ways may be followed.
+template <class NamedParameters>
+std::uint64_t number_of_ways(const NamedParameters& np, const Delta_complex& complex)
 {
-  return options.maximum_number > 0 ? options.maximum_number : 1000000 + 500 * std::uint64_t(complex.number_of_faces());
+  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_number),
+                                      1000000 + 500 * std::uint64_t(complex.number_of_faces()));
 }
 
-template <class Traits, class Row>
+template <class Traits, class Row, class NamedParameters>
 Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& triangulation, const Row& row,
-                                        const std::vector<std::uint32_t>& sources, const Geodesic_distance_options& options)
+                                        const std::vector<std::uint32_t>& sources, const NamedParameters& np)
 {
-  if (!(options.tolerance >= 0 && options.tolerance < 1))
-    throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, 0, 1, "the tolerance of distances has to be at least 0 and less than 1");
-  const Interruption interruption(options.go_further);
+  const double tolerance = value_of<Parameter::TOLERANCE>(np, 0.001);
+  if (!(tolerance >= 0 && tolerance < 1))
+    throw Invalid_argument_error("the tolerance of distances has to be at least 0 and less than 1");
+  const Interruption interruption(go_further_function_of(np));
   const Laid_out_faces faces(triangulation, row);
-  Window_propagation windows(faces, options.tolerance);
+  Window_propagation windows(faces, tolerance);
   Geodesic_distances result;
-  result.is_complete = windows.run(sources, number_of_ways(options, triangulation.connectivity()), interruption);
+  result.is_complete = windows.run(sources, number_of_ways(np, triangulation.connectivity()), interruption);
   result.number_of_ways = windows.number_of_steps();
   std::vector<double> distances = windows.distances();
   std::map<std::uint32_t, double> pins;
@@ -101,15 +92,36 @@ Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& t
 ///
 /// \param triangulation a triangulation, best a Delaunay one: its faces are the least to cross
 /// \param sources vertices
-/// \param options as they say
-/// \exception Invalid_surface_error if there is no such vertex, or the tolerance makes no sense
-/// \exception Cancelled_error as the options say
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{tolerance}
+///     \cgalParamDescription{how much the length of a path may be changed at each edge that it crosses, as a part of the length of the edge.
+///       With 0, distances are exact up to rounding; else far less is to be done on large surfaces}
+///     \cgalParamType{`double`, at least 0 and less than 1}
+///     \cgalParamDefault{0.001}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_number}
+///     \cgalParamDescription{the largest number of bundles of straight ways that are followed from a face to the next}
+///     \cgalParamType{`std::uint64_t`}
+///     \cgalParamDefault{a million, and 500 for each face}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is asked now and then, and can cancel}
+///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
+///     \cgalParamDefault{`Default_visitor`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \exception Invalid_argument_error if there is no such vertex, or the tolerance makes no sense
+/// \exception Cancelled_error if the visitor says so
 ///
 /// Source: J. Chen, Y. Han, "Shortest paths on a polyhedron", 1996; V. Surazhsky et al., "Fast exact and approximate geodesics on meshes",
 /// 2005; S. Xin, G. Wang, "Improving Chen and Han's algorithm on the discrete geodesic problem", 2009.
-template <class Traits>
-Geodesic_distances geodesic_distances(const Intrinsic_triangulation<Traits>& triangulation, const std::vector<Vertex_index>& sources,
-                                      const Geodesic_distance_options& options = Geodesic_distance_options())
+template <class Traits, class NamedParameters = parameters::Default_named_parameters>
+Geodesic_distances geodesic_distances(const Intrinsic_triangulation<Traits>& triangulation,
+                                      const std::vector<Vertex_index>& sources,
+                                      const NamedParameters& np = parameters::default_values())
 {
   const internal::Row_of_vertex row(triangulation.connectivity());
   std::vector<std::uint32_t> rows;
@@ -117,14 +129,15 @@ Geodesic_distances geodesic_distances(const Intrinsic_triangulation<Traits>& tri
     internal::require_vertex(v, row.number_of_rows());
     rows.push_back(std::uint32_t(v.idx()));
   }
-  return internal::distances_by_windows(triangulation, row, rows, options);
+  return internal::distances_by_windows(triangulation, row, rows, np);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
-/// \brief as above, for any triangles. The vertices are those of the input; one that was merged with another has the same distance.
+/// \brief as `geodesic_distances()` of a triangulation, for any triangles. The vertices are those of the input; one that was merged with another has the same distance.
 /// \pre the cover was made Delaunay by `flip_to_Delaunay(cover.triangulation)`, or the faces are the given ones
-inline Geodesic_distances geodesic_distances(const Tufted_cover& cover, const std::vector<Vertex_index>& sources,
-                                             const Geodesic_distance_options& options = Geodesic_distance_options())
+template <class NamedParameters = parameters::Default_named_parameters>
+Geodesic_distances geodesic_distances(const Tufted_cover& cover, const std::vector<Vertex_index>& sources,
+                                      const NamedParameters& np = parameters::default_values())
 {
   const internal::Row_of_cover_vertex row(cover);
   std::vector<std::uint32_t> rows;
@@ -132,7 +145,7 @@ inline Geodesic_distances geodesic_distances(const Tufted_cover& cover, const st
     internal::require_vertex(v, row.number_of_rows());
     rows.push_back(cover.representative[v.idx()]);
   }
-  Geodesic_distances result = internal::distances_by_windows(cover.triangulation, row, rows, options);
+  Geodesic_distances result = internal::distances_by_windows(cover.triangulation, row, rows, np);
   for (std::size_t v = 0; v < cover.representative.size(); ++v)
     if (cover.representative[v] != v)
       result.distances[v] = result.distances[cover.representative[v]];

@@ -3,29 +3,91 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// A locally shortest path between two vertices or any two points of a mesh, in one call.
+// Geodesic paths between points of the surface, and shortest paths along edges, from which they start.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_PATH_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_PATH_H
 
 #include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/geodesic_points.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/compare_points.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/require_vertex.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsGeodesics
+/// \brief finds a shortest path from `source` to `target` along the edges of a triangulation, by Dijkstra's algorithm.
+///
+/// \return its halfedges, in order; none if both vertices are the same. Lengths are rounded: among paths of nearly the same
+///   length it may be any
+/// \exception Invalid_argument_error if there is no such vertex, or no path
+///
+/// O(n log n) for the n edges that are nearer to the source than the target.
+template <class Traits>
+std::vector<Halfedge_index> shortest_edge_path(const Intrinsic_triangulation<Traits>& triangulation,
+                                               Vertex_index source, Vertex_index target)
+{
+  const Delta_complex& complex = triangulation.connectivity();
+  for (Vertex_index v : {source, target})
+    internal::require_vertex(v, complex.number_of_vertices());
+  using Entry = std::pair<double, Vertex_index::size_type>;
+  std::vector<double> distance(complex.number_of_vertices(), std::numeric_limits<double>::infinity());
+  std::vector<Halfedge_index> arrival(complex.number_of_vertices());
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  distance[source.idx()] = 0;
+  queue.push({0, source.idx()});
+  while (!queue.empty()) {
+    const auto [d, number] = queue.top();
+    queue.pop();
+    if (number == target.idx())
+      break;
+    const Halfedge_index first = complex.halfedge(Vertex_index(number));
+    if (d > distance[number] || !first.is_valid())
+      continue;
+    Halfedge_index h = first;
+    do {
+      const Halfedge_index out = complex.opposite(h);
+      const double through = d + CGAL::to_double(triangulation.length(complex.edge(h)));
+      const auto next = complex.target(out).idx();
+      if (through < distance[next]) {
+        distance[next] = through;
+        arrival[next] = out;
+        queue.push({through, next});
+      }
+      h = complex.next_around_target(h);
+    } while (h != first);
+  }
+  std::vector<Halfedge_index> path;
+  for (Vertex_index v = target; v != source; v = complex.source(path.back())) {
+    if (!arrival[v.idx()].is_valid())
+      throw Invalid_argument_error("no path along edges leads from vertex " + std::to_string(source.idx()) +
+                                   " to vertex " + std::to_string(target.idx()));
+    path.push_back(arrival[v.idx()]);
+  }
+  std::reverse(path.begin(), path.end());
+  return path;
+}
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief a path on the input.
@@ -80,7 +142,7 @@ inline Surface_point seen_from_one_side(const Delta_complex& input, const Surfac
 template <class Traits>
 Vertex_index vertex_at_point(Intrinsic_triangulation<Traits>& triangulation, const Surface_point& point)
 {
-  const Correspondence& correspondence = triangulation.exact_geometry().correspondence();
+  const internal::Correspondence& correspondence = internal::engine(triangulation).correspondence();
   const Delta_complex& input = correspondence.input();
   const Halfedge_index h = point.halfedge;
   if (h.is_valid() && h.idx() < input.number_of_halfedges() && !input.is_border(h)) {
@@ -108,8 +170,8 @@ namespace internal {
 
 // From a triangulation of the mesh that has both vertices.
 template <class TriangleMesh, class Traits, class NamedParameters>
-Geodesic_path shortened_edge_path(const TriangleMesh& mesh, Intrinsic_triangulation<Traits>& triangulation, Vertex_index source,
-                                  Vertex_index target, const NamedParameters& np)
+Geodesic_path shortened_edge_path(const TriangleMesh& mesh, Intrinsic_triangulation<Traits>& triangulation,
+                                  Vertex_index source, Vertex_index target, const NamedParameters& np)
 {
   const auto start = shortest_edge_path(triangulation, source, target);
   Geodesic_path_network<Traits> network(triangulation);
@@ -129,7 +191,7 @@ Geodesic_path shortened_edge_path(const TriangleMesh& mesh, Intrinsic_triangulat
     points.push_back({CGAL::to_double(p_v.x()), CGAL::to_double(p_v.y()), CGAL::to_double(p_v.z())});
   }
   for (const Surface_point& q : result.points)
-    result.positions.push_back(point_in_space(triangulation.exact_geometry().correspondence().input(), points, q));
+    result.positions.push_back(point_in_space(triangulation.input(), points, q));
   return result;
 }
 
@@ -148,10 +210,11 @@ Geodesic_path shortened_edge_path(const TriangleMesh& mesh, Intrinsic_triangulat
 ///   the function `shorten` of `Geodesic_path_network`
 ///
 /// \exception Invalid_surface_error as `intrinsic_triangulation()`
-/// \exception Invalid_point_error if no path along edges joins the two vertices
+/// \exception Invalid_argument_error if no path along edges joins the two vertices
 /// \exception Undecided_error, Cancelled_error as the function `shorten` of `Geodesic_path_network`
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
-Geodesic_path geodesic_path(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
+Geodesic_path geodesic_path(const TriangleMesh& mesh,
+                            typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
                             typename boost::graph_traits<TriangleMesh>::vertex_descriptor target,
                             const NamedParameters& np = parameters::default_values())
 {
@@ -172,7 +235,8 @@ Geodesic_path geodesic_path(const TriangleMesh& mesh, typename boost::graph_trai
 ///
 /// \return the path; one without points if both ends are the same
 /// \exception Invalid_surface_error as `intrinsic_triangulation()`
-/// \exception Invalid_point_error if a point is none of the mesh, or no path along edges joins the two
+/// \exception Invalid_point_error if a point is none of the mesh
+/// \exception Invalid_argument_error if no path along edges joins the two
 /// \exception Undecided_error, Cancelled_error as the function `shorten` of `Geodesic_path_network`
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
 Geodesic_path geodesic_path(const TriangleMesh& mesh, const Surface_point& source, const Surface_point& target,

@@ -61,10 +61,7 @@ public:
   /// returns the position of the edge.
   constexpr size_type idx() const { return Edge_index(*this).idx(); }
   /// returns the edge without a direction.
-  constexpr operator Edge_index() const
-  {
-    return is_valid() ? Edge_index(halfedge_.idx() >> 1) : Edge_index();
-  }
+  constexpr operator Edge_index() const { return is_valid() ? Edge_index(halfedge_.idx() >> 1) : Edge_index(); }
 
   /// \name Comparison
   /// @{
@@ -91,14 +88,12 @@ private:
 namespace internal {
 
 class Oriented_edge_iterator
-  : public boost::iterator_adaptor<Oriented_edge_iterator, Delta_complex::Edge_iterator,
-                                   Oriented_edge, std::random_access_iterator_tag, Oriented_edge>
+  : public boost::iterator_adaptor<Oriented_edge_iterator, Delta_complex::Edge_iterator, Oriented_edge,
+                                   std::random_access_iterator_tag, Oriented_edge>
 {
 public:
   Oriented_edge_iterator() = default;
-  explicit Oriented_edge_iterator(Delta_complex::Edge_iterator it)
-    : Oriented_edge_iterator::iterator_adaptor_(it)
-  {}
+  explicit Oriented_edge_iterator(Delta_complex::Edge_iterator it) : Oriented_edge_iterator::iterator_adaptor_(it) {}
 
 private:
   friend class boost::iterator_core_access;
@@ -249,23 +244,14 @@ inline Delta_complex::size_type num_halfedges(const Delta_complex& g) { return g
 inline Delta_complex::size_type num_edges(const Delta_complex& g) { return g.number_of_edges(); }
 inline Delta_complex::size_type num_faces(const Delta_complex& g) { return g.number_of_faces(); }
 
-inline Iterator_range<Delta_complex::Vertex_iterator> vertices(const Delta_complex& g)
-{
-  return g.vertices();
-}
-inline Iterator_range<Delta_complex::Halfedge_iterator> halfedges(const Delta_complex& g)
-{
-  return g.halfedges();
-}
+inline Iterator_range<Delta_complex::Vertex_iterator> vertices(const Delta_complex& g) { return g.vertices(); }
+inline Iterator_range<Delta_complex::Halfedge_iterator> halfedges(const Delta_complex& g) { return g.halfedges(); }
 inline Iterator_range<internal::Oriented_edge_iterator> edges(const Delta_complex& g)
 {
   return make_range(internal::Oriented_edge_iterator(g.edges().begin()),
                     internal::Oriented_edge_iterator(g.edges().end()));
 }
-inline Iterator_range<Delta_complex::Face_iterator> faces(const Delta_complex& g)
-{
-  return g.faces();
-}
+inline Iterator_range<Delta_complex::Face_iterator> faces(const Delta_complex& g) { return g.faces(); }
 
 inline Vertex_index source(Halfedge_index h, const Delta_complex& g) { return g.source(h); }
 inline Vertex_index target(Halfedge_index h, const Delta_complex& g) { return g.target(h); }
@@ -289,20 +275,18 @@ inline Delta_complex::size_type degree(Face_index, const Delta_complex&) { retur
 inline Delta_complex::size_type out_degree(Vertex_index v, const Delta_complex& g) { return degree(v, g); }
 inline Delta_complex::size_type in_degree(Vertex_index v, const Delta_complex& g) { return degree(v, g); }
 
-inline Iterator_range<Out_edge_iterator<Delta_complex>> out_edges(Vertex_index v,
-                                                                  const Delta_complex& g)
+inline Iterator_range<Out_edge_iterator<Delta_complex>> out_edges(Vertex_index v, const Delta_complex& g)
 {
   using Iterator = Out_edge_iterator<Delta_complex>;
   return make_range(Iterator(g.halfedge(v), g), Iterator(g.halfedge(v), g, 1));
 }
-inline Iterator_range<In_edge_iterator<Delta_complex>> in_edges(Vertex_index v,
-                                                                const Delta_complex& g)
+inline Iterator_range<In_edge_iterator<Delta_complex>> in_edges(Vertex_index v, const Delta_complex& g)
 {
   using Iterator = In_edge_iterator<Delta_complex>;
   return make_range(Iterator(g.halfedge(v), g), Iterator(g.halfedge(v), g, 1));
 }
-inline Iterator_range<Vertex_around_target_iterator<Delta_complex>>
-adjacent_vertices(Vertex_index v, const Delta_complex& g)
+inline Iterator_range<Vertex_around_target_iterator<Delta_complex>> adjacent_vertices(Vertex_index v,
+                                                                                      const Delta_complex& g)
 {
   return CGAL::vertices_around_target(v, g);
 }
@@ -318,8 +302,7 @@ inline Halfedge_index halfedge(Oriented_edge e, const Delta_complex&) { return e
 inline Halfedge_index halfedge(Vertex_index v, const Delta_complex& g) { return g.halfedge(v); }
 inline Halfedge_index halfedge(Face_index f, const Delta_complex& g) { return g.halfedge(f); }
 
-inline std::pair<Halfedge_index, bool> halfedge(Vertex_index u, Vertex_index v,
-                                                const Delta_complex& g)
+inline std::pair<Halfedge_index, bool> halfedge(Vertex_index u, Vertex_index v, const Delta_complex& g)
 {
   const Halfedge_index first = g.halfedge(v);
   if (first.is_valid()) {
@@ -352,8 +335,7 @@ std::uint32_t get(Tag, const Delta_complex&, typename internal::Descriptor_of<Ta
 }
 
 template <class T>
-typename internal::Dynamic_map<Vertex_index, T>::type get(const dynamic_vertex_property_t<T>&,
-                                                          const Delta_complex& g)
+typename internal::Dynamic_map<Vertex_index, T>::type get(const dynamic_vertex_property_t<T>&, const Delta_complex& g)
 {
   return typename internal::Dynamic_map<Vertex_index, T>::type(g.number_of_vertices());
 }
@@ -364,14 +346,12 @@ typename internal::Dynamic_map<Halfedge_index, T>::type get(const dynamic_halfed
   return typename internal::Dynamic_map<Halfedge_index, T>::type(g.number_of_halfedges());
 }
 template <class T>
-typename internal::Dynamic_map<Oriented_edge, T>::type get(const dynamic_edge_property_t<T>&,
-                                                           const Delta_complex& g)
+typename internal::Dynamic_map<Oriented_edge, T>::type get(const dynamic_edge_property_t<T>&, const Delta_complex& g)
 {
   return typename internal::Dynamic_map<Oriented_edge, T>::type(g.number_of_edges());
 }
 template <class T>
-typename internal::Dynamic_map<Face_index, T>::type get(const dynamic_face_property_t<T>&,
-                                                        const Delta_complex& g)
+typename internal::Dynamic_map<Face_index, T>::type get(const dynamic_face_property_t<T>&, const Delta_complex& g)
 {
   return typename internal::Dynamic_map<Face_index, T>::type(g.number_of_faces());
 }
@@ -395,13 +375,13 @@ struct graph_has_property<Intrinsic_triangulations::Delta_complex, boost::face_i
 
 namespace boost {
 
-#define CGAL_INTRINSIC_TRIANGULATIONS_INDEX_MAP(TAG)                       \
-  template <>                                                              \
-  struct property_map<CGAL::Intrinsic_triangulations::Delta_complex, TAG>  \
-  {                                                                        \
-    using type = CGAL::Intrinsic_triangulations::internal::Position_map<   \
-      CGAL::Intrinsic_triangulations::internal::Descriptor_of<TAG>::type>; \
-    using const_type = type;                                               \
+#define CGAL_INTRINSIC_TRIANGULATIONS_INDEX_MAP(TAG)                                                                   \
+  template <>                                                                                                          \
+  struct property_map<CGAL::Intrinsic_triangulations::Delta_complex, TAG>                                              \
+  {                                                                                                                    \
+    using type = CGAL::Intrinsic_triangulations::internal::Position_map<                                               \
+      CGAL::Intrinsic_triangulations::internal::Descriptor_of<TAG>::type>;                                             \
+    using const_type = type;                                                                                           \
   };
 CGAL_INTRINSIC_TRIANGULATIONS_INDEX_MAP(vertex_index_t)
 CGAL_INTRINSIC_TRIANGULATIONS_INDEX_MAP(halfedge_index_t)
@@ -411,23 +391,19 @@ CGAL_INTRINSIC_TRIANGULATIONS_INDEX_MAP(face_index_t)
 
 template <class T>
 struct property_map<CGAL::Intrinsic_triangulations::Delta_complex, CGAL::dynamic_vertex_property_t<T>>
-  : CGAL::Intrinsic_triangulations::internal::Dynamic_map<
-      CGAL::Intrinsic_triangulations::Vertex_index, T>
+  : CGAL::Intrinsic_triangulations::internal::Dynamic_map<CGAL::Intrinsic_triangulations::Vertex_index, T>
 {};
 template <class T>
 struct property_map<CGAL::Intrinsic_triangulations::Delta_complex, CGAL::dynamic_halfedge_property_t<T>>
-  : CGAL::Intrinsic_triangulations::internal::Dynamic_map<
-      CGAL::Intrinsic_triangulations::Halfedge_index, T>
+  : CGAL::Intrinsic_triangulations::internal::Dynamic_map<CGAL::Intrinsic_triangulations::Halfedge_index, T>
 {};
 template <class T>
 struct property_map<CGAL::Intrinsic_triangulations::Delta_complex, CGAL::dynamic_edge_property_t<T>>
-  : CGAL::Intrinsic_triangulations::internal::Dynamic_map<
-      CGAL::Intrinsic_triangulations::Oriented_edge, T>
+  : CGAL::Intrinsic_triangulations::internal::Dynamic_map<CGAL::Intrinsic_triangulations::Oriented_edge, T>
 {};
 template <class T>
 struct property_map<CGAL::Intrinsic_triangulations::Delta_complex, CGAL::dynamic_face_property_t<T>>
-  : CGAL::Intrinsic_triangulations::internal::Dynamic_map<
-      CGAL::Intrinsic_triangulations::Face_index, T>
+  : CGAL::Intrinsic_triangulations::internal::Dynamic_map<CGAL::Intrinsic_triangulations::Face_index, T>
 {};
 
 } // namespace boost

@@ -56,7 +56,7 @@ typename Traits::FT number_of_edge(Edge_cotangent_weight_tag, const Intrinsic_tr
 template <class Traits>
 std::int64_t number_of_edge(Edge_normal_coordinate_tag, const Intrinsic_triangulation<Traits>& g, Edge_index e)
 {
-  return g.exact_geometry().correspondence().coordinates().crossings(e);
+  return internal::engine(g).correspondence().coordinates().crossings(e);
 }
 
 // A number of each edge, computed when it is asked for.
@@ -158,23 +158,23 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 // A function of the graph, without and with a descriptor.
-#define CGAL_INTRINSIC_TRIANGULATIONS_FORWARD(FUNCTION)   \
-  template <class Traits>                                 \
-  auto FUNCTION(const Intrinsic_triangulation<Traits>& g) \
-  {                                                       \
-    return FUNCTION(g.connectivity());                    \
+#define CGAL_INTRINSIC_TRIANGULATIONS_FORWARD(FUNCTION)                                                                \
+  template <class Traits>                                                                                              \
+  auto FUNCTION(const Intrinsic_triangulation<Traits>& g)                                                              \
+  {                                                                                                                    \
+    return FUNCTION(g.connectivity());                                                                                 \
   }
-#define CGAL_INTRINSIC_TRIANGULATIONS_FORWARD_OF(FUNCTION, DESCRIPTOR)  \
-  template <class Traits>                                               \
-  auto FUNCTION(DESCRIPTOR x, const Intrinsic_triangulation<Traits>& g) \
-  {                                                                     \
-    return FUNCTION(x, g.connectivity());                               \
+#define CGAL_INTRINSIC_TRIANGULATIONS_FORWARD_OF(FUNCTION, DESCRIPTOR)                                                 \
+  template <class Traits>                                                                                              \
+  auto FUNCTION(DESCRIPTOR x, const Intrinsic_triangulation<Traits>& g)                                                \
+  {                                                                                                                    \
+    return FUNCTION(x, g.connectivity());                                                                              \
   }
-#define CGAL_INTRINSIC_TRIANGULATIONS_FORWARD_SEARCH(FUNCTION)                            \
-  template <class Traits>                                                                 \
-  auto FUNCTION(Vertex_index u, Vertex_index v, const Intrinsic_triangulation<Traits>& g) \
-  {                                                                                       \
-    return FUNCTION(u, v, g.connectivity());                                              \
+#define CGAL_INTRINSIC_TRIANGULATIONS_FORWARD_SEARCH(FUNCTION)                                                         \
+  template <class Traits>                                                                                              \
+  auto FUNCTION(Vertex_index u, Vertex_index v, const Intrinsic_triangulation<Traits>& g)                              \
+  {                                                                                                                    \
+    return FUNCTION(u, v, g.connectivity());                                                                           \
   }
 CGAL_INTRINSIC_TRIANGULATIONS_FORWARD(num_vertices)
 CGAL_INTRINSIC_TRIANGULATIONS_FORWARD(num_halfedges)
@@ -213,30 +213,30 @@ CGAL_INTRINSIC_TRIANGULATIONS_FORWARD_SEARCH(edge)
 } // namespace CGAL
 
 // The maps.
-#define CGAL_INTRINSIC_TRIANGULATIONS_MAP(TAG)                                                         \
-  namespace CGAL {                                                                                     \
-  namespace Intrinsic_triangulations {                                                                 \
-  template <class Traits>                                                                              \
-  auto get(TAG, const Intrinsic_triangulation<Traits>& g)                                              \
-  {                                                                                                    \
-    return internal::Property_map_of<Traits, TAG>::of(g);                                              \
-  }                                                                                                    \
-  template <class Traits>                                                                              \
-  auto get(TAG tag, const Intrinsic_triangulation<Traits>& g,                                          \
-           typename internal::Property_map_of<Traits, TAG>::type::key_type key)                        \
-  {                                                                                                    \
-    return get(tag, g)[key];                                                                           \
-  }                                                                                                    \
-  }                                                                                                    \
-  template <class Traits>                                                                              \
-  struct graph_has_property<Intrinsic_triangulations::Intrinsic_triangulation<Traits>, TAG> : Tag_true \
-  {};                                                                                                  \
-  }                                                                                                    \
-  namespace boost {                                                                                    \
-  template <class Traits>                                                                              \
-  struct property_map<CGAL::Intrinsic_triangulations::Intrinsic_triangulation<Traits>, TAG>            \
-    : CGAL::Intrinsic_triangulations::internal::Property_map_of<Traits, TAG>                           \
-  {};                                                                                                  \
+#define CGAL_INTRINSIC_TRIANGULATIONS_MAP(TAG)                                                                         \
+  namespace CGAL {                                                                                                     \
+  namespace Intrinsic_triangulations {                                                                                 \
+  template <class Traits>                                                                                              \
+  auto get(TAG, const Intrinsic_triangulation<Traits>& g)                                                              \
+  {                                                                                                                    \
+    return internal::Property_map_of<Traits, TAG>::of(g);                                                              \
+  }                                                                                                                    \
+  template <class Traits>                                                                                              \
+  auto get(TAG tag, const Intrinsic_triangulation<Traits>& g,                                                          \
+           typename internal::Property_map_of<Traits, TAG>::type::key_type key)                                        \
+  {                                                                                                                    \
+    return get(tag, g)[key];                                                                                           \
+  }                                                                                                                    \
+  }                                                                                                                    \
+  template <class Traits>                                                                                              \
+  struct graph_has_property<Intrinsic_triangulations::Intrinsic_triangulation<Traits>, TAG> : Tag_true                 \
+  {};                                                                                                                  \
+  }                                                                                                                    \
+  namespace boost {                                                                                                    \
+  template <class Traits>                                                                                              \
+  struct property_map<CGAL::Intrinsic_triangulations::Intrinsic_triangulation<Traits>, TAG>                            \
+    : CGAL::Intrinsic_triangulations::internal::Property_map_of<Traits, TAG>                                           \
+  {};                                                                                                                  \
   }
 CGAL_INTRINSIC_TRIANGULATIONS_MAP(boost::vertex_index_t)
 CGAL_INTRINSIC_TRIANGULATIONS_MAP(boost::halfedge_index_t)

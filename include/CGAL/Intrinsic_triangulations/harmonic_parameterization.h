@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Discrete harmonic maps of disks to the plane, with the boundary fixed or free.
+// Maps of a disk to the plane: harmonic with a fixed boundary, or natural, and how good a map is.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_HARMONIC_PARAMETERIZATION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_HARMONIC_PARAMETERIZATION_H
@@ -11,76 +11,163 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
-#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
-#include <CGAL/Intrinsic_triangulations/disk_boundary.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
+#include <CGAL/Intrinsic_triangulations/internal/parameterization/disk_shape.h>
+#include <CGAL/Intrinsic_triangulations/internal/parameterization/solve_with_fixed_values.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/assertions.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
+#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \cond SKIP_IN_MANUAL
-namespace internal {
+/// \ingroup PkgIntrinsicTriangulationsParameterization
+/// \brief points of the plane: the UV coordinates of all vertices in their order, or those of
+/// the corners of a polygon.
+using Planar_points = std::vector<std::array<double, 2>>;
 
-// The lengths of the edges of a boundary.
-inline std::vector<double> boundary_lengths(const Delta_complex& complex,
-                                            const std::vector<Halfedge_index>& boundary,
-                                            const std::vector<double>& edge_lengths)
+/// \ingroup PkgIntrinsicTriangulationsParameterization
+/// \brief returns the boundary of a disk: its halfedges that have a face, counterclockwise.
+///
+/// Border edges are never flipped, so an intrinsic triangulation and its input have the
+/// same boundary. The first halfedge is `opposite(h)` of the first border halfedge h. Isolated
+/// vertices are ignored.
+/// \exception Invalid_surface_error if the surface is not a disk; the message says what it is
+///   and what is needed. O(size).
+inline std::vector<Halfedge_index> disk_boundary(const Delta_complex& complex)
 {
-  std::vector<double> lengths;
-  for (Halfedge_index h : boundary)
-    lengths.push_back(edge_lengths[complex.edge(h).idx()]);
-  return lengths;
+  const std::size_t components = internal::number_of_components(complex),
+                    boundaries = internal::number_of_boundaries(complex);
+  if (components != 1)
+    internal::throw_no_disk("has " + std::to_string(components) + " components: take one at a time");
+  if (boundaries == 0)
+    internal::throw_no_disk("is closed: cut it open along edges, or remove a face");
+  if (boundaries > 1)
+    internal::throw_no_disk("has " + std::to_string(boundaries) +
+                            " boundaries: fill all but one, or cut from one to the other");
+  const long long euler = (long long)(internal::number_of_vertices_with_faces(complex)) -
+                          (long long)(complex.number_of_edges()) + (long long)(complex.number_of_faces());
+  if (euler != 1)
+    internal::throw_no_disk("has " + std::to_string((1 - euler) / 2) + " handles: cut each of them open along edges");
+
+  const auto halfedges = complex.halfedges();
+  const Halfedge_index first =
+    *std::find_if(halfedges.begin(), halfedges.end(), [&](Halfedge_index h) { return complex.is_border(h); });
+  std::vector<Halfedge_index> boundary;
+  Halfedge_index h = first;
+  do {
+    boundary.push_back(complex.opposite(h));
+    h = complex.prev(h); // the border runs clockwise
+  } while (h != first);
+  return boundary;
 }
 
-// Numbers the entries that are wanted from 0 on, and the others -1.
-template <class Is_wanted>
-std::vector<int> numbering(std::size_t size, int& number, const Is_wanted& is_wanted)
+/// \ingroup PkgIntrinsicTriangulationsParameterization
+/// \brief places the vertices of a boundary on the unit circle, by arc length.
+///
+/// \param boundary_lengths the lengths of the boundary's edges in order. \pre they are positive
+/// \return the position where each edge begins; the first is (1, 0). O(size).
+inline Planar_points positions_on_circle(const std::vector<double>& boundary_lengths)
 {
-  std::vector<int> result(size, -1);
-  number = 0;
-  for (std::size_t i = 0; i < size; ++i)
-    if (is_wanted(i))
-      result[i] = number++;
-  return result;
+  const std::vector<double> lengths = internal::over_largest(boundary_lengths);
+  double total = 0;
+  for (double l : lengths)
+    total += l;
+  Planar_points positions;
+  positions.reserve(lengths.size());
+  double sum = 0;
+  for (double l : lengths) {
+    const double angle = boost::math::constants::two_pi<double>() * (sum / total);
+    positions.push_back({std::cos(angle), std::sin(angle)});
+    sum += l;
+  }
+  return positions;
 }
 
-// Solves matrix * x = 0 for the rows that are not fixed, where x has given values in the others.
-inline void solve_with_fixed_values(const Eigen::SparseMatrix<double>& matrix,
-                                    const std::vector<bool>& is_fixed, Eigen::MatrixXd& x,
-                                    const char* what)
+/// \ingroup PkgIntrinsicTriangulationsParameterization
+/// \brief places the vertices of a boundary on a convex polygon.
+///
+/// The first vertex goes to the first corner. Each other corner gets the vertex that is
+/// nearest if boundary and polygon are traversed at the same rate of arc length, except for vertices
+/// that an earlier corner has or a later one needs. On each side, the vertices in between
+/// are placed by arc length.
+///
+/// \param boundary_lengths the lengths of the boundary's edges in order. \pre they are positive
+/// \param corners the corners of the polygon, counterclockwise and strictly convex
+/// \return the position where each edge begins
+/// \exception Invalid_argument_error if the polygon is not strictly convex and counterclockwise, has a coordinate
+///   that is not finite or beyond 1e300, or has more corners than the boundary has vertices. O(size).
+inline Planar_points positions_on_polygon(const std::vector<double>& boundary_lengths, const Planar_points& corners)
 {
-  int number_of_free = 0, number_of_fixed = 0;
-  const std::vector<int> free_row = numbering(is_fixed.size(), number_of_free,
-                                              [&](std::size_t i) { return !is_fixed[i]; }),
-                         fixed_row = numbering(is_fixed.size(), number_of_fixed,
-                                               [&](std::size_t i) { return bool(is_fixed[i]); });
-  Eigen::MatrixXd fixed(number_of_fixed, x.cols());
-  for (std::size_t i = 0; i < is_fixed.size(); ++i)
-    if (is_fixed[i])
-      fixed.row(fixed_row[i]) = x.row(Eigen::Index(i));
-  const Sparse_Cholesky<> cholesky(
-    submatrix(matrix, free_row, free_row, number_of_free, number_of_free), what);
-  const Eigen::MatrixXd right =
-    -(submatrix(matrix, free_row, fixed_row, number_of_free, number_of_fixed) * fixed);
-  const Eigen::MatrixXd solution = cholesky.solve(right);
-  for (std::size_t i = 0; i < is_fixed.size(); ++i)
-    if (!is_fixed[i])
-      x.row(Eigen::Index(i)) = solution.row(free_row[i]);
-}
+  const std::vector<double> lengths = internal::over_largest(boundary_lengths);
+  const std::size_t n = lengths.size(), m = corners.size();
+  for (std::size_t i = 0; i < m; ++i)
+    for (double x : corners[i])
+      if (!(std::abs(x) <= 1e300))
+        throw Invalid_argument_error("corner " + std::to_string(i) +
+                                     " of the polygon: a coordinate is not finite, or beyond 1e300");
+  for (std::size_t i = 0; i < m; ++i) {
+    const bool turns_left =
+      m >= 3 && internal::planar_orientation(corners[i], corners[(i + 1) % m], corners[(i + 2) % m]) == LEFT_TURN;
+    const bool is_around =
+      i == 0 || i + 1 == m || internal::planar_orientation(corners[0], corners[i], corners[i + 1]) == LEFT_TURN;
+    if (!turns_left || !is_around)
+      throw Invalid_argument_error("corner " + std::to_string(i) +
+                                   " of the polygon: it is not strictly convex and counterclockwise there");
+  }
+  if (m < 3 || m > n)
+    throw Invalid_argument_error("a polygon with " + std::to_string(m) + " corners for a boundary with " +
+                                 std::to_string(n) + " vertices: there must be 3 at least, and no more than vertices");
 
-} // namespace internal
-/// \endcond
+  // Arc lengths from the first vertex and corner on; the last is the whole.
+  std::vector<double> along_boundary{0}, along_polygon{0};
+  for (double l : lengths)
+    along_boundary.push_back(along_boundary.back() + l);
+  for (std::size_t i = 0; i < m; ++i) {
+    const auto &p = corners[i], &q = corners[(i + 1) % m];
+    along_polygon.push_back(along_polygon.back() + std::hypot(q[0] - p[0], q[1] - p[1]));
+  }
+  std::vector<std::size_t> vertex_at{0};
+  for (std::size_t i = 1; i < m; ++i) {
+    const double wanted = along_polygon[i] / along_polygon.back() * along_boundary.back();
+    std::size_t v =
+      std::size_t(std::lower_bound(along_boundary.begin(), along_boundary.end() - 1, wanted) - along_boundary.begin());
+    if (v > 0 && wanted - along_boundary[v - 1] < along_boundary[v] - wanted)
+      --v;
+    vertex_at.push_back((std::min)((std::max)(v, vertex_at.back() + 1), n - (m - i)));
+  }
+  vertex_at.push_back(n);
+
+  Planar_points positions;
+  positions.reserve(n);
+  for (std::size_t i = 0; i < m; ++i) {
+    const auto &p = corners[i], &q = corners[(i + 1) % m];
+    // Summed up for each side alone, so that short edges count after long ones.
+    double side = 0, along_side = 0;
+    for (std::size_t v = vertex_at[i]; v < vertex_at[i + 1]; ++v)
+      side += lengths[v];
+    for (std::size_t v = vertex_at[i]; v < vertex_at[i + 1]; ++v) {
+      const double t = along_side / side;
+      positions.push_back({p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])});
+      along_side += lengths[v];
+    }
+  }
+  return positions;
+}
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief returns the discrete harmonic map of a disk whose boundary is fixed.
@@ -105,8 +192,7 @@ inline void solve_with_fixed_values(const Eigen::SparseMatrix<double>& matrix,
 ///
 /// One sparse Cholesky factorization.
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 3.2.
-inline Planar_points harmonic_parameterization(const Delta_complex& complex,
-                                               const std::vector<double>& weights,
+inline Planar_points harmonic_parameterization(const Delta_complex& complex, const std::vector<double>& weights,
                                                const Planar_points& boundary_positions)
 {
   const std::vector<Halfedge_index> boundary = disk_boundary(complex);
@@ -120,8 +206,7 @@ inline Planar_points harmonic_parameterization(const Delta_complex& complex,
     is_fixed[v] = true;
     x.row(Eigen::Index(v)) << boundary_positions[i][0], boundary_positions[i][1];
   }
-  internal::solve_with_fixed_values(stiffness_matrix(complex, weights), is_fixed, x,
-                                    "the Laplace-Beltrami operator");
+  internal::solve_with_fixed_values(stiffness_matrix(complex, weights), is_fixed, x, "the Laplace-Beltrami operator");
   Planar_points uv;
   uv.reserve(complex.number_of_vertices());
   for (Eigen::Index v = 0; v < x.rows(); ++v)
@@ -142,8 +227,7 @@ Planar_points harmonic_parameterization(const Intrinsic_triangulation<Traits>& t
   const Delta_complex& complex = triangulation.connectivity();
   return harmonic_parameterization(
     complex, cotangent_weights(triangulation),
-    positions_on_circle(
-      internal::boundary_lengths(complex, disk_boundary(complex), edge_lengths(triangulation))));
+    positions_on_circle(internal::boundary_lengths(complex, disk_boundary(complex), edge_lengths(triangulation))));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
@@ -160,9 +244,8 @@ Planar_points harmonic_parameterization(const Intrinsic_triangulation<Traits>& t
   const Delta_complex& complex = triangulation.connectivity();
   return harmonic_parameterization(
     complex, cotangent_weights(triangulation),
-    positions_on_polygon(
-      internal::boundary_lengths(complex, disk_boundary(complex), edge_lengths(triangulation)),
-      polygon));
+    positions_on_polygon(internal::boundary_lengths(complex, disk_boundary(complex), edge_lengths(triangulation)),
+                         polygon));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
@@ -183,10 +266,8 @@ Planar_points harmonic_parameterization(const Intrinsic_triangulation<Traits>& t
 ///
 /// Sources: M. Desbrun, M. Meyer, P. Alliez, "Intrinsic parameterizations of surface meshes",
 /// 2002; B. Lévy, S. Petitjean, N. Ray, J. Maillot, "Least squares conformal maps", 2002.
-inline Planar_points natural_parameterization(const Delta_complex& complex,
-                                              const std::vector<double>& weights,
-                                              const std::vector<double>& lengths,
-                                              const std::vector<double>& areas)
+inline Planar_points natural_parameterization(const Delta_complex& complex, const std::vector<double>& weights,
+                                              const std::vector<double>& lengths, const std::vector<double>& areas)
 {
   const std::vector<Halfedge_index> boundary = disk_boundary(complex);
   const std::size_t n = complex.number_of_vertices();
@@ -210,16 +291,14 @@ inline Planar_points natural_parameterization(const Delta_complex& complex,
   Eigen::SparseMatrix<double> energy(Eigen::Index(2 * n), Eigen::Index(2 * n));
   energy.setFromTriplets(entries.begin(), entries.end());
 
-  const std::vector<double> sides =
-    internal::over_largest(internal::boundary_lengths(complex, boundary, lengths));
+  const std::vector<double> sides = internal::over_largest(internal::boundary_lengths(complex, boundary, lengths));
   double total = 0, sum = 0;
   for (double l : sides)
     total += l;
   std::size_t middle = 0;
   while (sum < total / 2)
     sum += sides[middle++];
-  const std::size_t first = complex.source(boundary.front()).idx(),
-                    second = complex.target(boundary[middle - 1]).idx();
+  const std::size_t first = complex.source(boundary.front()).idx(), second = complex.target(boundary[middle - 1]).idx();
   std::vector<bool> is_fixed(2 * n, false);
   for (Vertex_index v : complex.vertices())
     is_fixed[v.idx()] = is_fixed[v.idx() + n] = !complex.halfedge(v).is_valid();
@@ -253,6 +332,134 @@ Planar_points natural_parameterization(const Intrinsic_triangulation<Traits>& tr
 {
   return natural_parameterization(triangulation.connectivity(), cotangent_weights(triangulation),
                                   edge_lengths(triangulation), face_areas(triangulation));
+}
+
+/// \ingroup PkgIntrinsicTriangulationsParameterization
+/// \brief the result of `check_parameterization()`.
+struct Parameterization_check
+{
+  std::vector<Face_index> flipped;   ///< faces whose image is clockwise
+  std::vector<Face_index> collapsed; ///< faces whose image has collinear corners
+
+  /// returns whether each face keeps its orientation.
+  bool is_locally_injective() const { return flipped.empty() && collapsed.empty(); }
+};
+
+/// \ingroup PkgIntrinsicTriangulationsParameterization
+/// \brief decides for each face, exactly, whether its image is counterclockwise.
+///
+/// A face whose corners are not three different vertices counts as collapsed.
+/// \param complex the triangles
+/// \param uv the position of each vertex. \pre there is one for each. O(size).
+/// \exception Numerical_error if a coordinate is not finite
+inline Parameterization_check check_parameterization(const Delta_complex& complex, const Planar_points& uv)
+{
+  CGAL_precondition(uv.size() == complex.number_of_vertices());
+  for (std::size_t v = 0; v < uv.size(); ++v)
+    if (!std::isfinite(uv[v][0]) || !std::isfinite(uv[v][1]))
+      throw Numerical_error("the position of vertex " + std::to_string(v) + " is not finite");
+  Parameterization_check check;
+  for (Face_index f : complex.faces()) {
+    const Halfedge_index h = complex.halfedge(f);
+    const Orientation orientation = internal::planar_orientation(
+      uv[complex.source(h).idx()], uv[complex.target(h).idx()], uv[complex.target(complex.next(h)).idx()]);
+    if (orientation == RIGHT_TURN)
+      check.flipped.push_back(f);
+    else if (orientation == COLLINEAR)
+      check.collapsed.push_back(f);
+  }
+  return check;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsParameterization
+/// \brief returns for each face the ratio of the larger to the smaller singular value of the
+/// linear map that takes it to its image: 1 if the map is a similarity, infinite if it collapses the face.
+///
+/// Orientation is ignored. In the overlay of input and intrinsic triangulation, each
+/// cell has the ratio of the triangle whose map is used.
+///
+/// \param complex the triangles
+/// \param lengths the length of each edge
+/// \param areas the area of each face
+/// \param uv the position of each vertex. O(size).
+inline std::vector<double> quasi_conformal_distortion(const Delta_complex& complex, const std::vector<double>& lengths,
+                                                      const std::vector<double>& areas, const Planar_points& uv)
+{
+  CGAL_precondition(lengths.size() == complex.number_of_edges());
+  CGAL_precondition(areas.size() == complex.number_of_faces());
+  CGAL_precondition(uv.size() == complex.number_of_vertices());
+  std::vector<double> result;
+  result.reserve(complex.number_of_faces());
+  for (Face_index f : complex.faces()) {
+    const Halfedge_index ij = complex.halfedge(f), jk = complex.next(ij), ki = complex.next(jk);
+    const double l_ij = lengths[complex.edge(ij).idx()], l_jk = lengths[complex.edge(jk).idx()],
+                 l_ki = lengths[complex.edge(ki).idx()];
+    const auto &i = uv[complex.source(ij).idx()], &j = uv[complex.source(jk).idx()], &k = uv[complex.source(ki).idx()];
+    if (internal::planar_orientation(i, j, k) == COLLINEAR) {
+      result.push_back(std::numeric_limits<double>::infinity());
+      continue;
+    }
+    // The ratio does not depend on the size of the image, whose squares may leave the range.
+    double size = 0;
+    for (int c : {0, 1})
+      size = (std::max)({size, std::abs(j[c] / 2 - i[c] / 2), std::abs(k[c] / 2 - i[c] / 2)});
+    const auto between = [size](double from, double to) { return (to / 2 - from / 2) / size; };
+    // With i at the origin and j at (1, 0), k is (x, y).
+    const double x = ((l_ki / l_ij - l_jk / l_ij) * (l_ki / l_ij + l_jk / l_ij) + 1) / 2,
+                 y = 2 * (areas[f.idx()] / l_ij / l_ij);
+    const double a = between(i[0], j[0]), c = between(i[1], j[1]), b = (between(i[0], k[0]) - a * x) / y,
+                 d = (between(i[1], k[1]) - c * x) / y;
+    // Half the sum and half the difference of the singular values.
+    const double half_sum = std::hypot(a + d, c - b) / 2, half_difference = std::hypot(a - d, b + c) / 2;
+    const double larger = (std::max)(half_sum, half_difference) + (std::min)(half_sum, half_difference);
+    const double determinant = std::abs(a * d - b * c);
+    const double ratio = larger / determinant * larger;
+    result.push_back(ratio >= 1        ? ratio // false for NaN as well
+                     : determinant > 0 ? 1.
+                                       : std::numeric_limits<double>::infinity());
+  }
+  return result;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsParameterization
+/// \brief mean, 99th percentile and maximum of the distortion of a map.
+struct Distortion_summary
+{
+  double mean = 1;          ///< weighted by the areas on the surface
+  double percentile_99 = 1; ///< the smallest value that is not exceeded on 99 % of the area
+  double maximum = 1;       ///< over all faces
+};
+
+/// \ingroup PkgIntrinsicTriangulationsParameterization
+/// \brief summarizes the distortion of the faces. Faces of zero area are ignored. O(n log n).
+inline Distortion_summary summarize_distortion(const std::vector<double>& distortion, const std::vector<double>& areas)
+{
+  CGAL_precondition(distortion.size() == areas.size());
+  std::vector<std::size_t> order;
+  const std::vector<double> shares = internal::over_largest(areas);
+  double total = 0;
+  for (std::size_t f = 0; f < areas.size(); ++f)
+    if (areas[f] > 0) {
+      order.push_back(f);
+      total += shares[f];
+    }
+  std::sort(order.begin(), order.end(), [&](std::size_t f, std::size_t g) { return distortion[f] < distortion[g]; });
+  Distortion_summary summary;
+  if (order.empty())
+    return summary;
+  summary.mean = 0;
+  double sum = 0;
+  bool is_found = false;
+  for (std::size_t f : order) {
+    summary.mean += distortion[f] * (shares[f] / total);
+    sum += shares[f];
+    if (!is_found && sum >= 0.99 * total) {
+      summary.percentile_99 = distortion[f];
+      is_found = true;
+    }
+  }
+  summary.maximum = distortion[order.back()];
+  return summary;
 }
 
 } // namespace Intrinsic_triangulations

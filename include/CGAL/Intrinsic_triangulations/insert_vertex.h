@@ -3,25 +3,29 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// New vertices at points of the input.
+// New vertices at points of the input, and their removal.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INSERT_VERTEX_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INSERT_VERTEX_H
 
-#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Removed_elements.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/compare_points.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/Vertex_remover.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/faces_without_area.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/settle_around.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/enum.h>
 #include <CGAL/property_map.h>
 
@@ -29,6 +33,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -40,7 +45,8 @@ namespace internal {
 inline void check_new_vertex(const Delta_complex& input, const Surface_point& point)
 {
   const auto fail = [](const std::string& what) { throw Invalid_point_error("a new vertex " + what); };
-  if (!point.halfedge.is_valid() || point.halfedge.idx() >= input.number_of_halfedges() || input.is_border(point.halfedge))
+  if (!point.halfedge.is_valid() || point.halfedge.idx() >= input.number_of_halfedges() ||
+      input.is_border(point.halfedge))
     fail("needs a halfedge of an input face");
   double sum = 0;
   for (double x : point.coordinates) {
@@ -56,10 +62,10 @@ inline void check_new_vertex(const Delta_complex& input, const Surface_point& po
 
 // The halfedge of the current triangulation that coincides with the part of an input edge which contains a point of that, if
 // there is one. Vertices that were inserted cut the edge into parts.
-inline std::optional<Halfedge_index> halfedge_along(const Delta_complex& complex, const Exact_geometry& geometry,
-                                                    const Surface_point& point)
+inline std::optional<Halfedge_index> halfedge_along(const internal::Exact_engine& engine, const Surface_point& point)
 {
-  const Correspondence& correspondence = geometry.correspondence();
+  const Delta_complex& complex = engine.connectivity();
+  const internal::Correspondence& correspondence = engine.correspondence();
   const Delta_complex& input = correspondence.input();
   const Halfedge_index along = side_of(input, point);
   const auto [a, b] = coordinates_on_edge(input, point, along);
@@ -74,7 +80,7 @@ inline std::optional<Halfedge_index> halfedge_along(const Delta_complex& complex
                            correspondence.coordinates().number_of_crossings(e) - 1 - start.position);
       for (std::size_t step = 1; !walk.step(); ++step)
         if (step % 1024 == 0)
-          geometry.interruption().check();
+          engine.interruption().check();
       v = walk.end_vertex();
     }
     Sign order = NEGATIVE; // of the point and v, from the source on
@@ -90,7 +96,8 @@ inline std::optional<Halfedge_index> halfedge_along(const Delta_complex& complex
 }
 
 // The vertex that was inserted at the point before, if it is a corner of the face of h.
-inline std::optional<Vertex_index> vertex_at(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h,
+inline std::optional<Vertex_index> vertex_at(const Delta_complex& complex,
+                                             const internal::Correspondence& correspondence, Halfedge_index h,
                                              const Surface_point& point)
 {
   const Delta_complex& input = correspondence.input();
@@ -99,16 +106,17 @@ inline std::optional<Vertex_index> vertex_at(const Delta_complex& complex, const
     if (!correspondence.is_inserted(v))
       continue;
     const Surface_point& location = correspondence.location(v);
-    if (location.dimension() == 2 && input.face(location.halfedge) == input.face(point.halfedge) && are_same_points(input, location, point))
+    if (location.dimension() == 2 && input.face(location.halfedge) == input.face(point.halfedge) &&
+        are_same_points(input, location, point))
       return v;
   }
   return std::nullopt;
 }
 
-inline void check_area(const Exact_geometry& geometry, const Surface_point& point)
+inline void check_area(const internal::Exact_engine& engine, const Surface_point& point)
 {
-  const Face_index f = geometry.correspondence().input().face(point.halfedge);
-  if (!geometry.has_input_face_area(f))
+  const Face_index f = engine.correspondence().input().face(point.halfedge);
+  if (!engine.has_input_face_area(f))
     throw Invalid_point_error("a new vertex lies in face " + std::to_string(f.idx()) +
                               " of the input, which has no area: move it into another one");
 }
@@ -127,7 +135,7 @@ inline void check_area(const Exact_geometry& geometry, const Surface_point& poin
 /// their sides where they are left: at the border or a constrained edge.
 ///
 /// \param triangulation a Delaunay triangulation, or a constrained one
-/// \param point a point strictly inside a face of `triangulation.exact_geometry().correspondence().input()`, or on an edge of it that
+/// \param point a point strictly inside a face of `triangulation.input()`, or on an edge of it that
 ///   coincides with an edge of the triangulation, as those on the border and those that were never flipped do, with faces of positive area
 /// \param np an optional sequence of named parameters
 ///
@@ -137,13 +145,19 @@ inline void check_area(const Exact_geometry& geometry, const Surface_point& poin
 ///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
 ///     \cgalParamDefault{no edge is constrained}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is asked during decisions that take long, and can cancel}
+///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
+///     \cgalParamDefault{`Default_visitor`}
+///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return the new vertex
 /// \exception Invalid_point_error if the point is no such point, or a vertex of the triangulation lies there. The message names
 ///   the face of the input or the vertex
-/// \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
-/// \exception Undecided_error, Cancelled_error as `sign_of_cotangents()` of `Exact_geometry`
+/// \exception Integer_overflow_error if an edge crosses more than 2^60 input edges
+/// \exception Undecided_error as `sign_of_cotangent_weight()`
+/// \exception Cancelled_error if the visitor says so, or as `sign_of_cotangent_weight()`
 /// \pre `triangulation.keeps_input()`, with traits that use exact geometry
 ///
 /// After any exception the triangulation is valid. If the vertex was inserted, which the number of vertices tells, it is the last one, and edges
@@ -155,37 +169,98 @@ template <class Traits, class NamedParameters = parameters::Default_named_parame
 Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const Surface_point& point,
                            const NamedParameters& np = parameters::default_values())
 {
-  const auto is_constrained = parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
-                                                           Static_boolean_property_map<Edge_index, false>());
+  const auto is_constrained = internal::edge_constraints_of(np);
+  auto observer = internal::observer_of(np);
+  std::optional<internal::Interruption_scope<Intrinsic_triangulation<Traits>>> scope;
+  if constexpr (!decltype(observer)::Is_silent::value)
+    scope.emplace(triangulation, [&observer] { return observer(); });
   const internal::Standard_arithmetic arithmetic;
   const Delta_complex& complex = triangulation.connectivity();
-  const Exact_geometry& geometry = triangulation.exact_geometry();
-  const Correspondence& correspondence = geometry.correspondence();
+  const internal::Exact_engine& engine = internal::engine(triangulation);
+  const internal::Correspondence& correspondence = engine.correspondence();
   internal::check_new_vertex(correspondence.input(), point);
   Vertex_index v;
   if (point.dimension() == 1) {
-    const std::optional<Halfedge_index> h = internal::halfedge_along(complex, geometry, point);
+    const std::optional<Halfedge_index> h = internal::halfedge_along(engine, point);
     if (!h)
-      throw Invalid_point_error("a new vertex lies on an input edge that is no edge of the triangulation any more: move it into a face, or "
-                                "constrain that edge before flips");
+      throw Invalid_point_error(
+        "a new vertex lies on an input edge that is no edge of the triangulation any more: move it into a face, or "
+        "constrain that edge before flips");
     if (complex.is_self_glued(complex.edge(*h)))
       throw Invalid_point_error("a new vertex lies on an edge with the same face on both sides: move it into the face");
     if (const auto side = internal::side_without_area(triangulation, complex.edge(*h)))
-      throw Invalid_point_error("a new vertex lies on a side of face " +
-                                std::to_string(correspondence.input().face(correspondence.input_halfedge(*side)).idx()) +
-                                " of the input, which has no area: move it into another one");
-    v = triangulation.split_edge(*h, point);
+      throw Invalid_point_error(
+        "a new vertex lies on a side of face " +
+        std::to_string(correspondence.input().face(correspondence.input_halfedge(*side)).idx()) +
+        " of the input, which has no area: move it into another one");
+    v = internal::Whole_triangulation<Traits>(triangulation).split_edge(*h, point);
   } else {
-    internal::check_area(geometry, point);
-    const Triangle_piece start = internal::piece_at_source(complex, correspondence, point.halfedge);
-    const Triangle_piece piece = internal::Piece_search(complex, geometry)(start, point);
+    internal::check_area(engine, point);
+    const internal::Triangle_piece start = internal::piece_at_source(complex, correspondence, point.halfedge);
+    const internal::Triangle_piece piece = internal::Piece_search(engine)(start, point);
     if (const auto there = internal::vertex_at(complex, correspondence, piece.side, point))
       throw Invalid_point_error("a new vertex lies at vertex " + std::to_string(there->idx()) + ": use that");
-    v = triangulation.split_face(piece, point);
+    v = internal::Whole_triangulation<Traits>(triangulation).split_face(piece, point);
   }
   std::vector<Edge_index> stack;
   internal::settle_around(triangulation, v, is_constrained, stack, [](Edge_index) {});
   return v;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsInsertion
+/// \brief removes a vertex that was inserted, and flips edges until the triangulation is Delaunay again.
+///
+/// The metric does not change, and all decisions are exact. A vertex on the border, or where a constrained edge was split,
+/// is removed with the two halves of that edge becoming one.
+///
+/// Descriptors have no holes: the last vertex, edges and faces take the places of those that are removed. Vertices,
+/// edges and faces of the input are never more than there are at the end, so that vertices of the input keep
+/// their descriptors. An array with one entry for each element follows by `remove_entries()`.
+///
+/// \param triangulation a Delaunay triangulation, or a constrained one
+/// \param v a vertex of it that was inserted
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{a property map that tells which edges must not be flipped, by their descriptors before the removal}
+///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
+///     \cgalParamDefault{no edge is constrained}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{is asked during decisions that take long, and can cancel}
+///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
+///     \cgalParamDefault{`Default_visitor`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return what was removed, and thereby which descriptors moved
+/// \exception Invalid_removal_error if `v` was not inserted, if constrained edges end in it other than the two halves of an
+///   input edge, or if flips leave other edges at it than three, as can happen where edges lead from `v` around a handle
+///   back to `v`. The triangulation has the same vertices then, and is Delaunay
+/// \exception Integer_overflow_error if an edge crosses more than 2^60 input edges
+/// \exception Undecided_error as `sign_of_cotangent_weight()`
+/// \exception Cancelled_error if the visitor says so, or as `sign_of_cotangent_weight()`
+/// \pre `triangulation.keeps_input()`, with traits that use exact geometry
+///
+/// After any exception but the first, the triangulation is valid, but may not be Delaunay near `v`, nor near the edges opposite to it. If `v` was removed
+/// already, which the number of vertices tells, descriptors have moved as described.
+///
+/// Complexity: at most the square of the degree of `v`, that of the vertex that moves, and the number of flips afterwards.
+template <class Traits, class NamedParameters = parameters::Default_named_parameters>
+Removed_elements remove_vertex(Intrinsic_triangulation<Traits>& triangulation, Vertex_index v,
+                               const NamedParameters& np = parameters::default_values())
+{
+  const auto is_constrained = internal::edge_constraints_of(np);
+  auto observer = internal::observer_of(np);
+  std::optional<internal::Interruption_scope<Intrinsic_triangulation<Traits>>> scope;
+  if constexpr (!decltype(observer)::Is_silent::value)
+    scope.emplace(triangulation, [&observer] { return observer(); });
+  if (v.idx() >= triangulation.connectivity().number_of_vertices() || !triangulation.is_inserted(v))
+    throw Invalid_removal_error("vertex " + std::to_string(v.idx()) +
+                                " was not inserted: only inserted vertices can be removed");
+  return internal::Vertex_remover<Traits, std::decay_t<decltype(is_constrained)>>(triangulation, v, is_constrained)
+    .remove();
 }
 
 } // namespace Intrinsic_triangulations

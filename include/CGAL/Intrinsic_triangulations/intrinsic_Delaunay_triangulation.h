@@ -10,20 +10,20 @@
 
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
-#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/metric/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_conversion.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_kinds.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/check_triangles.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/copy_face_graph.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Rational_points.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/metric/Rational_points.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/default_traits.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
@@ -121,7 +121,8 @@ auto constraints_of_copy(const TriangleMesh& mesh, const NamedParameters& np)
 
 // A triangulation after its flips.
 template <class ConcurrencyTag, class Traits, class ConstraintMap, class NamedParameters>
-Triangulation_and_report<Traits> flipped(Intrinsic_triangulation<Traits> triangulation, const ConstraintMap& is_constrained, const NamedParameters& np)
+Triangulation_and_report<Traits> flipped(Intrinsic_triangulation<Traits> triangulation,
+                                         const ConstraintMap& is_constrained, const NamedParameters& np)
 {
   const Flip_report report = flip_to_Delaunay_with<ConcurrencyTag>(triangulation, is_constrained, np);
   return {std::move(triangulation), report};
@@ -135,11 +136,11 @@ Triangulation_and_report<Traits> flipped(Intrinsic_triangulation<Traits> triangu
 /// `Filtered_edge_length_traits`, which requires rational coordinates, or `Edge_length_traits` over
 /// the number type of the kernel if that is exact and has square roots.
 template <class Kernel>
-using Default_intrinsic_triangulation_traits = std::conditional_t<
-  Algebraic_structure_traits<typename Kernel::FT>::Is_exact::value &&
-    std::is_convertible<typename Algebraic_structure_traits<typename Kernel::FT>::Algebraic_category,
-                        Field_with_sqrt_tag>::value,
-  Edge_length_traits<typename Kernel::FT>, Filtered_edge_length_traits>;
+using Default_intrinsic_triangulation_traits =
+  std::conditional_t<Algebraic_structure_traits<typename Kernel::FT>::Is_exact::value &&
+                       std::is_convertible<typename Algebraic_structure_traits<typename Kernel::FT>::Algebraic_category,
+                                           Field_with_sqrt_tag>::value,
+                     Edge_length_traits<typename Kernel::FT>, Filtered_edge_length_traits>;
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief copies a triangle mesh as an intrinsic triangulation, without flipping anything.
@@ -154,26 +155,23 @@ template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
           std::enable_if_t<!boost::has_range_const_iterator<NamedParameters>::value, int> = 0
 #endif
           >
-auto intrinsic_triangulation(const TriangleMesh& mesh,
-                             const NamedParameters& np = parameters::default_values())
+auto intrinsic_triangulation(const TriangleMesh& mesh, const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                          get_const_property_map(vertex_point, mesh));
+  const auto point_map =
+    choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh));
   using Point = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
   using Kernel = typename Kernel_traits<Point>::Kernel;
-  using Traits = typename internal_np::Lookup_named_param_def<
-    internal_np::geom_traits_t, NamedParameters,
-    Default_intrinsic_triangulation_traits<Kernel>>::type;
+  using Traits = typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters,
+                                                              Default_intrinsic_triangulation_traits<Kernel>>::type;
   using Triangulation = Intrinsic_triangulation<Traits>;
   const Traits traits = choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits));
 
-  if constexpr (Triangulation::uses_exact_geometry &&
-                !internal::is_machine_number<typename Kernel::FT>) {
-    static_assert(!std::is_same<Default_intrinsic_triangulation_traits<Kernel>,
-                                Edge_length_traits<typename Kernel::FT>>::value,
-                  "exact geometry needs points with rational coordinates");
+  if constexpr (Triangulation::uses_exact_geometry && !internal::is_machine_number<typename Kernel::FT>) {
+    static_assert(
+      !std::is_same<Default_intrinsic_triangulation_traits<Kernel>, Edge_length_traits<typename Kernel::FT>>::value,
+      "exact geometry needs points with rational coordinates");
     Delta_complex connectivity = internal::copy_face_graph<ConcurrencyTag>(mesh);
     const auto coordinates_of = [&point_map](auto v) {
       const auto& p = get(point_map, v);
@@ -188,8 +186,7 @@ auto intrinsic_triangulation(const TriangleMesh& mesh,
   }
   internal::Face_graph_copier<TriangleMesh> copier(mesh);
   Delta_complex connectivity = copier.template copy_vertices<ConcurrencyTag>();
-  typename Triangulation::Point_vector points(connectivity.number_of_vertices(),
-                                              internal::default_init);
+  typename Triangulation::Point_vector points(connectivity.number_of_vertices(), internal::default_init);
   internal::for_each_element<ConcurrencyTag>(
     vertices(mesh), points.size(), [&](std::size_t first, std::size_t, auto v, auto end) {
       for (auto* point = points.data() + first; v != end; ++v, ++point) {
@@ -254,7 +251,8 @@ template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
 auto intrinsic_Delaunay_triangulation(const TriangleMesh& mesh,
                                       const NamedParameters& np = parameters::default_values())
 {
-  return internal::flipped<ConcurrencyTag>(intrinsic_triangulation<ConcurrencyTag>(mesh, np), internal::constraints_of_copy(mesh, np), np);
+  return internal::flipped<ConcurrencyTag>(intrinsic_triangulation<ConcurrencyTag>(mesh, np),
+                                           internal::constraints_of_copy(mesh, np), np);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsRef
@@ -266,16 +264,17 @@ template <class ConcurrencyTag = Sequential_tag, class PointRange, class Triangl
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
           ,
-          std::enable_if_t<boost::has_range_const_iterator<PointRange>::value && boost::has_range_const_iterator<TriangleRange>::value, int> = 0
+          std::enable_if_t<boost::has_range_const_iterator<PointRange>::value &&
+                             boost::has_range_const_iterator<TriangleRange>::value,
+                           int> = 0
 #endif
           >
 auto intrinsic_triangulation(const PointRange& points, const TriangleRange& triangles,
                              const NamedParameters& np = parameters::default_values())
 {
   using Kernel = internal::Kernel_of_coordinates<PointRange>;
-  using Traits = typename internal_np::Lookup_named_param_def<
-    internal_np::geom_traits_t, NamedParameters,
-    Default_intrinsic_triangulation_traits<Kernel>>::type;
+  using Traits = typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters,
+                                                              Default_intrinsic_triangulation_traits<Kernel>>::type;
   using Triangulation = Intrinsic_triangulation<Traits>;
   const Traits traits = parameters::choose_parameter<Traits>(parameters::get_parameter(np, internal_np::geom_traits));
 
@@ -291,8 +290,8 @@ auto intrinsic_triangulation(const PointRange& points, const TriangleRange& tria
   typename Triangulation::Point_vector copied;
   copied.reserve(number_of_vertices);
   for (const auto& p : points)
-    copied.push_back({internal::convert_number<FT>(p[0]), internal::convert_number<FT>(p[1]),
-                      internal::convert_number<FT>(p[2])});
+    copied.push_back(
+      {internal::convert_number<FT>(p[0]), internal::convert_number<FT>(p[1]), internal::convert_number<FT>(p[2])});
   return Triangulation(std::move(connectivity), std::move(copied), traits, ConcurrencyTag());
 }
 
@@ -338,7 +337,9 @@ template <class ConcurrencyTag = Sequential_tag, class PointRange, class Triangl
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
           ,
-          std::enable_if_t<boost::has_range_const_iterator<PointRange>::value && boost::has_range_const_iterator<TriangleRange>::value, int> = 0
+          std::enable_if_t<boost::has_range_const_iterator<PointRange>::value &&
+                             boost::has_range_const_iterator<TriangleRange>::value,
+                           int> = 0
 #endif
           >
 auto intrinsic_Delaunay_triangulation(const PointRange& points, const TriangleRange& triangles,

@@ -100,10 +100,7 @@ private:
 
   double& length(Edge_index e) { return lengths_[e.idx()]; }
 
-  static double next_up(double x)
-  {
-    return std::nextafter(x, std::numeric_limits<double>::infinity());
-  }
+  static double next_up(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
 
   // How far `a + b >= c + delta` is from holding; not positive if it holds.
   double deficit(double a, double b, double c) const
@@ -118,8 +115,7 @@ private:
     for (Halfedge_index h : complex_.halfedges())
       if (!complex_.is_border(h))
         result = (std::max)(result, deficit(length(complex_.edge(complex_.next(h))),
-                                            length(complex_.edge(complex_.prev(h))),
-                                            length(complex_.edge(h))));
+                                            length(complex_.edge(complex_.prev(h))), length(complex_.edge(h))));
     return result;
   }
 
@@ -188,14 +184,11 @@ private:
 /// \pre there is one length for each edge
 ///
 /// Source: N. Sharp, K. Crane, "A Laplacian for nonmanifold triangle meshes", 2020.
-inline Mollification_report mollify_lengths(const Delta_complex& complex,
-                                            std::vector<double>& lengths, double delta_relative,
-                                            bool is_local)
+inline Mollification_report mollify_lengths(const Delta_complex& complex, std::vector<double>& lengths,
+                                            double delta_relative, bool is_local)
 {
   CGAL_precondition(lengths.size() == complex.number_of_edges());
-  const auto is_usable = [](double x) {
-    return x >= 0 && x < std::numeric_limits<double>::infinity();
-  };
+  const auto is_usable = [](double x) { return x >= 0 && x < std::numeric_limits<double>::infinity(); };
   double mean = 0;
   std::size_t first_bad = 0, number_of_bad = 0;
   for (std::size_t e = 0; e < lengths.size(); ++e) {
@@ -205,10 +198,9 @@ inline Mollification_report mollify_lengths(const Delta_complex& complex,
   }
   using Defect = Invalid_surface_error::Defect;
   if (number_of_bad > 0)
-    throw Invalid_surface_error(
-      Defect::NOT_FINITE, first_bad, number_of_bad,
-      "the length of edge " + std::to_string(first_bad) + " is negative or not finite" +
-        (number_of_bad > 1 ? " (and " + std::to_string(number_of_bad - 1) + " more)" : ""));
+    throw Invalid_surface_error(Defect::NOT_FINITE, first_bad, number_of_bad,
+                                "the length of edge " + std::to_string(first_bad) + " is negative or not finite" +
+                                  (number_of_bad > 1 ? " (and " + std::to_string(number_of_bad - 1) + " more)" : ""));
   const double delta = delta_relative * mean;
   if (!is_usable(delta_relative) || !is_usable(delta))
     throw Invalid_surface_error(Defect::OUT_OF_RANGE, 0, 1,
@@ -229,9 +221,8 @@ inline Mollification_report mollify_lengths(const Delta_complex& complex,
     ++report.number_of_changed_edges;
     const double added = lengths[e] - old[e];
     report.epsilon = (std::max)(report.epsilon, added);
-    report.largest_relative_change = (std::max)(
-      report.largest_relative_change,
-      old[e] > 0 ? added / old[e] : std::numeric_limits<double>::infinity());
+    report.largest_relative_change =
+      (std::max)(report.largest_relative_change, old[e] > 0 ? added / old[e] : std::numeric_limits<double>::infinity());
   }
   return report;
 }

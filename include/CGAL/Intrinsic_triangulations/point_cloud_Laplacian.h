@@ -45,11 +45,11 @@ class Local_triangulations
   using Kernel = Exact_predicates_inexact_constructions_kernel;
   using Point_3 = Kernel::Point_3;
   using Numbered_point = std::pair<Point_3, std::uint32_t>;
-  using Search_traits = Search_traits_adapter<Numbered_point, First_of_pair_property_map<Numbered_point>,
-                                              Search_traits_3<Kernel>>;
+  using Search_traits =
+    Search_traits_adapter<Numbered_point, First_of_pair_property_map<Numbered_point>, Search_traits_3<Kernel>>;
   using Search = Orthogonal_k_neighbor_search<Search_traits>;
-  using Planar_triangulation =
-    Delaunay_triangulation_2<Kernel, Triangulation_data_structure_2<Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>>>;
+  using Planar_triangulation = Delaunay_triangulation_2<
+    Kernel, Triangulation_data_structure_2<Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>>>;
 
 public:
   // \pre the points are different and finite

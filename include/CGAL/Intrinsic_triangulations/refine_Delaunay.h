@@ -9,46 +9,37 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_REFINE_DELAUNAY_H
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Refinement_report.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Delaunay_refiner.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
 
-#include <CGAL/Named_function_parameters.h>
-#include <CGAL/assertions.h>
+#include <CGAL/tags.h>
 
 #include <cstdint>
+#include <limits>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsInsertion
-/// \brief the default visitor of `refine_Delaunay()`: it does nothing and never cancels.
-struct Default_refinement_visitor
-{
-  /// is called before each step and within long ones, with the numbers of new vertices and of flips so far; the algorithm stops
-  /// if it returns `false`. As long as there is no new vertex, edges are flipped until the triangulation is Delaunay.
-  bool go_further(std::uint64_t /* points */, std::uint64_t /* flips */) { return true; }
-  /// is called before each face that is refined, with what is left to do.
-  void before_step(const Refinement_progress&) {}
-  /// is called after each new vertex, when the triangulation is Delaunay again; not for the last one if that is interrupted.
-  void after_insertion(Vertex_index) {}
-};
-
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-// Asks a visitor of the refinement while edges are flipped before it.
-template <class Visitor>
+// Asks the observer of a refinement while edges are flipped before it.
+template <class Observer>
 struct Flips_before_refinement
 {
-  Visitor& visitor;
+  using Is_silent = typename Observer::Is_silent;
+  Observer& observer;
 
-  bool go_further(std::uint64_t, std::uint64_t flips) { return visitor.go_further(0, flips); }
+  bool go_further(std::uint64_t tests, std::uint64_t flips) { return observer.go_further(tests, flips); }
   void after_flip(Edge_index) {}
 };
 
@@ -72,7 +63,6 @@ struct Flips_before_refinement
 ///
 /// \tparam Traits with exact geometry
 /// \param triangulation a triangulation that keeps its input
-/// \param criteria which triangles are refined
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
@@ -82,10 +72,34 @@ struct Flips_before_refinement
 ///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
 ///     \cgalParamDefault{no edge is constrained}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{minimum_angle}
+///     \cgalParamDescription{no corner is to be smaller, in degrees}
+///     \cgalParamType{`double`, at most 30}
+///     \cgalParamDefault{25}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_circumradius, maximum_edge_length}
+///     \cgalParamDescription{no circumradius is to be larger, and no edge longer, in the unit of the input}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{infinity}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{splits_encroached_edges}
+///     \cgalParamDescription{whether edges that are not flipped are split until no angle opposite to them is obtuse: first of all, whether a
+///       face needs it or not. No cotangent weight of the border is negative then}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{minimum_size}
+///     \cgalParamDescription{no vertex is inserted for a face whose shortest side is shorter, in the unit of the input: so refinement ends
+///       soon where sheets, tubes or slivers are far thinner than what matters}
+///     \cgalParamType{`double`, not negative}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told of each new vertex and can cancel; pass `std::ref()` to keep its state}
-///     \cgalParamType{a class with the members of `Default_refinement_visitor`}
-///     \cgalParamDefault{`Default_refinement_visitor`}
+///     \cgalParamDescription{is asked before each step and within long ones, with the numbers of new vertices and of flips so far; as long as
+///       there is no new vertex, edges are flipped until the triangulation is Delaunay. It is told of each step by `before_step()` and of
+///       each new vertex by `after_insertion()`; pass `std::ref()` to keep its state}
+///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
+///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number}
 ///     \cgalParamDescription{the largest number of new vertices}
@@ -94,47 +108,48 @@ struct Flips_before_refinement
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return what happened. The triangulation is valid whatever the status, and Delaunay unless it was cancelled within a step
-/// \exception Integer_overflow_error, Undecided_error, Cancelled_error as `insert_vertex()`. The triangulation is valid after any exception, too
-/// \pre `criteria.minimum_angle <= 30`, `criteria.minimum_size >= 0`
+/// \return what happened. The triangulation is Delaunay
+/// \exception Invalid_argument_error if the minimum angle is more than 30 degrees, or the minimum size is negative
+/// \exception Cancelled_error if the visitor says so, or as `insert_vertex()`
+/// \exception Integer_overflow_error, Undecided_error as `insert_vertex()`. The triangulation is valid after any exception, and another call goes on
 ///
 /// Source: J. Ruppert, "A Delaunay refinement algorithm for quality 2-dimensional mesh generation" (1995); A. Ungor, "Off-centers: a new
 /// type of Steiner points for computing size-optimal quality-guaranteed Delaunay triangulations" (2009); on surfaces, N. Sharp,
 /// Y. Soliman, K. Crane, "Navigating intrinsic triangulations" (2019).
 template <class Traits, class NamedParameters = parameters::Default_named_parameters>
-Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation, const Refinement_criteria& criteria = {},
+Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation,
                                   const NamedParameters& np = parameters::default_values())
 {
+  using internal::Parameter;
+  using internal::value_of;
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  CGAL_precondition(criteria.minimum_angle <= 30 && criteria.minimum_size >= 0);
-  const auto is_constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
-                                               Static_boolean_property_map<Edge_index, false>());
+  internal::Refinement_criteria criteria;
+  criteria.minimum_angle = value_of<Parameter::MINIMUM_ANGLE>(np, criteria.minimum_angle);
+  criteria.maximum_circumradius = value_of<Parameter::MAXIMUM_CIRCUMRADIUS>(np, criteria.maximum_circumradius);
+  criteria.maximum_edge_length = value_of<Parameter::MAXIMUM_EDGE_LENGTH>(np, criteria.maximum_edge_length);
+  criteria.splits_encroached_edges = value_of<Parameter::SPLITS_ENCROACHED_EDGES>(np, criteria.splits_encroached_edges);
+  criteria.minimum_size = value_of<Parameter::MINIMUM_SIZE>(np, criteria.minimum_size);
+  if (!(criteria.minimum_angle <= 30 && criteria.minimum_size >= 0))
+    throw Invalid_argument_error(
+      "the minimum angle of a refinement has to be at most 30 degrees, and the minimum size at least 0");
+  const auto is_constrained = internal::edge_constraints_of(np);
   const Delta_complex& complex = triangulation.connectivity();
   std::vector<bool> is_segment(complex.number_of_edges());
   for (Edge_index e : complex.edges())
     is_segment[e.idx()] = complex.is_border(e) || get(is_constrained, e);
   const internal::Standard_arithmetic arithmetic;
-  auto visitor = choose_parameter(get_parameter(np, internal_np::visitor), Default_refinement_visitor());
-  auto& unwrapped = internal::unwrapped(visitor);
-  using Visitor = std::decay_t<decltype(unwrapped)>;
-  const auto constraints = parameters::edge_is_constrained_map(is_constrained);
-  const Flip_report flips = [&] {
-    if constexpr (std::is_same_v<Visitor, Default_refinement_visitor>)
-      return flip_to_Delaunay(triangulation, constraints);
-    else
-      return flip_to_Delaunay(triangulation, constraints.visitor(internal::Flips_before_refinement<Visitor>{unwrapped}));
-  }();
-  if (flips.status == Flip_status::CANCELLED) {
-    Refinement_report cancelled;
-    cancelled.status = Refinement_status::CANCELLED;
-    return cancelled;
-  }
+  auto observer = internal::observer_of(np);
+  using Observer = decltype(observer);
+  internal::Flips_before_refinement<Observer> before{observer};
+  internal::flip_all<Sequential_tag>(internal::Whole_triangulation<Traits>(triangulation), is_constrained, before,
+                                     (std::numeric_limits<std::uint64_t>::max)());
   const std::uint64_t maximum_number = choose_parameter(get_parameter(np, internal_np::maximum_number),
                                                         10 * std::uint64_t(complex.number_of_vertices()) + 1000000);
-  internal::Delaunay_refiner<Traits, Visitor> refiner(triangulation, criteria, std::move(is_segment), unwrapped, maximum_number);
+  internal::Delaunay_refiner<Traits, Observer> refiner(triangulation, criteria, std::move(is_segment), observer,
+                                                       maximum_number);
   std::optional<internal::Interruption_scope<Intrinsic_triangulation<Traits>>> scope;
-  if constexpr (!std::is_same_v<Visitor, Default_refinement_visitor>)
+  if constexpr (!Observer::Is_silent::value)
     scope.emplace(triangulation, [&refiner] { return refiner.asks_further(); });
   return refiner();
 }

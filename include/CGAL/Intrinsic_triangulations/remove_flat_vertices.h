@@ -9,9 +9,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_REMOVE_FLAT_VERTICES_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Index.h>
-#include <CGAL/Intrinsic_triangulations/Progress_function.h>
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/Index.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <array>
 #include <vector>
@@ -47,7 +47,7 @@ std::vector<Vertex_index> remove_flat_vertices(Delta_complex& complex, std::vect
 struct Flat_vertex_removal
 {
   std::vector<Vertex_index> vertices; ///< for each vertex that is left, its descriptor before
-  double deviation = 0;               ///< a bound on how far the surface has moved, in the unit of the points: at most the tolerance
+  double deviation = 0; ///< a bound on how far the surface has moved, in the unit of the points: at most the tolerance
 };
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
@@ -67,8 +67,8 @@ struct Flat_vertex_removal
 ///
 /// O(sum of the squared degrees). That triangles are not turned over, seen along the axis that is next to their normal, is decided exactly.
 /// Widths are rounded.
-Flat_vertex_removal remove_nearly_flat_vertices(Delta_complex& complex, std::vector<std::array<double, 3>>& points, double tolerance,
-                                                const Progress_function& progress = {});
+Flat_vertex_removal remove_nearly_flat_vertices(Delta_complex& complex, std::vector<std::array<double, 3>>& points,
+                                                double tolerance, const Progress_function& progress = {});
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

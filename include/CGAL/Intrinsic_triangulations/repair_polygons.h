@@ -9,8 +9,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_REPAIR_POLYGONS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_REPAIR_POLYGONS_H
 
-#include <CGAL/Intrinsic_triangulations/Progress_function.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/Polygon_repairer.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 
 #include <CGAL/number_utils.h>
@@ -25,23 +24,110 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
-/// \brief returns whether `repair_polygons()` can repair a kind of finding.
+/// \brief a kind of repair by `repair_polygons()`.
+enum class Repair_kind {
+  MERGED_VERTEX,     ///< a vertex was merged with another at the same position
+  COLLAPSED_FACE,    ///< a face with fewer than three different corners was removed
+  DUPLICATE_FACE,    ///< a face with the same corners as another was removed
+  DUPLICATE_PART,    ///< some or all parts of a face that was cut were removed, as other faces have the same corners
+  TRIANGULATED_FACE, ///< a face was cut into triangles
+  REVERSED_FACE,     ///< a face was turned over
+  SPLIT_VERTEX,      ///< a vertex was copied for each fan of faces after the first
+  OPENED_EDGE,       ///< an edge that had several faces, or lay inside one, became a border edge
+  DROPPED_VERTEX     ///< a vertex that belongs to no triangle of the result was removed
+};
+
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief one kind of repair that `repair_polygons()` made, with the first elements of the input
+/// that it affected.
+struct Repair
+{
+  /// the kind of repair.
+  Repair_kind kind;
+  /// the smallest indices of faces or vertices of the input, at most ten, increasing; of an edge, its face.
+  std::vector<std::size_t> elements;
+  /// the number of elements affected.
+  std::size_t count;
+  /// a description of the first element, e.g. "vertex 17 was merged with vertex 3 at the same place".
+  std::string description;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief triangles, and where they come from.
+struct Repaired_polygons
+{
+  /// the vertices.
+  std::vector<std::array<double, 3>> points;
+  /// the faces, as indices into `points`.
+  std::vector<std::array<std::size_t, 3>> triangles;
+  /// for each vertex, the vertex of the input that it is: the first of those merged into it.
+  std::vector<std::size_t> input_vertices;
+  /// for each face, the face of the input that it is, or is a part of.
+  std::vector<std::size_t> input_faces;
+  /// one entry for each kind of repair that was made, in the order of `Repair_kind`.
+  std::vector<Repair> repairs;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief returns what a kind of repair is called in files, for example "reversed faces". Complexity: constant.
+inline const char* name(Repair_kind kind)
+{
+  switch (kind) {
+  case Repair_kind::MERGED_VERTEX:
+    return "merged vertices";
+  case Repair_kind::COLLAPSED_FACE:
+    return "collapsed faces";
+  case Repair_kind::DUPLICATE_FACE:
+    return "duplicate faces";
+  case Repair_kind::DUPLICATE_PART:
+    return "duplicate parts of faces";
+  case Repair_kind::TRIANGULATED_FACE:
+    return "triangulated faces";
+  case Repair_kind::REVERSED_FACE:
+    return "reversed faces";
+  case Repair_kind::SPLIT_VERTEX:
+    return "split vertices";
+  case Repair_kind::OPENED_EDGE:
+    return "opened edges";
+  case Repair_kind::DROPPED_VERTEX:
+    return "dropped vertices";
+  }
+  return "";
+}
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// What a kind of repair counts, one and several.
+inline std::array<const char*, 2> counted_elements(Repair_kind kind)
+{
+  switch (kind) {
+  case Repair_kind::MERGED_VERTEX:
+  case Repair_kind::SPLIT_VERTEX:
+  case Repair_kind::DROPPED_VERTEX:
+    return {"vertex", "vertices"};
+  case Repair_kind::OPENED_EDGE:
+    return {"edge", "edges"};
+  default:
+    return {"face", "faces"};
+  }
+}
+
+inline Repaired_polygons repair(std::vector<std::array<double, 3>> points,
+                                std::vector<std::vector<std::size_t>> polygons, const Progress_function& progress);
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief returns whether `repair_polygons()` can repair a defect.
 ///
 /// It repairs the connectivity. Invalid indices and coordinates are damage to
 /// the data, which cannot be repaired. Complexity: constant.
-inline bool is_repairable(Finding_kind kind)
+inline bool is_repairable(Invalid_surface_error::Defect defect)
 {
-  switch (kind) {
-  case Finding_kind::EMPTY:
-  case Finding_kind::TOO_MANY_ELEMENTS:
-  case Finding_kind::BAD_INDEX:
-  case Finding_kind::NOT_FINITE:
-  case Finding_kind::COORDINATE_RANGE:
-  case Finding_kind::LENGTH_RANGE:
-    return false;
-  default:
-    return true;
-  }
+  using Defect = Invalid_surface_error::Defect;
+  return (defect > Defect::NOT_FINITE && defect < Defect::OUT_OF_RANGE) || defect == Defect::UNREFERENCED_VERTEX;
 }
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
@@ -54,17 +140,19 @@ inline bool is_repairable(Finding_kind kind)
 ///   is removed.
 /// - Of several faces with the same corners, one is kept.
 /// - Polygons are triangulated.
-/// - Faces are oriented consistently; the first of all that edges join keeps its orientation. A one-sided surface is cut.
+/// - Faces are oriented consistently; the first of all that edges join keeps its orientation. A one-sided surface is
+///   cut.
 /// - At an edge with more than two faces, those that bound the same piece of a solid stay together: they are found by
-///   their exact order around the edge and by their orientation. What is closed and oriented, or the border of a solid whose
-///   faces are turned in any way, stays closed. Where faces do not pair up, as three sheets at an edge, the surface is cut.
+///   their exact order around the edge and by their orientation. What is closed and oriented, or the border of a solid
+///   whose faces are turned in any way, stays closed. Where faces do not pair up, as three sheets at an edge, the
+///   surface is cut.
 /// - Vertices are copied for each fan of faces.
 /// - Vertices that belong to no triangle are removed.
 ///
 /// No vertex is moved. Faces and vertices keep their order; copies of vertices come last.
 /// Zero-area faces stay. If an edge had several faces and is border afterwards, there is an entry of `repairs` for
-/// it (`Repair_kind::OPENED_EDGE`): without that entry, the repair has made no border. In most cases the result has no fatal
-/// finding, but check it with `examine_polygons()`: lengths can be zero or out of range.
+/// it (`Repair_kind::OPENED_EDGE`): without that entry, the repair has made no border. In most cases the result has no
+/// fatal finding, but check it with `examine_polygons()`: lengths can be zero or out of range.
 ///
 /// \tparam PointRange a model of `RandomAccessRange`, of points whose coordinates are `p[0]`, `p[1]` and `p[2]`
 /// \tparam PolygonRange a model of `ForwardRange`, of ranges of integers of any length
@@ -86,10 +174,9 @@ Repaired_polygons repair_polygons(const PointRange& points, const PolygonRange& 
                                   const Progress_function& progress = {})
 {
   const Surface_report report = examine_polygons(points, polygons);
-  for (Finding_kind kind : {Finding_kind::EMPTY, Finding_kind::TOO_MANY_ELEMENTS,
-                            Finding_kind::BAD_INDEX, Finding_kind::NOT_FINITE})
-    if (report.find(kind) != nullptr)
-      throw_if_fatal(report);
+  if (const Finding* const first = report.first_fatal();
+      first != nullptr && (first->defect <= Invalid_surface_error::Defect::NOT_FINITE || first->elements.empty()))
+    throw_if_fatal(report);
 
   std::vector<std::array<double, 3>> coordinates;
   coordinates.reserve(report.number_of_vertices);
@@ -102,7 +189,7 @@ Repaired_polygons repair_polygons(const PointRange& points, const PolygonRange& 
     for (const auto index : polygon)
       faces.back().push_back(static_cast<std::size_t>(index));
   }
-  return internal::Polygon_repairer(std::move(coordinates), std::move(faces)).run(progress);
+  return internal::repair(std::move(coordinates), std::move(faces), progress);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
@@ -119,7 +206,18 @@ inline std::string message(const Repair& repair)
   return text;
 }
 
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief cuts one polygon in space into triangles.
+/// \param polygon the positions of its corners, at least three
+/// \return the corners of the triangles by their positions in the polygon, in its orientation; always as many as the
+/// polygon has corners, less two
+///
+/// Complexity as of `repair_polygons()` for a face.
+std::vector<std::array<std::size_t, 3>> triangulate_polygon(const std::vector<std::array<double, 3>>& polygon);
+
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
+
+#include <CGAL/Intrinsic_triangulations/internal/validation/repair_polygons_impl.h>
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_REPAIR_POLYGONS_H

@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_SHARP_EDGES_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 
 #include <array>
 #include <vector>
@@ -43,8 +43,8 @@ double coordinate_spacing(const std::vector<std::array<double, 3>>& points);
 /// \pre there is one point for each vertex, and the coordinates are finite
 ///
 /// O(n log n) for n edges of thin faces, otherwise linear. Directions and lengths are rounded.
-std::vector<bool> sharp_edges(const Delta_complex& complex, const std::vector<std::array<double, 3>>& points, double degrees,
-                              double minimum_size = 0);
+std::vector<bool> sharp_edges(const Delta_complex& complex, const std::vector<std::array<double, 3>>& points,
+                              double degrees, double minimum_size = 0);
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

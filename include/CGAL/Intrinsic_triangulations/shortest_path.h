@@ -3,26 +3,40 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Shortest paths on a surface.
+// Shortest paths over the surface, and the surface cut open along a path.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_SHORTEST_PATH_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_SHORTEST_PATH_H
 
-#include <CGAL/Intrinsic_triangulations/Index.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/Index.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_path.h>
+#include <CGAL/Intrinsic_triangulations/internal/gluing/Cut_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/gluing/separate_fans.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Laid_out_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Window_propagation.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
-#include <CGAL/Intrinsic_triangulations/shortest_edge_path.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
+#include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
+
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -45,8 +59,8 @@ template <class Traits>
 class Way_back
 {
 public:
-  Way_back(Intrinsic_triangulation<Traits>& triangulation, const Laid_out_faces& faces, const Window_propagation& windows,
-           const Interruption& interruption)
+  Way_back(Intrinsic_triangulation<Traits>& triangulation, const Laid_out_faces& faces,
+           const Window_propagation& windows, const Interruption& interruption)
     : triangulation_(triangulation), faces_(faces), windows_(windows), interruption_(interruption)
   {}
 
@@ -61,7 +75,8 @@ public:
     // v lies in the origin, and the way along the axis. It runs between the last corner on the left and that on the right.
     const double sine = std::sin(windows_.arrival(v).angle), cosine = std::cos(windows_.arrival(v).angle);
     const Laid_out_faces::Side& first = faces_.side(side);
-    corners_ = {{first.apex_x * cosine + first.apex_y * sine, first.apex_y * cosine - first.apex_x * sine}, {first.length * cosine, -first.length * sine}};
+    corners_ = {{first.apex_x * cosine + first.apex_y * sine, first.apex_y * cosine - first.apex_x * sine},
+                {first.length * cosine, -first.length * sine}};
     crossed_.clear();
     if (comes_from(faces_.side(faces_.prev(side)).vertex, corners_[0]))
       return complex().opposite(faces_.halfedge(faces_.prev(side)));
@@ -125,10 +140,13 @@ private:
     std::size_t budget = crossed_.size() * crossed_.size() + 100; // more flips come of rounding
     for (std::size_t i = 0; i < crossed_.size() && budget > 0;) {
       const Edge_index e = crossed_[i].edge;
-      const std::size_t before = i == 0 ? none : other_corner(i - 1, i), behind = i + 1 == crossed_.size() ? none : other_corner(i + 1, i);
+      const std::size_t before = i == 0 ? none : other_corner(i - 1, i),
+                        behind = i + 1 == crossed_.size() ? none : other_corner(i + 1, i);
       const bool is_less = before == none || behind == none || (corners_[before].y > 0) == (corners_[behind].y > 0);
-      if (!(is_less || is_in_circle(corners_[before], corners_[crossed_[i].right], corners_[crossed_[i].left], corners_[behind])) ||
-          !complex().is_flippable(e) || triangulation_.flip(e) != Intrinsic_triangulation<Traits>::Flip_outcome::FLIPPED) {
+      if (!(is_less || is_in_circle(corners_[before], corners_[crossed_[i].right], corners_[crossed_[i].left],
+                                    corners_[behind])) ||
+          !complex().is_flippable(e) ||
+          triangulation_.flip(e) != Intrinsic_triangulation<Traits>::Flip_outcome::FLIPPED) {
         ++i;
         continue;
       }
@@ -144,9 +162,10 @@ private:
     if (!crossed_.empty())
       return {};
     const Halfedge_index h = complex().halfedge(last), g = complex().opposite(h);
-    const auto joins = [&](Halfedge_index k) { return complex().source(k).idx() == v_ && complex().target(k).idx() == u; };
-    return joins(h) ? h : joins(g) ? g
-                                   : Halfedge_index();
+    const auto joins = [&](Halfedge_index k) {
+      return complex().source(k).idx() == v_ && complex().target(k).idx() == u;
+    };
+    return joins(h) ? h : joins(g) ? g : Halfedge_index();
   }
 
   // Whether s lies in the circle through p, q and r, which are counterclockwise, after that shortening.
@@ -185,27 +204,26 @@ private:
 ///
 /// \param triangulation a triangulation, best a Delaunay one: its faces are the least to cross. It is flipped along the path
 /// \param source, target vertices
-/// \param options as of `geodesic_distances()`; the tolerance plays no part
+/// \param np the named parameters of `geodesic_distances()`; the tolerance plays no part
 /// \return the path; one without edges if both vertices are the same
-/// \exception Invalid_point_error if there is no such vertex, or no path
-/// \exception Cancelled_error as the options say
+/// \exception Invalid_argument_error if there is no such vertex, or no path
+/// \exception Cancelled_error if the visitor says so
 /// \exception Undecided_error as `flip()` of `Intrinsic_triangulation`
-template <class Traits>
+template <class Traits, class NamedParameters = parameters::Default_named_parameters>
 Shortest_path shortest_path(Intrinsic_triangulation<Traits>& triangulation, Vertex_index source, Vertex_index target,
-                            const Geodesic_distance_options& options = Geodesic_distance_options())
+                            const NamedParameters& np = parameters::default_values())
 {
   const Delta_complex& complex = triangulation.connectivity();
   const internal::Row_of_vertex row(complex);
   for (Vertex_index v : {source, target})
-    if (!(v.idx() < row.number_of_rows()))
-      throw Invalid_point_error("there is no vertex " + std::to_string(v.idx()) + ": the surface has " + std::to_string(row.number_of_rows()));
+    internal::require_vertex(v, row.number_of_rows());
   Shortest_path result;
   if (source == target)
     return result;
   const internal::Laid_out_faces faces(triangulation, row);
   internal::Window_propagation windows(faces, 0);
-  const internal::Interruption interruption(options.go_further);
-  result.is_complete = windows.run({source.idx()}, internal::number_of_ways(options, complex), interruption);
+  const internal::Interruption interruption(internal::go_further_function_of(np));
+  result.is_complete = windows.run({source.idx()}, internal::number_of_ways(np, complex), interruption);
   result.distance = std::ldexp(windows.distances()[target.idx()], faces.exponent());
   internal::Way_back<Traits> way(triangulation, faces, windows, interruption);
   for (Vertex_index v = target; v != source; v = complex.target(result.halfedges.back())) {
@@ -222,6 +240,86 @@ Shortest_path shortest_path(Intrinsic_triangulation<Traits>& triangulation, Vert
   std::reverse(result.halfedges.begin(), result.halfedges.end());
   for (Halfedge_index& h : result.halfedges)
     h = complex.opposite(h);
+  return result;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsGeodesics
+/// \brief what `cut_along_path()` makes of a surface.
+struct Cut_surface
+{
+  /// of the vertices: first those of the input, then the others
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<std::uint32_t, 3>> triangles; ///< their corners
+  std::vector<std::uint32_t> input_faces; ///< for each triangle, the face of the input that it is a part of
+  /// for each vertex behind those of the input, where it lies on the input: for data at the vertices, `interpolate()` gives its value
+  std::vector<Surface_point> locations;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsGeodesics
+/// \brief cuts a surface open along a path.
+///
+/// Faces that the path crosses are divided, and each vertex on the path gets a copy for each side of it. The ends of an open path are not
+/// divided, unless they lie on the border: so a path between two inner points leaves a slit. If it has no vertex in between, it gets one. The
+/// vertices of the input keep their numbers, and orientations remain.
+///
+/// \param complex the input; no two of its edges have the same two ends
+/// \param points a random access range of the points of its vertices, each with three coordinates
+/// \param path points of the input, two consecutive ones in the face of the first, as `Geodesic_path::points` and `geodesic_points()`. Its
+///   segments do not cross. A closed one ends where it begins
+/// \return the triangles; those of the input, if there are less than two points
+/// \exception Invalid_surface_error if two edges have the same two ends
+/// \exception Invalid_point_error if a point is none of the surface, or two consecutive ones do not lie in the face of the first, or segments
+///   cross
+///
+/// O(size), and for each face the number of segments there times that of its pieces.
+template <class PointRange>
+Cut_surface cut_along_path(const Delta_complex& complex, const PointRange& points,
+                           const std::vector<Surface_point>& path)
+{
+  const internal::Cut_faces faces(complex, path);
+  const std::vector<std::array<std::uint32_t, 3>>& triangles = faces.triangles();
+  constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
+  const auto key = [](std::uint32_t from, std::uint32_t to) { return (std::uint64_t(from) << 32) | to; };
+  std::unordered_map<std::uint64_t, std::uint32_t> sides;
+  Large_vector<std::uint32_t> corners;
+  for (const auto& triangle : triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t from = triangle[i], to = triangle[(i + 1) % 3];
+      if (!sides.insert({key(from, to), std::uint32_t(corners.size())}).second)
+        throw Invalid_surface_error(Invalid_surface_error::Defect::WRONG_TOPOLOGY, from, 1,
+                                    "two edges join vertex " + std::to_string(from) + " and vertex " +
+                                      std::to_string(to) + ": the corners of triangles do not tell them apart");
+      corners.push_back(triangle[i]);
+    }
+  for (const auto& [from, to] : faces.seam())
+    if (sides.count(key(from, to)) + sides.count(key(to, from)) == 0)
+      throw Invalid_point_error("a surface cannot be cut along a path that crosses itself");
+  for (const auto& [from, to] : faces.seam()) {
+    sides.erase(key(from, to));
+    sides.erase(key(to, from));
+  }
+  Large_vector<std::uint32_t> glued_to(corners.size(), none);
+  for (const auto& side : sides) {
+    const auto other = sides.find((side.first << 32) | (side.first >> 32));
+    if (other != sides.end())
+      glued_to[side.second] = other->second;
+  }
+  const auto [vertex_of, fans] = internal::separate_fans(faces.number_of_vertices(), corners, glued_to);
+
+  Cut_surface result;
+  const std::size_t n = complex.number_of_vertices();
+  for (Vertex_index v : complex.vertices()) {
+    const auto& p = points[v.idx()];
+    result.points.push_back({CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
+  }
+  for (std::size_t i = n; i < vertex_of.size(); ++i) {
+    result.locations.push_back(faces.location(vertex_of[i]));
+    result.points.push_back(vertex_of[i] < n ? result.points[vertex_of[i]]
+                                             : point_in_space(complex, points, result.locations.back()));
+  }
+  for (std::size_t f = 0; f < triangles.size(); ++f)
+    result.triangles.push_back({fans[3 * f], fans[3 * f + 1], fans[3 * f + 2]});
+  result.input_faces = faces.input_faces();
   return result;
 }
 

@@ -3,24 +3,36 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Intrinsic triangulations as CGAL::Surface_mesh, which is under the GPL; so is this header.
+// From and to CGAL::Surface_mesh: triangulations, and overlays of triangulation and input.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_MESH_ADAPTORS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_MESH_ADAPTORS_H
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/internal/overlay/Carried_properties.h>
+#include <CGAL/Intrinsic_triangulations/internal/overlay/convex_polygon_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/overlay/find_property_map.h>
+#include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 #include <boost/range/has_range_iterator.hpp>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <string>
 #include <type_traits>
@@ -70,9 +82,8 @@ inline void check_number_of_points(std::size_t number_of_points, std::size_t num
 template <class TriangleMesh, class NamedParameters>
 auto points_of(const TriangleMesh& mesh, const NamedParameters& np)
 {
-  const auto point_map =
-    parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                 get_const_property_map(vertex_point, mesh));
+  const auto point_map = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                      get_const_property_map(vertex_point, mesh));
   using Point = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
   std::vector<Point> points;
   points.reserve(num_vertices(mesh));
@@ -103,8 +114,7 @@ auto points_of(const TriangleMesh& mesh, const NamedParameters& np)
 /// \param complex the connectivity
 /// \param points a point for each vertex, in the order of the vertices
 /// \exception Invalid_surface_error if there are fewer or more points than vertices. O(size).
-template <class PointRange,
-          class = std::enable_if_t<boost::has_range_const_iterator<PointRange>::value>>
+template <class PointRange, class = std::enable_if_t<boost::has_range_const_iterator<PointRange>::value>>
 auto to_surface_mesh(const Delta_complex& complex, const PointRange& points)
 {
   using Point = std::decay_t<decltype(*std::begin(points))>;
@@ -128,8 +138,7 @@ auto to_surface_mesh(const Delta_complex& complex, const PointRange& points)
 /// \param triangulation the triangulation
 /// \param points a point for each vertex, in the order of the vertices
 /// \exception Invalid_surface_error if there are fewer or more points than vertices. O(size).
-template <class Traits, class PointRange,
-          class = std::enable_if_t<boost::has_range_const_iterator<PointRange>::value>>
+template <class Traits, class PointRange, class = std::enable_if_t<boost::has_range_const_iterator<PointRange>::value>>
 auto to_surface_mesh(const Intrinsic_triangulation<Traits>& triangulation, const PointRange& points)
 {
   using FT = typename Traits::FT;
@@ -173,6 +182,166 @@ auto to_surface_mesh(const Intrinsic_triangulation<Traits>& triangulation, const
                      const NamedParameters& np = parameters::default_values())
 {
   return to_surface_mesh(triangulation, internal::points_of(mesh, np));
+}
+
+/// \ingroup PkgIntrinsicTriangulationsAdaptors
+/// \brief the label of an edge that is in neither triangulation: a diagonal of a face of the
+/// overlay, inserted by `triangulate_overlay_faces()`.
+constexpr std::uint8_t diagonal_label = 3;
+
+/// \ingroup PkgIntrinsicTriangulationsAdaptors
+/// \brief copies an overlay into a `Surface_mesh` whose faces are convex polygons in space.
+///
+/// Vertex, halfedge, segment and face i of the overlay become vertex, halfedge, edge and face i
+/// of the mesh. Vertices of the surface keep their points; crossings lie on the input edges.
+/// The mesh has loops or multiple edges only where the input has them. Its property maps:
+///
+/// | name | value type | |
+/// | --- | --- | --- |
+/// | `"v:kind"` | `std::uint8_t` | 0 for a vertex of the input, 1 for a crossing, 2 for an inserted vertex |
+/// | `"e:label"` | `std::uint8_t` | a `Segment_label`: 0 for o, 1 for c, 2 for oc |
+/// | `"f:input_face"` | `std::uint32_t` | the input face that contains the face |
+/// | `"f:intrinsic_face"` | `std::uint32_t` | the intrinsic face that contains it |
+/// | `"h:input_point"` | `Surface_point` | the corner of the face of h at its target, in the input face |
+/// | `"h:intrinsic_point"` | `Surface_point` | the same corner in the intrinsic face |
+///
+/// A corner lies on the edge of the halfedge of its `Surface_point`, so its third
+/// barycentric coordinate is 0. Border halfedges have no corner: their points have the null
+/// halfedge. `CGAL::IO::write_PLY()` writes the property maps of numbers with the mesh.
+///
+/// \param subdivision the common subdivision
+/// \param points a point for each vertex of the surface, in their order
+/// \exception Invalid_surface_error if there are fewer or more points than vertices. O(size).
+template <class PointRange, class = std::enable_if_t<boost::has_range_const_iterator<PointRange>::value>>
+auto overlay_to_surface_mesh(const Common_subdivision& subdivision, const PointRange& points)
+{
+  const Overlay& overlay = subdivision.overlay();
+  using Point = std::decay_t<decltype(*std::begin(points))>;
+  using Mesh = CGAL::Surface_mesh<Point>;
+  using Vertex = typename Mesh::Vertex_index;
+  using Edge = typename Mesh::Edge_index;
+  using Face = typename Mesh::Face_index;
+  const std::vector<Point> original_points(std::begin(points), std::end(points));
+  internal::check_number_of_points(original_points.size(), overlay.number_of_input_vertices());
+
+  Mesh mesh;
+  mesh.reserve(overlay.number_of_vertices(), overlay.number_of_segments(), overlay.number_of_faces());
+  for (const Point& p : original_points)
+    mesh.add_vertex(p);
+  for (Overlay::Vertex x : overlay.vertices()) {
+    if (x.idx() < overlay.number_of_input_vertices())
+      continue;
+    const auto [a, b, c] = subdivision.point(x, original_points);
+    mesh.add_vertex(Point{a, b, c});
+  }
+  internal::copy_links(overlay, mesh);
+
+  auto kind = mesh.template add_property_map<Vertex, std::uint8_t>("v:kind", 0).first;
+  for (Overlay::Vertex x : overlay.crossings())
+    kind[Vertex(x.idx())] = 1;
+  for (std::uint32_t i = overlay.number_of_input_vertices(); i < overlay.number_of_original_vertices(); ++i)
+    kind[Vertex(i)] = 2;
+  auto label = mesh.template add_property_map<Edge, std::uint8_t>("e:label").first;
+  for (Overlay::Segment s : overlay.segments())
+    label[Edge(s.idx())] = std::uint8_t(overlay.label(s));
+  auto input_face = mesh.template add_property_map<Face, std::uint32_t>("f:input_face").first;
+  auto intrinsic_face = mesh.template add_property_map<Face, std::uint32_t>("f:intrinsic_face").first;
+  for (Overlay::Face f : overlay.faces()) {
+    input_face[Face(f.idx())] = overlay.input_face(f).idx();
+    intrinsic_face[Face(f.idx())] = overlay.intrinsic_face(f).idx();
+  }
+
+  using Halfedge = typename Mesh::Halfedge_index;
+  const Surface_point none{Halfedge_index(), {0, 0, 0}};
+  auto input_point = mesh.template add_property_map<Halfedge, Surface_point>("h:input_point", none).first;
+  auto intrinsic_point = mesh.template add_property_map<Halfedge, Surface_point>("h:intrinsic_point", none).first;
+  const internal::Input_layer input_layer{subdivision.input(), overlay, subdivision.positions()};
+  const internal::Intrinsic_layer intrinsic_layer{subdivision.intrinsic(), overlay, subdivision.positions()};
+  for (Overlay::Halfedge h : overlay.halfedges())
+    if (!overlay.is_border(h)) {
+      input_point[Halfedge(h.idx())] = internal::corner(input_layer, h);
+      intrinsic_point[Halfedge(h.idx())] = internal::corner(intrinsic_layer, h);
+    }
+  return mesh;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsAdaptors
+/// \brief as above, with the points of a mesh.
+///
+/// \tparam TriangleMesh a model of `VertexListGraph`
+/// \tparam NamedParameters a sequence of named parameters
+/// \param subdivision the common subdivision
+/// \param mesh the input, or another mesh with as many vertices
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap`}
+///     \cgalParamDefault{`get_const_property_map(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \exception Invalid_surface_error if the numbers of vertices differ. O(size).
+template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters,
+          class = std::enable_if_t<!boost::has_range_const_iterator<TriangleMesh>::value>>
+auto overlay_to_surface_mesh(const Common_subdivision& subdivision, const TriangleMesh& mesh,
+                             const NamedParameters& np = parameters::default_values())
+{
+  return overlay_to_surface_mesh(subdivision, internal::points_of(mesh, np));
+}
+
+/// \ingroup PkgIntrinsicTriangulationsAdaptors
+/// \brief splits the faces of an overlay mesh into triangles.
+///
+/// The triangulation of a face is the one whose smallest triangle in space is largest. So a
+/// triangle of zero area arises only if it is unavoidable. New edges have the
+/// label `diagonal_label`. New faces and corners have all properties of those that were split, yours as well,
+/// such as texture coordinates in a map `"h:uv"`; all other properties of new edges have their default values. O(size).
+///
+/// \tparam Value the value types of your property maps of halfedges and faces, unless they are numbers,
+///   `bool`, `std::string`, points and vectors of CGAL, `CGAL::IO::Color`, indices of CGAL, `Surface_point`, or
+///   `std::array`s of two to four floats, doubles or 32-bit integers, all of which are known
+/// \param mesh what `overlay_to_surface_mesh()` returns
+///
+/// \exception std::invalid_argument if there is a property map of halfedges or faces with another value type; the message names it, and
+///   the mesh is unchanged
+template <class... Value, class Point>
+void triangulate_overlay_faces(CGAL::Surface_mesh<Point>& mesh)
+{
+  using Mesh = CGAL::Surface_mesh<Point>;
+  using Halfedge = typename Mesh::Halfedge_index;
+  using Edge = typename Mesh::Edge_index;
+  using Face = typename Mesh::Face_index;
+  auto label = internal::find_property_map<Edge, std::uint8_t>(mesh, "e:label");
+  CGAL_precondition_msg(label, "not an overlay mesh");
+  const internal::Carried_properties<Mesh, Halfedge, Value...> corner_properties(mesh, "halfedges");
+  const internal::Carried_properties<Mesh, Face, Value...> face_properties(mesh, "faces");
+
+  std::vector<Halfedge> sides; // of a face
+  std::vector<std::array<double, 3>> corners;
+  const std::size_t number_of_faces = mesh.number_of_faces();
+  for (std::size_t i = 0; i < number_of_faces; ++i) {
+    sides.clear();
+    corners.clear();
+    const Face f(static_cast<typename Mesh::size_type>(i));
+    for (Halfedge h : halfedges_around_face(mesh.halfedge(f), mesh)) {
+      const Point& p = mesh.point(mesh.target(h));
+      sides.push_back(h);
+      corners.push_back({CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
+    }
+    internal::for_each_diagonal(corners, [&](std::size_t a, std::size_t b) {
+      // The corners from a to b are cut off; links alone are used, since edges may be loops.
+      const Halfedge at_a = mesh.prev(sides[a + 1]), at_b = sides[b];
+      CGAL::Euler::split_face(at_a, at_b, mesh);
+      const Halfedge to_a = mesh.prev(sides[a + 1]), to_b = mesh.opposite(to_a);
+      label[mesh.edge(to_a)] = diagonal_label;
+      corner_properties.copy(at_a, to_a);
+      corner_properties.copy(at_b, to_b);
+      for (Halfedge h : {to_a, to_b})
+        face_properties.copy(f, mesh.face(h));
+    });
+  }
 }
 
 } // namespace Intrinsic_triangulations

@@ -3,17 +3,22 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// A straight line on a surface from a point in a direction: the exponential map.
+// Straight lines over the surface, and the points that an edge or a path passes.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRACE_GEODESIC_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRACE_GEODESIC_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -43,10 +48,11 @@ struct Traced_geodesic
 
 /// \cond SKIP_IN_MANUAL
 namespace internal {
-Traced_geodesic trace(const Exact_geometry& geometry, const Surface_direction& start, double length, std::size_t maximum_number);
-Traced_geodesic trace(const Delta_complex& complex, const Exact_geometry& geometry, const Surface_direction& start, double length,
+Traced_geodesic trace(const internal::Exact_engine& engine, const Surface_direction& start, double length,
                       std::size_t maximum_number);
-Surface_direction direction_at_vertex(const Exact_geometry& geometry, Halfedge_index h, double angle);
+Traced_geodesic trace_in_triangulation(const internal::Exact_engine& engine, const Surface_direction& start,
+                                       double length, std::size_t maximum_number);
+Surface_direction direction_at_vertex(const internal::Exact_engine& engine, Halfedge_index h, double angle);
 } // namespace internal
 /// \endcond
 
@@ -62,9 +68,10 @@ Surface_direction direction_at_vertex(const Exact_geometry& geometry, Halfedge_i
 /// \param maximum_number after how many faces the line ends at the latest, at least one. Each takes memory: near the tip of a needle, a short
 ///   line can cross any number of them
 /// \return the line
-/// \exception Invalid_point_error if `start` or `length` is not finite, the point does not lie on the surface, or the direction
+/// \exception Invalid_argument_error if `length` is not finite or is negative
+/// \exception Invalid_point_error if `start` is not finite, the point does not lie on the surface, or the direction
 ///   is zero or leaves the face at once
-/// \exception Undecided_error, Cancelled_error as `sign_of_cotangents()` of `Exact_geometry`
+/// \exception Undecided_error, Cancelled_error as `sign_of_cotangent_weight()`
 ///
 /// O(number of points) arithmetic operations, after the preparation of the exact geometry; tests too close for double-doubles lay
 /// out the whole line once more.
@@ -72,7 +79,7 @@ template <class Traits>
 Traced_geodesic trace_geodesic(const Intrinsic_triangulation<Traits>& triangulation, const Surface_direction& start,
                                double length, std::size_t maximum_number = (std::numeric_limits<std::size_t>::max)())
 {
-  return internal::trace(triangulation.exact_geometry(), start, length, maximum_number);
+  return internal::trace(internal::engine(triangulation), start, length, maximum_number);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
@@ -91,11 +98,11 @@ Traced_geodesic trace_geodesic(const Intrinsic_triangulation<Traits>& triangulat
 /// \return the line
 /// \exception Invalid_point_error, Undecided_error, Cancelled_error as `trace_geodesic()`
 template <class Traits>
-Traced_geodesic trace_geodesic_in_triangulation(const Intrinsic_triangulation<Traits>& triangulation, const Surface_direction& start,
-                                                double length,
+Traced_geodesic trace_geodesic_in_triangulation(const Intrinsic_triangulation<Traits>& triangulation,
+                                                const Surface_direction& start, double length,
                                                 std::size_t maximum_number = (std::numeric_limits<std::size_t>::max)())
 {
-  return internal::trace(triangulation.connectivity(), triangulation.exact_geometry(), start, length, maximum_number);
+  return internal::trace_in_triangulation(internal::engine(triangulation), start, length, maximum_number);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
@@ -107,15 +114,94 @@ Traced_geodesic trace_geodesic_in_triangulation(const Intrinsic_triangulation<Tr
 ///   of the faces at the vertex. Rounded by a few units in the last place
 /// \exception Invalid_point_error if the angle is not finite, there is no such halfedge, or the angle leads beyond the border
 template <class Traits>
-Surface_direction direction_at_vertex(const Intrinsic_triangulation<Traits>& triangulation, Halfedge_index h, double angle)
+Surface_direction direction_at_vertex(const Intrinsic_triangulation<Traits>& triangulation, Halfedge_index h,
+                                      double angle)
 {
-  return internal::direction_at_vertex(triangulation.exact_geometry(), h, angle);
+  return internal::direction_at_vertex(internal::engine(triangulation), h, angle);
+}
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// Appends the source of h, its crossings with input edges in order, and its target.
+// \pre `geometry.prepare()` was called
+void append_input_points(const internal::Exact_engine& engine, Halfedge_index h, std::vector<Surface_point>& points);
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsGeodesics
+/// \brief returns the points of the input through which intrinsic halfedges run, one after the other.
+///
+/// These are their vertices, inserted ones as well, and all crossings with input edges. Each point but the last is given in the input face that
+/// the line enters there, so that two consecutive points lie in that face. Crossings have a relative error of at most 2^-52
+/// along their edge.
+///
+/// \param triangulation a triangulation that keeps its input
+/// \param halfedges a range of halfedges, each of which begins where the one before ends
+/// \exception Undecided_error if an edge crosses too many input edges to be laid out
+///
+/// O(number of points) arithmetic operations, after the preparation of the exact geometry.
+template <class Traits, class HalfedgeRange>
+std::vector<Surface_point> geodesic_points(const Intrinsic_triangulation<Traits>& triangulation,
+                                           const HalfedgeRange& halfedges)
+{
+  std::vector<Surface_point> result;
+  for (Halfedge_index h : halfedges) {
+    if (!result.empty()) // the same vertex follows, in the face that is entered there
+      result.pop_back();
+    internal::append_input_points(internal::engine(triangulation), h, result);
+  }
+  return result;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsGeodesics
+/// \brief returns the segments of an overlay along intrinsic halfedges, in order.
+///
+/// Segment i is edge i of the mesh that `overlay_to_surface_mesh()` returns: so a path can be marked there, and a seam cut along it.
+/// \param overlay the overlay of the triangulation
+/// \param complex the triangulation
+/// \param halfedges a range of its halfedges
+template <class HalfedgeRange>
+std::vector<Overlay::Segment> geodesic_segments(const Overlay& overlay, const Delta_complex& complex,
+                                                const HalfedgeRange& halfedges)
+{
+  std::vector<Overlay::Segment> result;
+  for (Halfedge_index h : halfedges) {
+    const auto first = std::ptrdiff_t(result.size());
+    for (Overlay::Segment s : overlay.intrinsic_segments(complex.edge(h)))
+      result.push_back(s);
+    if (h != complex.halfedge(complex.edge(h)))
+      std::reverse(result.begin() + first, result.end());
+  }
+  return result;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsGeodesics
+/// \brief returns the point in space of a point of the input.
+///
+/// \param input the input, as returned by `Correspondence::input()`
+/// \param points a random access range of the points of the vertices, each with three coordinates
+/// \param p a point whose coordinates sum to 1
+/// \return its coordinates, each within a few units in the last place of the largest at the corners of the face
+template <class PointRange>
+std::array<double, 3> point_in_space(const Delta_complex& input, const PointRange& points, const Surface_point& p)
+{
+  const Halfedge_index h = p.halfedge;
+  const Vertex_index corners[] = {input.source(h), input.target(h), input.target(input.next(h))};
+  std::array<double, 3> result{0, 0, 0};
+  for (int c = 0; c < 3; ++c)
+    if (p.coordinates[c] != 0)
+      for (int i = 0; i < 3; ++i)
+        result[i] += p.coordinates[c] * CGAL::to_double(points[corners[c].idx()][i]);
+  return result;
 }
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/internal/geodesics/geodesic_points_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/trace_geodesic_impl.h>
 #endif
 

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Transfers data at the vertices and corners of the two triangulations to their overlay.
+// Data at vertices and faces, carried from one of the two surfaces to the other, and the areas that faces share.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRANSFER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRANSFER_H
@@ -11,11 +11,15 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/area_in_input_unit.h>
+#include <CGAL/Intrinsic_triangulations/internal/positions/affine_image.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
 
 #include <CGAL/assertions.h>
 
+#include <cmath>
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -26,14 +30,98 @@ namespace Intrinsic_triangulations {
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
+// The fraction that the triangle of three points takes of the face in whose coordinates they are.
+inline double area_fraction(const Coordinates& a, const Coordinates& b, const Coordinates& c)
+{
+  return determinant(b[1] - a[1], b[2] - a[2], c[1] - a[1], c[2] - a[2]);
+}
+
+// A face of the overlay, as a fan of triangles around its first corner.
+struct Overlay_fan
+{
+  // The coordinates `from` are those in the input face, relative to the halfedge that it names,
+  // `to` those in the intrinsic face.
+  Corners_in_both corners;
+  double input_area;
+  double intrinsic_area;
+
+  std::size_t size() const { return corners.size() - 2; }
+
+  // The area of triangle i. Rounding errors are relative to the smaller of the two faces, so
+  // that small areas in large faces keep their digits.
+  double area(std::size_t i) const
+  {
+    const Corner_in_both &a = corners[0], &b = corners[i + 1], &c = corners[i + 2];
+    return input_area < intrinsic_area ? input_area * area_fraction(a.from, b.from, c.from)
+                                       : intrinsic_area * area_fraction(a.to, b.to, c.to);
+  }
+};
+
+// The areas of the faces of both triangulations, in the unit of the input.
+struct Areas_in_both
+{
+  explicit Areas_in_both(const Common_subdivision& subdivision)
+  {
+    const internal::Exact_engine& engine = internal::engine(subdivision);
+    const Delta_complex& complex = subdivision.input();
+    for (Face_index f : complex.faces())
+      input.push_back(area_in_input_unit(engine.metric().four_areas_double_double(complex, f).hi() / 4,
+                                         engine.metric().unit_exponent(), f));
+    for (Face_index f : subdivision.intrinsic().faces())
+      intrinsic.push_back(engine.area(f));
+  }
+
+  std::vector<double> input, intrinsic;
+};
+
+// Calls `visit(f, fan)` for each face f of the overlay.
+template <class Visit>
+void for_each_overlay_fan(const Common_subdivision& subdivision, const Areas_in_both& areas, const Visit& visit)
+{
+  const Input_layer input{subdivision.input(), subdivision.overlay(), subdivision.positions()};
+  const Intrinsic_layer intrinsic{subdivision.intrinsic(), subdivision.overlay(), subdivision.positions()};
+  for (Overlay::Face f : subdivision.overlay().faces()) {
+    const Face_index in_input = input.face(f), in_intrinsic = intrinsic.face(f);
+    visit(f, Overlay_fan{corners_in_both(input, input.complex.halfedge(in_input), intrinsic,
+                                         intrinsic.complex.halfedge(in_intrinsic), f),
+                         areas.input[in_input.idx()], areas.intrinsic[in_intrinsic.idx()]});
+  }
+}
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsOverlay
+/// \brief returns the area of each face of the overlay, in the unit of the input.
+///
+/// It is the fraction of its input face or intrinsic face that the face covers, times the
+/// area of that face, so no embedding is needed. The error is a few units in the last place of the
+/// area of the smaller of the two.
+/// \param subdivision the common subdivision. O(size of the overlay).
+/// \exception Invalid_surface_error as `area()` of `Intrinsic_triangulation`
+inline std::vector<double> face_areas(const Common_subdivision& subdivision)
+{
+  std::vector<double> areas(subdivision.overlay().number_of_faces());
+  internal::for_each_overlay_fan(subdivision, internal::Areas_in_both(subdivision),
+                                 [&](Overlay::Face f, const internal::Overlay_fan& fan) {
+                                   double area = 0;
+                                   for (std::size_t i = 0; i < fan.size(); ++i)
+                                     area += fan.area(i);
+                                   areas[f.idx()] = area;
+                                 });
+  return areas;
+}
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
 template <class Range>
 using Value_of = std::decay_t<decltype(std::declval<const Range&>()[0])>;
 
 // `edge_of` and `position_of` say where a crossing lies in `complex`; the vertices before, where those that are none of `complex` lie.
 template <class VertexValues, class EdgeOf, class PositionOf>
 auto interpolate_at_crossings(const Common_subdivision& subdivision, const Delta_complex& complex,
-                              const VertexValues& values, const EdgeOf& edge_of,
-                              const PositionOf& position_of)
+                              const VertexValues& values, const EdgeOf& edge_of, const PositionOf& position_of)
 {
   const Overlay& overlay = subdivision.overlay();
   CGAL_precondition(values.size() == complex.number_of_vertices());
@@ -48,8 +136,7 @@ auto interpolate_at_crossings(const Common_subdivision& subdivision, const Delta
   for (Overlay::Vertex x : overlay.crossings()) {
     const Halfedge_index h = complex.halfedge(edge_of(x));
     const double t = position_of(x);
-    result.push_back(Value((1 - t) * values[complex.source(h).idx()] +
-                           t * values[complex.target(h).idx()]));
+    result.push_back(Value((1 - t) * values[complex.source(h).idx()] + t * values[complex.target(h).idx()]));
   }
   return result;
 }
@@ -75,8 +162,7 @@ template <class VertexValues>
 auto interpolate_input_values(const Common_subdivision& subdivision, const VertexValues& values)
 {
   return internal::interpolate_at_crossings(
-    subdivision, subdivision.input(), values,
-    [&](Overlay::Vertex x) { return subdivision.overlay().input_edge(x); },
+    subdivision, subdivision.input(), values, [&](Overlay::Vertex x) { return subdivision.overlay().input_edge(x); },
     [&](Overlay::Vertex x) { return subdivision.positions().on_input_edge(x); });
 }
 
@@ -131,8 +217,7 @@ auto interpolate_input_corner_values(const Common_subdivision& subdivision, cons
     }
     const Halfedge_index side = layer.side(h);
     const double t = layer.on_side(h);
-    result[h.idx()] =
-      Value((1 - t) * values[input.prev(side).idx()] + t * values[side.idx()]);
+    result[h.idx()] = Value((1 - t) * values[input.prev(side).idx()] + t * values[side.idx()]);
   }
   return result;
 }

@@ -13,7 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/overlay_areas.h>
+#include <CGAL/Intrinsic_triangulations/transfer.h>
 
 #include <CGAL/assertions.h>
 
@@ -35,10 +35,8 @@ namespace internal {
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
 template <class EdgeOf, class PositionOf>
-Eigen::SparseMatrix<double> interpolation_matrix(const Common_subdivision& subdivision,
-                                                 const Delta_complex& complex,
-                                                 const EdgeOf& edge_of,
-                                                 const PositionOf& position_of)
+Eigen::SparseMatrix<double> interpolation_matrix(const Common_subdivision& subdivision, const Delta_complex& complex,
+                                                 const EdgeOf& edge_of, const PositionOf& position_of)
 {
   const Overlay& overlay = subdivision.overlay();
   Triplets entries;
@@ -67,8 +65,7 @@ Eigen::SparseMatrix<double> interpolation_matrix(const Common_subdivision& subdi
 inline std::array<int, 3> corner_vertices(const Delta_complex& complex, Face_index f)
 {
   const Halfedge_index h = complex.halfedge(f);
-  return {int(complex.source(h).idx()), int(complex.target(h).idx()),
-          int(complex.target(complex.next(h)).idx())};
+  return {int(complex.source(h).idx()), int(complex.target(h).idx()), int(complex.target(complex.next(h)).idx())};
 }
 
 } // namespace internal
@@ -80,8 +77,7 @@ inline std::array<int, 3> corner_vertices(const Delta_complex& complex, Face_ind
 inline Eigen::SparseMatrix<double> input_interpolation_matrix(const Common_subdivision& subdivision)
 {
   return internal::interpolation_matrix(
-    subdivision, subdivision.input(),
-    [&](Overlay::Vertex x) { return subdivision.overlay().input_edge(x); },
+    subdivision, subdivision.input(), [&](Overlay::Vertex x) { return subdivision.overlay().input_edge(x); },
     [&](Overlay::Vertex x) { return subdivision.positions().on_input_edge(x); });
 }
 
@@ -90,8 +86,7 @@ inline Eigen::SparseMatrix<double> input_interpolation_matrix(const Common_subdi
 inline Eigen::SparseMatrix<double> intrinsic_interpolation_matrix(const Common_subdivision& subdivision)
 {
   return internal::interpolation_matrix(
-    subdivision, subdivision.intrinsic(),
-    [&](Overlay::Vertex x) { return subdivision.overlay().intrinsic_edge(x); },
+    subdivision, subdivision.intrinsic(), [&](Overlay::Vertex x) { return subdivision.overlay().intrinsic_edge(x); },
     [&](Overlay::Vertex x) { return subdivision.positions().on_intrinsic_edge(x); });
 }
 
@@ -111,35 +106,34 @@ struct Transfer_mass_matrices
 /// corners of a face are at the same vertex, the hat function of the vertex is the sum of those of the
 /// corners. Integrals are in the squared unit of the input, up to rounding. O(size of the overlay).
 /// \param subdivision the common subdivision
-/// \exception Invalid_surface_error as `area()` of `Exact_geometry`
+/// \exception Invalid_surface_error as `area()` of `Intrinsic_triangulation`
 inline Transfer_mass_matrices transfer_mass_matrices(const Common_subdivision& subdivision)
 {
   const Overlay& overlay = subdivision.overlay();
   const internal::Areas_in_both areas(subdivision);
   internal::Triplets entries;
   entries.reserve(9 * std::size_t(overlay.number_of_faces()));
-  internal::for_each_overlay_fan(
-    subdivision, areas, [&](Overlay::Face f, const internal::Overlay_fan& fan) {
-      Eigen::Matrix3d integrals = Eigen::Matrix3d::Zero();
-      for (std::size_t i = 0; i < fan.size(); ++i) {
-        Eigen::Matrix3d in_input, in_intrinsic; // a row for each corner of the triangle
-        for (int k = 0; k < 3; ++k) {
-          const internal::Corner_in_both& corner = fan.corners[k == 0 ? 0 : i + std::size_t(k)];
-          in_input.row(k) = Eigen::Map<const Eigen::RowVector3d>(corner.from.data());
-          in_intrinsic.row(k) = Eigen::Map<const Eigen::RowVector3d>(corner.to.data());
-        }
-        // With linear functions: a twelfth of the area times the sum of the products at the
-        // corners and of the product of the sums over the corners.
-        integrals += fan.area(i) / 12 *
-                     (in_intrinsic.transpose() * in_input +
-                      in_intrinsic.colwise().sum().transpose() * in_input.colwise().sum());
+  internal::for_each_overlay_fan(subdivision, areas, [&](Overlay::Face f, const internal::Overlay_fan& fan) {
+    Eigen::Matrix3d integrals = Eigen::Matrix3d::Zero();
+    for (std::size_t i = 0; i < fan.size(); ++i) {
+      Eigen::Matrix3d in_input, in_intrinsic; // a row for each corner of the triangle
+      for (int k = 0; k < 3; ++k) {
+        const internal::Corner_in_both& corner = fan.corners[k == 0 ? 0 : i + std::size_t(k)];
+        in_input.row(k) = Eigen::Map<const Eigen::RowVector3d>(corner.from.data());
+        in_intrinsic.row(k) = Eigen::Map<const Eigen::RowVector3d>(corner.to.data());
       }
-      const auto rows = internal::corner_vertices(subdivision.intrinsic(), overlay.intrinsic_face(f)),
-                 columns = internal::corner_vertices(subdivision.input(), overlay.input_face(f));
-      for (int r = 0; r < 3; ++r)
-        for (int c = 0; c < 3; ++c)
-          entries.emplace_back(rows[r], columns[c], integrals(r, c));
-    });
+      // With linear functions: a twelfth of the area times the sum of the products at the
+      // corners and of the product of the sums over the corners.
+      integrals +=
+        fan.area(i) / 12 *
+        (in_intrinsic.transpose() * in_input + in_intrinsic.colwise().sum().transpose() * in_input.colwise().sum());
+    }
+    const auto rows = internal::corner_vertices(subdivision.intrinsic(), overlay.intrinsic_face(f)),
+               columns = internal::corner_vertices(subdivision.input(), overlay.input_face(f));
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 3; ++c)
+        entries.emplace_back(rows[r], columns[c], integrals(r, c));
+  });
   Eigen::SparseMatrix<double> mixed(subdivision.intrinsic().number_of_vertices(),
                                     subdivision.input().number_of_vertices());
   mixed.setFromTriplets(entries.begin(), entries.end());

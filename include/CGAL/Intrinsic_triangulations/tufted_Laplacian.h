@@ -8,16 +8,15 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TUFTED_LAPLACIAN_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TUFTED_LAPLACIAN_H
 
-#include <CGAL/Intrinsic_triangulations/Flip_report.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
-#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/default_traits.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
-#include <CGAL/Intrinsic_triangulations/make_tufted_cover.h>
-
-#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
 
 #include <Eigen/SparseCore>
 
@@ -35,14 +34,6 @@ namespace Intrinsic_triangulations {
 enum class Mass_type {
   LUMPED,  ///< diagonal: a third of the area around each vertex
   GALERKIN ///< that of linear finite elements
-};
-
-/// \ingroup PkgIntrinsicTriangulationsCover
-/// \brief how a cover and its operator are made.
-struct Tufted_Laplacian_options : Tufted_cover_options
-{
-  /// which mass matrix is returned
-  Mass_type mass_type = Mass_type::LUMPED;
 };
 
 /// \ingroup PkgIntrinsicTriangulationsCover
@@ -161,16 +152,18 @@ inline Eigen::SparseMatrix<double> Galerkin_mass_matrix(const Tufted_cover& cove
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-inline Tufted_Laplacian operator_of_cover(Tufted_cover cover, Flip_report flips, Mass_type mass_type)
+template <class NamedParameters>
+Tufted_Laplacian operator_of_cover(Tufted_cover cover, const NamedParameters& np)
 {
-  if (flips.status == Flip_status::CANCELLED)
-    throw Cancelled_error("cancelled while edges were flipped");
   Tufted_Laplacian result;
+  result.flips = flip_to_Delaunay(cover.triangulation, np);
+  cover.triangulation.set_interruption(go_further_function_of(np));
   result.stiffness = stiffness_matrix(cover, &result.minimum_weight);
-  result.mass = mass_type == Mass_type::LUMPED ? lumped_mass_matrix(cover) : Galerkin_mass_matrix(cover);
+  result.mass = value_of<Parameter::MASS_TYPE>(np, Mass_type::LUMPED) == Mass_type::LUMPED
+                  ? lumped_mass_matrix(cover)
+                  : Galerkin_mass_matrix(cover);
   result.representative = std::move(cover.representative);
   result.report = cover.report;
-  result.flips = std::move(flips);
   return result;
 }
 
@@ -192,42 +185,40 @@ inline Tufted_Laplacian operator_of_cover(Tufted_cover cover, Flip_report flips,
 /// was merged with another, its `representative`.
 ///
 /// \param points, triangles as for `make_tufted_cover()`
-/// \param options what is built, and what is done with degenerate input
-/// \param np the named parameters of `flip_to_Delaunay()`
+/// \param np an optional sequence of named parameters: those of `make_tufted_cover()` and `flip_to_Delaunay()`, and
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{mass_type}
+///     \cgalParamDescription{which mass matrix is returned}
+///     \cgalParamType{`Mass_type`}
+///     \cgalParamDefault{`Mass_type::LUMPED`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
 ///
 /// \exception Invalid_surface_error as `make_tufted_cover()`; also if there is a face without area that
 ///   flips cannot remove, which needs a border
-/// \exception Cancelled_error if the visitor ends the flips, or `options.go_further` says so
+/// \exception Cancelled_error if the visitor says so
 ///
 /// Complexity: that of `make_tufted_cover()` and the flips.
 ///
 /// Source: N. Sharp, K. Crane, "A Laplacian for nonmanifold triangle meshes", 2020.
 template <class PointRange, class TriangleRange, class NamedParameters = parameters::Default_named_parameters>
 Tufted_Laplacian tufted_Laplacian(const PointRange& points, const TriangleRange& triangles,
-                                  const Tufted_Laplacian_options& options = Tufted_Laplacian_options(),
                                   const NamedParameters& np = parameters::default_values())
 {
-  Tufted_cover cover = make_tufted_cover(points, triangles, options);
-  cover.triangulation.set_interruption(options.go_further);
-  Flip_report flips = flip_to_Delaunay(cover.triangulation, np);
-  return internal::operator_of_cover(std::move(cover), std::move(flips), options.mass_type);
+  return internal::operator_of_cover(make_tufted_cover(points, triangles, np), np);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCover
-/// \brief as above, for a surface that is given by lengths.
+/// \brief as `tufted_Laplacian()` of points, for a surface that is given by lengths.
 /// \param complex the triangles
 /// \param lengths the length of each edge
-/// \param options as above
-/// \param np the named parameters of `flip_to_Delaunay()`
+/// \param np as above
 template <class NamedParameters = parameters::Default_named_parameters>
 Tufted_Laplacian tufted_Laplacian(const Delta_complex& complex, const std::vector<double>& lengths,
-                                  const Tufted_Laplacian_options& options = Tufted_Laplacian_options(),
                                   const NamedParameters& np = parameters::default_values())
 {
-  Tufted_cover cover = make_tufted_cover(complex, lengths, options);
-  cover.triangulation.set_interruption(options.go_further);
-  Flip_report flips = flip_to_Delaunay(cover.triangulation, np);
-  return internal::operator_of_cover(std::move(cover), std::move(flips), options.mass_type);
+  return internal::operator_of_cover(make_tufted_cover(complex, lengths, np), np);
 }
 
 } // namespace Intrinsic_triangulations

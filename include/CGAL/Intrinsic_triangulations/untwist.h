@@ -3,23 +3,31 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Long runs of flips around tubes, made by a division.
+// Gluings whose edges wind around thin parts any number of times: where they wind, and their Delaunay triangulation.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_UNTWIST_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_UNTWIST_H
 
+#include <CGAL/Intrinsic_triangulations/internal/twists/Untwisting.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Untwisting.h>
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/twists/exact_gluing_io.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/default_traits.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/property_map.h>
+#include <CGAL/tags.h>
 
 #include <cstdint>
 #include <functional>
+#include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -70,8 +78,8 @@ std::vector<Rational> squared_lengths(const std::vector<double>& lengths);
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{`go_further(tests, flips)` is asked now and then, with the numbers of tubes so far and of flips made one by one, and ends the function with `false`.
 ///       `after_flip()` is not called}
-///     \cgalParamType{a model of `IntrinsicFlipVisitor`}
-///     \cgalParamDefault{`Default_flip_visitor`}
+///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
+///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
@@ -95,18 +103,138 @@ Untwisting untwist(Delta_complex& complex, std::vector<Rational>& squared_length
   if constexpr (is_default_parameter<NamedParameters, internal_np::visitor_t>::value) {
     return internal::untwist(complex, squared_lengths, is_constrained, {});
   } else {
-    auto visitor = get_parameter(np, internal_np::visitor);
-    return internal::untwist(complex, squared_lengths, is_constrained, [&visitor](std::uint64_t tests, std::uint64_t flips) {
-      return internal::unwrapped(visitor).go_further(tests, flips);
-    });
+    auto observer = internal::observer_of(np);
+    return internal::untwist(
+      complex, squared_lengths, is_constrained,
+      [&observer](std::uint64_t tests, std::uint64_t flips) { return observer.go_further(tests, flips); });
   }
+}
+
+/// \ingroup PkgIntrinsicTriangulationsTwists
+/// \brief the intrinsic Delaunay triangulation of a gluing.
+///
+/// \tparam Traits a model of `IntrinsicTriangulationTraits`
+template <class Traits>
+struct Gluing_triangulation
+{
+  Intrinsic_triangulation<Traits> triangulation; ///< its input is the gluing that the twists left
+  Flip_report report;                            ///< the report of the flips after the twists
+  Untwisting untwisting; ///< the twists; `crossings` are those of the triangulation with the gluing that was given
+};
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// Passes everything on, and counts crossings.
+template <class Visitor>
+class Counting_visitor
+{
+public:
+  Counting_visitor(Visitor& visitor, const Delta_complex& complex, Crossing_counts& crossings)
+    : visitor_(visitor), complex_(complex), crossings_(crossings)
+  {}
+  bool go_further(std::uint64_t tests, std::uint64_t flips) { return visitor_.go_further(tests, flips); }
+  void after_flip(Edge_index e)
+  {
+    crossings_.after_flip(complex_, e);
+    visitor_.after_flip(e);
+  }
+
+private:
+  Visitor& visitor_;
+  const Delta_complex& complex_;
+  Crossing_counts& crossings_;
+};
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsTwists
+/// \brief constructs the intrinsic Delaunay triangulation of a gluing, from the exact lengths or squared lengths that it has.
+///
+/// The i-th vertex, edge and face of the result are the i-th of the gluing's complex.
+///
+/// \tparam NamedParameters a sequence of named parameters
+/// \param gluing the triangles and lengths
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{fast_forward}
+///     \cgalParamDescription{whether `untwist()` is called first, so that the number of flips may be beyond what can be done one by one; has to be the first
+///       parameter of the sequence}
+///     \cgalParamType{`bool`}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{the traits, which have to use exact geometry}
+///     \cgalParamType{a model of `IntrinsicTriangulationTraits`}
+///     \cgalParamDefault{`Filtered_edge_length_traits`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{a property map that tells which edges must not be flipped, nor tubes untwisted that they cross}
+///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
+///     \cgalParamDefault{no edge is constrained}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor, maximum_number}
+///     \cgalParamDescription{as for `flip_to_Delaunay()`; the visitor can end `untwist()` as well. Both are told of flips made one by one after the twists}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return the triangulation; overlays and points refer to the gluing that the twists left. How often its edges cross those of the gluing that was given,
+///   is in `untwisting.crossings`, with or without twists
+///
+/// \exception Invalid_surface_error if a length is not positive, or the lengths of a face violate the triangle inequality; equality is accepted
+template <class NamedParameters = parameters::Default_named_parameters>
+auto intrinsic_Delaunay_triangulation(const Exact_gluing& gluing,
+                                      const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using Traits = typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters,
+                                                              Filtered_edge_length_traits>::type;
+  using Triangulation = Intrinsic_triangulation<Traits>;
+  static_assert(Triangulation::uses_exact_geometry, "needs traits that use exact geometry");
+  const Traits traits = choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits));
+  const bool is_fast =
+    choose_parameter(get_parameter(np, internal::Parameter_tag<internal::Parameter::FAST_FORWARD>()), false);
+  const auto is_constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
+                                               Static_boolean_property_map<Edge_index, false>());
+  auto observer = internal::observer_of(np);
+  const std::uint64_t budget =
+    choose_parameter(get_parameter(np, internal_np::maximum_number), (std::numeric_limits<std::uint64_t>::max)());
+
+  Untwisting untwisting;
+  const auto triangulation = [&] {
+    Delta_complex complex = gluing.complex;
+    if (!is_fast) {
+      untwisting.crossings = Crossing_counts(complex);
+      if (!gluing.lengths.empty())
+        return Triangulation::from_lengths(
+          std::move(complex), std::vector<typename Traits::FT>(gluing.lengths.begin(), gluing.lengths.end()), traits);
+    }
+    std::vector<Rational> squares = gluing.lengths.empty() ? gluing.squared_lengths : squared_lengths(gluing.lengths);
+    if (is_fast)
+      untwisting = internal::untwist(
+        complex, squares, [&](Edge_index e) { return bool(get(is_constrained, e)); },
+        [&](std::uint64_t tests, std::uint64_t flips) { return observer.go_further(tests, flips); });
+    return Triangulation::from_metric(std::move(complex), metric_from_squared_lengths(std::move(squares)), traits);
+  };
+  Gluing_triangulation<Traits> result{triangulation(), {}, {}};
+  result.untwisting = std::move(untwisting);
+  if (!result.untwisting.is_complete)
+    throw Cancelled_error("the flips within tubes were cancelled");
+  internal::Counting_visitor<decltype(observer)> counting(observer, result.triangulation.connectivity(),
+                                                          result.untwisting.crossings);
+  result.report = internal::flip_all<Sequential_tag>(internal::Whole_triangulation<Traits>(result.triangulation),
+                                                     is_constrained, counting, budget);
+  return result;
 }
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/flips/untwist_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/twists/untwist_impl.h>
 #endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_UNTWIST_H

@@ -10,19 +10,121 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_VALIDATE_TRIANGLES_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Surface_report.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Length_range.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/Surface_examiner.h>
+#include <CGAL/Intrinsic_triangulations/internal/validation/Polygon_sides.h>
+#include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 
 #include <CGAL/number_utils.h>
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief a finding of `examine_polygons()`, with the first elements that it concerns.
+struct Finding
+{
+  /// what is wrong, or unusual.
+  Invalid_surface_error::Defect defect;
+  /// the smallest indices, at most ten, increasing where they are vertices or
+  /// faces; for a finding about edges, the first face of each of `edges`.
+  std::vector<std::size_t> elements;
+  /// the end vertices of the first edges, smaller first; empty for other findings.
+  std::vector<std::array<std::size_t, 2>> edges;
+  /// the number of elements concerned (for `SEVERAL_COMPONENTS`: of components).
+  std::size_t count;
+  /// whether the package cannot work on the surface.
+  bool is_fatal;
+  /// a description of the first element with its vertices, e.g. "edge 3-17 has 4 faces (faces 5, 8, 9, 11)".
+  std::string description;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief everything that `examine_polygons()` found, and the numbers of elements.
+struct Surface_report
+{
+  /// one entry per defect that occurs, in the order of `Invalid_surface_error::Defect`; but vertices and edges that are
+  /// out of range are two.
+  std::vector<Finding> findings;
+  std::size_t number_of_vertices = 0;     ///< points, referenced or not
+  std::size_t number_of_faces = 0;        ///< polygons, valid or not
+  std::size_t number_of_edges = 0;        ///< edges of the faces with valid indices
+  std::size_t number_of_border_edges = 0; ///< those with one face
+  std::size_t number_of_components = 0;   ///< pieces that share no vertex
+  /// whether the faces can be oriented consistently (known only if no edge has three faces).
+  bool is_orientable = true;
+  /// the smallest `e` such that no coordinate differs by 2<sup>e</sup> or more along any edge.
+  int exponent_of_longest_edge = 0;
+  /// the same for the shortest edge of nonzero length.
+  int exponent_of_shortest_edge = 0;
+
+  /// returns the first entry of a defect, or `nullptr` if there is none. Complexity: constant.
+  const Finding* find(Invalid_surface_error::Defect defect) const
+  {
+    for (const Finding& finding : findings)
+      if (finding.defect == defect)
+        return &finding;
+    return nullptr;
+  }
+
+  /// returns the first fatal entry, or `nullptr` if the surface can be used. Complexity: constant.
+  const Finding* first_fatal() const
+  {
+    for (const Finding& finding : findings)
+      if (finding.is_fatal)
+        return &finding;
+    return nullptr;
+  }
+};
+
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief returns a sentence that says what was found, where, how often, and what to do about it.
+/// \param finding an entry of a report
+/// \param advice what to do about it, instead of the default advice for programmers; empty for no advice
+/// \return for example "edge 3-17 has 4 faces (faces 5, 8, 9, 11), and 2 more edges like it; remove ...".
+/// Complexity: constant.
+std::string message(const Finding& finding, const std::optional<std::string>& advice = std::nullopt);
+
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief returns a text that says what is wrong with a surface.
+/// \param report what `examine_polygons()` returned
+/// \param name the name of the surface, e.g. of its file; it precedes the text unless it is empty
+/// \param advice what to do about the first fatal entry, instead of the default advice for programmers
+/// \return if the report has fatal entries, the first one in full and the counts of the
+/// others; otherwise all entries, one after the other; the
+/// empty string if there is no entry. Complexity: constant.
+std::string message(const Surface_report& report, const std::string& name = std::string(),
+                    const std::optional<std::string>& advice = std::nullopt);
+
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief does nothing if a surface can be used; otherwise throws an exception that says why not.
+/// \param report what `examine_polygons()` returned
+/// \param name the name of the surface, e.g. of its file; it precedes the message unless it is empty
+/// \exception Invalid_surface_error with the defect, first element and count of the first
+/// fatal entry (for an edge, the element is its first face), and the text of `message()`.
+/// Complexity: constant.
+void throw_if_fatal(const Surface_report& report, const std::string& name = std::string());
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// What is found in polygons that were copied.
+Surface_report examine(const std::vector<std::array<double, 3>>& points, Polygon_sides& polygons);
+
+} // namespace internal
+/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
 /// \brief examines whether polygons form an oriented 2-manifold of triangles with usable edge lengths.
@@ -39,7 +141,7 @@ namespace Intrinsic_triangulations {
 /// \param points the vertices
 /// \param polygons the faces, as indices into `points`
 ///
-/// \return the findings in the order of `Finding_kind`; none for a connected
+/// \return the findings in the order of `Invalid_surface_error::Defect`; none for a connected
 /// triangulated surface without defects. No input makes the function throw
 /// (except `std::bad_alloc`).
 ///
@@ -49,7 +151,15 @@ namespace Intrinsic_triangulations {
 template <class PointRange, class PolygonRange>
 Surface_report examine_polygons(const PointRange& points, const PolygonRange& polygons)
 {
-  return internal::Surface_examiner<PointRange>(points).examine(polygons);
+  internal::Polygon_sides copy(static_cast<std::size_t>(std::distance(std::begin(points), std::end(points))),
+                               static_cast<std::size_t>(std::distance(std::begin(polygons), std::end(polygons))));
+  std::vector<std::array<double, 3>> coordinates;
+  if (copy.add_polygons(polygons)) {
+    coordinates.reserve(copy.number_of_vertices());
+    for (const auto& p : points)
+      coordinates.push_back({to_double(p[0]), to_double(p[1]), to_double(p[2])});
+  }
+  return internal::examine(coordinates, copy);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
@@ -73,8 +183,7 @@ bool is_clean(const Delta_complex& complex, const PointRange& points)
   internal::Box box;
   for (Vertex_index v : complex.vertices()) {
     const std::array<double, 3> p = place(v);
-    if (!complex.halfedge(v).is_valid() ||
-        !(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])))
+    if (!complex.halfedge(v).is_valid() || !(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])))
       return false;
     for (int i = 0; i < 3; ++i)
       box.add(i, p[i]);
@@ -104,7 +213,22 @@ bool is_clean(const Delta_complex& complex, const PointRange& points)
   return true;
 }
 
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief returns which triangles to turn over, by exchanging two corners, so that neighbors agree; in increasing order.
+///
+/// The first triangle of each part that edges join stays as it is. Where an even number of triangles meets at an edge,
+/// directions alternate around it, as they do around solids that touch. A surface that is one-sided is cut open
+/// somewhere.
+/// \param points the positions of the vertices
+/// \param triangles three different vertices for each triangle
+std::vector<std::size_t> turned_triangles(const std::vector<std::array<double, 3>>& points,
+                                          const std::vector<std::array<std::uint32_t, 3>>& triangles);
+
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/internal/validation/validate_triangles_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_VALIDATE_TRIANGLES_H

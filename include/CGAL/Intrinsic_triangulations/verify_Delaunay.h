@@ -3,26 +3,32 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// An exact check of a result, whatever number type made it.
+// Whether a triangulation is Delaunay, exactly or as its numbers tell, and the cells that its ties form.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_VERIFY_DELAUNAY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_VERIFY_DELAUNAY_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 
-#include <CGAL/Named_function_parameters.h>
+#include <CGAL/Uncertain.h>
+#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/enum.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <vector>
 
@@ -52,8 +58,8 @@ template <class ConstraintMap>
 class Delaunay_verifier
 {
 public:
-  Delaunay_verifier(const Delta_complex& complex, const Exact_geometry& geometry, const ConstraintMap& is_constrained)
-    : complex_(complex), geometry_(geometry), is_constrained_(is_constrained)
+  Delaunay_verifier(const internal::Exact_engine& engine, const ConstraintMap& is_constrained)
+    : complex_(engine.connectivity()), engine_(engine), is_constrained_(is_constrained)
   {}
 
   // `loop(n, f)` calls f(first, last) for ranges that make up [0, n) on one thread or several.
@@ -112,8 +118,8 @@ private:
 
   void verify(Face_index f, Delaunay_verification& found) const
   {
-    geometry_.interruption().check();
-    if (geometry_.sign_of_area(complex_, f) == NEGATIVE)
+    engine_.interruption().check();
+    if (engine_.sign_of_area(f) == NEGATIVE)
       found.inverted.push_back(f);
   }
   void verify(Edge_index e, Delaunay_verification& found) const
@@ -121,8 +127,8 @@ private:
     if (!complex_.is_flippable(e) || get(is_constrained_, e))
       return;
     ++found.tests;
-    geometry_.interruption().check();
-    const Sign sign = geometry_.sign_by_unfolding(complex_, e);
+    engine_.interruption().check();
+    const Sign sign = engine_.sign_by_unfolding(e);
     if (sign == NEGATIVE)
       found.not_Delaunay.push_back(e);
     else if (sign == ZERO)
@@ -138,7 +144,7 @@ private:
   }
 
   const Delta_complex& complex_;
-  const Exact_geometry& geometry_;
+  const internal::Exact_engine& engine_;
   const ConstraintMap& is_constrained_;
 };
 
@@ -179,11 +185,107 @@ Delaunay_verification verify_Delaunay(const Triangulation& triangulation,
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  return internal::Delaunay_verifier(triangulation.connectivity(), triangulation.template exact_geometry<ConcurrencyTag>(),
+  return internal::Delaunay_verifier(internal::engine<ConcurrencyTag>(triangulation),
                                      choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
                                                       Static_boolean_property_map<Edge_index, false>()))
     .verify([](std::size_t n, const auto& f) { internal::for_each_block<ConcurrencyTag>(n, 1, f); });
 }
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// \brief returns whether each edge that is not constrained is Delaunay, by
+/// `Intrinsic_triangulation::is_locally_Delaunay()`: exactly with the default traits.
+///
+/// `verify_Delaunay()` decides it anew from the input alone, exactly for any traits, and names the edges.
+///
+/// \tparam NamedParameters a sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{a property map that tells which edges do not matter}
+///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
+///     \cgalParamDefault{no edge is constrained}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return `false` if an edge is certainly not Delaunay; otherwise, an uncertain value if an interval number type cannot
+///   tell for some edge
+/// \exception Undecided_error as `sign_of_cotangent_weight()`. O(size).
+template <class Traits, class NamedParameters = parameters::Default_named_parameters>
+typename Traits::Boolean is_Delaunay(const Intrinsic_triangulation<Traits>& triangulation,
+                                     const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  const auto is_constrained = internal::edge_constraints_of(np);
+  typename Traits::Boolean result = true;
+  for (Edge_index e : triangulation.connectivity().edges()) {
+    if (get(is_constrained, e))
+      continue;
+    const typename Traits::Boolean answer = triangulation.is_locally_Delaunay(e);
+    if (certainly_not(answer))
+      return false;
+    if (!certainly(answer))
+      result = answer;
+  }
+  return result;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+///
+/// \brief the cells that are left of a Delaunay triangulation when all ties are removed:
+/// all edges whose opposite angles sum to exactly π.
+///
+/// The faces of a cell have a common empty circumcircle. A surface has many Delaunay
+/// triangulations if it has ties, but only one Delaunay tessellation (Indermitte,
+/// Liebling, Troyanov, Clémençon 2001; Bobenko, Springborn 2007), so the cells do not
+/// depend on the order of the input; their numbers do, which follow the faces.
+class Delaunay_tessellation
+{
+public:
+  /// \brief finds the cells, by exact decisions.
+  /// \tparam Triangulation an `Intrinsic_triangulation`
+  /// \param triangulation a Delaunay triangulation that keeps its input
+  /// \pre `triangulation.keeps_input()`
+  /// \exception Undecided_error as `sign_of_cotangent_weight()`
+  template <class Triangulation>
+  explicit Delaunay_tessellation(const Triangulation& triangulation)
+    : is_tie_(triangulation.connectivity().number_of_edges(), false),
+      cells_(triangulation.connectivity().number_of_faces())
+  {
+    const Delta_complex& complex = triangulation.connectivity();
+    const std::size_t number_of_faces = complex.number_of_faces();
+    std::vector<std::uint32_t> rank(number_of_faces), parent(number_of_faces);
+    boost::disjoint_sets<std::uint32_t*, std::uint32_t*> sets(rank.data(), parent.data());
+    for (std::uint32_t f = 0; f < number_of_faces; ++f)
+      sets.make_set(f);
+    for (Edge_index e : complex.edges()) {
+      if (!complex.is_flippable(e) || triangulation.sign_of_cotangent_weight(e) != ZERO)
+        continue;
+      is_tie_[e.idx()] = true;
+      const Halfedge_index h = complex.halfedge(e);
+      sets.union_set(complex.face(h).idx(), complex.face(complex.opposite(h)).idx());
+    }
+    std::vector<std::size_t> number_of(number_of_faces, number_of_faces);
+    for (std::uint32_t f = 0; f < number_of_faces; ++f) {
+      std::size_t& number = number_of[sets.find_set(f)];
+      if (number == number_of_faces)
+        number = number_of_cells_++;
+      cells_[f] = number;
+    }
+  }
+
+  /// returns the number of cells.
+  std::size_t number_of_cells() const { return number_of_cells_; }
+  /// returns the number of the cell that `f` is part of.
+  std::size_t cell(Face_index f) const { return cells_[f.idx()]; }
+  /// returns whether `e` is a tie, inside a cell.
+  bool is_tie(Edge_index e) const { return is_tie_[e.idx()]; }
+
+private:
+  std::vector<bool> is_tie_;
+  std::vector<std::size_t> cells_;
+  std::size_t number_of_cells_ = 0;
+};
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

@@ -6,7 +6,7 @@
 #ifndef IDT_FORMATS_WATCHED_FILE_H
 #define IDT_FORMATS_WATCHED_FILE_H
 
-#include <CGAL/Intrinsic_triangulations/Progress_function.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <cstddef>
 #include <cstdint>

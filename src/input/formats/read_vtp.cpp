@@ -3,7 +3,8 @@
 
 #include "input/formats/vtp.h"
 
-#include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
+#include "input/standard_input.h"
+#include "system/text.h"
 
 #include <vtkCellArray.h>
 #include <vtkLogger.h>
@@ -17,14 +18,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <limits>
 
 namespace idt {
 namespace {
-
-using CGAL::Intrinsic_triangulations::internal::load_file;
-using CGAL::Intrinsic_triangulations::internal::quote;
-using CGAL::Intrinsic_triangulations::internal::refuse_file;
 
 // Keeps the first error that VTK would print, whichever of its objects it is that complains.
 class Error_keeper : public vtkOutputWindow
@@ -91,7 +90,8 @@ private:
 // VTK allocates what a piece announces. Compression makes data smaller by a factor of about 1000 at most.
 void check_numbers(const std::string& path)
 {
-  const std::string text = load_file(path), name = "NumberOf";
+  std::ifstream file(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}}, name = "NumberOf";
   if (text.empty())
     refuse_file(path, "the file is empty");
   for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
@@ -100,7 +100,7 @@ void check_numbers(const std::string& path)
       return;
     const double value = std::strtod(text.c_str() + number + 1, nullptr);
     if (!(value >= 0 && value <= 2000. * static_cast<double>(text.size())))
-      refuse_file(path, "the number in " + quote(text.substr(at, text.find_first_of("\"'", number + 1) - at + 1)) +
+      refuse_file(path, "the number in " + quoted(text.substr(at, text.find_first_of("\"'", number + 1) - at + 1)) +
                           " does not agree with the size of the file");
   }
 }
@@ -108,9 +108,8 @@ void check_numbers(const std::string& path)
 // A number that no vertex has, where 32 bits are not enough.
 std::uint32_t vertex_number(vtkIdType id)
 {
-  return id < 0 || id > (std::numeric_limits<std::uint32_t>::max)()
-           ? (std::numeric_limits<std::uint32_t>::max)()
-           : static_cast<std::uint32_t>(id);
+  return id < 0 || id > (std::numeric_limits<std::uint32_t>::max)() ? (std::numeric_limits<std::uint32_t>::max)()
+                                                                    : static_cast<std::uint32_t>(id);
 }
 
 } // namespace

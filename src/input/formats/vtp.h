@@ -9,7 +9,7 @@
 
 #include "input/mesh_file.h"
 
-#include <CGAL/Intrinsic_triangulations/Polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <array>
 #include <cstddef>

@@ -60,7 +60,8 @@ std::vector<Named_values> finite(std::vector<Named_values> arrays)
 
 // CGAL's writer is for triangles alone: it announces three corners for each face, whatever there are.
 void write_vtp(std::ostream& os, const std::vector<std::array<double, 3>>& points, const Flat_polygons& polygons,
-               const std::vector<Named_values>& at_points, const Flat_polygons& lines, const std::vector<Named_values>& at_cells)
+               const std::vector<Named_values>& at_points, const Flat_polygons& lines,
+               const std::vector<Named_values>& at_cells)
 {
   os << "<?xml version=\"1.0\"?>\n"
         "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"

@@ -14,8 +14,8 @@ The package is under the LGPL, but for `point_cloud_laplacian` and `repair`, whi
 """
 
 from ._core import version as __version__
-from ._errors import (CancelledError, Error, IntegerOverflowError, InvalidPointError, InvalidSurfaceError, NumericalError,
-                      UndecidedError)
+from ._errors import (CancelledError, Error, IntegerOverflowError, InvalidArgumentError, InvalidPointError, InvalidSurfaceError,
+                      NumericalError, UndecidedError)
 from ._files import Repair, RepairedMesh, orient, read_mesh, repair
 from ._geodesics import CutSurface, EdgeFlipGeodesicSolver, GeodesicPath, GeodesicTracer, cut_along_path, geodesic_path
 from ._heat import MeshHeatMethodDistanceSolver, compute_distance, compute_distance_multisource, geodesic_distances
@@ -35,6 +35,7 @@ __all__ = [
     "GeodesicPath",
     "GeodesicTracer",
     "IntegerOverflowError",
+    "InvalidArgumentError",
     "InvalidPointError",
     "InvalidSurfaceError",
     "MeshHeatMethodDistanceSolver",

@@ -13,7 +13,7 @@ from typing import Any, Optional, Sequence, Tuple
 import numpy
 import scipy.sparse
 
-from ._errors import InvalidPointError, InvalidSurfaceError
+from ._errors import InvalidArgumentError, InvalidPointError, InvalidSurfaceError
 
 LARGEST_INDEX = 2**32 - 2
 
@@ -75,7 +75,7 @@ def indices(value: Any, name: str, shape: Sequence[Optional[int]], number: Optio
             message += "indices are not negative" if bad < 0 else f"there are only {limit + 1}"
             if of_what == "vertex" and len(shape) == 2:
                 raise InvalidSurfaceError(message, "BAD_INDEX", row, int(is_bad.any(axis=1).sum()))
-            raise InvalidPointError(message)
+            raise InvalidArgumentError(message)
     return array.astype(numpy.uint32, copy=False)
 
 
@@ -114,7 +114,7 @@ def integer(value: Any, name: str, least: int = 0, largest: int = 2**64 - 1) -> 
 def vertex(value: Any, name: str, number: int) -> int:
     result = integer(value, name, -2**63, 2**64)
     if not 0 <= result < number:
-        raise InvalidPointError(f"there is no vertex {result}: there are {number} vertices, counted from 0")
+        raise InvalidArgumentError(f"there is no vertex {result}: there are {number} vertices, counted from 0")
     return result
 
 

@@ -37,8 +37,12 @@ class InvalidSurfaceError(Error, ValueError):
         return str(self.args[0])
 
 
+class InvalidArgumentError(Error, ValueError):
+    """An argument is wrong though the surface is fine: a vertex that does not exist or that no path leads to, or a number out of range."""
+
+
 class InvalidPointError(Error, ValueError):
-    """A point, a direction or a vertex does not belong to the surface, or no path leads there."""
+    """A point or a direction does not belong to the surface."""
 
 
 class UndecidedError(Error, RuntimeError):

@@ -181,7 +181,7 @@ class EdgeFlipGeodesicSolver(_Lines):
 
         Raises
         ------
-        InvalidPointError
+        InvalidArgumentError
             If there is no such vertex, or no path along edges.
         """
         if max_relative_length_decrease not in (None, 0):

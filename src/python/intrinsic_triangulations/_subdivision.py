@@ -222,8 +222,10 @@ class CommonSubdivision:
 
         Raises
         ------
+        InvalidArgumentError
+            If there is no such face.
         InvalidPointError
-            If there is no such face, or coordinates are negative, not finite, or all zero.
+            If coordinates are negative, not finite, or all zero.
         """
         return self._subdivision.to_intrinsic(*_surface_points(faces, coordinates))
 

@@ -75,8 +75,7 @@ inline Sides sides_of_triangles(const std::vector<std::array<Size, 3>>& triangle
 }
 
 // The sides of triangles that are glued pairwise; vertices are numbered by their first corner.
-inline Sides sides_of_gluing(std::size_t number_of_faces,
-                             const std::vector<std::array<Size, 2>>& glued_sides)
+inline Sides sides_of_gluing(std::size_t number_of_faces, const std::vector<std::array<Size, 2>>& glued_sides)
 {
   Sides sides;
   sides.twin.assign(3 * number_of_faces, none);
@@ -142,8 +141,7 @@ public:
     Real squared_length;
     bool operator<(const Measured_edge& other) const
     {
-      return a != other.a ? a < other.a : b != other.b ? b < other.b
-                                                       : squared_length < other.squared_length;
+      return a != other.a ? a < other.a : b != other.b ? b < other.b : squared_length < other.squared_length;
     }
   };
 
@@ -160,8 +158,7 @@ public:
       }
       const Real uu = u[0] * u[0] + u[1] * u[1] + u[2] * u[2];
       const Real uv = u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-      const Real nx = u[1] * v[2] - u[2] * v[1], ny = u[2] * v[0] - u[0] * v[2],
-                 nz = u[0] * v[1] - u[1] * v[0];
+      const Real nx = u[1] * v[2] - u[2] * v[1], ny = u[2] * v[0] - u[0] * v[2], nz = u[0] * v[1] - u[1] * v[0];
       const Real length = sqrt(uu);
       if (length == 0 || (v[0] == 0 && v[1] == 0 && v[2] == 0) || (u[0] == v[0] && u[1] == v[1] && u[2] == v[2]))
         throw Coincident_vertices();
@@ -198,10 +195,7 @@ public:
     return t != none && s / 3 != t / 3;
   }
 
-  Real squared_length_of_side(Size s) const
-  {
-    return squared_norm(position_[Sides::next(s)] - position_[s]);
-  }
+  Real squared_length_of_side(Size s) const { return squared_norm(position_[Sides::next(s)] - position_[s]); }
   Real squared_length(Size edge) const { return squared_length_of_side(side(edge)); }
   Real length(Size edge) const { return sqrt(squared_length(edge)); }
   // Twice the area of the face of a side.
@@ -258,8 +252,7 @@ public:
     const Size s = side(edge), t = sides_.twin[s];
     if (t == none || s / 3 == t / 3)
       throw std::logic_error("the edge cannot be flipped");
-    const Point i = position_[s], j = position_[Sides::next(s)], k = position_[Sides::prev(s)],
-                l = far_corner(s);
+    const Point i = position_[s], j = position_[Sides::next(s)], k = position_[Sides::prev(s)], l = far_corner(s);
     if (squared_norm(k - l) <= tie_bound2() * (squared_norm(k - i) + squared_norm(l - i)))
       throw Coincident_vertices();
     const Size f = 3 * (s / 3), g = 3 * (t / 3);

@@ -54,13 +54,13 @@ struct Comparison
   std::vector<std::string> disagreements; // at most a few of each kind
   std::uint64_t flips = 0;                // of the package
   std::uint64_t reference_flips = 0;
-  std::uint64_t ties = 0;                                             // edges of the result whose opposite angles sum to pi
-  IT::Stage_counts stages;                                            // of the package's tests
-  double worst_length = 0;                                            // error of a length in units in the last place
-  double worst_area = 0;                                              // relative error of an area over 2^-50
-  double worst_cotangent = 0;                                         // error over 2^-50 (1 + |cot|)
-  double worst_weight = 0;                                            // error over 2^-49 (1 + the sum of |cot|)
-  std::vector<Tessellation_edge> tessellation;                        // of the package's result
+  std::uint64_t ties = 0;                      // edges of the result whose opposite angles sum to pi
+  IT::Stage_counts stages;                     // of the package's tests
+  double worst_length = 0;                     // error of a length in units in the last place
+  double worst_area = 0;                       // relative error of an area over 2^-50
+  double worst_cotangent = 0;                  // error over 2^-50 (1 + |cot|)
+  double worst_weight = 0;                     // error over 2^-49 (1 + the sum of |cot|)
+  std::vector<Tessellation_edge> tessellation; // of the package's result
   double inconsistency = -std::numeric_limits<double>::infinity();    // log10 of what rounding did to the reference
   double smallest_sine = 0;                                           // log10 of the closest decision
   double largest_tie_sine = -std::numeric_limits<double>::infinity(); // log10 of the largest number taken for zero
@@ -90,10 +90,7 @@ struct Stop_watch_visitor
 {
   const std::function<bool()>& ask;
   std::vector<IT::Edge_index> flipped;
-  bool go_further(std::uint64_t tests, std::uint64_t)
-  {
-    return !ask || tests % 256 != 0 || ask();
-  }
+  bool go_further(const IT::Progress& progress) { return !ask || progress.tests % 256 != 0 || ask(); }
   void after_flip(IT::Edge_index e) { flipped.push_back(e); }
 };
 
@@ -179,10 +176,16 @@ public:
       return result_;
     }
     Stop_watch_visitor visitor{options_.go_further, {}};
-    const IT::Flip_report report = IT::flip_to_Delaunay(
-      triangulation, CGAL::parameters::visitor(std::ref(visitor))
-                       .maximum_number(options_.maximum_number_of_flips)
-                       .edge_is_constrained_map(Constraint_map{&options_.is_constrained}));
+    IT::Flip_report report;
+    try {
+      report =
+        IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(std::ref(visitor))
+                                              .maximum_number(options_.maximum_number_of_flips)
+                                              .edge_is_constrained_map(Constraint_map{&options_.is_constrained}));
+    } catch (const IT::Cancelled_error&) {
+      report.status = IT::Flip_status::BUDGET_EXHAUSTED;
+      report.flips = visitor.flipped.size();
+    }
     result_.flips = report.flips;
     if (report.status != IT::Flip_status::DELAUNAY)
       complain("status", "the package's run ended with status " + std::to_string(int(report.status)) + " after " +
@@ -200,7 +203,7 @@ public:
       complain("connectivity", "the package's flips lead to another connectivity");
     else
       check_result(triangulation, replay);
-    result_.stages = triangulation.exact_geometry().stage_counts();
+    result_.stages = IT::internal::engine(triangulation).stage_counts();
 
     const Edges package_edges = replay.unique_edges(options_.is_constrained);
     for (const auto& edge : package_edges)
@@ -274,10 +277,11 @@ private:
       result_.worst_length = (std::max)(result_.worst_length, error);
       if (!(error <= 1))
         complain("length", "edge ", e.idx(), " has length ", exact, ", the package says ", length);
-      const CGAL::Interval_nt<> interval = triangulation.exact_geometry().length_interval(complex, e);
+      const CGAL::Interval_nt<> interval = IT::internal::engine(triangulation).length_interval(e);
       const Real slack = exact * Real("1e-60"); // the reference is not exact either
       if (!(Real(interval.inf()) <= exact + slack && exact - slack <= Real(interval.sup())))
-        complain("interval", "edge ", e.idx(), " has length ", exact, ", not in ", interval.inf(), " ... ", interval.sup());
+        complain("interval", "edge ", e.idx(), " has length ", exact, ", not in ", interval.inf(), " ... ",
+                 interval.sup());
     }
     if (options_.compare_numbers)
       check_numbers(triangulation, replay);
@@ -354,8 +358,7 @@ private:
       if (!replay.is_flippable(e.idx()))
         continue;
       const Circle_test test = replay.circle_test(e.idx());
-      if (test == Circle_test::TIE ? weight != 0 : test == Circle_test::DELAUNAY ? weight < 0
-                                                                                 : weight > 0)
+      if (test == Circle_test::TIE ? weight != 0 : test == Circle_test::DELAUNAY ? weight < 0 : weight > 0)
         complain("weight", "of edge ", e.idx(), " has another sign: ", weight, " for ", exact);
     }
   }
@@ -397,12 +400,12 @@ private:
 } // namespace detail
 
 // The package's copy of a surface, as yet unflipped.
-inline Exact_triangulation exact_triangulation(const IT::Indexed_triangles& surface)
+inline Exact_triangulation exact_triangulation(const samples::Indexed_triangles& surface)
 {
   return Exact_triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles),
                              surface.points);
 }
-inline Exact_triangulation exact_triangulation(const IT::Glued_triangles& gluing)
+inline Exact_triangulation exact_triangulation(const samples::Glued_triangles& gluing)
 {
   IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides);
   const Sides sides = sides_of_gluing(gluing.number_of_faces, gluing.glued_sides);
@@ -414,7 +417,7 @@ inline Exact_triangulation exact_triangulation(const IT::Glued_triangles& gluing
 
 // Compares the results for triangles in space. Errors of the package are passed on.
 template <unsigned digits = 510>
-Comparison compare(const IT::Indexed_triangles& surface, const Comparison_options& options = {})
+Comparison compare(const samples::Indexed_triangles& surface, const Comparison_options& options = {})
 {
   Exact_triangulation triangulation = exact_triangulation(surface);
   const Sides sides = sides_of_triangles(surface.triangles);
@@ -424,7 +427,7 @@ Comparison compare(const IT::Indexed_triangles& surface, const Comparison_option
 
 // Compares the results for a surface given by lengths.
 template <unsigned digits = 510>
-Comparison compare(const IT::Glued_triangles& gluing, const Comparison_options& options = {})
+Comparison compare(const samples::Glued_triangles& gluing, const Comparison_options& options = {})
 {
   Exact_triangulation triangulation = exact_triangulation(gluing);
   const Sides sides = sides_of_gluing(gluing.number_of_faces, gluing.glued_sides);

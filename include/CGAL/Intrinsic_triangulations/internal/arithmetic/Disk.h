@@ -8,8 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_DISK_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_DISK_H
 
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_with_bound.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 
 #include <cmath>
 
@@ -34,7 +33,9 @@ public:
   Disk() = default;
   Disk(const Real& x, const Real& y)
     : x_(x.part()), y_(y.part()),
-      radius_(x.error() + y.error() == 0 ? 0 : std::sqrt(x.error() * x.error() + y.error() * y.error()) * slightly_more + underflow)
+      radius_(x.error() + y.error() == 0
+                ? 0
+                : std::sqrt(x.error() * x.error() + y.error() * y.error()) * slightly_more + underflow)
   {}
   Disk(const Part& x, const Part& y, double radius) : x_(x), y_(y), radius_(radius) {}
 
@@ -96,8 +97,7 @@ private:
   void set_radius_of_product(const Disk& a, const Disk& b)
   {
     const double m = a.modulus(), n = b.modulus();
-    radius_ =
-      (m * b.radius_ + (n + b.radius_) * a.radius_ + unit * m * n) * slightly_more + tiny;
+    radius_ = (m * b.radius_ + (n + b.radius_) * a.radius_ + unit * m * n) * slightly_more + tiny;
   }
 
   Part x_{}, y_{};

@@ -59,8 +59,7 @@ class Multiquadratic
 
 public:
   explicit Multiquadratic(Multiquadratic_field* field = nullptr) : field_(field) {}
-  Multiquadratic(Multiquadratic_field* field, Mask mask, const Rational& coefficient)
-    : field_(field)
+  Multiquadratic(Multiquadratic_field* field, Mask mask, const Rational& coefficient) : field_(field)
   {
     if (coefficient != 0)
       terms_.emplace(mask, coefficient);
@@ -84,10 +83,7 @@ public:
       r.add(term.first, term.second);
     return r;
   }
-  friend Multiquadratic operator-(const Multiquadratic& a, const Multiquadratic& b)
-  {
-    return a + -b;
-  }
+  friend Multiquadratic operator-(const Multiquadratic& a, const Multiquadratic& b) { return a + -b; }
   friend Multiquadratic operator*(const Multiquadratic& a, const Multiquadratic& b)
   {
     Multiquadratic r(a.field_ ? a.field_ : b.field_);

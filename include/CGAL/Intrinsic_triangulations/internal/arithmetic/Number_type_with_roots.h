@@ -23,9 +23,9 @@ namespace internal {
 // Whether CGAL knows real numbers with division and square root in FT.
 template <class FT, class = void>
 struct Has_roots
-  : std::integral_constant<
-      bool, std::is_convertible<typename Algebraic_structure_traits<FT>::Algebraic_category, Field_with_sqrt_tag>::value &&
-              Real_embeddable_traits<FT>::Is_real_embeddable::value>
+  : std::integral_constant<bool, std::is_convertible<typename Algebraic_structure_traits<FT>::Algebraic_category,
+                                                     Field_with_sqrt_tag>::value &&
+                                   Real_embeddable_traits<FT>::Is_real_embeddable::value>
 {};
 
 template <class T>
@@ -39,11 +39,12 @@ struct Type
 template <class FT>
 auto checked_number_type()
 {
-  static_assert(Has_roots<FT>::value,
-                "the number type of Edge_length_traits and Half_angle_traits must be a field with square root that CGAL knows: "
-                "take double, a float of Boost.Multiprecision (include its header, or boost_multiprecision_floats.h, before "
-                "those of Intrinsic_triangulations) or the FT of a kernel with square roots, or, for exact "
-                "decisions on points with rational coordinates, no traits at all");
+  static_assert(
+    Has_roots<FT>::value,
+    "the number type of Edge_length_traits and Half_angle_traits must be a field with square root that CGAL knows: "
+    "take double, a float of Boost.Multiprecision (include its header, or boost_multiprecision_floats.h, before "
+    "those of Intrinsic_triangulations) or the FT of a kernel with square roots, or, for exact "
+    "decisions on points with rational coordinates, no traits at all");
   return Type<std::conditional_t<Has_roots<FT>::value, FT, double>>();
 }
 

@@ -75,10 +75,7 @@ public:
   std::uint64_t prime() const { return p_; }
   Number one() const { return one_; }
 
-  Number from_integer(mpz_srcptr n) const
-  {
-    return product(remainder(n), square_of_unit_);
-  }
+  Number from_integer(mpz_srcptr n) const { return product(remainder(n), square_of_unit_); }
 
   Number from_double(double x) const
   {
@@ -169,8 +166,7 @@ inline Gaussian_residue product(const Prime_field& f, Gaussian_residue a, Gaussi
 {
   if ((a.y | b.y) == 0)
     return {f.product(a.x, b.x), 0};
-  return {f.difference(f.product(a.x, b.x), f.product(a.y, b.y)),
-          f.sum(f.product(a.x, b.y), f.product(a.y, b.x))};
+  return {f.difference(f.product(a.x, b.x), f.product(a.y, b.y)), f.sum(f.product(a.x, b.y), f.product(a.y, b.x))};
 }
 inline Prime_field::Number squared_norm(const Prime_field& f, Gaussian_residue a)
 {

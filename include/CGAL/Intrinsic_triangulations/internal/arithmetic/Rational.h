@@ -15,10 +15,8 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 // Without expression templates, so that every expression is a number.
-using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int,
-                                              boost::multiprecision::et_off>;
-using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
-                                               boost::multiprecision::et_off>;
+using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
 
 inline mpq_srcptr data(const Rational& x) { return x.backend().data(); }
 inline mpz_srcptr data(const Integer& x) { return x.backend().data(); }

@@ -54,7 +54,9 @@ inverses(const Prime_fields& fields, const std::array<Gaussian_residue, std::tup
   for (std::size_t k = 2; k < size; ++k)
     for (std::size_t i = 0; i < n; ++i)
       small[k][i] = fields[i].unreduced_product(small[k - 1][i], small[1][i]);
-  const auto factor = [&](std::size_t i, int w) { return small[(fields[i].exponent_of_inverse() >> (window * w)) % size][i]; };
+  const auto factor = [&](std::size_t i, int w) {
+    return small[(fields[i].exponent_of_inverse() >> (window * w)) % size][i];
+  };
   std::array<Prime_field::Number, n> power;
   for (std::size_t i = 0; i < n; ++i)
     power[i] = factor(i, number_of_windows - 1);
@@ -81,8 +83,7 @@ public:
 
   bool is_zero() const
   {
-    return std::all_of(images_.begin(), images_.end(),
-                       [](const Gaussian_residue& x) { return x.is_zero(); });
+    return std::all_of(images_.begin(), images_.end(), [](const Gaussian_residue& x) { return x.is_zero(); });
   }
 
   friend Residues operator+(const Residues& a, const Residues& b);
@@ -198,13 +199,12 @@ private:
   // What is divided by is mostly what was divided by last.
   const Residues& inverse(const Residues& a)
   {
-    const auto is_same = [](const Gaussian_residue& x, const Gaussian_residue& y) {
-      return x.x == y.x && x.y == y.y;
-    };
+    const auto is_same = [](const Gaussian_residue& x, const Gaussian_residue& y) { return x.x == y.x && x.y == y.y; };
     if (!std::equal(a.images_.begin(), a.images_.end(), last_divisor_.images_.begin(), is_same)) {
       last_divisor_ = a;
       inverse_.images_ = inverses(fields_, a.images_);
-      is_defined_ = is_defined_ && std::none_of(a.images_.begin(), a.images_.end(), [](const Gaussian_residue& x) { return x.is_zero(); });
+      is_defined_ = is_defined_ && std::none_of(a.images_.begin(), a.images_.end(),
+                                                [](const Gaussian_residue& x) { return x.is_zero(); });
     }
     return inverse_;
   }
@@ -237,10 +237,7 @@ inline Residues operator*(const Residues& a, const Residues& b)
 {
   return Residues::combined(a, b, [](const auto& f, auto x, auto y) { return product(f, x, y); });
 }
-inline Residues operator/(const Residues& a, const Residues& b)
-{
-  return a * a.rings_->inverse(b);
-}
+inline Residues operator/(const Residues& a, const Residues& b) { return a * a.rings_->inverse(b); }
 
 } // namespace internal
 } // namespace Intrinsic_triangulations

@@ -84,9 +84,7 @@ public:
     for (std::uint32_t i = 0; i < (std::min)(generators_.size(), few); ++i) {
       const Integer product = n * generators_[i];
       if (mpz_perfect_square_p(data(product)))
-        return {Rational(Integer(boost::multiprecision::sqrt(product)),
-                         Integer(generators_[i] * denominator)),
-                {i}};
+        return {Rational(Integer(boost::multiprecision::sqrt(product)), Integer(generators_[i] * denominator)), {i}};
     }
     if (maximum_size_ == 0)
       throw Too_costly();

@@ -35,8 +35,7 @@ class Two_doubles
 public:
   Two_doubles() = default;
 #ifdef CGAL_HAS_SSE2
-  Two_doubles(double both) : v_(_mm_set1_pd(both))
-  {}
+  Two_doubles(double both) : v_(_mm_set1_pd(both)) {}
   Two_doubles(double first, double second) : v_(_mm_set_pd(second, first)) {}
   static Two_doubles at(const double* p) { return _mm_loadu_pd(p); }
   double first() const { return _mm_cvtsd_f64(v_); }
@@ -74,8 +73,7 @@ private:
   Two_doubles(__m128d v) : v_(v) {}
   __m128d v_;
 #else
-  Two_doubles(double both) : v_{both, both}
-  {}
+  Two_doubles(double both) : v_{both, both} {}
   Two_doubles(double first, double second) : v_{first, second} {}
   static Two_doubles at(const double* p) { return {p[0], p[1]}; }
   double first() const { return v_[0]; }
@@ -107,15 +105,7 @@ private:
 
 using Two_points = std::array<Two_doubles, 3>;
 
-// Whether the functors of traits have `of_two()`, for two edges or faces at once: then `Takes_two_faces` names the
-// traits. Traits that are derived from such inherit the name, but may have other functors, and do not count.
-template <class Traits, class = void>
-struct Takes_two_faces : std::false_type
-{};
-template <class Traits>
-struct Takes_two_faces<Traits, std::void_t<typename Traits::Takes_two_faces>>
-  : std::is_same<typename Traits::Takes_two_faces, Traits>
-{};
+inline Two_doubles two(double first, double second) { return {first, second}; }
 
 } // namespace internal
 } // namespace Intrinsic_triangulations

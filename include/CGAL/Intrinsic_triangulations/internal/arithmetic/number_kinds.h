@@ -46,10 +46,10 @@ struct Machine_type<Interval_nt<b>>
 // Whether products of squared lengths may leave the range of FT although the lengths are doubles. Floats of
 // Boost have any range: that of `float`, or one that no double leaves.
 template <class FT>
-constexpr bool has_small_exponent_range =
-  is_machine_number<typename Machine_type<FT>::type> ||
-  (std::numeric_limits<FT>::is_specialized && !std::numeric_limits<FT>::is_exact &&
-   std::numeric_limits<FT>::max_exponent / 10 < std::numeric_limits<double>::max_exponent);
+constexpr bool
+  has_small_exponent_range = is_machine_number<typename Machine_type<FT>::type> ||
+                             (std::numeric_limits<FT>::is_specialized && !std::numeric_limits<FT>::is_exact &&
+                              std::numeric_limits<FT>::max_exponent / 10 < std::numeric_limits<double>::max_exponent);
 
 // Roots of numbers beyond 2^150 come out of CORE with few correct digits, and beyond 2^160 it ends
 // the process with a division by zero. Small numbers do it no harm before 2^-1075, below which it

@@ -10,9 +10,10 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_DELTA_COMPLEX_BUILDER_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/for_each_halfedge_around.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -32,8 +33,7 @@ using Defect = Invalid_surface_error::Defect;
 inline void check_size(std::size_t number_of_halfedges)
 {
   if (number_of_halfedges >= (std::numeric_limits<std::uint32_t>::max)())
-    throw Invalid_surface_error(Defect::OUT_OF_RANGE, 0, 1,
-                                "the surface has too many edges for 32-bit indices");
+    throw Invalid_surface_error(Defect::OUT_OF_RANGE, 0, 1, "the surface has too many edges for 32-bit indices");
 }
 
 class Delta_complex_builder
@@ -69,9 +69,8 @@ public:
         defect = "glues a side that is already glued";
       if (defect)
         throw Invalid_surface_error(Defect::INVALID_GLUING, pair, 1,
-                                    "glued pair " + std::to_string(pair) + " (sides " +
-                                      std::to_string(s) + " and " + std::to_string(t) + ") " +
-                                      defect);
+                                    "glued pair " + std::to_string(pair) + " (sides " + std::to_string(s) + " and " +
+                                      std::to_string(t) + ") " + defect);
       b.glued_to_[s] = std::uint32_t(t);
       b.glued_to_[t] = std::uint32_t(s);
       ++pair;
@@ -81,7 +80,8 @@ public:
     return b.assemble();
   }
 
-  // With given names: `corner_vertex[s]` is the source of side s, and `glued_to[s]` the side that it is glued to, or null.
+  // With given names: `corner_vertex[s]` is the source of side s, and `glued_to[s]` the side that it is glued to, or
+  // null.
   // \param first_side the side that becomes the halfedge of its face: 0, 1 or 2
   // \pre the corners of a vertex form one fan, and glued sides have the same ends
   static Delta_complex from_glued_sides(std::size_t number_of_vertices, Large_vector<std::uint32_t> corner_vertex,
@@ -102,8 +102,7 @@ public:
   // caller has checked that glued sides have the same ends.
   static Delta_complex from_numbered_sides(std::size_t number_of_vertices,
                                            const std::vector<std::uint32_t>& corner_vertex,
-                                           const std::vector<std::uint32_t>& halfedge_of,
-                                           std::size_t number_of_edges)
+                                           const std::vector<std::uint32_t>& halfedge_of, std::size_t number_of_edges)
   {
     Delta_complex_builder b;
     std::vector<std::uint32_t> side_of(2 * number_of_edges, null);
@@ -153,13 +152,10 @@ private:
     const std::string name = "face " + std::to_string(face);
     for (int i = 0; i < 3; ++i) {
       const std::size_t v = corners[i];
-      // What was -1 before it was converted is shown as -1.
-      const bool was_negative = v > (std::numeric_limits<std::size_t>::max)() / 2;
       if (v >= number_of_vertices_)
         throw Invalid_surface_error(Defect::BAD_INDEX, face, 1,
-                                    name + " names vertex " +
-                                      (was_negative ? "-" + std::to_string(std::size_t(0) - v) : std::to_string(v)) +
-                                      ", but there are only " + std::to_string(number_of_vertices_) + " vertices");
+                                    name + " names vertex " + index_text(v) + ", but there are only " +
+                                      std::to_string(number_of_vertices_) + " vertices");
       if (v == corners[(i + 1) % 3])
         throw Invalid_surface_error(Defect::REPEATED_CORNER, face, 1,
                                     name + " has vertex " + std::to_string(v) + " as two of its corners");
@@ -231,9 +227,8 @@ private:
   [[noreturn]] void throw_at_edge(Defect defect, std::uint32_t s, const char* what) const
   {
     throw Invalid_surface_error(defect, s / 3, 1,
-                                "edge " + std::to_string(corner_vertex_[s]) + "-" +
-                                  std::to_string(side_target(s)) + " of face " +
-                                  std::to_string(s / 3) + " " + what);
+                                "edge " + std::to_string(corner_vertex_[s]) + "-" + std::to_string(side_target(s)) +
+                                  " of face " + std::to_string(s / 3) + " " + what);
   }
 
   // Vertices are the orbits of corners: around the source of a side, the next side is

@@ -8,8 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_DELTA_COMPLEX_IO_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_DELTA_COMPLEX_IO_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/Delta_complex_io.h>
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/gluing_text.h>
 
@@ -31,8 +30,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void write_gluing(std::ostream& os, const D
   for (Edge_index e : complex.edges())
     if (!internal::is_positive_and_finite(lengths[e.idx()]))
       throw Invalid_surface_error(Invalid_surface_error::Defect::NOT_FINITE, e.idx(), 1,
-                                  "the length of edge " + std::to_string(e.idx()) +
-                                    " is not a positive finite number");
+                                  "the length of edge " + std::to_string(e.idx()) + " is not a positive finite number");
   internal::write_gluing_text(os, complex, 1, [&](std::ostream& text, Edge_index e) { text << lengths[e.idx()]; });
 }
 

@@ -35,8 +35,7 @@ inline void check_triangles(const Delta_complex& complex)
     }
   if (count > 0)
     throw Invalid_surface_error(Invalid_surface_error::Defect::NOT_A_TRIANGLE, first, count,
-                                "face " + std::to_string(first) + " is not a triangle (" +
-                                  std::to_string(count) +
+                                "face " + std::to_string(first) + " is not a triangle (" + std::to_string(count) +
                                   " such faces); triangulate the faces first");
 }
 

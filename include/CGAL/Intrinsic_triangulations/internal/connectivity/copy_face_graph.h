@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_COPY_FACE_GRAPH_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 
@@ -136,9 +136,9 @@ public:
   }
 
 private:
-  static constexpr bool has_random_access = std::is_convertible<
-    typename std::iterator_traits<typename Graph_traits::face_iterator>::iterator_category,
-    std::random_access_iterator_tag>::value;
+  static constexpr bool has_random_access =
+    std::is_convertible<typename std::iterator_traits<typename Graph_traits::face_iterator>::iterator_category,
+                        std::random_access_iterator_tag>::value;
 
   auto own_vertex_number() const
   {
@@ -158,13 +158,13 @@ private:
   bool is_numbered_in_order() const
   {
     const auto are_in_order = [](const auto& range, std::size_t n, const auto& has_number) {
-      return for_each_element<ConcurrencyTag>(
-        range, n, [&](std::size_t first, std::size_t last, auto element, auto end) {
-          bool result = true;
-          for (; element != end; ++element, ++first)
-            result &= has_number(*element, std::uint32_t(first));
-          return result && first == last;
-        });
+      return for_each_element<ConcurrencyTag>(range, n,
+                                              [&](std::size_t first, std::size_t last, auto element, auto end) {
+                                                bool result = true;
+                                                for (; element != end; ++element, ++first)
+                                                  result &= has_number(*element, std::uint32_t(first));
+                                                return result && first == last;
+                                              });
     };
     if (has_no_garbage(graph_))
       return true;
@@ -178,8 +178,7 @@ private:
                           const Halfedge h = halfedge(e, graph_);
                           return halfedge_number(h) == 2 * n && halfedge_number(opposite(h, graph_)) == 2 * n + 1;
                         }) &&
-           are_in_order(faces(graph_), number_of_faces_,
-                        [&](Face f, std::uint32_t n) { return face_number(f) == n; });
+           are_in_order(faces(graph_), number_of_faces_, [&](Face f, std::uint32_t n) { return face_number(f) == n; });
   }
 
   void copy_face(Halfedge h, std::uint32_t number)
@@ -211,8 +210,7 @@ private:
 
   // All of the graph, at once.
   template <class VertexNumber, class HalfedgeNumber, class FaceNumber>
-  void copy_all(const VertexNumber& vertex_number, const HalfedgeNumber& halfedge_number,
-                const FaceNumber& face_number)
+  void copy_all(const VertexNumber& vertex_number, const HalfedgeNumber& halfedge_number, const FaceNumber& face_number)
   {
     std::vector<std::uint32_t> border;
     std::uint32_t number = 0;
@@ -234,8 +232,8 @@ private:
   }
 
   template <class VertexNumber, class HalfedgeNumber, class FaceNumber>
-  Delta_complex::Halfedge record(Halfedge h, const VertexNumber& vertex_number,
-                                 const HalfedgeNumber& halfedge_number, const FaceNumber& face_number) const
+  Delta_complex::Halfedge record(Halfedge h, const VertexNumber& vertex_number, const HalfedgeNumber& halfedge_number,
+                                 const FaceNumber& face_number) const
   {
     const Face f = face(h, graph_);
     return {halfedge_number(next(h, graph_)), halfedge_number(prev(h, graph_)), vertex_number(target(h, graph_)),

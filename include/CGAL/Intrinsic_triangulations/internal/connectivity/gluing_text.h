@@ -36,10 +36,7 @@ namespace internal {
 // are believed, each beyond the three that a face can bring.
 constexpr std::size_t maximum_number_of_isolated_vertices = 1 << 20;
 
-inline bool is_positive_and_finite(double x)
-{
-  return x > 0 && x <= (std::numeric_limits<double>::max)();
-}
+inline bool is_positive_and_finite(double x) { return x > 0 && x <= (std::numeric_limits<double>::max)(); }
 
 // A defect of a line, as the part of a sentence that follows "line 3 ".
 struct Line_defect
@@ -65,7 +62,8 @@ public:
     if (parser_.fail() || parser_.peek() != std::istringstream::traits_type::eof())
       throw Line_defect{Defect::UNREADABLE, "has '" + shown_text(field) + "' where a length is expected"};
     if (!is_positive_and_finite(x))
-      throw Line_defect{Defect::NOT_FINITE, "has the length " + shown_text(field) + ", which is not positive and finite"};
+      throw Line_defect{Defect::NOT_FINITE,
+                        "has the length " + shown_text(field) + ", which is not positive and finite"};
     lengths.push_back(x);
   }
 
@@ -84,9 +82,12 @@ public:
   {
     using Defect = Invalid_surface_error::Defect;
     if (version == "2")
-      throw Line_defect{Defect::UNREADABLE, "asks for version 2 of the format, with exact squared lengths, which read_exact_gluing() reads"};
+      throw Line_defect{
+        Defect::UNREADABLE,
+        "asks for version 2 of the format, with exact squared lengths, which read_exact_gluing() reads"};
     if (version != "1")
-      throw Line_defect{Defect::UNREADABLE, "asks for version " + shown_text(version) + " of the format; this is version 1"};
+      throw Line_defect{Defect::UNREADABLE,
+                        "asks for version " + shown_text(version) + " of the format; this is version 1"};
   }
 };
 
@@ -104,7 +105,8 @@ public:
     read_faces();
     read_edges(numbers);
     check_end();
-    return Delta_complex_builder::from_numbered_sides(number_of_vertices_, corner_vertex_, halfedge_of_, number_of_edges_);
+    return Delta_complex_builder::from_numbered_sides(number_of_vertices_, corner_vertex_, halfedge_of_,
+                                                      number_of_edges_);
   }
 
 private:
@@ -136,7 +138,8 @@ private:
       for (const std::string& field : fields_) {
         const std::int64_t v = integer(field);
         if (v < 0 || std::size_t(v) >= number_of_vertices_)
-          fail(Defect::BAD_INDEX, "names vertex " + shown_text(field) + ", but there " + are_counted(number_of_vertices_, "vertex", "vertices"));
+          fail(Defect::BAD_INDEX, "names vertex " + shown_text(field) + ", but there " +
+                                    are_counted(number_of_vertices_, "vertex", "vertices"));
         corner_vertex_.push_back(std::uint32_t(v));
       }
     }
@@ -150,16 +153,15 @@ private:
       const std::uint32_t s = side(fields_[0], 2 * e), t = side(fields_[1], 2 * e + 1);
       if (s == null && t == null)
         fail(Defect::INVALID_GLUING, "is an edge without a face");
-      if (s != null && t != null &&
-          (corner_vertex_[s] != side_target(t) || corner_vertex_[t] != side_target(s)))
+      if (s != null && t != null && (corner_vertex_[s] != side_target(t) || corner_vertex_[t] != side_target(s)))
         fail(Defect::INVALID_GLUING, "glues sides that do not join the same vertices");
       unless_defect([&] { numbers.add(fields_[2]); });
     }
     const auto it = std::find(halfedge_of_.begin(), halfedge_of_.end(), null);
     if (it != halfedge_of_.end())
       throw Invalid_surface_error(Defect::INVALID_GLUING, line_number_, 1,
-                                  "no edge up to line " + std::to_string(line_number_) +
-                                    " has side " + std::to_string(it - halfedge_of_.begin()));
+                                  "no edge up to line " + std::to_string(line_number_) + " has side " +
+                                    std::to_string(it - halfedge_of_.begin()));
   }
 
   void check_end()
@@ -214,8 +216,8 @@ private:
   {
     if (!read_line())
       throw Invalid_surface_error(Defect::UNREADABLE, line_number_, 1,
-                                  "the text ends after line " + std::to_string(line_number_) +
-                                    ", where " + expected + " should follow");
+                                  "the text ends after line " + std::to_string(line_number_) + ", where " + expected +
+                                    " should follow");
     if (fields_.size() != number_of_fields)
       fail(Defect::UNREADABLE, "has " + counted(fields_.size(), "field", "fields") + " instead of " +
                                  std::to_string(number_of_fields) + ": " + expected);
@@ -247,17 +249,15 @@ private:
     if (s == -1)
       return null;
     if (s < 0 || std::size_t(s) >= halfedge_of_.size())
-      fail(Defect::INVALID_GLUING, "names side " + shown_text(field) + ", but there " + are_counted(halfedge_of_.size(), "side", "sides"));
+      fail(Defect::INVALID_GLUING,
+           "names side " + shown_text(field) + ", but there " + are_counted(halfedge_of_.size(), "side", "sides"));
     if (halfedge_of_[std::size_t(s)] != null)
       fail(Defect::INVALID_GLUING, "names side " + shown_text(field) + ", which already has an edge");
     halfedge_of_[std::size_t(s)] = std::uint32_t(halfedge);
     return std::uint32_t(s);
   }
 
-  std::uint32_t side_target(std::uint32_t s) const
-  {
-    return corner_vertex_[s % 3 == 2 ? s - 2 : s + 1];
-  }
+  std::uint32_t side_target(std::uint32_t s) const { return corner_vertex_[s % 3 == 2 ? s - 2 : s + 1]; }
 
   template <class Function>
   void unless_defect(const Function& function) const
@@ -271,8 +271,7 @@ private:
 
   [[noreturn]] void fail(Defect defect, const std::string& what) const
   {
-    throw Invalid_surface_error(defect, line_number_, 1,
-                                "line " + std::to_string(line_number_) + " " + what);
+    throw Invalid_surface_error(defect, line_number_, 1, "line " + std::to_string(line_number_) + " " + what);
   }
 
   std::istream& is_;
@@ -287,13 +286,13 @@ template <class Print_number>
 void write_gluing_text(std::ostream& os, const Delta_complex& complex, int version, const Print_number& print)
 {
   if (complex.number_of_vertices() > 3 * std::size_t(complex.number_of_faces()) + maximum_number_of_isolated_vertices)
-    throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, 0, 1, "there are too many isolated vertices");
+    throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, 0, 1,
+                                "there are too many isolated vertices");
   std::ostringstream text; // its own locale and format
   text.imbue(std::locale::classic());
   text.precision(std::numeric_limits<double>::max_digits10);
   text << "INTRINSIC_GLUING " << version << '\n'
-       << complex.number_of_vertices() << ' ' << complex.number_of_edges() << ' '
-       << complex.number_of_faces() << '\n';
+       << complex.number_of_vertices() << ' ' << complex.number_of_edges() << ' ' << complex.number_of_faces() << '\n';
   std::vector<std::int64_t> side_of(complex.number_of_halfedges(), -1);
   for (Face_index f : complex.faces()) {
     Halfedge_index h = complex.halfedge(f);

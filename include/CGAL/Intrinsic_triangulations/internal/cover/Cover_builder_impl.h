@@ -10,7 +10,6 @@
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
-#include <CGAL/Intrinsic_triangulations/internal/cover/Cover_builder.h>
 #include <CGAL/Intrinsic_triangulations/internal/cover/Flat_face_remover.h>
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Faces_around_edge.h>
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Sides_by_edge.h>
@@ -24,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -31,6 +31,153 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
+
+// Triangles whose corners are at three different places, by the vertices that stand for those given.
+struct Cleaned_triangles
+{
+  std::vector<Index_triangle> triangles;
+  std::vector<std::uint32_t> input_face;     // of each triangle
+  std::vector<std::uint32_t> representative; // of each vertex
+  Tufted_cover_report report;                // numbers of vertices, faces, and what was dropped and merged
+};
+
+// \param merged pairs of vertices that become one, besides those that the options merge
+// \exception Invalid_surface_error if the point of a vertex with a face is not finite, or by Coincident_vertices::ERROR
+// \pre the vertices exist
+class Triangle_cleaner
+{
+public:
+  Triangle_cleaner(const Points& points, std::vector<Index_triangle> triangles, const Cover_options& options)
+    : points_(points), options_(options)
+  {
+    result_.triangles = std::move(triangles);
+    result_.report.number_of_vertices = points.size();
+    result_.report.number_of_faces = result_.triangles.size();
+  }
+
+  Cleaned_triangles run(const std::vector<Vertex_number_pair>& merged)
+  {
+    check_points();
+    result_.input_face.resize(result_.triangles.size());
+    std::iota(result_.input_face.begin(), result_.input_face.end(), std::uint32_t(0));
+    result_.report.repeated_corner_faces = remove_if([](const Index_triangle& t) { return repeats_a_corner(t); });
+    Disjoint_sets sets(points_.size());
+    for (const auto& [v, w] : merged)
+      sets.unite(v, w);
+    if (options_.is_welded)
+      weld(sets);
+    treat_short_edges(sets);
+    name_representatives(sets);
+    count_unreferenced();
+    return std::move(result_);
+  }
+
+private:
+  static bool repeats_a_corner(const Index_triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+
+  // Those that no face names as well: the constructors of triangulations do not take them either.
+  void check_points() const
+  {
+    for (std::size_t v = 0; v < points_.size(); ++v)
+      for (double x : points_[v])
+        if (!std::isfinite(x))
+          throw Invalid_surface_error(Invalid_surface_error::Defect::NOT_FINITE, v, 1,
+                                      "vertex " + std::to_string(v) + " has a coordinate that is not finite");
+  }
+
+  // Returns how many there were.
+  template <class Condition>
+  std::size_t remove_if(const Condition& condition)
+  {
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < result_.triangles.size(); ++i)
+      if (!condition(result_.triangles[i])) {
+        result_.triangles[n] = result_.triangles[i];
+        result_.input_face[n++] = result_.input_face[i];
+      }
+    const std::size_t removed = result_.triangles.size() - n;
+    result_.triangles.resize(n);
+    result_.input_face.resize(n);
+    return removed;
+  }
+
+  void weld(Disjoint_sets& sets) const
+  {
+    std::vector<bool> has_face(points_.size(), false);
+    for (const Index_triangle& t : result_.triangles)
+      for (std::uint32_t v : t)
+        has_face[v] = true;
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t v = 0; v < points_.size(); ++v)
+      if (has_face[v])
+        order.push_back(v);
+    std::sort(order.begin(), order.end(), [this](std::uint32_t v, std::uint32_t w) { return points_[v] < points_[w]; });
+    for (std::size_t i = 1; i < order.size(); ++i)
+      if (points_[order[i - 1]] == points_[order[i]])
+        sets.unite(order[i - 1], order[i]);
+  }
+
+  // A side whose ends are at the same place, but not one vertex: its first corner, or 3.
+  int find_short_side(const Index_triangle& t, Disjoint_sets& sets) const
+  {
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t v = t[i], w = t[(i + 1) % 3];
+      if (points_[v] == points_[w] && sets.find(v) != sets.find(w))
+        return i;
+    }
+    return 3;
+  }
+
+  void treat_short_edges(Disjoint_sets& sets)
+  {
+    if (options_.coincident_vertices == Coincident_vertices::DROP) {
+      result_.report.zero_length_faces =
+        remove_if([&](const Index_triangle& t) { return find_short_side(t, sets) < 3; });
+      return;
+    }
+    for (std::size_t f = 0; f < result_.triangles.size(); ++f) {
+      const Index_triangle& t = result_.triangles[f];
+      for (int i = find_short_side(t, sets); i < 3; i = find_short_side(t, sets)) {
+        const std::uint32_t v = t[i], w = t[(i + 1) % 3];
+        if (options_.coincident_vertices == Coincident_vertices::ERROR)
+          throw Invalid_surface_error(Invalid_surface_error::Defect::ZERO_LENGTH_EDGE, v, 1,
+                                      "vertices " + std::to_string(v) + " and " + std::to_string(w) + " of face " +
+                                        std::to_string(result_.input_face[f]) +
+                                        " are at the same place; merge them, or drop the face");
+        sets.unite(v, w);
+      }
+    }
+  }
+
+  void name_representatives(Disjoint_sets& sets)
+  {
+    result_.representative.resize(points_.size());
+    for (std::uint32_t v = 0; v < points_.size(); ++v) {
+      result_.representative[v] = sets.find(v);
+      result_.report.merged_vertices += result_.representative[v] != v;
+    }
+    if (result_.report.merged_vertices == 0)
+      return;
+    for (Index_triangle& t : result_.triangles)
+      for (std::uint32_t& v : t)
+        v = result_.representative[v];
+    result_.report.collapsed_faces = remove_if([](const Index_triangle& t) { return repeats_a_corner(t); });
+  }
+
+  void count_unreferenced()
+  {
+    std::vector<bool> has_row(points_.size(), false);
+    for (const Index_triangle& t : result_.triangles)
+      for (std::uint32_t v : t)
+        has_row[v] = true;
+    for (std::uint32_t v = 0; v < points_.size(); ++v)
+      result_.report.unreferenced_vertices += !has_row[result_.representative[v]];
+  }
+
+  const Points& points_;
+  const Cover_options& options_;
+  Cleaned_triangles result_;
+};
 
 class Cover_builder
 {
@@ -40,7 +187,7 @@ class Cover_builder
   static constexpr Index null = (std::numeric_limits<Index>::max)();
 
 public:
-  Cover_builder(const Points& points, Cleaned_triangles&& cleaned, const Tufted_cover_options& options)
+  Cover_builder(const Points& points, Cleaned_triangles&& cleaned, const Cover_options& options)
     : points_(points), cleaned_(std::move(cleaned)), options_(options), interruption_(options.go_further),
       sides_(points.size(), cleaned_.triangles)
   {}
@@ -51,8 +198,9 @@ public:
   {
     check_size(12 * cleaned_.triangles.size());
     // Each takes some tenths of a second for a million triangles.
-    for (const auto step : {&Cover_builder::count_edges, &Cover_builder::find_pieces, &Cover_builder::count_nonmanifold_vertices,
-                            &Cover_builder::make_copies, &Cover_builder::glue}) {
+    for (const auto step :
+         {&Cover_builder::count_edges, &Cover_builder::find_pieces, &Cover_builder::count_nonmanifold_vertices,
+          &Cover_builder::make_copies, &Cover_builder::glue}) {
       interruption_.check();
       (this->*step)();
     }
@@ -75,7 +223,8 @@ private:
     throw Invalid_surface_error(defect, f, 1,
                                 "edge " + std::to_string(triangles()[s / 3][s % 3]) + "-" +
                                   std::to_string(triangles()[s / 3][next_side(s) % 3]) + " of face " +
-                                  std::to_string(f) + " " + what + "; the tufted cover (Surface_cover::TUFTED, --cover tufted) takes it");
+                                  std::to_string(f) + " " + what +
+                                  "; the tufted cover (Surface_cover::TUFTED, --cover tufted) takes it");
   }
 
   void count_edges()
@@ -117,8 +266,12 @@ private:
   {
     Disjoint_sets fans(3 * triangles().size());
     sides_.for_each_edge([&](Index, const Side* begin, const Side* end) {
-      const auto corner_at_smaller = [](const Side& s) { return s.runs_to_smaller_end() ? next_side(s.side()) : s.side(); };
-      const auto corner_at_larger = [](const Side& s) { return s.runs_to_smaller_end() ? s.side() : next_side(s.side()); };
+      const auto corner_at_smaller = [](const Side& s) {
+        return s.runs_to_smaller_end() ? next_side(s.side()) : s.side();
+      };
+      const auto corner_at_larger = [](const Side& s) {
+        return s.runs_to_smaller_end() ? s.side() : next_side(s.side());
+      };
       for (const Side* s = begin + 1; s < end; ++s) {
         fans.unite(corner_at_smaller(*begin), corner_at_smaller(*s));
         fans.unite(corner_at_larger(*begin), corner_at_larger(*s));
@@ -264,8 +417,8 @@ private:
   {
     auto [vertex_of, corner_vertex] = separate_fans(points_.size(), cover_.corners, cover_.glued_to);
     // The halfedge of a face is that of a Surface_mesh: so numbers are rounded in the same way.
-    Delta_complex complex =
-      Delta_complex_builder::from_glued_sides(vertex_of.size(), std::move(corner_vertex), std::move(cover_.glued_to), 2);
+    Delta_complex complex = Delta_complex_builder::from_glued_sides(vertex_of.size(), std::move(corner_vertex),
+                                                                    std::move(cover_.glued_to), 2);
     using Triangulation = Intrinsic_triangulation<Filtered_edge_length_traits>;
     Points points;
     points.reserve(vertex_of.size());
@@ -283,8 +436,12 @@ private:
     }
     return {options_.mollification > 0 ? mollified(std::move(complex), points)
                                        : Triangulation(std::move(complex), std::move(points)),
-            std::move(vertex_of), std::move(cover_.face_of), std::move(cover_.is_back), std::move(is_half),
-            std::move(cleaned_.representative), cleaned_.report};
+            std::move(vertex_of),
+            std::move(cover_.face_of),
+            std::move(cover_.is_back),
+            std::move(is_half),
+            std::move(cleaned_.representative),
+            cleaned_.report};
   }
 
   Intrinsic_triangulation<Filtered_edge_length_traits> mollified(Delta_complex complex, const Points& points)
@@ -301,7 +458,7 @@ private:
 
   const Points& points_;
   Cleaned_triangles cleaned_;
-  const Tufted_cover_options& options_;
+  const Cover_options& options_;
   const Interruption interruption_;
   Sides_by_edge sides_;
   std::vector<bool> is_doubled_, is_turned_; // of each triangle
@@ -312,18 +469,19 @@ private:
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Tufted_cover build_cover(const Points& points, const std::vector<Index_triangle>& triangles,
-                         const Tufted_cover_options& options)
+                         const Cover_options& options)
 {
   std::vector<Vertex_number_pair> merged, coincident;
   for (;;) {
-    Cover_builder builder(points, clean_triangles(points, triangles, options, merged), options);
+    Cover_builder builder(points, Triangle_cleaner(points, triangles, options).run(merged), options);
     if (std::optional<Tufted_cover> cover = builder.run(coincident))
       return std::move(*cover);
     if (options.coincident_vertices != Coincident_vertices::MERGE) {
       const auto& [v, w] = coincident[0];
       throw Invalid_surface_error(Invalid_surface_error::Defect::ZERO_LENGTH_EDGE, v, coincident.size(),
                                   "vertices " + std::to_string(v) + " and " + std::to_string(w) +
-                                    " are at the same place, and faces without area join them; merge them (Coincident_vertices::MERGE, --coincident-vertices merge)");
+                                    " are at the same place, and faces without area join them; merge them "
+                                    "(Coincident_vertices::MERGE, --coincident-vertices merge)");
     }
     merged.insert(merged.end(), coincident.begin(), coincident.end());
   }

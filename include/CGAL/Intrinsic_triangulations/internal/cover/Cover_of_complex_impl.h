@@ -8,9 +8,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_COVER_OF_COMPLEX_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_COVER_OF_COMPLEX_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
-#include <CGAL/Intrinsic_triangulations/internal/cover/Cover_of_complex.h>
 #include <CGAL/Intrinsic_triangulations/mollify.h>
 
 #include <CGAL/assertions.h>
@@ -87,7 +86,7 @@ private:
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Tufted_cover build_cover_of_complex(const Delta_complex& complex, const std::vector<double>& lengths,
-                                    const Tufted_cover_options& options)
+                                    const Cover_options& options)
 {
   CGAL_precondition(lengths.size() == complex.number_of_edges());
   using Triangulation = Intrinsic_triangulation<Filtered_edge_length_traits>;

@@ -8,19 +8,21 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_FLAT_FACE_REMOVER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_FLAT_FACE_REMOVER_H
 
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/config.h>
-#include <CGAL/Intrinsic_triangulations/internal/cover/Cleaned_triangles.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
+
+using Vertex_number_pair = std::pair<std::uint32_t, std::uint32_t>;
 
 // Triangles in space with glued sides. Side 3f + i runs from corner i of face f to corner i + 1.
 struct Glued_faces
@@ -53,7 +55,8 @@ struct Glued_faces
 class Flat_face_remover
 {
 public:
-  Flat_face_remover(const Points& points, Glued_faces& faces) : points_(points), faces_(faces), is_kept_(faces.size(), true)
+  Flat_face_remover(const Points& points, Glued_faces& faces)
+    : points_(points), faces_(faces), is_kept_(faces.size(), true)
   {}
 
   // \param flat the faces without area

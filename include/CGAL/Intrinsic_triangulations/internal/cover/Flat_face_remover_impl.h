@@ -8,7 +8,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_FLAT_FACE_REMOVER_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_FLAT_FACE_REMOVER_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/internal/cover/Flat_face_remover.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 
 #include <algorithm>

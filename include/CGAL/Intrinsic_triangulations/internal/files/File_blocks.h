@@ -3,13 +3,16 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// A file in large pieces. It is gone through once, never held as a whole, and asks before each piece whether to go on.
+// Room for what a file may hold; and the file in large pieces. It is gone through once, never held as a whole, and asks
+// before each piece whether to go on.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_FILE_BLOCKS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_FILE_BLOCKS_H
 
-#include <CGAL/Intrinsic_triangulations/Progress_function.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/Polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Huge_page_allocator.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -24,6 +27,23 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
+// Makes room for n more elements, in huge pages: what is not used of it costs address space alone, and page faults
+// would take as long as reading.
+template <class T>
+void reserve(std::vector<T>& elements, const std::uintmax_t n)
+{
+  elements.reserve(elements.size() + static_cast<std::size_t>(n));
+  wish_for_huge_pages(elements.data() + elements.size(), (elements.capacity() - elements.size()) * sizeof(T));
+}
+
+// The same for points and triangles.
+template <class Soup>
+void reserve(Soup& soup, const std::uintmax_t points, const std::uintmax_t triangles)
+{
+  reserve(soup.points, points);
+  reserve(soup.triangles, triangles);
+}
+
 class File_blocks
 {
 public:
@@ -32,8 +52,8 @@ public:
   // \param line_end what ends a line
   File_blocks(const std::string& path, std::uintmax_t size, std::uintmax_t begin, const Progress_function& progress,
               const char line_end = '\n')
-    : path_(path), size_(size), begin_(begin), taken_(begin), progress_(progress),
-      buffer_(size_of_piece), line_end_(line_end)
+    : path_(path), size_(size), begin_(begin), taken_(begin), progress_(progress), buffer_(size_of_piece),
+      line_end_(line_end)
   {
     file_.pubsetbuf(nullptr, 0); // reads go where they are wanted
     file_.open(path, std::ios::in | std::ios::binary);
@@ -50,10 +70,7 @@ public:
   // The place of `first` in the file.
   std::uintmax_t offset() const { return taken_ - static_cast<std::uintmax_t>(end_ - first); }
   // How many bytes there are from `first` to the end of the file.
-  std::uintmax_t left() const
-  {
-    return size_ - (std::min)(size_, offset());
-  }
+  std::uintmax_t left() const { return size_ - (std::min)(size_, offset()); }
 
   // Makes available the rest of the last piece and the next one; false if there is none.
   // \exception Cancelled_error if that is wanted
@@ -71,8 +88,7 @@ public:
       grow(rest);
     else if (rest > 0)
       std::memmove(buffer_.data(), first, rest);
-    const std::streamsize got =
-      file_.sgetn(buffer_.data() + rest, static_cast<std::streamsize>(buffer_.size() - rest));
+    const std::streamsize got = file_.sgetn(buffer_.data() + rest, static_cast<std::streamsize>(buffer_.size() - rest));
     first = buffer_.data();
     end_ = last = first + rest + got;
     taken_ += static_cast<std::uintmax_t>(got);
@@ -125,9 +141,9 @@ private:
   void tell() const
   {
     // Of what was to be read: the file may have shrunk, or grown.
-    const double all = static_cast<double>(size_) - static_cast<double>(begin_), done = static_cast<double>(taken_ - begin_);
-    if (progress_ && !progress_(done < all ? done / all : done > 0 ? 1
-                                                                   : 0))
+    const double all = static_cast<double>(size_) - static_cast<double>(begin_),
+                 done = static_cast<double>(taken_ - begin_);
+    if (progress_ && !progress_(done < all ? done / all : done > 0 ? 1 : 0))
       throw Cancelled_error(path_ + ": cancelled while it was read");
   }
 

@@ -9,15 +9,17 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_TEXT_FILE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_TEXT_FILE_H
 
-#include <CGAL/Intrinsic_triangulations/config.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/from_chars.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -30,12 +32,23 @@ namespace internal {
 using Defect = Invalid_surface_error::Defect;
 
 // \exception Invalid_surface_error with a message that begins with `path`
-[[noreturn]] void refuse_file(const std::string& path, const std::string& text,
-                              Defect defect = Defect::UNREADABLE, std::size_t element = 0, std::size_t count = 1);
+[[noreturn]] inline void refuse_file(const std::string& path, const std::string& text,
+                                     const Defect defect = Defect::UNREADABLE, const std::size_t element = 0,
+                                     const std::size_t count = 1)
+{
+  throw Invalid_surface_error(defect, element, count, path + ": " + text);
+}
 
-// The size of a regular file that can be opened. A device or a pipe may have no end, or no beginning.
-// \exception Invalid_surface_error if it is none
-std::uintmax_t check_file(const std::string& path);
+// The bytes of a file, or its first ones.
+inline std::string load_file(const std::string& path, const std::size_t at_most)
+{
+  std::ifstream in(path, std::ios::binary);
+  std::error_code ignored;
+  std::string text((std::min<std::uintmax_t>)(std::filesystem::file_size(path, ignored), at_most), '\0');
+  in.read(&text[0], static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return text;
+}
 
 // How a text begins, behind a byte order mark, and how its lines end: by CR alone if there is no LF.
 struct Text_encoding
@@ -45,13 +58,21 @@ struct Text_encoding
 };
 
 // \exception Invalid_surface_error for UTF-16
-Text_encoding find_encoding(const std::string& path);
-
-// The bytes of a file, or its first ones.
-std::string load_file(const std::string& path, std::size_t at_most = (std::numeric_limits<std::size_t>::max)());
+inline Text_encoding find_encoding(const std::string& path)
+{
+  const std::string head = load_file(path, 1 << 16);
+  if (head.compare(0, 2, "\xff\xfe") == 0 || head.compare(0, 2, "\xfe\xff") == 0)
+    refuse_file(path, "the text is in UTF-16: save it as ASCII or UTF-8");
+  Text_encoding result;
+  if (head.compare(0, 3, "\xef\xbb\xbf") == 0)
+    result.begin = 3;
+  if (head.find('\n') == std::string::npos && head.find('\r') != std::string::npos)
+    result.line_end = '\r';
+  return result;
+}
 
 // A piece of a file as it can stand in a message.
-inline std::string quote(const std::string& text) { return '"' + shown_text(text) + '"'; }
+inline std::string quote(const std::string_view text) { return '"' + shown_text(std::string(text)) + '"'; }
 
 inline bool is_white(const char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 inline bool is_digit(const char c) { return c >= '0' && c <= '9'; }
@@ -70,6 +91,13 @@ inline const char* skip_word(const char* p, const char* const end)
   return p;
 }
 
+inline std::string in_small_letters(std::string text)
+{
+  for (char& c : text)
+    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
 // Whether a word is a keyword, which is in small letters, in letters of any case.
 inline bool is_keyword(const std::string_view word, const std::string_view keyword)
 {
@@ -81,17 +109,34 @@ inline bool is_keyword(const std::string_view word, const std::string_view keywo
   return true;
 }
 
-// Whether a word is an integer and nothing else.
-bool read_integer(const std::string& word, long long& number);
+// What a word is that should be an integer, and how it is to be read if it is one: C++ knows no plus.
+enum class Integer_state {
+  GOOD,
+  TOO_LARGE,
+  NOT_AN_INTEGER
+};
 
-// Whether a word is an integer that no computer counts up to.
-bool is_beyond_integers(const std::string& word);
+inline const char* skip_plus(const std::string_view word)
+{
+  return word.data() + (word.size() > 1 && word[0] == '+' && word[1] != '-' ? 1 : 0);
+}
 
-// Reads a word that is a number that a coordinate can be; what is nearer to zero than any number of the type is zero.
-bool read_coordinate(const std::string& word, double& number);
+inline Integer_state integer_state(const std::string_view word, long long& number)
+{
+  const char* const end = word.data() + word.size();
+  const std::from_chars_result result = std::from_chars(skip_plus(word), end, number);
+  return result.ptr != end || result.ec == std::errc::invalid_argument ? Integer_state::NOT_AN_INTEGER
+         : result.ec == std::errc()                                    ? Integer_state::GOOD
+                                                                       : Integer_state::TOO_LARGE;
+}
+
+inline bool read_integer(const std::string_view word, long long& number)
+{
+  return integer_state(word, number) == Integer_state::GOOD;
+}
 
 // Goes behind the number at p if all is well with it, and it ends with the word or at a comment: most numbers do, and
-// anything else needs a closer look, by read_coordinate() or check_coordinate(). Leaves p otherwise.
+// anything else needs a closer look, by check_coordinate(). Leaves p otherwise.
 template <class Real>
 bool take_real(const char*& p, const char* const end, Real& number)
 {
@@ -103,7 +148,8 @@ bool take_real(const char*& p, const char* const end, Real& number)
   return true;
 }
 
-// Goes behind a number without a sign and a point, of nine digits at most, at whose end the word may go on. Leaves p otherwise.
+// Goes behind a number without a sign and a point, of nine digits at most, at whose end the word may go on. Leaves p
+// otherwise.
 inline bool take_count(const char*& p, const char* const end, std::uint32_t& number)
 {
   const char* q = p;
@@ -115,22 +161,80 @@ inline bool take_count(const char*& p, const char* const end, std::uint32_t& num
   return true;
 }
 
+enum class Number_state {
+  GOOD,
+  NOT_FINITE,
+  TOO_LARGE,
+  NOT_A_NUMBER
+};
+
+// What is nearer to zero than any number of the type is zero.
+inline Number_state read_number(const std::string_view word, double& number)
+{
+  const char* const end = word.data() + word.size();
+  const std::from_chars_result result = internal::from_chars(skip_plus(word), end, number);
+  if (result.ptr != end || result.ec == std::errc::invalid_argument)
+    return Number_state::NOT_A_NUMBER;
+  if (result.ec == std::errc::result_out_of_range) {
+    // Too large or too small: the exponent tells.
+    const std::size_t e = word.find_first_of("eE");
+    if (e == std::string::npos || word[e + 1] != '-')
+      return Number_state::TOO_LARGE;
+    number = word[0] == '-' ? -0. : 0.;
+  }
+  return std::isfinite(number) ? Number_state::GOOD : Number_state::NOT_FINITE;
+}
+
 // Whether a word is a number, finite or not.
-bool is_number(const std::string& word);
+inline bool is_number(const std::string_view word)
+{
+  double ignored;
+  return read_number(word, ignored) != Number_state::NOT_A_NUMBER;
+}
 
 // "line 7 (vertex 3)"
-std::string place(std::size_t line, const char* kind, std::size_t element);
+inline std::string place(const std::size_t line, const char* const kind, const std::size_t element)
+{
+  return "line " + std::to_string(line) + " (" + kind + " " + std::to_string(element) + ")";
+}
+
+// ", and 3 more faces like it"
+inline std::string and_more_faces(const std::size_t count)
+{
+  return count < 2 ? std::string() : ", and " + counted(count - 1, "more face like it", "more faces like it");
+}
 
 // The coordinate that a word is; refuses the word if it is none.
-double check_coordinate(const std::string& path, const std::string& word, const std::string& where,
-                        std::size_t vertex);
+inline double check_coordinate(const std::string& path, const std::string_view word, const std::string& where,
+                               const std::size_t vertex)
+{
+  double number = 0;
+  switch (read_number(word, number)) {
+  case Number_state::GOOD:
+    return number;
+  case Number_state::NOT_FINITE:
+    refuse_file(path, where + ": the coordinate " + quote(word) + " is not finite", Defect::NOT_FINITE, vertex);
+  case Number_state::TOO_LARGE:
+    refuse_file(path, where + ": the coordinate " + quote(word) + " is too large for a double", Defect::OUT_OF_RANGE,
+                vertex);
+  case Number_state::NOT_A_NUMBER:
+    break;
+  }
+  const auto would_be_a_number = [&](const std::string& characters, const char replacement) {
+    std::string other(word);
+    std::replace_if(
+      other.begin(), other.end(), [&](char c) { return characters.find(c) != std::string::npos; }, replacement);
+    return other != word && read_number(other, number) == Number_state::GOOD;
+  };
+  const char* const advice = word.find_first_of(",;") + 1 == word.size() ? ": separate numbers by blanks alone"
+                             : would_be_a_number(",", '.')               ? ": write a point for the decimal comma"
+                             : would_be_a_number("dD", 'e')              ? ": write e before the exponent"
+                                                                         : "";
+  refuse_file(path, where + ": " + quote(word) + " is not a number" + advice, Defect::UNREADABLE, vertex);
+}
 
 } // namespace internal
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/files/text_file_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_TEXT_FILE_H

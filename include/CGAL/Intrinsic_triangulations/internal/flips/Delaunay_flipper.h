@@ -9,11 +9,11 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_DELAUNAY_FLIPPER_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Flip_report.h>
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Triangulation_block.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/property_map.h>
@@ -94,24 +94,27 @@ class Delaunay_flipper
   using Flip_outcome = typename Triangulation::Flip_outcome;
   static constexpr bool is_whole = Is_whole_triangulation<Triangulation>::value;
   // Whether the tests of several edges can be made at once.
-  static constexpr bool tests_together = Has_cotangent_bounds<typename Triangulation::Traits>::value && Is_silent<Visitor>::value &&
-                                         std::is_same<ConstraintMap, Static_boolean_property_map<Edge_index, false>>::value;
+  static constexpr bool tests_together =
+    Has_cotangent_bounds<typename Triangulation::Traits>::value && Is_silent<Visitor>::value &&
+    std::is_same<ConstraintMap, Static_boolean_property_map<Edge_index, false>>::value;
 
   static constexpr Edge_index::size_type group_size = 1024;
 
 public:
   // `marks` has one for each edge of the triangulation; those of edges that are to be flipped
   // must be `CANDIDATE`, all others `SETTLED`.
-  Delaunay_flipper(Triangulation& triangulation, const ConstraintMap& is_constrained,
-                   Visitor& visitor, std::uint64_t budget, Edge_marks& marks)
-    : triangulation_(triangulation), is_constrained_(is_constrained), visitor_(visitor),
-      budget_(budget), marks_(marks.data())
+  Delaunay_flipper(Triangulation& triangulation, const ConstraintMap& is_constrained, Visitor& visitor,
+                   std::uint64_t budget, Edge_marks& marks)
+    : triangulation_(triangulation), is_constrained_(is_constrained), visitor_(visitor), budget_(budget),
+      marks_(marks.data())
   {}
 
   const Flip_report& report() const { return report_; }
 
   // Asks the visitor once more during a test.
   bool goes_further() { return visitor_.go_further(report_.tests, report_.flips); }
+  // \exception Cancelled_error if it says no
+  void ask() { ask(report_.tests); }
 
   // The edges, some of them more than once, that were left to others, ...
   std::vector<Edge_index>& postponed() { return postponed_; }
@@ -123,15 +126,14 @@ public:
   {
     report_.tests += report.tests;
     report_.flips += report.flips;
-    if (report.status == Flip_status::CANCELLED)
-      report_.status = report.status;
     add(report_.not_flippable, report.not_flippable);
     add(report_.inconsistent, report.inconsistent);
     add(report_.undecided, report.undecided);
   }
 
-  // Settles the candidates among these edges and all that depends on them. Returns whether it
-  // came to an end; if not, the status says why.
+  // Settles the candidates among these edges and all that depends on them. Returns whether the budget
+  // sufficed; if not, the status says so.
+  // \exception Cancelled_error if the visitor says so, or the interruption of the triangulation within a test
   bool settle(const Edge_index* begin, const Edge_index* end) { return settle_groups(begin, end); }
   bool settle(Edge_index::size_type first, Edge_index::size_type last)
   {
@@ -139,12 +141,10 @@ public:
     return settle_groups(Iterator(first), Iterator(last));
   }
 
-  // Ends the run of a whole triangulation that was settled, or stopped.
+  // Ends the run of a whole triangulation that was settled, or whose budget did not suffice.
   Flip_report finish(bool is_settled)
   {
-    const auto is_not_Delaunay = [&](Edge_index e) {
-      return !possibly(triangulation_.is_locally_Delaunay(e));
-    };
+    const auto is_not_Delaunay = [&](Edge_index e) { return !possibly(triangulation_.is_locally_Delaunay(e)); };
     collect(report_.not_flippable, is_not_Delaunay);
     collect(report_.inconsistent, is_not_Delaunay);
     collect(report_.undecided, [&](Edge_index e) {
@@ -164,26 +164,15 @@ private:
   template <class Iterator>
   bool settle_groups(Iterator begin, Iterator end)
   {
-    try {
-      return settle_groups_unless_cancelled(begin, end);
-    } catch (const Cancelled_error&) { // within a test
-      report_.status = Flip_status::CANCELLED;
-      return false;
-    }
-  }
-
-  template <class Iterator>
-  bool settle_groups_unless_cancelled(Iterator begin, Iterator end)
-  {
     while (begin != end) {
       const Iterator middle = begin + (std::min)(end - begin, std::ptrdiff_t(group_size));
-      bool goes_on = test(begin, middle);
-      while (goes_on && not_Delaunay_.size() != 0) {
+      test(begin, middle);
+      while (not_Delaunay_.size() != 0) {
         candidates_.clear();
-        goes_on = flip_found() && test(candidates_.begin(), candidates_.end());
+        if (!flip_found())
+          return false;
+        test(candidates_.begin(), candidates_.end());
       }
-      if (!goes_on)
-        return false;
       begin = middle;
     }
     return true;
@@ -191,39 +180,35 @@ private:
 
   // Finds the edges that are not Delaunay.
   template <class Iterator>
-  bool test(Iterator begin, Iterator end)
+  void test(Iterator begin, Iterator end)
   {
     suspects_.clear();
     suspects_.make_room(std::size_t(end - begin));
     if constexpr (tests_together && std::is_same<Iterator, Delta_complex::Edge_iterator>::value)
       find_consecutive_suspects(begin, end);
-    else if (!find_suspects(begin, end))
-      return false;
-    return test_suspects();
+    else
+      find_suspects(begin, end);
+    test_suspects();
   }
 
   // Leaves out those that are known to be Delaunay: on an ordinary surface, most.
   template <class Iterator>
-  bool find_suspects(Iterator begin, Iterator end)
+  void find_suspects(Iterator begin, Iterator end)
   {
     std::uint64_t number_of_known = 0;
-    bool goes_on = true;
     for (; begin != end; ++begin) {
       const Edge_index e = *begin;
       marks_[e.idx()] = Edge_mark::SETTLED;
       if (get(is_constrained_, e))
         continue;
       const bool is_known = triangulation_.is_known_Delaunay(e);
-      if (is_known && !goes_further(report_.tests + number_of_known)) {
-        goes_on = false;
-        break;
-      }
+      if (is_known)
+        ask(report_.tests + number_of_known);
       number_of_known += is_known;
       suspects_.push_if(!is_known, e);
     }
     report_.tests += number_of_known;
     triangulation_.count_as_tested(number_of_known);
-    return goes_on;
   }
 
   // The same for edges in order, of which it looks at four at once.
@@ -245,15 +230,14 @@ private:
     triangulation_.count_as_tested(number_of_known);
   }
 
-  bool test_suspects()
+  void test_suspects()
   {
     not_Delaunay_.clear();
     not_Delaunay_.make_room(suspects_.size());
     for (Edge_index e : suspects_) {
       if (triangulation_.connectivity().is_border(e))
         continue;
-      if (!goes_further(report_.tests))
-        return false;
+      ask();
       if (triangulation_.connectivity().is_self_glued(e)) { // Delaunay, as the angles of one face
         ++report_.tests;
         triangulation_.count_as_tested(1);
@@ -277,9 +261,9 @@ private:
       if (!is_certain(is_Delaunay))
         report_.undecided.push_back(e);
     }
-    return true;
   }
 
+  // Returns whether the budget sufficed.
   bool flip_found()
   {
     candidates_.make_room(4 * not_Delaunay_.size());
@@ -288,8 +272,7 @@ private:
         candidates_.push_if(true, e);
         continue;
       }
-      if (!goes_further(report_.tests))
-        return false;
+      ask();
       if (report_.flips == budget_) {
         report_.status = Flip_status::BUDGET_EXHAUSTED;
         return false;
@@ -334,12 +317,10 @@ private:
       (possibly(is_mended) ? report_.undecided : report_.inconsistent).push_back(e);
   }
 
-  bool goes_further(std::uint64_t number_of_tests)
+  void ask(std::uint64_t number_of_tests)
   {
-    if (visitor_.go_further(number_of_tests, report_.flips))
-      return true;
-    report_.status = Flip_status::CANCELLED;
-    return false;
+    if (!visitor_.go_further(number_of_tests, report_.flips))
+      throw Cancelled_error("the flips were cancelled");
   }
 
   void add_surrounding_edges(const Hinge_halfedges& around)
@@ -363,9 +344,7 @@ private:
   {
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    edges.erase(std::remove_if(edges.begin(), edges.end(),
-                               [&](Edge_index e) { return !still_holds(e); }),
-                edges.end());
+    edges.erase(std::remove_if(edges.begin(), edges.end(), [&](Edge_index e) { return !still_holds(e); }), edges.end());
   }
 
   static void add(std::vector<Edge_index>& edges, const std::vector<Edge_index>& more)

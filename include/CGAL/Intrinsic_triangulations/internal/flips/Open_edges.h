@@ -9,14 +9,13 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_OPEN_EDGES_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
-#include <CGAL/Intrinsic_triangulations/Flip_report.h>
-#include <CGAL/Intrinsic_triangulations/Stage_counts.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
@@ -45,7 +44,8 @@ class Open_edges
 {
 public:
   // \param flipper takes the tests into its report, and asks its visitor
-  Open_edges(Whole_triangulation<Traits> triangulation, const ConstraintMap& is_constrained, Flipper& flipper, Edge_marks& marks)
+  Open_edges(Whole_triangulation<Traits> triangulation, const ConstraintMap& is_constrained, Flipper& flipper,
+             Edge_marks& marks)
     : triangulation_(triangulation), is_constrained_(is_constrained), flipper_(flipper), marks_(marks)
   {
     if constexpr (uses_exact_geometry) // which the threads would ask at once
@@ -60,18 +60,12 @@ public:
   }
 
   // Settles those of the edges, each of which is given once and marked as a candidate, that are found to be Delaunay, and removes them from
-  // the list. Returns whether to go on; if not, the report of the flipper says why.
-  bool settle_Delaunay(std::vector<Edge_index>& edges)
+  // the list.
+  // \exception Cancelled_error if the visitor or the interruption says so
+  void settle_Delaunay(std::vector<Edge_index>& edges)
   {
     answers_.assign(edges.size(), Answer::OPEN);
-    try {
-      test_by_stages(edges);
-    } catch (const Cancelled_error&) {
-      Flip_report report;
-      report.status = Flip_status::CANCELLED;
-      flipper_.add(report);
-      return false;
-    }
+    test_by_stages(edges);
     std::size_t number_of_others = 0;
     for (std::size_t i = 0; i < edges.size(); ++i) {
       if (answers_[i] == Answer::DELAUNAY)
@@ -80,7 +74,6 @@ public:
         edges[number_of_others++] = edges[i];
     }
     edges.resize(number_of_others);
-    return true;
   }
 
 private:
@@ -101,13 +94,15 @@ private:
     if (!test_open(edges, by_filter))
       return;
     if constexpr (uses_exact_geometry) {
-      const Delta_complex& complex = triangulation_.connectivity();
-      const Exact_geometry& geometry = triangulation_.geometry();
-      const auto in_plane = [&](Edge_index e, Stage_counts& counts) { return answer(geometry.test_in_plane(complex, e), counts); };
-      if (!test_open(edges, in_plane))
+      const Exact_engine& engine = triangulation_.engine();
+      const auto test_with = [&](Exact_engine::Effort effort) {
+        return test_open(
+          edges, [&](Edge_index e, Stage_counts& counts) { return answer(engine.quick_test(e, effort), counts); });
+      };
+      if (!test_with(Exact_engine::Effort::IN_PLANE))
         return;
-      geometry.prepare<Parallel_tag>(complex);
-      test_open(edges, [&](Edge_index e, Stage_counts& counts) { return answer(geometry.test_by_short_strips(complex, e), counts); });
+      engine.prepare<Parallel_tag>();
+      test_with(Exact_engine::Effort::SHORT_STRIPS);
     }
   }
 
@@ -141,11 +136,11 @@ private:
     const auto is_Delaunay = triangulation_.is_Delaunay_by_filter(e);
     if (!is_certain(is_Delaunay))
       return Answer::OPEN;
-    return answer(Exact_geometry::Test{Stage::FILTER, certainly(is_Delaunay) ? POSITIVE : NEGATIVE}, counts);
+    return answer(Exact_engine::Test{Stage::FILTER, certainly(is_Delaunay) ? POSITIVE : NEGATIVE}, counts);
   }
 
   // Only tests that settle an edge are counted, as others are made again.
-  static Answer answer(const std::optional<Exact_geometry::Test>& test, Stage_counts& counts)
+  static Answer answer(const std::optional<Exact_engine::Test>& test, Stage_counts& counts)
   {
     if (!test)
       return Answer::OPEN;
@@ -167,8 +162,7 @@ private:
   {
     if (std::exchange(is_stopped_, true))
       return;
-    if (!flipper_.goes_further())
-      throw Cancelled_error("the flips were cancelled");
+    flipper_.ask();
     interruption_.check();
     is_stopped_ = false;
   }
@@ -181,7 +175,7 @@ private:
     flipper_.add(report);
     triangulation_.count_as_tested(std::exchange(counts.decided[std::size_t(Stage::FILTER)], 0));
     if constexpr (uses_exact_geometry)
-      triangulation_.geometry().count(counts);
+      triangulation_.engine().stage_counts() += counts;
   }
 
   Whole_triangulation<Traits> triangulation_;

@@ -8,6 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_PARALLEL_DELAUNAY_FLIPPER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_PARALLEL_DELAUNAY_FLIPPER_H
 
+#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Open_edges.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Triangulation_block.h>
@@ -28,15 +29,13 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-struct Default_flip_visitor;
-
 namespace internal {
 
 // Asks one visitor on behalf of all blocks: one at a time, and not before each test.
 template <class Visitor>
 class Shared_visitor
 {
-  static constexpr bool is_trivial = std::is_same<Visitor, Default_flip_visitor>::value;
+  static constexpr bool is_trivial = Is_silent<Visitor>::value;
 
 public:
   explicit Shared_visitor(Visitor& visitor) : visitor_(visitor) {}
@@ -117,10 +116,9 @@ class Parallel_Delaunay_flipper
 
 public:
   // The marks are all `CANDIDATE`.
-  Parallel_Delaunay_flipper(Triangulation& triangulation, const ConstraintMap& is_constrained,
-                            Visitor& visitor, std::uint64_t budget, Edge_marks& marks)
-    : triangulation_(triangulation), is_constrained_(is_constrained), visitor_(visitor),
-      budget_(budget), marks_(marks)
+  Parallel_Delaunay_flipper(Triangulation& triangulation, const ConstraintMap& is_constrained, Visitor& visitor,
+                            std::uint64_t budget, Edge_marks& marks)
+    : triangulation_(triangulation), is_constrained_(is_constrained), visitor_(visitor), budget_(budget), marks_(marks)
   {}
 
   // Otherwise it would do what a Delaunay_flipper does.
@@ -130,7 +128,7 @@ public:
   }
 
   // Leads to a Delaunay triangulation; `flipper` makes the last flips, and has the report.
-  // Returns whether it came to an end.
+  // Returns whether the budget sufficed.
   bool settle_all(Flipper& flipper)
   {
     const std::size_t n = marks_.size(), number_of_blocks = (n + size - 1) / size;
@@ -140,8 +138,8 @@ public:
     settle_blocks(n, number_of_blocks, flipper);
     postponed_.insert(postponed_.end(), uncertain_.begin(), uncertain_.end());
     mark_postponed();
-    return !visitor_.is_stopped() && settle_Delaunay(flipper) &&
-           flipper.settle(postponed_.data(), postponed_.data() + postponed_.size());
+    settle_Delaunay(flipper);
+    return flipper.settle(postponed_.data(), postponed_.data() + postponed_.size());
   }
 
 private:
@@ -156,6 +154,7 @@ private:
   };
 
   // Both rounds. Whatever happens, the flips that were made are noted.
+  // \exception Cancelled_error if the visitor says so
   void settle_blocks(std::size_t n, std::size_t number_of_blocks, Flipper& flipper)
   {
     typename Block::Journals journals(triangulation_, 2 * number_of_blocks + 1);
@@ -163,8 +162,7 @@ private:
     for (std::size_t shift : {std::size_t(0), size / 2}) {
       is_first_round_ = shift == 0;
       std::vector<Task> tasks = make_tasks(n, shift, journals);
-      for_each_block<Parallel_tag>(tasks.size(), 1,
-                                   [&](std::size_t i, std::size_t) { settle(tasks[i]); });
+      for_each_block<Parallel_tag>(tasks.size(), 1, [&](std::size_t i, std::size_t) { settle(tasks[i]); });
       postponed_.clear();
       for (Task& task : tasks) {
         exception = exception ? exception : task.exception;
@@ -179,6 +177,8 @@ private:
     }
     if (exception)
       std::rethrow_exception(exception);
+    if (visitor_.is_stopped())
+      throw Cancelled_error("the flips were cancelled");
   }
 
   std::vector<Task> make_tasks(std::size_t n, std::size_t shift, typename Block::Journals& journals) const
@@ -201,12 +201,11 @@ private:
     try {
       Block block(triangulation_, task.first, task.last, *task.journal);
       Block_visitor visitor(visitor_);
-      Delaunay_flipper<Block, ConstraintMap, Block_visitor> flipper(block, is_constrained_, visitor,
-                                                                    budget_of_block_, marks_);
+      Delaunay_flipper<Block, ConstraintMap, Block_visitor> flipper(block, is_constrained_, visitor, budget_of_block_,
+                                                                    marks_);
       const bool is_settled =
         is_first_round_ ? flipper.settle(task.first, task.last)
-                        : flipper.settle(task.candidates.data(),
-                                         task.candidates.data() + task.candidates.size());
+                        : flipper.settle(task.candidates.data(), task.candidates.data() + task.candidates.size());
       task.report = flipper.report();
       task.postponed = std::move(flipper.postponed());
       task.uncertain = std::move(flipper.uncertain());
@@ -214,15 +213,18 @@ private:
         for (Edge_index::size_type e = task.first; e < task.last; ++e)
           if (marks_[e] != Edge_mark::SETTLED)
             task.postponed.push_back(Edge_index(e));
+    } catch (const Cancelled_error&) {
+      visitor_.stop();
     } catch (...) {
       task.exception = std::current_exception();
       visitor_.stop();
     }
   }
 
-  bool settle_Delaunay(Flipper& flipper)
+  void settle_Delaunay(Flipper& flipper)
   {
-    return Open_edges<Traits, ConstraintMap, Flipper>(Whole_triangulation<Traits>(triangulation_), is_constrained_, flipper, marks_)
+    Open_edges<Traits, ConstraintMap, Flipper>(Whole_triangulation<Traits>(triangulation_), is_constrained_, flipper,
+                                               marks_)
       .settle_Delaunay(postponed_);
   }
 

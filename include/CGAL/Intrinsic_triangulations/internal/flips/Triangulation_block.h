@@ -58,17 +58,15 @@ public:
     Journals(Triangulation& triangulation, std::size_t most) : triangulation_(triangulation)
     {
       journals_.reserve(most);
-      if (triangulation_.geometry_)
-        triangulation_.geometry_->make_room_for_journals(most);
+      triangulation_.engine_.make_room_for_journals(most);
     }
     Journals(const Journals&) = delete;
     Journals& operator=(const Journals&) = delete;
     ~Journals()
     {
       // Flips in different blocks commute, so that any order of the blocks of one round will do.
-      if (triangulation_.geometry_)
-        for (std::vector<Hinge_halfedges>& journal : journals_)
-          triangulation_.geometry_->append(std::move(journal));
+      for (std::vector<Hinge_halfedges>& journal : journals_)
+        triangulation_.engine_.append(std::move(journal));
     }
     std::vector<Hinge_halfedges>& next() { return journals_.emplace_back(); }
 
@@ -77,12 +75,12 @@ public:
     std::vector<std::vector<Hinge_halfedges>> journals_;
   };
 
-  Triangulation_block(Triangulation& triangulation, Edge_index::size_type first,
-                      Edge_index::size_type last, std::vector<Hinge_halfedges>& journal)
+  Triangulation_block(Triangulation& triangulation, Edge_index::size_type first, Edge_index::size_type last,
+                      std::vector<Hinge_halfedges>& journal)
     : triangulation_(triangulation), first_(first), size_(last - first), journal_(journal)
   {}
 
-  const Delta_complex& connectivity() const { return triangulation_.connectivity_; }
+  const Delta_complex& connectivity() const { return triangulation_.connectivity(); }
 
   bool contains_hinge(Edge_index e) const
   {
@@ -109,11 +107,12 @@ public:
     if constexpr (Triangulation::uses_exact_geometry)
       if (!triangulation_.is_new_edge_known_to_have_length(old))
         return Flip_outcome::POSTPONED;
-    const auto note = [&] {
-      if (triangulation_.geometry_)
+    const auto flip = [&] {
+      if (triangulation_.keeps_input())
         journal_.push_back(around);
+      triangulation_.engine_.flip_in_block(around);
     };
-    switch (triangulation_.flip_hinge(around, old, note)) {
+    switch (triangulation_.flip_hinge(around, old, flip)) {
     case Triangulation::Flip_outcome::FLIPPED:
       return Flip_outcome::FLIPPED;
     case Triangulation::Flip_outcome::NOT_CONVEX:

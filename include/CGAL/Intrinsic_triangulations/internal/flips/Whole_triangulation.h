@@ -3,26 +3,27 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// A triangulation as the flip algorithm sees it.
+// A triangulation as the algorithms of this package see it.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_WHOLE_TRIANGULATION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_WHOLE_TRIANGULATION_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 
 #include <CGAL/Uncertain.h>
 
 #include <cstdint>
 #include <functional>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// What a Delaunay_flipper needs of a triangulation beside its public members.
+// What the algorithms of this package need of a triangulation beside its public members.
 template <class Traits_>
 class Whole_triangulation
 {
@@ -35,12 +36,15 @@ public:
   explicit Whole_triangulation(Triangulation& triangulation) : triangulation_(triangulation) {}
 
   Triangulation& triangulation() const { return triangulation_; }
-  const Delta_complex& connectivity() const { return triangulation_.connectivity_; }
+  const Delta_complex& connectivity() const { return triangulation_.connectivity(); }
 
   // Whether bounds that are kept for the corners already tell that e is Delaunay. `false` says nothing.
   // Most edges of an ordinary surface are known to be Delaunay, and this is much faster than a test, with which it
   // never disagrees.
-  bool is_known_Delaunay(Edge_index e) const { return Triangulation::keeps_bounds && triangulation_.bounds_.imply_Delaunay(e); }
+  bool is_known_Delaunay(Edge_index e) const
+  {
+    return Triangulation::keeps_bounds && triangulation_.bounds_.imply_Delaunay(e);
+  }
   // The same for four edges: bit i of the result tells it of the i-th after e. \pre there are that many
   unsigned are_known_Delaunay(Edge_index e) const
   {
@@ -65,27 +69,65 @@ public:
     return answer;
   }
 
-  // As that of the geometry, if there is one.
-  void begin_journal()
+  // It may not be prepared yet.
+  Exact_engine& engine() const { return triangulation_.engine_; }
+
+  std::function<bool()> set_interruption(std::function<bool()> go_further)
   {
-    if (triangulation_.geometry_)
-      triangulation_.geometry_->begin_journal();
+    return engine().set_interruption(std::move(go_further));
   }
-  // The geometry, which may not be prepared yet. \pre keeps_input()
-  Exact_geometry& geometry() const { return *triangulation_.geometry_; }
 
   // Notes for the statistics that so many edges were found to be Delaunay or not by what is stored.
   void count_as_tested(std::uint64_t number) { triangulation_.number_of_filter_decisions_ += number; }
 
   Flip_outcome flip_not_Delaunay(const Hinge_halfedges& around) { return triangulation_.flip_not_Delaunay(around); }
+  Flip_outcome flip_not_Delaunay(Edge_index e) { return triangulation_.flip_not_Delaunay(e); }
+  void flip_back(Edge_index e) { triangulation_.flip_back(e); }
 
-  std::function<bool()> set_interruption(std::function<bool()> go_further)
+  Vertex_index split_face(const Triangle_piece& piece, const Surface_point& location)
   {
-    return triangulation_.set_interruption(std::move(go_further));
+    return triangulation_.split_face(piece, location);
+  }
+  Vertex_index split_edge(Halfedge_index h, const Surface_point& location)
+  {
+    return triangulation_.split_edge(h, location);
+  }
+  Removed_elements unsplit_face(Vertex_index v) { return triangulation_.unsplit_face(v); }
+  Removed_elements unsplit_edge(Halfedge_index h) { return triangulation_.unsplit_edge(h); }
+
+  template <class Element>
+  void recompute(Element x)
+  {
+    triangulation_.recompute(x);
   }
 
 private:
   Triangulation& triangulation_;
+};
+
+// A triangulation whose edges all come to the test, of which a visitor is told.
+template <class Traits_, class Visitor>
+class Watched_triangulation : public Whole_triangulation<Traits_>
+{
+  using Base = Whole_triangulation<Traits_>;
+
+public:
+  Watched_triangulation(typename Base::Triangulation& triangulation, Visitor& visitor)
+    : Base(triangulation), visitor_(visitor)
+  {}
+
+  bool is_known_Delaunay(Edge_index) const { return false; }
+  unsigned are_known_Delaunay(Edge_index) const { return 0; }
+  void count_as_tested(std::uint64_t) {}
+  typename Base::Boolean test_and_recompute(Edge_index e)
+  {
+    const typename Base::Boolean answer = Base::test_and_recompute(e);
+    visitor_.after_test(e, answer);
+    return answer;
+  }
+
+private:
+  Visitor& visitor_;
 };
 
 } // namespace internal

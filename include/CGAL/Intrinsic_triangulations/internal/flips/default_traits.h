@@ -10,12 +10,13 @@
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/metric_construction.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
@@ -34,16 +35,19 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template Flip_report
-flip_all<Sequential_tag, Whole_triangulation<Filtered_edge_length_traits>, Static_boolean_property_map<Edge_index, false>,
-         Default_flip_visitor>(Whole_triangulation<Filtered_edge_length_traits>,
-                               const Static_boolean_property_map<Edge_index, false>&, Default_flip_visitor&, std::uint64_t);
+flip_all<Sequential_tag, Whole_triangulation<Filtered_edge_length_traits>,
+         Static_boolean_property_map<Edge_index, false>, Observer<Default_visitor>>(
+  Whole_triangulation<Filtered_edge_length_traits>, const Static_boolean_property_map<Edge_index, false>&,
+  Observer<Default_visitor>&, std::uint64_t);
 
 CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template void
 Face_measurer<Sequential_tag, Filtered_edge_length_traits>::measure(std::size_t, std::size_t, Findings&) const;
 
-CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template int normalize_points<Sequential_tag, Points, Is_used_vertex>(Points&, const Is_used_vertex&);
+CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template int
+normalize_points<Sequential_tag, Points, Is_used_vertex>(Points&, const Is_used_vertex&);
 
-CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template void throw_zero_length<Points>(const Delta_complex&, const Points&, const Defect_tally&);
+CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template void throw_zero_length<Points>(const Delta_complex&, const Points&,
+                                                                             const Defect_tally&);
 
 } // namespace internal
 } // namespace Intrinsic_triangulations

@@ -8,13 +8,13 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_LINE_FACES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_LINE_FACES_H
 
-#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/Unfolding.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Metric_frame.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Metric_frame.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
 
 #include <array>
@@ -45,16 +45,19 @@ struct Third_corner
 
 // \param corners those of the face of the start, in the order of its coordinates
 template <class Metric>
-Line_beginning<typename Metric::Vector> line_between(const Surface_direction& start, Metric& metric,
-                                                     const typename Metric::Vector& base,
-                                                     const std::array<typename Metric::Vector, 3>& corners, Halfedge_index unit)
+Line_beginning<typename Metric::Vector>
+line_between(const Surface_direction& start, Metric& metric, const typename Metric::Vector& base,
+             const std::array<typename Metric::Vector, 3>& corners, Halfedge_index unit)
 {
   using Vector = typename Metric::Vector;
   const auto real = [&metric](double x) { return Vector(metric.constant(x), metric.constant(0)); };
   const auto& b = start.point.coordinates;
   // Their sum is no input quantity, so positions are multiplied by it.
-  return {base, real(b[0]) * corners[0] + real(b[1]) * corners[1] + real(b[2]) * corners[2], real(b[0]) + real(b[1]) + real(b[2]),
-          real(start.displacement[0]) * (corners[1] - corners[0]) + real(start.displacement[1]) * (corners[2] - corners[0]), unit};
+  return {base, real(b[0]) * corners[0] + real(b[1]) * corners[1] + real(b[2]) * corners[2],
+          real(b[0]) + real(b[1]) + real(b[2]),
+          real(start.displacement[0]) * (corners[1] - corners[0]) +
+            real(start.displacement[1]) * (corners[2] - corners[0]),
+          unit};
 }
 
 // The faces of the input.
@@ -99,14 +102,15 @@ class Current_faces
 public:
   static constexpr bool has_divisors = true;
 
-  Current_faces(const Delta_complex& current, const Exact_geometry& geometry, const Surface_direction& start)
-    : complex(current), correspondence_(geometry.correspondence()), input_(correspondence_.input()), start_(start)
+  Current_faces(const Exact_engine& engine, const Surface_direction& start)
+    : complex(engine.connectivity()), correspondence_(engine.correspondence()), input_(correspondence_.input()),
+      start_(start)
   {
     if (start.point.dimension() == 0)
       begin_at_vertex();
     else {
       const Triangle_piece piece =
-        Piece_search(current, geometry)(piece_at_source(current, correspondence_, start.point.halfedge), start.point);
+        Piece_search(engine)(piece_at_source(complex, correspondence_, start.point.halfedge), start.point);
       first_ = piece.side;
       position_ = piece.gap;
     }

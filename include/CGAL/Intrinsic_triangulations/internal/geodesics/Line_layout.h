@@ -9,8 +9,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_LINE_LAYOUT_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Strip.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Strip.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Line_faces.h>
 
 #include <array>
@@ -85,7 +85,8 @@ public:
   }
   auto along(int i)
   {
-    return times_conjugate(from_start(i), direction_).x() / (squared_norm(direction_) * (sum_ * scale_of_corner(i)).x());
+    return times_conjugate(from_start(i), direction_).x() /
+           (squared_norm(direction_) * (sum_ * scale_of_corner(i)).x());
   }
   auto squared_speed() const { return squared_norm(direction_); }
 
@@ -99,8 +100,8 @@ public:
 
 private:
   Line_layout(const Faces& faces, Metric& metric, const Line_beginning<Vector>& line)
-    : faces_(faces), metric_(metric), start_(line.start), sum_(line.sum), direction_(line.direction), left_(real(0)), base_(line.base),
-      scale_(real(1)), entered_(faces.first()), unit_(line.unit)
+    : faces_(faces), metric_(metric), start_(line.start), sum_(line.sum), direction_(line.direction), left_(real(0)),
+      base_(line.base), scale_(real(1)), entered_(faces.first()), unit_(line.unit)
   {}
 
   Vector real(double x) const { return Vector(metric_.constant(x), metric_.constant(0)); }

@@ -9,8 +9,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_LINKED_PATHS_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Index.h>
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/Index.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -41,7 +41,8 @@ public:
     Segment_index first, last; // the new ones, if there are any
   };
 
-  explicit Linked_paths(const Delta_complex& complex) : complex_(complex), number_of_uses_(complex.number_of_edges(), 0) {}
+  explicit Linked_paths(const Delta_complex& complex) : complex_(complex), number_of_uses_(complex.number_of_edges(), 0)
+  {}
 
   std::size_t size() const { return paths_.size(); }
   bool is_closed(std::size_t p) const { return paths_[p].is_closed; }
@@ -80,7 +81,8 @@ private:
   void check(const std::vector<Halfedge_index>& halfedges, bool is_closed) const;
 
   // Links new segments, for which there is room, between two others; in a closed path without others, to a circle.
-  Replaced link(std::uint32_t p, Segment_index before, Segment_index after, const std::vector<Halfedge_index>& halfedges);
+  Replaced link(std::uint32_t p, Segment_index before, Segment_index after,
+                const std::vector<Halfedge_index>& halfedges);
 
   const Delta_complex& complex_;
   std::vector<std::uint32_t> number_of_uses_; // of each edge

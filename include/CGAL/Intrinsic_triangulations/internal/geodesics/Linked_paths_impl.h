@@ -8,10 +8,9 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_LINKED_PATHS_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_LINKED_PATHS_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/Linked_paths.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -34,7 +33,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Halfedge_index> Linked_paths::h
   return result;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::size_t Linked_paths::add(const std::vector<Halfedge_index>& halfedges, bool is_closed)
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::size_t Linked_paths::add(const std::vector<Halfedge_index>& halfedges,
+                                                                   bool is_closed)
 {
   check(halfedges, is_closed);
   make_room(segments_, halfedges.size());
@@ -43,7 +43,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::size_t Linked_paths::add(const std::ve
   return paths_.size() - 1;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Linked_paths::Replaced Linked_paths::replace(Segment_index a, Segment_index b, const std::vector<Halfedge_index>& halfedges)
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Linked_paths::Replaced
+Linked_paths::replace(Segment_index a, Segment_index b, const std::vector<Halfedge_index>& halfedges)
 {
   make_room(segments_, halfedges.size());
   const std::uint32_t p = segments_[a].path;
@@ -83,26 +84,28 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Linked_paths::restore_loop(Segment_ind
   path.first = s;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Linked_paths::check(const std::vector<Halfedge_index>& halfedges, bool is_closed) const
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Linked_paths::check(const std::vector<Halfedge_index>& halfedges,
+                                                              bool is_closed) const
 {
   for (std::size_t i = 0; i < halfedges.size(); ++i) {
     if (!(halfedges[i].idx() < complex_.number_of_halfedges()))
-      throw Invalid_point_error("there is no halfedge " + std::to_string(halfedges[i].idx()));
+      throw Invalid_argument_error("there is no halfedge " + std::to_string(halfedges[i].idx()));
     const bool is_last = i + 1 == halfedges.size();
     if (is_last && !is_closed)
       break;
     const Halfedge_index following = halfedges[is_last ? 0 : i + 1];
-    if (following.idx() < complex_.number_of_halfedges() &&
-        complex_.source(following) != complex_.target(halfedges[i]))
-      throw Invalid_point_error("halfedge " + std::to_string(following.idx()) + " does not begin at vertex " +
-                                std::to_string(complex_.target(halfedges[i]).idx()) + ", where halfedge " +
-                                std::to_string(halfedges[i].idx()) + " before it ends");
+    if (following.idx() < complex_.number_of_halfedges() && complex_.source(following) != complex_.target(halfedges[i]))
+      throw Invalid_argument_error("halfedge " + std::to_string(following.idx()) + " does not begin at vertex " +
+                                   std::to_string(complex_.target(halfedges[i]).idx()) + ", where halfedge " +
+                                   std::to_string(halfedges[i].idx()) + " before it ends");
   }
   if (is_closed && halfedges.empty())
-    throw Invalid_point_error("a closed curve without edges");
+    throw Invalid_argument_error("a closed curve without edges");
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Linked_paths::Replaced Linked_paths::link(std::uint32_t p, Segment_index before, Segment_index after, const std::vector<Halfedge_index>& halfedges)
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Linked_paths::Replaced
+Linked_paths::link(std::uint32_t p, Segment_index before, Segment_index after,
+                   const std::vector<Halfedge_index>& halfedges)
 {
   Segment_index first = none, last = before;
   for (Halfedge_index h : halfedges) {

@@ -9,7 +9,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_WEDGE_H
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Angle_sum.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Angle_sum.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 
 #include <CGAL/enum.h>
 
@@ -65,7 +66,8 @@ public:
   // \param goes_on is called before each attempt; if it returns `false`, the work ends
   // \param after_flip is called after each flip
   template <class May_flip, class Go_on, class After_flip>
-  Wedge_outcome shorten(const Wedge& wedge, const May_flip& may_flip, const Go_on& goes_on, const After_flip& after_flip)
+  Wedge_outcome shorten(const Wedge& wedge, const May_flip& may_flip, const Go_on& goes_on,
+                        const After_flip& after_flip)
   {
     // Where edges are loops at this very vertex, a flip can bring new edges into the wedge.
     std::size_t rest = 64;
@@ -92,7 +94,8 @@ public:
       }
       h = complex().next_around_source(h);
     }
-    for (Halfedge_index h = complex().next_around_source(wedge.first); h != wedge.last; h = complex().next_around_source(h))
+    for (Halfedge_index h = complex().next_around_source(wedge.first); h != wedge.last;
+         h = complex().next_around_source(h))
       is_blocked = is_blocked || compare_end_with_pi(h) == SMALLER;
     return is_blocked ? Wedge_outcome::BLOCKED : Wedge_outcome::SHORTENED;
   }
@@ -109,14 +112,14 @@ private:
     if (!sum.is_below_pi() && !sum.is_above_pi()) {
       for (const Estimated_corner& corner : corners_)
         if (!(corner.angle.error < 0x1p-44))
-          triangulation_.recompute(complex().face(corner.opposite));
+          Whole_triangulation<Traits>(triangulation_).recompute(complex().face(corner.opposite));
       sum = estimate();
     }
     if (angle)
       *angle = sum.value;
     return sum.is_below_pi()   ? SMALLER
            : sum.is_above_pi() ? LARGER
-                               : compare_angle_sum_with_pi(complex(), triangulation_.exact_geometry(), corners_);
+                               : compare_angle_sum_with_pi(engine(triangulation_), corners_);
   }
 
   Bounded_angle estimate()
@@ -126,8 +129,9 @@ private:
     for (Estimated_corner& corner : corners_) {
       const Halfedge_index h = corner.opposite;
       const auto face = triangulation_.face_data(complex().face(h));
-      corner.angle = bounded_angle(
-        twice_scalar_product(squared(complex().next(h)), squared(complex().prev(h)), squared(h)), face.value, face.error);
+      corner.angle =
+        bounded_angle(twice_scalar_product(squared(complex().next(h)), squared(complex().prev(h)), squared(h)),
+                      face.value, face.error);
       sum += corner.angle;
     }
     return sum;

@@ -3,15 +3,14 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Definitions of geodesic_points.h.
+// Definitions of trace_geodesic.h.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_GEODESIC_POINTS_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_GEODESIC_POINTS_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/geodesic_points.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Crossing_sequence.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Strip.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/Crossing_locator.h>
 
 #include <cstddef>
@@ -22,7 +21,8 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 // The source of h in the input face into which h leaves it. \pre h runs along no input edge
-inline Surface_point source_on_input(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h)
+inline Surface_point source_on_input(const Delta_complex& complex, const Correspondence& correspondence,
+                                     Halfedge_index h)
 {
   const Delta_complex& input = correspondence.input();
   const Vertex_index v = complex.source(h);
@@ -43,18 +43,19 @@ inline Surface_point source_on_input(const Delta_complex& complex, const Corresp
 
 // The input edges that h crosses, from the integers alone.
 // \pre `geometry.prepare()` was called, and h crosses some
-inline Crossed_edges find_crossed_edges(const Delta_complex& complex, const Exact_geometry& geometry, Halfedge_index h)
+inline Crossed_edges find_crossed_edges(const Exact_engine& engine, Halfedge_index h)
 {
-  const Crossed_halfedges sequence(complex, geometry.correspondence(), h, geometry.interruption());
-  Crossed_edges crossed(geometry.correspondence().input());
+  const Delta_complex& complex = engine.connectivity();
+  const Crossed_halfedges sequence(complex, engine.correspondence(), h, engine.interruption());
+  Crossed_edges crossed(engine.correspondence().input());
   for (std::size_t i = 0; i < sequence.size(); ++i)
     crossed.push_back(sequence[i]);
   return crossed;
 }
 
 // An edge along an input edge, or a part of one.
-inline void append_along_input_edge(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h,
-                                    std::vector<Surface_point>& points)
+inline void append_along_input_edge(const Delta_complex& complex, const Correspondence& correspondence,
+                                    Halfedge_index h, std::vector<Surface_point>& points)
 {
   const Delta_complex& input = correspondence.input();
   const Halfedge_index along = correspondence.input_halfedge(h);
@@ -74,10 +75,10 @@ inline void append_along_input_edge(const Delta_complex& complex, const Correspo
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void append_input_points(const Delta_complex& complex, const Exact_geometry& geometry, Halfedge_index h,
-                         std::vector<Surface_point>& points)
+void append_input_points(const Exact_engine& engine, Halfedge_index h, std::vector<Surface_point>& points)
 {
-  const Correspondence& correspondence = geometry.correspondence();
+  const Delta_complex& complex = engine.connectivity();
+  const Correspondence& correspondence = engine.correspondence();
   const Delta_complex& input = correspondence.input();
   if (correspondence.coordinates().is_original(complex.edge(h)))
     return append_along_input_edge(complex, correspondence, h, points);
@@ -85,8 +86,8 @@ void append_input_points(const Delta_complex& complex, const Exact_geometry& geo
   if (correspondence.coordinates().number_of_crossings(complex.edge(h)) > 0) {
     // Positions are those of the edge, in the direction of its own halfedge, which the overlay has as well.
     const bool is_backward = !is_in_own_direction(h);
-    const Crossed_edges crossed = find_crossed_edges(complex, geometry, is_backward ? complex.opposite(h) : h);
-    const Exact_geometry::Surface_lease surface = geometry.input_surface();
+    const Crossed_edges crossed = find_crossed_edges(engine, is_backward ? complex.opposite(h) : h);
+    const Exact_engine::Surface_lease surface = engine.input_surface();
     Crossing_locator locator(complex, correspondence, *surface);
     const std::vector<Position_on_edges>& positions = locator(complex.edge(h), crossed);
     const std::size_t n = crossed.size();

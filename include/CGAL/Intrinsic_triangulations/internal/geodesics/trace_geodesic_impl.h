@@ -9,13 +9,12 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_TRACE_GEODESIC_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Exact_sign.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Metric_frame.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Metric_frame.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Line_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Line_layout.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
-#include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
 #include <algorithm>
 #include <array>
@@ -37,18 +36,18 @@ template <class Faces>
 class Geodesic_tracer
 {
 public:
-  Geodesic_tracer(const Faces& faces, const Exact_geometry& geometry, const Surface_direction& start, double length,
+  Geodesic_tracer(const Faces& faces, const Exact_engine& engine, const Surface_direction& start, double length,
                   std::size_t maximum_number)
-    : faces_(faces), complex_(faces.complex), geometry_(geometry), surface_(geometry.input_surface()), metric_(*surface_), start_(start),
-      layout_(faces, metric_), wanted_(length), maximum_number_(maximum_number)
+    : faces_(faces), complex_(faces.complex), engine_(engine), surface_(engine.input_surface()), metric_(*surface_),
+      start_(start), layout_(faces, metric_), wanted_(length), maximum_number_(maximum_number)
   {}
 
   Traced_geodesic operator()()
   {
     using Real = Bounded_double_double;
-    const Delta_complex& input = geometry_.correspondence().input();
+    const Delta_complex& input = engine_.correspondence().input();
     const Real speed = sqrt(layout_.squared_speed() * metric_.squared_length(input.edge(layout_.unit())));
-    speed_ = std::ldexp(speed.hi(), geometry_.metric().unit_exponent());
+    speed_ = std::ldexp(speed.hi(), engine_.metric().unit_exponent());
     if (!(speed_ > 0))
       throw Invalid_point_error("a line needs a direction: the displacement is zero, or too small");
     begin();
@@ -56,7 +55,7 @@ public:
     bool goes_on = leave_first_face();
     for (std::size_t i = 1; goes_on; ++i) {
       if (i % 64 == 0)
-        geometry_.interruption().check();
+        engine_.interruption().check();
       if (i >= maximum_number_) {
         result_.status = Trace_status::BUDGET_EXHAUSTED;
         result_.length = length_;
@@ -86,7 +85,8 @@ private:
     };
     return exact_sign(*surface_, evaluate, [&] {
       return "a line from a point of input face " +
-             std::to_string(geometry_.correspondence().input().face(start_.point.halfedge).idx()) + ": that it meets a vertex";
+             std::to_string(engine_.correspondence().input().face(start_.point.halfedge).idx()) +
+             ": that it meets a vertex";
     });
   }
   Sign side_of_corner(int i)
@@ -210,7 +210,8 @@ private:
     const Halfedge_index begin = layout_.entered();
     while (!leads_into_face()) { // counterclockwise
       if (is_border(2))
-        return side_of_direction(0) == POSITIVE && side_of_direction(2) == ZERO ? true : turn_clockwise(); // along the border
+        return side_of_direction(0) == POSITIVE && side_of_direction(2) == ZERO ? true
+                                                                                : turn_clockwise(); // along the border
       move(2, true);
       if (layout_.entered() == begin) // all faces have zero area
         return false;
@@ -237,8 +238,10 @@ private:
     const bool is_at_border = is_border(i);
     move(i, true);
     // Both are positive, however near the line comes to a vertex.
-    const double left = (std::max)(layout_.side_of_corner(0).hi(), smallest), right = (std::max)(-layout_.side_of_corner(1).hi(), smallest);
-    const double of_left = (std::max)(right / (left + right), smallest), of_right = (std::max)(left / (left + right), smallest);
+    const double left = (std::max)(layout_.side_of_corner(0).hi(), smallest),
+                 right = (std::max)(-layout_.side_of_corner(1).hi(), smallest);
+    const double of_left = (std::max)(right / (left + right), smallest),
+                 of_right = (std::max)(left / (left + right), smallest);
     const Surface_point exit{h, {of_right, of_left, 0}};
     const double at = (std::max)(length_, layout_.crossing().hi() * speed_);
     if (!(at < wanted_))
@@ -299,8 +302,8 @@ private:
 
   const Faces& faces_;
   const Delta_complex& complex_;
-  const Exact_geometry& geometry_;
-  Exact_geometry::Surface_lease surface_;
+  const Exact_engine& engine_;
+  Exact_engine::Surface_lease surface_;
   Double_double_metric metric_;
   const Surface_direction& start_;
   Line_layout<Faces, Double_double_metric> layout_;
@@ -334,36 +337,37 @@ inline void check_line(const Delta_complex& input, const Surface_direction& star
   if (!std::isfinite(b[0] + b[1] + b[2]) || !(b[0] + b[1] + b[2] > 0) || !(d[1] != 0 || d[2] != 0))
     throw Invalid_point_error("the start of a line needs a positive coordinate and a displacement other than zero");
   if (!std::isfinite(length) || length < 0)
-    throw Invalid_point_error("the length of a line has to be finite and not negative");
+    throw Invalid_argument_error("the length of a line has to be finite and not negative");
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Traced_geodesic trace(const Exact_geometry& geometry, const Surface_direction& start, double length, std::size_t maximum_number)
-{
-  const Standard_arithmetic arithmetic;
-  const Delta_complex& input = geometry.correspondence().input();
-  check_line(input, start, length);
-  const Input_faces faces(input, start);
-  return Geodesic_tracer<Input_faces>(faces, geometry, start, length, maximum_number)();
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Traced_geodesic trace(const Delta_complex& complex, const Exact_geometry& geometry, const Surface_direction& start, double length,
+Traced_geodesic trace(const Exact_engine& engine, const Surface_direction& start, double length,
                       std::size_t maximum_number)
 {
   const Standard_arithmetic arithmetic;
-  check_line(geometry.correspondence().input(), start, length);
-  const Current_faces faces(complex, geometry, start);
-  return Geodesic_tracer<Current_faces>(faces, geometry, start, length, maximum_number)();
+  const Delta_complex& input = engine.correspondence().input();
+  check_line(input, start, length);
+  const Input_faces faces(input, start);
+  return Geodesic_tracer<Input_faces>(faces, engine, start, length, maximum_number)();
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Surface_direction direction_at_vertex(const Exact_geometry& geometry, Halfedge_index h, double angle)
+Traced_geodesic trace_in_triangulation(const Exact_engine& engine, const Surface_direction& start, double length,
+                                       std::size_t maximum_number)
 {
-  const Delta_complex& input = geometry.correspondence().input();
+  const Standard_arithmetic arithmetic;
+  check_line(engine.correspondence().input(), start, length);
+  const Current_faces faces(engine, start);
+  return Geodesic_tracer<Current_faces>(faces, engine, start, length, maximum_number)();
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Surface_direction direction_at_vertex(const Exact_engine& engine, Halfedge_index h, double angle)
+{
+  const Delta_complex& input = engine.correspondence().input();
   if (!(h.idx() < input.number_of_halfedges()) || !std::isfinite(angle))
     throw Invalid_point_error("a direction at a vertex needs a halfedge and a finite angle");
-  const Exact_geometry::Surface_lease surface = geometry.input_surface();
+  const Exact_engine::Surface_lease surface = engine.input_surface();
   Double_double_metric metric(*surface);
   const Metric_frame<Double_double_metric> frame(input, metric);
   struct Fan_corner
@@ -392,7 +396,8 @@ Surface_direction direction_at_vertex(const Exact_geometry& geometry, Halfedge_i
       angle += sum;
   }
   if (angle < 0 || fan.empty() || (!is_closed && angle > sum * (1 + 1e-15)))
-    throw Invalid_point_error("at vertex " + std::to_string(input.source(h).idx()) + ", the angle leads beyond the border");
+    throw Invalid_point_error("at vertex " + std::to_string(input.source(h).idx()) +
+                              ", the angle leads beyond the border");
   std::size_t i = 0;
   while (i + 1 < fan.size() && angle > fan[i].angle)
     angle -= fan[i++].angle;

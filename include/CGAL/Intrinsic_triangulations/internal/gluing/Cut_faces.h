@@ -9,8 +9,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_CUT_FACES_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Index.h>
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/Index.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/convex_polygon_triangulation.h>
 
@@ -155,7 +155,8 @@ private:
 
   [[noreturn]] static void throw_apart(std::size_t i)
   {
-    throw Invalid_point_error("points " + std::to_string(i) + " and " + std::to_string(i + 1) + " of the path do not lie in the face of the first");
+    throw Invalid_point_error("points " + std::to_string(i) + " and " + std::to_string(i + 1) +
+                              " of the path do not lie in the face of the first");
   }
 
   void add_segment(Halfedge_index h, Node from, Node to, std::size_t i)
@@ -208,7 +209,8 @@ private:
   static void split(std::vector<Piece>& pieces, Node from, Node to)
   {
     for (Piece& piece : pieces) {
-      const auto first = std::find(piece.begin(), piece.end(), from), second = std::find(piece.begin(), piece.end(), to);
+      const auto first = std::find(piece.begin(), piece.end(), from),
+                 second = std::find(piece.begin(), piece.end(), to);
       if (first == piece.end() || second == piece.end())
         continue;
       const auto begin = (std::min)(first, second), end = (std::max)(first, second);
@@ -273,8 +275,8 @@ private:
 
   const Delta_complex& complex_;
   std::vector<Surface_point> new_points_;
-  std::unordered_map<std::size_t, std::map<double, Node>> edge_nodes_;           // of an edge, from the source of its halfedge
-  std::unordered_map<std::size_t, std::vector<Node>> inner_nodes_;               // of a face
+  std::unordered_map<std::size_t, std::map<double, Node>> edge_nodes_; // of an edge, from the source of its halfedge
+  std::unordered_map<std::size_t, std::vector<Node>> inner_nodes_;     // of a face
   std::unordered_map<std::size_t, std::vector<std::pair<Node, Node>>> segments_; // through a face
   std::vector<std::pair<Node, Node>> seam_;
   std::vector<std::array<std::uint32_t, 3>> triangles_;

@@ -8,11 +8,16 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_FACES_AROUND_EDGE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_FACES_AROUND_EDGE_H
 
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 
 #include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -29,7 +34,8 @@ namespace internal {
 //   beyond the middle. Exchanging u and v reverses all of this, so the cyclic order is the same for both directions.
 // - Faces with the same corners lie on top of each other like sheets of paper, in the order of their numbers.
 // - A face without area lies in the half-plane of the face whose third vertex is farthest from the edge.
-// - Numbers decide in what remains: isosceles triangles over the same edge in one half-plane, third vertices at the same place,
+// - Numbers decide in what remains: isosceles triangles over the same edge in one half-plane, third vertices at the
+// same place,
 //   and several farthest faces. There a rotation in space exchanges the ends of the edge.
 class Faces_around_edge
 {
@@ -43,10 +49,24 @@ public:
   // \pre u < v are at different places, and the third vertices at places different from these
   Faces_around_edge(const Points& points, std::uint32_t u, std::uint32_t v) : points_(points), u_(u), v_(v) {}
 
-  void sort(std::vector<Face>& faces);
+  void sort(std::vector<Face>& faces)
+  {
+    const std::uint32_t reference = find_reference(faces);
+    std::vector<Placed_face> placed;
+    placed.reserve(faces.size());
+    for (const Face& f : faces)
+      placed.push_back({f, sector(reference, f.third_vertex)});
+    std::sort(placed.begin(), placed.end(),
+              [this](const Placed_face& a, const Placed_face& b) { return precedes(a, b); });
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      faces[i] = placed[i].face;
+  }
 
   // Whether no turn leads from one face to the other. A face without area is in every half-plane.
-  bool are_in_one_half_plane(const Face& a, const Face& b) const { return sector(a.third_vertex, b.third_vertex) == SAME; }
+  bool are_in_one_half_plane(const Face& a, const Face& b) const
+  {
+    return sector(a.third_vertex, b.third_vertex) == SAME;
+  }
 
 private:
   // Where a half-plane is, seen from the first: in front means counterclockwise, by less than π.
@@ -63,13 +83,100 @@ private:
     Sector sector;
   };
 
-  std::uint32_t find_reference(const std::vector<Face>& faces) const;
-  Sector sector(std::uint32_t reference, std::uint32_t w) const;
-  bool precedes(const Placed_face& a, const Placed_face& b) const;
-  bool precedes_in_half_plane(const Face& a, const Face& b) const;
-  Sign orientation(std::uint32_t w, std::uint32_t x) const;
-  Sign compare_distances(std::uint32_t w, std::uint32_t x) const;
-  bool is_on_edge_line(std::uint32_t w) const;
+  // The first vertex of those farthest from the line through the edge, if one of them is on that line: else any will
+  // do.
+  std::uint32_t find_reference(const std::vector<Face>& faces) const
+  {
+    std::uint32_t reference = faces[0].third_vertex;
+    const bool has_area =
+      std::none_of(faces.begin(), faces.end(), [this](const Face& f) { return is_on_edge_line(f.third_vertex); });
+    if (has_area)
+      return reference;
+    for (const Face& f : faces) {
+      const Sign sign = compare_distances(f.third_vertex, reference);
+      if (sign == POSITIVE || (sign == ZERO && f.third_vertex < reference))
+        reference = f.third_vertex;
+    }
+    return reference;
+  }
+
+  Sector sector(std::uint32_t reference, std::uint32_t w) const
+  {
+    if (w == reference)
+      return SAME;
+    const Sign sign = orientation(reference, w);
+    if (sign != ZERO)
+      return sign == POSITIVE ? IN_FRONT : BEHIND;
+    const Vertex_index u(u_), v(v_), r(reference), x(w);
+    return sign_of_normals(points_, {u, v}, {u, r}, {u, v}, {u, x}) == NEGATIVE ? OPPOSITE : SAME;
+  }
+
+  bool precedes(const Placed_face& a, const Placed_face& b) const
+  {
+    if (a.sector != b.sector)
+      return a.sector < b.sector;
+    if (a.sector == IN_FRONT || a.sector == BEHIND) {
+      const Sign sign =
+        a.face.third_vertex == b.face.third_vertex ? ZERO : orientation(a.face.third_vertex, b.face.third_vertex);
+      if (sign != ZERO)
+        return sign == POSITIVE;
+    }
+    return precedes_in_half_plane(a.face, b.face);
+  }
+
+  bool precedes_in_half_plane(const Face& a, const Face& b) const
+  {
+    const std::uint32_t w = a.third_vertex, x = b.third_vertex;
+    if (w == x) {
+      // A sheet with a larger number is further out, as seen from the side on which smallest, middle and largest vertex
+      // turn counterclockwise. This is forward about u→v unless w is the middle one.
+      const bool is_backward = u_ < w && w < v_;
+      return is_backward ? b.side < a.side : a.side < b.side;
+    }
+    const auto vector = [this](std::uint32_t i, std::uint32_t j) {
+      return difference<Exact_ring>(points_, Vertex_index(i), Vertex_index(j));
+    };
+    const auto edge = vector(u_, v_), from_u = vector(u_, w), from_v = vector(v_, w);
+    const Sign along = CGAL::sign(scalar_product(edge, vector(x, w)));
+    if (along != ZERO)
+      return along == NEGATIVE;
+    // Positive beyond the middle. With equal feet, distances from u compare like those from the edge.
+    const Sign beyond = CGAL::sign(scalar_product(edge, from_u) + scalar_product(edge, from_v));
+    const auto other = vector(u_, x);
+    const Sign farther = CGAL::sign(scalar_product(from_u, from_u) - scalar_product(other, other));
+    if (beyond != ZERO && farther != ZERO)
+      return beyond != farther;
+    return farther != ZERO ? farther == NEGATIVE : w < x;
+  }
+
+  // Positive if x is in front of the half-plane of w.
+  Sign orientation(std::uint32_t w, std::uint32_t x) const
+  {
+    const Vertex_index u(u_), v(v_), i(w), j(x);
+    const auto a = difference<double>(points_, u, v), b = difference<double>(points_, u, i),
+               c = difference<double>(points_, u, j);
+    const double volume = scalar_product(cross_product(a, b), c);
+    const double size = sum_of_absolute_values(a) * sum_of_absolute_values(b) * sum_of_absolute_values(c);
+    // As in is_clearly_bent(). If a product of two coordinates underflows, its error is multiplied by the third.
+    if (std::abs(volume) > 0x1p-48 * size + 1e-290 && sum_of_absolute_values(c) < 1e30)
+      return volume > 0 ? POSITIVE : NEGATIVE;
+    return CGAL::sign(
+      scalar_product(cross_product(difference<Exact_ring>(points_, u, v), difference<Exact_ring>(points_, u, i)),
+                     difference<Exact_ring>(points_, u, j)));
+  }
+
+  // Compares the distances from the line through the edge.
+  Sign compare_distances(std::uint32_t w, std::uint32_t x) const
+  {
+    const auto normal = [this](std::uint32_t i) {
+      return cross_product(difference<Exact_ring>(points_, Vertex_index(u_), Vertex_index(v_)),
+                           difference<Exact_ring>(points_, Vertex_index(u_), Vertex_index(i)));
+    };
+    const auto m = normal(w), n = normal(x);
+    return CGAL::sign(scalar_product(m, m) - scalar_product(n, n));
+  }
+
+  bool is_on_edge_line(std::uint32_t w) const { return are_collinear(points_[u_], points_[v_], points_[w]); }
 
   const Points& points_;
   const std::uint32_t u_, v_;
@@ -78,9 +185,5 @@ private:
 } // namespace internal
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/gluing/Faces_around_edge_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_FACES_AROUND_EDGE_H

@@ -8,16 +8,25 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_SURFACE_GLUER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_SURFACE_GLUER_H
 
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/gluing/Faces_around_edge.h>
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Sides_by_edge.h>
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Triangle_pieces.h>
+#include <CGAL/Intrinsic_triangulations/internal/gluing/separate_fans.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/Disjoint_sets.h>
 
+#include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -28,18 +37,23 @@ namespace internal {
 // Decides which triangles are turned over, which sides become one edge, and which vertices have to be copied for that.
 //
 // - The two sides of an edge with two faces become one, unless a one-sided surface has to be cut there.
-// - At other edges, the faces are taken in their order around the edge. Counterclockwise about the edge, material lies between a face
-//   that runs backward and the next one that runs forward, as in a solid whose faces point outward. Such faces are glued, and
-//   what they enclose is left out; then the next ones, until none is left. So each pair bounds a set where the winding number
-//   has some least value, and a solid that touches itself comes apart along the edge. Of several that could be
-//   glued where solids overlap, faces of the same piece are.
+// - At other edges, the faces are taken in their order around the edge. Counterclockwise about the edge, material lies
+// between a face
+//   that runs backward and the next one that runs forward, as in a solid whose faces point outward. Such faces are
+//   glued, and what they enclose is left out; then the next ones, until none is left. So each pair bounds a set where
+//   the winding number has some least value, and a solid that touches itself comes apart along the edge. Of several
+//   that could be glued where solids overlap, faces of the same piece are.
 // - If the solid is inside out, which its volume tells, material is on the other sides.
-// - Pieces that hang on others by one edge alone, as a fin does, are glued after all others. If their number at an edge is odd, as of three sheets,
-//   only faces are that belong to the same piece, or to pieces that were glued elsewhere: else they would be left as a slit in the surface.
-// - If so many faces run forward at an edge as backward, nothing is turned there. If not, pieces are turned so that directions alternate
+// - Pieces that hang on others by one edge alone, as a fin does, are glued after all others. If their number at an edge
+// is odd, as of three sheets,
+//   only faces are that belong to the same piece, or to pieces that were glued elsewhere: else they would be left as a
+//   slit in the surface.
+// - If so many faces run forward at an edge as backward, nothing is turned there. If not, pieces are turned so that
+// directions alternate
 //   around each edge with an even number of faces, as they do around each solid.
 // - Where faces lie in one half-plane, their order tells nothing about directions: no piece is turned because of that.
-// - Triangles are given by their corners, so two edges must not have the same ends. Where two pairs at an edge would, the faces that have nothing
+// - Triangles are given by their corners, so two edges must not have the same ends. Where two pairs at an edge would,
+// the faces that have nothing
 //   between them are glued instead: then the solid is one along the edge. If that fails as well, all are cut.
 class Surface_gluer
 {
@@ -49,9 +63,27 @@ public:
   static constexpr Index none = (std::numeric_limits<Index>::max)();
 
   // \pre no triangle names a vertex twice
-  Surface_gluer(const Points& points, const std::vector<Index_triangle>& triangles);
+  Surface_gluer(const Points& points, const std::vector<Index_triangle>& triangles)
+    : points_(points), triangles_(triangles), sides_(points.size(), triangles), pieces_(sides_, triangles.size()),
+      is_turned_(pieces_.is_turned), glued_to_(3 * triangles.size(), none), is_hanging_(pieces_.pieces.size(), false),
+      turns_(2 * pieces_.pieces.size()), joined_(pieces_.pieces.size())
+  {
+    glue_simple_edges();
+    find_crowded_edges();
+    find_hanging_pieces();
+    for (const bool are_hanging : {false, true}) {
+      turn_pieces(are_hanging);
+      for (const bool is_odd : {false, true})
+        for (Crowded_edge& edge : crowded_edges_)
+          if (entries_left(edge, are_hanging).size() % 2 == is_odd)
+            glue(edge, are_hanging);
+    }
+    turn_triangles();
+    separate_edges();
+  }
 
-  // Whether a triangle is turned over: its corners 0 and 2 are exchanged. The first of each part that edges join is not.
+  // Whether a triangle is turned over: its corners 0 and 2 are exchanged. The first of each part that edges join is
+  // not.
   bool is_turned(std::size_t face) const { return is_turned_[face]; }
   // The vertices of the surface: first those that were given, then copies; for each which one it was.
   const std::vector<Index>& vertices() const { return fans_.first; }
@@ -81,25 +113,297 @@ private:
   };
   using Entries = std::vector<Entry*>;
 
-  void glue_simple_edges();
-  void find_crowded_edges();
-  void find_hanging_pieces();
-  Entries entries_left(Crowded_edge& edge, bool are_hanging);
-  void turn_pieces(bool are_hanging);
-  void glue(Crowded_edge& edge, bool are_hanging);
-  void turn_triangles();
-  void separate_edges();
-  bool is_double(const Crowded_edge& edge) const;
-  std::vector<bool> find_inside_out(Disjoint_sets& networks);
+  void glue_simple_edges()
+  {
+    sides_.for_each_edge([&](Index, const Sides_by_edge::Side* begin, const Sides_by_edge::Side* end) {
+      const auto runs_backward = [this](const Sides_by_edge::Side& s) {
+        return s.runs_to_smaller_end() != is_turned_[s.face()];
+      };
+      if (end - begin == 2 && runs_backward(begin[0]) != runs_backward(begin[1])) {
+        glue_sides(begin[0].side(), begin[1].side());
+      } else if (end - begin <= 2) {
+        is_hanging_[pieces_.piece_of[begin->face()]] = true;
+      }
+    });
+  }
+
+  void find_crowded_edges()
+  {
+    std::vector<Faces_around_edge::Face> around;
+    sides_.for_each_edge([&](Index v, const Sides_by_edge::Side* begin, const Sides_by_edge::Side* end) {
+      if (end - begin <= 2)
+        return;
+      around.clear();
+      for (const Sides_by_edge::Side* s = begin; s < end; ++s)
+        around.push_back({triangles_[s->face()][(s->side() + 2) % 3], Index(s - begin)});
+      Faces_around_edge order(points_, v, begin->larger_end);
+      order.sort(around);
+      Crowded_edge edge;
+      for (std::size_t i = 0; i < around.size(); ++i) {
+        const Sides_by_edge::Side& s = begin[around[i].side];
+        edge.entries.push_back(
+          {s.side(), pieces_.piece_of[s.face()], s.runs_to_smaller_end() != is_turned_[s.face()], false});
+        edge.has_faces_in_one_half_plane =
+          edge.has_faces_in_one_half_plane ||
+          order.are_in_one_half_plane(around[i], around[i + 1 < around.size() ? i + 1 : 0]);
+      }
+      crowded_edges_.push_back(std::move(edge));
+    });
+  }
+
+  // A piece hangs if it has a border, or is alone at an edge once the others that hang are taken away.
+  void find_hanging_pieces()
+  {
+    std::vector<std::array<std::size_t, 2>> edges_of_pieces; // piece, edge; once for each face
+    std::vector<std::size_t> number_left;
+    for (std::size_t e = 0; e < crowded_edges_.size(); ++e) {
+      number_left.push_back(crowded_edges_[e].entries.size());
+      for (const Entry& entry : crowded_edges_[e].entries)
+        edges_of_pieces.push_back({entry.piece, e});
+    }
+    std::sort(edges_of_pieces.begin(), edges_of_pieces.end());
+    std::vector<Index> hanging;
+    for (Index p = 0; p < is_hanging_.size(); ++p)
+      if (is_hanging_[p])
+        hanging.push_back(p);
+    while (!hanging.empty()) {
+      const std::size_t piece = hanging.back();
+      hanging.pop_back();
+      for (auto it =
+             std::lower_bound(edges_of_pieces.begin(), edges_of_pieces.end(), std::array<std::size_t, 2>{piece, 0});
+           it != edges_of_pieces.end() && (*it)[0] == piece; ++it) {
+        if (--number_left[(*it)[1]] != 1)
+          continue;
+        for (const Entry& entry : crowded_edges_[(*it)[1]].entries)
+          if (!is_hanging_[entry.piece]) {
+            is_hanging_[entry.piece] = true;
+            hanging.push_back(entry.piece);
+          }
+      }
+    }
+  }
+
+  // What is not glued yet; none if it is one alone.
+  Entries entries_left(Crowded_edge& edge, bool are_hanging)
+  {
+    Entries result;
+    for (Entry& entry : edge.entries)
+      if (!entry.is_glued && (are_hanging || !is_hanging_[entry.piece]))
+        result.push_back(&entry);
+    if (result.size() < 2)
+      result.clear();
+    return result;
+  }
+
+  // A network is what these edges join.
+  void turn_pieces(bool are_hanging)
+  {
+    const std::size_t n = is_hanging_.size();
+    std::vector<Index> group(n); // pieces that are turned together
+    for (Index p = 0; p < n; ++p)
+      group[p] = turns_.find(2 * p) / 2;
+    Disjoint_sets networks(n);
+    for (Crowded_edge& edge : crowded_edges_)
+      if (const Entries entries = entries_left(edge, are_hanging); !entries.empty())
+        for (const Entry* entry : entries)
+          networks.unite(group[entries[0]->piece], group[entry->piece]);
+
+    std::vector<bool> has_to_turn(n, false);
+    for (Crowded_edge& edge : crowded_edges_)
+      if (const Entries entries = entries_left(edge, are_hanging); !entries.empty()) {
+        const auto backward = std::size_t(
+          std::count_if(entries.begin(), entries.end(), [this](const Entry* e) { return runs_backward(*e); }));
+        if (2 * backward > entries.size() + 1 || 2 * backward + 1 < entries.size())
+          has_to_turn[networks.find(group[entries[0]->piece])] = true;
+      }
+    for (Crowded_edge& edge : crowded_edges_) {
+      const Entries entries = entries_left(edge, are_hanging);
+      if (!entries.empty() && entries.size() % 2 == 0 && (entries.size() == 2 || !edge.has_faces_in_one_half_plane))
+        for (std::size_t i = 1; i < entries.size() && has_to_turn[networks.find(group[entries[0]->piece])]; ++i)
+          tie(entries[i - 1]->piece, entries[i]->piece, entries[i - 1]->runs_backward == entries[i]->runs_backward);
+    }
+    if (are_hanging || crowded_edges_.empty())
+      return;
+    const std::vector<bool> is_inside_out = find_inside_out(networks);
+    for (Crowded_edge& edge : crowded_edges_)
+      if (const Entries entries = entries_left(edge, false); !entries.empty())
+        edge.is_inside_out = is_inside_out[networks.find(entries[0]->piece)];
+  }
+
+  void glue(Crowded_edge& edge, bool are_hanging)
+  {
+    const Entries entries = entries_left(edge, are_hanging);
+    const bool may_join_pieces = !are_hanging || entries.size() % 2 == 0;
+    const auto group = [&](const Entry& entry) { return may_join_pieces ? entry.piece : joined_.find(entry.piece); };
+    const bool is_material_forward = edge.is_inside_out != (edge.rule == VOID);
+    // Begins of material that has not ended: all of them, and those of each piece. Around the edge twice, as it may
+    // begin in material.
+    Entries begun;
+    std::map<Index, Entries> begun_of_piece;
+    for (const bool is_second_time : {false, true})
+      for (Entry* const end : entries) {
+        if (end->is_glued)
+          continue;
+        if (runs_backward(*end) != is_material_forward) {
+          if (!is_second_time) {
+            begun.push_back(end);
+            begun_of_piece[group(*end)].push_back(end);
+          }
+          continue;
+        }
+        while (!begun.empty() && begun.back()->is_glued)
+          begun.pop_back();
+        if (begun.empty())
+          continue;
+        const auto same = begun_of_piece.find(group(*end));
+        const bool is_same = same != begun_of_piece.end() && !same->second.empty();
+        if (!is_same && !may_join_pieces)
+          continue;
+        Entries& candidates = is_same ? same->second : begun_of_piece[group(*begun.back())];
+        Entry* const begin = candidates.back();
+        candidates.pop_back();
+        begin->is_glued = end->is_glued = true;
+        glue_sides(begin->side, end->side);
+        joined_.unite(begin->piece, end->piece);
+        tie(begin->piece, end->piece, turns(begin->piece) != turns(end->piece));
+      }
+  }
+
+  // From here on, sides are those of the turned triangles.
+  void turn_triangles()
+  {
+    for (std::size_t f = 0; f < triangles_.size(); ++f)
+      is_turned_[f] = is_turned_[f] != turns(pieces_.piece_of[f]);
+    const auto turned = [this](Index s) { return is_turned_[s / 3] && s % 3 != 2 ? 6 * (s / 3) + 1 - s : s; };
+    corners_ = Large_vector<Index>(glued_to_.size(), none);
+    Large_vector<Index> glued_to(glued_to_.size(), none);
+    for (Index s = 0; s < corners_.size(); ++s) {
+      corners_[s] = triangles_[s / 3][is_turned_[s / 3] ? 2 - s % 3 : s % 3];
+      if (glued_to_[s] != none)
+        glued_to[turned(s)] = turned(glued_to_[s]);
+    }
+    glued_to_ = std::move(glued_to);
+    for (Crowded_edge& edge : crowded_edges_)
+      for (Entry& entry : edge.entries)
+        entry.side = turned(entry.side);
+    fans_ = separate_fans(points_.size(), corners_, glued_to_);
+  }
+
+  void separate_edges()
+  {
+    constexpr int number_of_trials = 20;
+    for (int trial = 0;; ++trial) {
+      bool is_changed = false;
+      std::vector<bool> is_near(points_.size(), false); // to a change: what is decided there may differ now
+      for (Crowded_edge& edge : crowded_edges_) {
+        if (edge.rule == CUT || !is_double(edge))
+          continue;
+        const Index s = edge.entries[0].side, v = corners_[s], w = corners_[s % 3 == 2 ? s - 2 : s + 1];
+        if (trial < number_of_trials && (is_near[v] || is_near[w]))
+          continue;
+        is_near[v] = is_near[w] = is_changed = true;
+        for (Entry& entry : edge.entries) {
+          entry.is_glued = false;
+          glued_to_[entry.side] = none;
+        }
+        edge.rule = trial >= number_of_trials ? CUT : edge.rule == MATERIAL ? VOID : MATERIAL;
+        for (const bool are_hanging : {false, true})
+          if (edge.rule != CUT)
+            glue(edge, are_hanging);
+      }
+      if (!is_changed)
+        break;
+      fans_ = separate_fans(points_.size(), corners_, glued_to_);
+    }
+    // Two sides that are left with the same ends are one edge.
+    for (Crowded_edge& edge : crowded_edges_)
+      for (Entry& entry : edge.entries)
+        for (Entry& other : edge.entries)
+          if (edge.rule == CUT && entry.side < other.side && ends(entry.side) == ends(other.side))
+            glue_sides(entry.side, other.side);
+  }
+
+  // Whether two of the edges that were made have the same ends.
+  bool is_double(const Crowded_edge& edge) const
+  {
+    std::vector<std::pair<Index, Index>> all;
+    for (const Entry& entry : edge.entries)
+      if (glued_to_[entry.side] == none || entry.side < glued_to_[entry.side])
+        all.push_back(ends(entry.side));
+    std::sort(all.begin(), all.end());
+    return std::adjacent_find(all.begin(), all.end()) != all.end();
+  }
+
+  // Of which networks the volume is negative.
+  std::vector<bool> find_inside_out(Disjoint_sets& networks)
+  {
+    const std::size_t n = is_hanging_.size();
+    std::vector<Index> network_of(n, none); // of each piece with crowded edges
+    for (const Crowded_edge& edge : crowded_edges_)
+      for (const Entry& entry : edge.entries)
+        if (!is_hanging_[entry.piece])
+          network_of[entry.piece] = networks.find(entry.piece);
+    const auto for_each_face = [&](const auto& function) {
+      for (std::size_t f = 0; f < triangles_.size(); ++f)
+        if (const Index piece = pieces_.piece_of[f]; network_of[piece] != none)
+          function(network_of[piece], triangles_[f], is_turned_[f] != turns(piece));
+    };
+    const Vertex_index origin(triangles_[0][0]);
+    std::vector<double> volume(n, 0), size(n, 0), extent(n, 0);
+    for_each_face([&](Index network, const Index_triangle& t, bool is_turned) {
+      std::array<Vector_3<double>, 3> p;
+      for (std::size_t i = 0; i < 3; ++i)
+        p[i] = difference<double>(points_, origin, Vertex_index(t[i]));
+      const double six_times = scalar_product(cross_product(p[0], p[1]), p[2]);
+      volume[network] += is_turned ? -six_times : six_times;
+      size[network] += sum_of_absolute_values(p[0]) * sum_of_absolute_values(p[1]) * sum_of_absolute_values(p[2]);
+      extent[network] = (std::max)(
+        {extent[network], sum_of_absolute_values(p[0]), sum_of_absolute_values(p[1]), sum_of_absolute_values(p[2])});
+    });
+    // The errors of the products, as in is_clearly_bent(), of the sums, and by underflow.
+    const double error = 0x1p-48 + 0x1p-52 * double(triangles_.size());
+    std::vector<bool> result(n, false);
+    std::vector<Index> open; // networks of which doubles do not tell it
+    for (Index i = 0; i < n; ++i) {
+      result[i] = volume[i] < 0;
+      if (extent[i] > 0 && !(std::abs(volume[i]) > error * size[i] + 1e-280 && extent[i] < 1e30))
+        open.push_back(i);
+    }
+    std::vector<Exact_ring> exact(open.size());
+    for_each_face([&](Index network, const Index_triangle& t, bool is_turned) {
+      const auto it = std::lower_bound(open.begin(), open.end(), network);
+      if (it == open.end() || *it != network)
+        return;
+      std::array<Vector_3<Exact_ring>, 3> p;
+      for (std::size_t i = 0; i < 3; ++i)
+        p[i] = difference<Exact_ring>(points_, origin, Vertex_index(t[i]));
+      const Exact_ring six_times = scalar_product(cross_product(p[0], p[1]), p[2]);
+      Exact_ring& sum = exact[std::size_t(it - open.begin())];
+      sum = is_turned ? Exact_ring(sum - six_times) : Exact_ring(sum + six_times);
+    });
+    for (std::size_t i = 0; i < open.size(); ++i)
+      result[open[i]] = CGAL::sign(exact[i]) == NEGATIVE;
+    return result;
+  }
 
   void glue_sides(Index s, Index t)
   {
     glued_to_[s] = t;
     glued_to_[t] = s;
   }
+
   bool turns(Index piece) { return (turns_.find(2 * piece) & 1) != 0; }
   bool runs_backward(const Entry& e) { return e.runs_backward != turns(e.piece); }
-  void tie(Index piece, Index other, bool is_one_turned);
+  // One of both pieces, or none of them, is to be turned, unless that is decided already.
+  void tie(Index piece, Index other, bool is_one_turned)
+  {
+    const Index same = 2 * other + is_one_turned, opposite = 2 * other + !is_one_turned;
+    if (turns_.find(2 * piece) == turns_.find(opposite))
+      return;
+    turns_.unite(2 * piece, same);
+    turns_.unite(2 * piece + 1, opposite);
+  }
+
   std::pair<Index, Index> ends(Index side) const
   {
     const Index v = fans_.second[side], w = fans_.second[side % 3 == 2 ? side - 2 : side + 1];
@@ -114,7 +418,8 @@ private:
   Large_vector<Index> glued_to_;
   std::vector<Crowded_edge> crowded_edges_;
   std::vector<bool> is_hanging_; // of each piece
-  // Piece p is 2p as its first face is given and 2p + 1 turned over. The smallest number of a set is even, and so what is with it is not turned.
+  // Piece p is 2p as its first face is given and 2p + 1 turned over. The smallest number of a set is even, and so what
+  // is with it is not turned.
   Disjoint_sets turns_;
   Disjoint_sets joined_;        // pieces that were glued
   Large_vector<Index> corners_; // of the turned triangles
@@ -124,9 +429,5 @@ private:
 } // namespace internal
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/gluing/Surface_gluer_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_SURFACE_GLUER_H

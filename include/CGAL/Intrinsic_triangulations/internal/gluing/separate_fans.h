@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_SEPARATE_FANS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_SEPARATE_FANS_H
 
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 
 #include <cstddef>
 #include <cstdint>

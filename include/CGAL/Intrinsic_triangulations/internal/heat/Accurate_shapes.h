@@ -68,14 +68,15 @@ public:
   bool has_area(Face_index f) const
   {
     const Bounded_area& area = triangulation_.face_data(f);
-    return area.value > area.error || triangulation_.exact_geometry().sign_of_area(complex_, f) == POSITIVE;
+    return area.value > area.error || engine(triangulation_).sign_of_area(f) == POSITIVE;
   }
 
   double cotangent(Halfedge_index h) const
   {
     const auto stored = triangulation_.traits().compute_bounded_cotangent_object()(
       triangulation_.face_data(complex_.face(h)), triangulation_.edge_data(complex_.edge(h)),
-      triangulation_.edge_data(complex_.edge(complex_.next(h))), triangulation_.edge_data(complex_.edge(complex_.prev(h))));
+      triangulation_.edge_data(complex_.edge(complex_.next(h))),
+      triangulation_.edge_data(complex_.edge(complex_.prev(h))));
     return stored.error <= accuracy * (1 + std::abs(stored.value)) ? stored.value : triangulation_.cotangent(h);
   }
 

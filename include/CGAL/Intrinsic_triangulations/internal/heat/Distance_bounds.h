@@ -35,7 +35,8 @@ class Distance_bounds
 public:
   // \tparam Row gives the row of a vertex, as Row_of_vertex
   template <class Traits, class Row>
-  Distance_bounds(const Intrinsic_triangulation<Traits>& triangulation, const Row& row) : first_(row.number_of_rows() + 1, 0)
+  Distance_bounds(const Intrinsic_triangulation<Traits>& triangulation, const Row& row)
+    : first_(row.number_of_rows() + 1, 0)
   {
     const Accurate_shapes<Traits> shapes(triangulation);
     std::vector<Edge> edges;
@@ -47,11 +48,12 @@ public:
       if (!is_input_edge(triangulation, e))
         add(triangulation.connectivity(), e, shapes.length(e));
     if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry) {
-      const Delta_complex& input = triangulation.exact_geometry().correspondence().input();
-      const auto& metric = triangulation.exact_geometry().metric();
+      const Delta_complex& input = engine(triangulation).correspondence().input();
+      const auto& metric = engine(triangulation).metric();
       const int exponent = metric.unit_exponent() - shapes.exponent();
       for (Edge_index e : input.edges())
-        add(input, e, std::ldexp(std::sqrt((std::max)(0., metric.squared_length_double_double(input, e).hi())), exponent));
+        add(input, e,
+            std::ldexp(std::sqrt((std::max)(0., metric.squared_length_double_double(input, e).hi())), exponent));
       if (!metric.points().empty()) {
         points_.resize(row.number_of_rows(), {nowhere, 0, 0});
         for (Vertex_index v : input.vertices())
@@ -69,7 +71,8 @@ public:
   {
     std::vector<double> paths(first_.size() - 1, std::numeric_limits<double>::infinity());
     std::vector<std::uint32_t> origins(paths.size(), 0);
-    std::priority_queue<std::pair<double, std::uint32_t>, std::vector<std::pair<double, std::uint32_t>>, std::greater<>> queue;
+    std::priority_queue<std::pair<double, std::uint32_t>, std::vector<std::pair<double, std::uint32_t>>, std::greater<>>
+      queue;
     for (const auto& [row, distance] : sources) {
       paths[row] = distance;
       origins[row] = row;
@@ -99,7 +102,7 @@ private:
   static bool is_input_edge(const Intrinsic_triangulation<Traits>& triangulation, Edge_index e)
   {
     if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry) {
-      const Correspondence& correspondence = triangulation.exact_geometry().correspondence();
+      const Correspondence& correspondence = engine(triangulation).correspondence();
       const Delta_complex& complex = triangulation.connectivity();
       const Halfedge_index h = complex.halfedge(e);
       return correspondence.coordinates().is_original(e) && !correspondence.is_inserted(complex.source(h)) &&
@@ -131,7 +134,8 @@ private:
   }
 
   // A distance that is not positive says nothing: then half the path, which no Delaunay triangulation of the plane is further from.
-  double within(double distance, double path, std::uint32_t row, std::uint32_t origin, const std::map<std::uint32_t, double>& sources) const
+  double within(double distance, double path, std::uint32_t row, std::uint32_t origin,
+                const std::map<std::uint32_t, double>& sources) const
   {
     distance = distance > 0 ? (std::min)(distance, path) : path / 2;
     if (points_.empty() || points_[row][0] == nowhere || line(row, origin) - sources.at(origin) <= distance)

@@ -48,7 +48,8 @@ class Heat_diffusion
 public:
   // \param cold the rows that have no heat unless they are sources
   // \param interruption as for Pinned_system
-  Heat_diffusion(const Heat_surface& surface, double time, const Interruption& interruption, std::vector<bool> cold = {})
+  Heat_diffusion(const Heat_surface& surface, double time, const Interruption& interruption,
+                 std::vector<bool> cold = {})
     : system_(heat_matrix(surface, time), std::move(cold), "the matrix of the heat", interruption)
   {}
 
@@ -75,7 +76,8 @@ public:
   }
 
   // Other heat divided by the first, at each row; 0 where there is none.
-  std::vector<double> quotients(const Layered_heat& heat, const Vector& other, const std::vector<bool>& is_reachable) const
+  std::vector<double> quotients(const Layered_heat& heat, const Vector& other,
+                                const std::vector<bool>& is_reachable) const
   {
     const std::vector<Vector> layers = spread_likewise(other, heat, [](Vector&, std::size_t) {});
     std::vector<double> result(is_reachable.size(), 0);
@@ -86,7 +88,8 @@ public:
   }
 
   // Values at some rows, and elsewhere about that of the nearest; 0 where no heat comes.
-  std::vector<double> extend(const std::vector<std::pair<std::uint32_t, double>>& values, const std::vector<bool>& is_reachable) const
+  std::vector<double> extend(const std::vector<std::pair<std::uint32_t, double>>& values,
+                             const std::vector<bool>& is_reachable) const
   {
     Vector weighted = Vector::Zero(system_.matrix().rows()), heat = weighted;
     for (const auto& [row, value] : values) {

@@ -10,8 +10,9 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/cotangent_weights.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/require_vertex.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Accurate_shapes.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/Disjoint_sets.h>
@@ -86,18 +87,10 @@ struct Heat_surface
   }
 };
 
-// Throws unless there is such a vertex among n.
-inline void require_vertex(Vertex_index v, std::size_t n)
-{
-  if (!(v.idx() < n))
-    throw Invalid_surface_error(Invalid_surface_error::Defect::BAD_INDEX, v.idx(), 1,
-                                "there is no vertex " + std::to_string(v.idx()) + ": there are " + std::to_string(n) +
-                                  " vertices, counted from 0");
-}
 inline void require_time_coefficient(double coefficient)
 {
   if (!(coefficient > 0 && std::isfinite(coefficient)))
-    throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, 0, 1, "the time coefficient has to be a positive number");
+    throw Invalid_argument_error("the time coefficient has to be a positive number");
 }
 
 // \tparam Row gives the row of a vertex, as Row_of_vertex
@@ -186,11 +179,7 @@ private:
       const double cot = shapes_.cotangent(next), height = length(base) / (cot + shapes_.cotangent(prev));
       if (height < least_height * length(base))
         thicken(base, cot * height);
-      result_.faces.push_back({{row(base), row(next), row(prev)},
-                               length(base),
-                               cot * height,
-                               height,
-                               share(f)});
+      result_.faces.push_back({{row(base), row(next), row(prev)}, length(base), cot * height, height, share(f)});
     }
   }
 
@@ -231,7 +220,8 @@ private:
       const bool is_left = has_area(h), is_right = has_area(g);
       double cotangents = 0;
       if (is_left && is_right)
-        cotangents = share(complex_.face(h)) * (cotangents_.count(h) + cotangents_.count(g) > 0 ? cotangent(h) + cotangent(g) : weight(e));
+        cotangents = share(complex_.face(h)) *
+                     (cotangents_.count(h) + cotangents_.count(g) > 0 ? cotangent(h) + cotangent(g) : weight(e));
       else if (is_left || is_right) {
         const Halfedge_index side = is_left ? h : g;
         result_.is_border[row_(complex_.source(h))] = result_.is_border[row_(complex_.target(h))] = true;

@@ -65,8 +65,9 @@ public:
         halfedges_.push_back(around[i]);
         length[i] = lengths[complex.edge(around[i]).idx()];
       }
-      const std::array<double, 2> apex = shapes.has_area(f) ? apex_of_shape(length[0], shapes.cotangent(around[1]), shapes.cotangent(around[2]))
-                                                            : apex_of_flat_face(length);
+      const std::array<double, 2> apex =
+        shapes.has_area(f) ? apex_of_shape(length[0], shapes.cotangent(around[1]), shapes.cotangent(around[2]))
+                           : apex_of_flat_face(length);
       add_face(complex, row, around, length, apex);
     }
     for (Halfedge_index h : complex.halfedges())

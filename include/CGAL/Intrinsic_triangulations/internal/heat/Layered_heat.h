@@ -64,7 +64,8 @@ Vector sent_on(const Matrix& matrix, const Vector& u, const std::vector<bool>& i
 // \param first what is put at each row
 // \param also adds to the right side of a layer what else it depends on, from its number
 template <class Heat, class Matrix, class Solve, class Also>
-std::vector<Heat> spread_likewise(const Heat& first, const Layered_heat& heat, const Matrix& matrix, const Solve& solve, const Also& also)
+std::vector<Heat> spread_likewise(const Heat& first, const Layered_heat& heat, const Matrix& matrix, const Solve& solve,
+                                  const Also& also)
 {
   Heat right = first;
   also(right, std::size_t(0));

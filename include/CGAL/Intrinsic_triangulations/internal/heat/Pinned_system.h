@@ -45,13 +45,16 @@ public:
   // \param cold the rows at which x is zero unless they are pins; may be empty
   // \param interruption is asked before each factorization and solution; has to live as long
   Pinned_system(Matrix matrix, std::vector<bool> cold, const char* what, const Interruption& interruption)
-    : matrix_(std::move(matrix)), cold_(std::move(cold)), what_(what), interruption_(interruption), solver_(asked(with_identity_at({})), what)
+    : matrix_(std::move(matrix)), cold_(std::move(cold)), what_(what), interruption_(interruption),
+      solver_(asked(with_identity_at({})), what)
   {}
 
   // For a matrix whose kernel are the functions that are constant on each part: they are free.
   // \param part_of for each row the smallest row of its part
-  Pinned_system(Matrix matrix, const std::vector<std::uint32_t>& part_of, const char* what, const Interruption& interruption)
-    : matrix_(std::move(matrix)), part_of_(part_of), what_(what), interruption_(interruption), solver_(asked(anchored()), what)
+  Pinned_system(Matrix matrix, const std::vector<std::uint32_t>& part_of, const char* what,
+                const Interruption& interruption)
+    : matrix_(std::move(matrix)), part_of_(part_of), what_(what), interruption_(interruption),
+      solver_(asked(anchored()), what)
   {}
 
   const Matrix& matrix() const { return matrix_; }
@@ -79,7 +82,8 @@ public:
     for (const auto& [row, value] : pins)
       if (is_cold(row))
         values[row] = value;
-    return solve_by_forces(with_values(b - matrix_ * values, values, [this](std::size_t row) { return is_cold(row); }), free_pins);
+    return solve_by_forces(with_values(b - matrix_ * values, values, [this](std::size_t row) { return is_cold(row); }),
+                           free_pins);
   }
 
   std::size_t number_of_factorizations() const { return number_of_factorizations_; }
@@ -223,7 +227,8 @@ private:
     else
       pinned_solver_->factorize(asked(matrix));
     ++number_of_factorizations_;
-    return pinned_solver_->solve(with_values(b - matrix_ * values, values, [&](std::size_t row) { return is_cold(row) || is_pinned[row]; }));
+    return pinned_solver_->solve(
+      with_values(b - matrix_ * values, values, [&](std::size_t row) { return is_cold(row) || is_pinned[row]; }));
   }
 
   Matrix matrix_;

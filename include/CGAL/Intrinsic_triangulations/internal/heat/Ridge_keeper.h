@@ -63,7 +63,8 @@ public:
     std::vector<std::uint32_t> origins(surface_.size(), none);
     for (const auto& source : sources)
       origins[source.first] = source.first;
-    const bool has_points = std::any_of(sources.begin(), sources.end(), [](const auto& source) { return source.second > 0; });
+    const bool has_points =
+      std::any_of(sources.begin(), sources.end(), [](const auto& source) { return source.second > 0; });
     const Front front{distances, origins, joined_sources(origins), has_points};
     // The nearest first, so that the source of those is known.
     Eigen::VectorXd raised = distances;
@@ -101,9 +102,10 @@ private:
   {
     const std::array<double, 3> x{0, face.base, face.x}, y{0, 0, face.height};
     const int j = (i + 1) % 3, k = (i + 2) % 3;
-    const double jx = x[j] - x[i], jy = y[j] - y[i], kx = x[k] - x[i], ky = y[k] - y[i], side = std::hypot(kx - jx, ky - jy),
-                 ex = (kx - jx) / side, ey = (ky - jy) / side;
-    return {face.row[j], face.row[k], std::hypot(jx, jy), std::hypot(kx, ky), side, -(jx * ex + jy * ey), std::abs(jx * ey - jy * ex)};
+    const double jx = x[j] - x[i], jy = y[j] - y[i], kx = x[k] - x[i], ky = y[k] - y[i],
+                 side = std::hypot(kx - jx, ky - jy), ex = (kx - jx) / side, ey = (ky - jy) / side;
+    return {face.row[j], face.row[k],          std::hypot(jx, jy),         std::hypot(kx, ky),
+            side,        -(jx * ex + jy * ey), std::abs(jx * ey - jy * ex)};
   }
 
   struct Way
@@ -116,7 +118,8 @@ private:
   struct Front
   {
     const Eigen::VectorXd& distances;
-    const std::vector<std::uint32_t>& origins; // the source that the way to each vertex comes from; none if it comes later
+    const std::vector<std::uint32_t>&
+      origins; // the source that the way to each vertex comes from; none if it comes later
     std::set<std::pair<std::uint32_t, std::uint32_t>> joined;
     bool has_points; // whether there are sources inside of faces
 

@@ -31,7 +31,8 @@ public:
 
   void factorize(const Matrix& matrix)
   {
-    matrix_ = std::make_unique<typename LA::Matrix>(int(matrix.rows()), int(matrix.cols())); // the solver may refer to it
+    matrix_ =
+      std::make_unique<typename LA::Matrix>(int(matrix.rows()), int(matrix.cols())); // the solver may refer to it
     for (Eigen::Index c = 0; c < matrix.outerSize(); ++c)
       for (Matrix::InnerIterator i(matrix, c); i; ++i)
         matrix_->set_coef(Index(i.row()), Index(c), i.value(), true);

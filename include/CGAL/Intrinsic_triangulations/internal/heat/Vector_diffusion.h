@@ -10,12 +10,12 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/connection_Laplacian.h>
-#include <CGAL/Intrinsic_triangulations/halfedge_vectors.h>
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Layered_heat.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
+#include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 
 #include <Eigen/SparseCore>
 
@@ -49,7 +49,8 @@ public:
   // \param surface that of the triangulation
   // \param interruption is asked before the factorization and each solution; has to live as long
   template <class Traits>
-  Vector_diffusion(const Intrinsic_triangulation<Traits>& triangulation, const Heat_surface& surface, const Interruption& interruption)
+  Vector_diffusion(const Intrinsic_triangulation<Traits>& triangulation, const Heat_surface& surface,
+                   const Interruption& interruption)
     : Vector_diffusion(triangulation.connectivity(), halfedge_vectors_in_vertex(triangulation), surface, interruption)
   {}
 
@@ -63,8 +64,8 @@ public:
   const std::vector<Heat_edge>& edges() const { return edges_; }
 
 private:
-  Vector_diffusion(const Delta_complex& complex, const std::vector<Planar_vector<double>>& vectors, const Heat_surface& surface,
-                   const Interruption& interruption)
+  Vector_diffusion(const Delta_complex& complex, const std::vector<Planar_vector<double>>& vectors,
+                   const Heat_surface& surface, const Interruption& interruption)
     : interruption_(interruption), matrix_(heat_matrix(complex, vectors, surface)),
       solver_(asked(matrix_), "the matrix of tangent vectors")
   {
@@ -92,8 +93,8 @@ private:
   static Matrix heat_matrix(const Delta_complex& complex, const std::vector<Planar_vector<double>>& vectors,
                             const Heat_surface& surface)
   {
-    Matrix result =
-      assemble_connection_Laplacian(complex, vectors, [&](Edge_index e) { return (std::max)(surface.weights[e.idx()], 0.); });
+    Matrix result = assemble_connection_Laplacian(
+      complex, vectors, [&](Edge_index e) { return (std::max)(surface.weights[e.idx()], 0.); });
     for (Eigen::Index v = 0; v < result.rows(); ++v) // a vertex without faces keeps its vector
       result.coeffRef(v, v) += surface.mass[v] > 0 ? surface.mass[v] : 1;
     return result;

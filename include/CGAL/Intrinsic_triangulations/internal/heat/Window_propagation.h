@@ -51,8 +51,8 @@ public:
   // \param surface has to live as long
   // \param tolerance of the lengths of ways, as a part of each edge that they cross
   Window_propagation(const Laid_out_faces& surface, double tolerance)
-    : surface_(surface), tolerance_(tolerance), distances_(surface.number_of_rows(), infinity), arrivals_(surface.number_of_rows()), splits_(surface.sides().size()),
-      waiting_(surface.sides().size(), none)
+    : surface_(surface), tolerance_(tolerance), distances_(surface.number_of_rows(), infinity),
+      arrivals_(surface.number_of_rows()), splits_(surface.sides().size()), waiting_(surface.sides().size(), none)
   {}
 
   // \param sources rows
@@ -171,7 +171,8 @@ private:
       // The distances of the ends remain.
       const double width = result.b1 - result.b0;
       result.sigma = (std::min)(u.sigma, v.sigma);
-      const double r0 = u.distance(u.b0) - result.sigma, r1 = v.distance(v.b1) - result.sigma, x = (width + (r0 - r1) * ((r0 + r1) / width)) / 2;
+      const double r0 = u.distance(u.b0) - result.sigma, r1 = v.distance(v.b1) - result.sigma,
+                   x = (width + (r0 - r1) * ((r0 + r1) / width)) / 2;
       if (!(std::abs(x) < r0))
         return false;
       result.x = result.b0 + x;
@@ -183,7 +184,8 @@ private:
       };
       // In a corridor of thin faces, ways that turn would run into the wall.
       const auto turns = [&](const Window& w, double b) {
-        return std::abs((b - w.x) / std::hypot(b - w.x, w.y) - (b - result.x) / std::hypot(b - result.x, result.y)) > 10 * tolerance_;
+        return std::abs((b - w.x) / std::hypot(b - w.x, w.y) - (b - result.x) / std::hypot(b - result.x, result.y)) >
+               10 * tolerance_;
       };
       if (turns(u, result.b0) || turns(v, result.b1) || differs(u.b1) || differs(v.b0))
         return false;
@@ -234,7 +236,8 @@ private:
   // The ways from a vertex into a face at it, between two angles to the left of the side that begins there.
   void send_into_face(std::uint32_t side, double from, double to)
   {
-    const Side &s = surface_.side(side), &o = surface_.side(surface_.next(side)), &last = surface_.side(surface_.prev(side));
+    const Side &s = surface_.side(side), &o = surface_.side(surface_.next(side)),
+               &last = surface_.side(surface_.prev(side));
     const auto at = [&](double angle) { // where that direction meets the opposite side, as seen from across
       if (angle <= 0)
         return o.length;
@@ -316,7 +319,8 @@ private:
     if (goes_left) { // over the side from the corner to the beginning
       const Side& side = surface_.side(prev);
       const double ex = cx / side.length, ey = cy / side.length;
-      const double b0 = on_left(w, s, w.b0) * side.length, b1 = w.b1 >= crossing ? side.length : on_left(w, s, w.b1) * side.length;
+      const double b0 = on_left(w, s, w.b0) * side.length,
+                   b1 = w.b1 >= crossing ? side.length : on_left(w, s, w.b1) * side.length;
       const Window child{b0, b1, w.x * ex - w.y * ey, w.x * ey + w.y * ex, w.sigma, 0};
       if (!is_shorter_over(surface_.side(next).row, s.length - b0 * ex, b0 * ey, child, b0))
         leave(prev, child);
@@ -324,7 +328,8 @@ private:
     if (goes_right) { // over the side from the end to the corner
       const Side& side = surface_.side(next);
       const double ex = (s.length - cx) / side.length, ey = -cy / side.length;
-      const double b0 = w.b0 > crossing ? (1 - on_right(w, s, w.b0)) * side.length : 0, b1 = (1 - on_right(w, s, w.b1)) * side.length;
+      const double b0 = w.b0 > crossing ? (1 - on_right(w, s, w.b0)) * side.length : 0,
+                   b1 = (1 - on_right(w, s, w.b1)) * side.length;
       const Window child{b0, b1, (w.x - cx) * ex - (w.y + cy) * ey, (w.x - cx) * ey + (w.y + cy) * ex, w.sigma, 0};
       if (!is_shorter_over(s.row, cx + b1 * ex, cy + b1 * ey, child, b1))
         leave(next, child);
@@ -360,7 +365,8 @@ private:
   std::vector<Window> windows_;
   std::vector<std::uint32_t> free_;    // places for windows
   std::vector<std::uint32_t> waiting_; // at each side, the first window
-  std::priority_queue<std::pair<double, std::uint32_t>, std::vector<std::pair<double, std::uint32_t>>, std::greater<>> queue_;
+  std::priority_queue<std::pair<double, std::uint32_t>, std::vector<std::pair<double, std::uint32_t>>, std::greater<>>
+    queue_;
   std::uint64_t number_of_steps_ = 0;
 };
 

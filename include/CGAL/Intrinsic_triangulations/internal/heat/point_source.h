@@ -10,7 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Accurate_shapes.h>
 
@@ -42,9 +42,9 @@ std::array<Source_corner, 3> corners_of_point(const Intrinsic_triangulation<Trai
     sum += x;
   }
   if (!is_valid || !(sum > 0 && std::isfinite(sum)))
-    throw Invalid_surface_error(Invalid_surface_error::Defect::BAD_INDEX, h.idx(), 1,
-                                "a source is no point of a face: its halfedge needs a face, and its coordinates have to be "
-                                "positive or zero, and not all zero");
+    throw Invalid_point_error(
+      "a source is no point of a face: its halfedge needs a face, and its coordinates have to be "
+      "positive or zero, and not all zero");
   const Accurate_shapes<Traits> shapes(triangulation);
   const std::array<Halfedge_index, 3> sides{h, complex.next(h), complex.prev(h)};
   std::array<double, 3> x, length; // of the side from corner i on
@@ -55,12 +55,14 @@ std::array<Source_corner, 3> corners_of_point(const Intrinsic_triangulation<Trai
   std::array<Source_corner, 3> result;
   for (int i = 0; i < 3; ++i) {
     // The vector from the corner is y v + z w for the sides v and w that start there.
-    const double y = x[(i + 1) % 3], z = x[(i + 2) % 3], v = length[i], w = length[(i + 2) % 3], opposite = length[(i + 1) % 3];
+    const double y = x[(i + 1) % 3], z = x[(i + 2) % 3], v = length[i], w = length[(i + 2) % 3],
+                 opposite = length[(i + 1) % 3];
     result[i] = {complex.source(sides[i]), x[i], 0};
     const double largest = (std::max)({v, w, opposite});
     // |y v + z w|² = (y + z) (y v² + z w²) - y z (v - w)²
     const auto square = [largest](double l) { return l / largest * (l / largest); };
-    result[i].distance = largest * std::sqrt((std::max)(0., (y + z) * (y * square(v) + z * square(w)) - y * z * square(opposite)));
+    result[i].distance =
+      largest * std::sqrt((std::max)(0., (y + z) * (y * square(v) + z * square(w)) - y * z * square(opposite)));
   }
   return result;
 }

@@ -35,7 +35,8 @@ inline void add_flux(const Heat_face& face, double x, double y, Eigen::VectorXd&
 inline std::array<double, 3> heat_of_face(const Layered_heat& heat, const Heat_face& face)
 {
   const auto& row = face.row;
-  const Eigen::VectorXd& u = heat.layers[(std::max)({heat.layer_of[row[0]], heat.layer_of[row[1]], heat.layer_of[row[2]]})];
+  const Eigen::VectorXd& u =
+    heat.layers[(std::max)({heat.layer_of[row[0]], heat.layer_of[row[1]], heat.layer_of[row[2]]})];
   const double largest = (std::max)({std::abs(u[row[0]]), std::abs(u[row[1]]), std::abs(u[row[2]])});
   return largest > 0 ? std::array<double, 3>{u[row[0]] / largest, u[row[1]] / largest, u[row[2]] / largest}
                      : std::array<double, 3>{0, 0, 0};
@@ -43,7 +44,8 @@ inline std::array<double, 3> heat_of_face(const Layered_heat& heat, const Heat_f
 
 // That sum for X = -∇u/|∇u|. Nothing flows in a face in which u is constant.
 // \param instead the heat that counts in faces which have no other, as those with all corners on a cold border
-inline Eigen::VectorXd flux_of_unit_gradient(const Heat_surface& surface, const Layered_heat& heat, const Layered_heat& instead)
+inline Eigen::VectorXd flux_of_unit_gradient(const Heat_surface& surface, const Layered_heat& heat,
+                                             const Layered_heat& instead)
 {
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(Eigen::Index(surface.size()));
   for (const Heat_face& face : surface.faces) {

@@ -10,13 +10,10 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Refinement_report.h>
-#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Accurate_shapes.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
-
-#include <CGAL/Named_function_parameters.h>
 
 #include <cstdint>
 #include <optional>
@@ -25,26 +22,14 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Asks before each step of a refinement.
-struct Asking_visitor : Default_refinement_visitor
-{
-  explicit Asking_visitor(const Interruption& interruption) : interruption(interruption) {}
-  bool go_further(std::uint64_t, std::uint64_t)
-  {
-    interruption.check();
-    return true;
-  }
-
-  const Interruption& interruption;
-};
-
 template <class Traits>
 bool has_obtuse_border(const Intrinsic_triangulation<Traits>& triangulation)
 {
   const Delta_complex& complex = triangulation.connectivity();
   const Accurate_shapes<Traits> shapes(triangulation);
   for (Halfedge_index h : complex.halfedges())
-    if (!complex.is_border(h) && complex.is_border(complex.opposite(h)) && shapes.has_area(complex.face(h)) && shapes.cotangent(h) < 0)
+    if (!complex.is_border(h) && complex.is_border(complex.opposite(h)) && shapes.has_area(complex.face(h)) &&
+        shapes.cotangent(h) < 0)
       return true;
   return false;
 }
@@ -53,19 +38,19 @@ bool has_obtuse_border(const Intrinsic_triangulation<Traits>& triangulation)
 // needle on the border asks for as many as it is longer than wide: beyond some for each vertex, its angles stay obtuse.
 // \exception Cancelled_error
 template <class Traits>
-std::optional<Intrinsic_triangulation<Traits>> without_obtuse_border(const Intrinsic_triangulation<Traits>& triangulation,
-                                                                     const Interruption& interruption)
+std::optional<Intrinsic_triangulation<Traits>>
+without_obtuse_border(const Intrinsic_triangulation<Traits>& triangulation, const Interruption& interruption)
 {
   if (!has_obtuse_border(triangulation))
     return std::nullopt;
   std::optional<Intrinsic_triangulation<Traits>> result(triangulation);
-  Refinement_criteria none;
-  none.minimum_angle = 0;
-  none.splits_encroached_edges = true;
+  const auto ask = [&interruption] {
+    interruption.check();
+    return true;
+  };
   const std::uint64_t most = 10 * std::uint64_t(triangulation.connectivity().number_of_vertices()) + 1000;
-  const Refinement_report report = refine_Delaunay(*result, none, parameters::maximum_number(most).visitor(Asking_visitor(interruption)));
-  if (report.status == Refinement_status::CANCELLED)
-    throw Cancelled_error("the computation was cancelled");
+  refine_Delaunay(*result,
+                  parameters::minimum_angle(0.).splits_encroached_edges(true).maximum_number(most).visitor(ask));
   return result;
 }
 

@@ -9,12 +9,12 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_DELAUNAY_REFINER_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Refinement_report.h>
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Measured_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Segments.h>
@@ -22,6 +22,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/insertion/point_on_input.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/settle_around.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/straight_walk.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -42,6 +44,16 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
+// Which triangles are made smaller; `refine_Delaunay()` says what the members mean.
+struct Refinement_criteria
+{
+  double minimum_angle = 25;
+  double maximum_circumradius = (std::numeric_limits<double>::infinity)();
+  double maximum_edge_length = (std::numeric_limits<double>::infinity)();
+  bool splits_encroached_edges = false;
+  double minimum_size = 0;
+};
+
 // Segments are the edges that are not flipped: on the border, or constrained.
 template <class Traits, class Visitor>
 class Delaunay_refiner
@@ -49,31 +61,25 @@ class Delaunay_refiner
 public:
   using Triangulation = Intrinsic_triangulation<Traits>;
 
-  Delaunay_refiner(Triangulation& triangulation, const Refinement_criteria& criteria, std::vector<bool> is_segment, Visitor& visitor,
-                   std::uint64_t maximum_number)
-    : triangulation_(triangulation), complex_(triangulation.connectivity()), geometry_(triangulation.exact_geometry()),
-      correspondence_(geometry_.correspondence()), shapes_(geometry_), criteria_(criteria), visitor_(visitor),
-      maximum_number_(maximum_number), faces_(triangulation), segments_(complex_, correspondence_, shapes_, faces_, std::move(is_segment)),
-      cones_(geometry_, shapes_), sine_of_minimum_angle_(std::sin(criteria.minimum_angle / 180 * CGAL_PI))
+  Delaunay_refiner(Triangulation& triangulation, const Refinement_criteria& criteria, std::vector<bool> is_segment,
+                   Visitor& visitor, std::uint64_t maximum_number)
+    : triangulation_(triangulation), complex_(triangulation.connectivity()), engine_(engine(triangulation)),
+      correspondence_(engine_.correspondence()), shapes_(engine_), criteria_(criteria), visitor_(visitor),
+      maximum_number_(maximum_number), faces_(triangulation),
+      segments_(complex_, correspondence_, shapes_, faces_, std::move(is_segment)), cones_(engine_, shapes_),
+      sine_of_minimum_angle_(std::sin(criteria.minimum_angle / 180 * CGAL_PI))
   {}
 
   Refinement_report operator()()
   {
-    try {
-      refine_all();
-    } catch (const Cancelled_error&) {
-      if (report_.status != Refinement_status::CANCELLED) // it was not the visitor
-        throw;
-    }
+    refine_all();
     return std::move(report_);
   }
 
   // Asks the visitor once more within a step.
   bool asks_further()
   {
-    if (!visitor_.go_further(report_.insertions + report_.segment_splits, report_.flips))
-      report_.status = Refinement_status::CANCELLED;
-    return report_.status != Refinement_status::CANCELLED;
+    return visitor_.go_further(Progress{0, 0, report_.flips, report_.insertions + report_.segment_splits});
   }
 
 private:
@@ -133,7 +139,9 @@ private:
   {
     if (report_.status != Refinement_status::REFINED)
       return false;
-    if (asks_further() && report_.insertions + report_.segment_splits >= maximum_number_ && has_candidates())
+    if (!asks_further())
+      throw Cancelled_error("the refinement was cancelled");
+    if (report_.insertions + report_.segment_splits >= maximum_number_ && has_candidates())
       report_.status = Refinement_status::BUDGET_EXHAUSTED;
     return report_.status == Refinement_status::REFINED;
   }
@@ -154,13 +162,15 @@ private:
   // What the areas of faces tell: of those that are too large, and of thin ones with sides of the present size.
   std::uint64_t estimated_points() const
   {
-    const double largest_edge = (std::min)(criteria_.maximum_edge_length, std::sqrt(3.) * criteria_.maximum_circumradius);
+    const double largest_edge =
+      (std::min)(criteria_.maximum_edge_length, std::sqrt(3.) * criteria_.maximum_circumradius);
     double sum = 0;
     for (Face_index f : complex_.faces()) {
       if (!is_bad(f) || left_.count(f) != 0)
         continue;
       const Halfedge_index longest = faces_.longest_side(f);
-      const double l = faces_.length(longest), area = l * l * faces_.apex(longest).imag() / 2, s = faces_.length(faces_.shortest_side(f));
+      const double l = faces_.length(longest), area = l * l * faces_.apex(longest).imag() / 2,
+                   s = faces_.length(faces_.shortest_side(f));
       if (is_too_large(f))
         sum += area / (largest_edge * largest_edge) / 0.45;
       else if (s < 2 * progress_.size)
@@ -180,10 +190,14 @@ private:
   }
   bool is_segment(Halfedge_index h) const { return segments_.contains(h); }
 
-  bool is_below_smallest_size(Face_index f) const { return faces_.length(faces_.shortest_side(f)) < criteria_.minimum_size; }
+  bool is_below_smallest_size(Face_index f) const
+  {
+    return faces_.length(faces_.shortest_side(f)) < criteria_.minimum_size;
+  }
   bool is_too_large(Face_index f) const
   {
-    return faces_.length(faces_.longest_side(f)) > criteria_.maximum_edge_length || faces_.circumradius(f) > criteria_.maximum_circumradius;
+    return faces_.length(faces_.longest_side(f)) > criteria_.maximum_edge_length ||
+           faces_.circumradius(f) > criteria_.maximum_circumradius;
   }
   // The sine of the smallest angle is the shortest side over the diameter of the circumcircle.
   bool has_small_angle(Face_index f) const
@@ -209,7 +223,8 @@ private:
   }
   bool is_to_be_enlarged(Halfedge_index corner) const
   {
-    return is_too_small(faces_.angle(corner)) && !obstacle_at(corner) && !segments_.is_between_shells(complex_.next(corner));
+    return is_too_small(faces_.angle(corner)) && !obstacle_at(corner) &&
+           !segments_.is_between_shells(complex_.next(corner));
   }
   // The number of roots of two that a length is worth, rounded down.
   static int half_octave(double length)
@@ -257,7 +272,8 @@ private:
     for (Vertex_index v : complex_.vertices()) {
       if (!complex_.halfedge(v).is_valid() || correspondence_.is_inserted(v))
         continue;
-      if (!is_on_border[v.idx()] && sum[v.idx()] < smallest_whole_cone && (segments_.is_empty() || !segments_.has_segment(v)))
+      if (!is_on_border[v.idx()] && sum[v.idx()] < smallest_whole_cone &&
+          (segments_.is_empty() || !segments_.has_segment(v)))
         cones_.add(v, sum[v.idx()]);
       segments_.find_small_corner(v);
     }
@@ -274,7 +290,8 @@ private:
           nearest = h;
       const double radius = (std::min)(faces_.length(nearest) / 3, cones_.radius_of_input_faces(v) / 2);
       const double t = radius / faces_.length(nearest);
-      const auto place = point_on_input(complex_, geometry_, shapes_, nearest, {1 - t, t, 0}, [&](Halfedge_index x) { return faces_.apex(x); });
+      const auto place =
+        point_on_input(engine_, shapes_, nearest, {1 - t, t, 0}, [&](Halfedge_index x) { return faces_.apex(x); });
       if (!(t > 0) || !place)
         continue;
       const std::optional<Vertex_index> p = insert(*place);
@@ -329,7 +346,8 @@ private:
   std::optional<Walk_end> walk(Halfedge_index h, Plane_point end) const
   {
     return walk_straight(
-      complex_, h, 0.5, end, false, [&](Halfedge_index g) { return faces_.apex(g); }, [&](Edge_index e) { return segments_.contains(e); });
+      complex_, h, 0.5, end, false, [&](Halfedge_index g) { return faces_.apex(g); },
+      [&](Edge_index e) { return segments_.contains(e); });
   }
   std::optional<Refinement_obstacle> insert_or_split(Face_index f, const std::optional<Walk_end>& end)
   {
@@ -339,7 +357,8 @@ private:
       return split(f, complex_.edge(end->barrier));
     if (const std::optional<Edge_index> e = segments_.encroached_by(*end))
       return split(f, *e);
-    const auto place = point_on_input(complex_, geometry_, shapes_, end->halfedge, end->weights, [&](Halfedge_index g) { return faces_.apex(g); });
+    const auto place =
+      point_on_input(engine_, shapes_, end->halfedge, end->weights, [&](Halfedge_index g) { return faces_.apex(g); });
     if (!place)
       return Refinement_obstacle::UNREPRESENTABLE;
     if (cones_.is_too_close(place->point))
@@ -361,7 +380,8 @@ private:
   // the angles opposite to it are smaller than those at the base.
   std::optional<Refinement_obstacle> insert_at_centroid(Face_index f)
   {
-    const auto place = point_on_input(complex_, geometry_, shapes_, complex_.halfedge(f), {1. / 3, 1. / 3, 1. / 3}, [&](Halfedge_index g) { return faces_.apex(g); });
+    const auto place = point_on_input(engine_, shapes_, complex_.halfedge(f), {1. / 3, 1. / 3, 1. / 3},
+                                      [&](Halfedge_index g) { return faces_.apex(g); });
     if (!place || is_too_fine(f, place->point) || !insert(*place))
       return Refinement_obstacle::UNREPRESENTABLE;
     return std::nullopt;
@@ -373,7 +393,7 @@ private:
     double size = 0;
     for (Halfedge_index h : {point.halfedge, input.next(point.halfedge), input.prev(point.halfedge)})
       size = (std::max)(size, shapes_.length(input.edge(h)));
-    return faces_.circumradius(f) < std::ldexp(size, geometry_.metric().unit_exponent() - 46);
+    return faces_.circumradius(f) < std::ldexp(size, engine_.metric().unit_exponent() - 46);
   }
 
   // \return nothing if a vertex lies there
@@ -381,10 +401,10 @@ private:
   {
     if (!(shapes_.four_areas(correspondence_.input().face(place.point.halfedge)) > 0))
       return std::nullopt;
-    const Triangle_piece piece = Piece_search(complex_, geometry_)(place.start, place.point);
+    const Triangle_piece piece = Piece_search(engine_)(place.start, place.point);
     if (vertex_at(complex_, correspondence_, piece.side, place.point))
       return std::nullopt;
-    const Vertex_index v = triangulation_.split_face(piece, place.point);
+    const Vertex_index v = Whole_triangulation<Traits>(triangulation_).split_face(piece, place.point);
     ++report_.insertions;
     settle(v);
     return v;
@@ -394,7 +414,8 @@ private:
   bool split_segment(Edge_index e)
   {
     const Delta_complex& input = correspondence_.input();
-    if (!correspondence_.coordinates().is_original(e) || complex_.is_self_glued(e) || side_without_area(triangulation_, e))
+    if (!correspondence_.coordinates().is_original(e) || complex_.is_self_glued(e) ||
+        side_without_area(triangulation_, e))
       return false;
     Halfedge_index h = complex_.halfedge(e), along = correspondence_.input_halfedge(h);
     if (input.is_border(along)) {
@@ -411,7 +432,8 @@ private:
     const double t = std::ldexp(std::nearbyint(std::ldexp(segments_.split_position(h, begin, end), 52)), -52);
     if (!(begin < t && t < end))
       return false;
-    const Vertex_index v = triangulation_.split_edge(h, Surface_point{along, {1 - t, t, 0}});
+    const Vertex_index v =
+      Whole_triangulation<Traits>(triangulation_).split_edge(h, Surface_point{along, {1 - t, t, 0}});
     ++report_.segment_splits;
     segments_.resize();
     // Of the edges that lead to the new vertex, these are its parts.
@@ -429,14 +451,17 @@ private:
   {
     segments_.resize();
     flipped_.clear();
-    const auto is_fixed = boost::make_function_property_map<Edge_index, bool>([&](Edge_index e) { return segments_.contains(e); });
+    const auto is_fixed =
+      boost::make_function_property_map<Edge_index, bool>([&](Edge_index e) { return segments_.contains(e); });
     settle_around(triangulation_, v, is_fixed, stack_, [&](Edge_index e) {
       ++report_.flips;
       flipped_.push_back(e);
     });
     visitor_.after_insertion(v);
     faces_.measure_star(v);
-    const auto is_at_v = [&](Edge_index e) { return complex_.source(complex_.halfedge(e)) == v || complex_.target(complex_.halfedge(e)) == v; };
+    const auto is_at_v = [&](Edge_index e) {
+      return complex_.source(complex_.halfedge(e)) == v || complex_.target(complex_.halfedge(e)) == v;
+    };
     flipped_.erase(std::remove_if(flipped_.begin(), flipped_.end(), is_at_v), flipped_.end());
     for (Edge_index e : flipped_)
       faces_.measure(e);
@@ -488,7 +513,7 @@ private:
 
   Triangulation& triangulation_;
   const Delta_complex& complex_;
-  const Exact_geometry& geometry_;
+  const Exact_engine& engine_;
   const Correspondence& correspondence_;
   const Input_shapes shapes_;
   const Refinement_criteria criteria_;

@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/straight_walk.h>
 
 #include <CGAL/number_type_config.h>
@@ -57,7 +58,7 @@ public:
       h = complex_.next_around_target(h);
     } while (h != first);
     if (!are_good)
-      triangulation_.recompute(v);
+      Whole_triangulation<Traits>(triangulation_).recompute(v);
     do {
       measure(complex_.edge(h));
       h = complex_.next_around_target(h);
@@ -106,7 +107,10 @@ public:
   }
 
 private:
-  double squared_length(Edge_index e) const { return triangulation_.traits().compute_squared_length_object()(triangulation_.edge_data(e)); }
+  double squared_length(Edge_index e) const
+  {
+    return triangulation_.traits().compute_squared_length_object()(triangulation_.edge_data(e));
+  }
   // Whether the numbers that flips keep are good to 30 bits.
   bool has_good_length(Edge_index e) const
   {

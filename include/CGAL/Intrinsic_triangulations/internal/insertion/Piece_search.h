@@ -9,10 +9,10 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_PIECE_SEARCH_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
-#include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
 #include <CGAL/enum.h>
@@ -31,16 +31,16 @@ namespace internal {
 class Piece_search
 {
 public:
-  Piece_search(const Delta_complex& complex, const Exact_geometry& geometry) : complex_(complex), geometry_(geometry) {}
+  explicit Piece_search(const Exact_engine& engine) : complex_(engine.connectivity()), engine_(engine) {}
 
   // The piece that contains a point which lies strictly inside an input face; one of two if an edge runs through it.
   // \param start a piece of the same input face
   Triangle_piece operator()(Triangle_piece start, const Surface_point& point) const
   {
-    const Normal_coordinates& coordinates = geometry_.correspondence().coordinates();
+    const Normal_coordinates& coordinates = engine_.correspondence().coordinates();
     for (std::size_t step = 0;; ++step) {
       if (step % 1024 == 1023)
-        geometry_.interruption().check();
+        engine_.interruption().check();
       std::optional<Triangle_piece> next;
       const auto names = coordinates.names(complex_, start);
       for (std::size_t i = step == 0 ? 0 : 1; i < names.size() && !next; ++i) { // not back across the first
@@ -48,7 +48,7 @@ public:
         // A side that coincides with an input edge has the whole input face on one side.
         if (!name.side.is_valid() || coordinates.is_original(complex_.edge(name.side)))
           continue;
-        if (geometry_.side_of(complex_, name.side, name.gap, point) == NEGATIVE)
+        if (engine_.side_of(name.side, name.gap, point) == NEGATIVE)
           next = Triangle_piece{complex_.opposite(name.side),
                                 coordinates.number_of_crossings(complex_.edge(name.side)) - name.gap};
       }
@@ -60,11 +60,12 @@ public:
 
 private:
   const Delta_complex& complex_;
-  const Exact_geometry& geometry_;
+  const Exact_engine& engine_;
 };
 
 // The piece at the source of an input halfedge, to the left of that. O(number of edges around the source).
-inline Triangle_piece piece_at_source(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index input_halfedge)
+inline Triangle_piece piece_at_source(const Delta_complex& complex, const Correspondence& correspondence,
+                                      Halfedge_index input_halfedge)
 {
   const auto [side, position] =
     start_of_input_edge(complex, correspondence, correspondence.input().source(input_halfedge), input_halfedge);

@@ -8,9 +8,9 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_SEGMENTS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_SEGMENTS_H
 
-#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Measured_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/point_on_input.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/straight_walk.h>
@@ -37,7 +37,8 @@ class Segments
 public:
   Segments(const Delta_complex& complex, const Correspondence& correspondence, const Input_shapes& shapes,
            const Measured_faces<Traits>& faces, std::vector<bool> is_segment)
-    : complex_(complex), correspondence_(correspondence), shapes_(shapes), faces_(faces), is_segment_(std::move(is_segment)),
+    : complex_(complex), correspondence_(correspondence), shapes_(shapes), faces_(faces),
+      is_segment_(std::move(is_segment)),
       is_empty_(std::find(is_segment_.begin(), is_segment_.end(), true) == is_segment_.end())
   {}
 
@@ -98,8 +99,8 @@ public:
     };
     for (const auto& [g, d] : views(complex_.source(h)))
       for (const auto& [k, e] : views(complex_.target(h)))
-        if (g.is_valid() && k.is_valid() && g != k && input.source(g) == input.source(k) && std::abs(d - e) < 1e-9 * d &&
-            small_corners_.count(input.source(g)) != 0)
+        if (g.is_valid() && k.is_valid() && g != k && input.source(g) == input.source(k) &&
+            std::abs(d - e) < 1e-9 * d && small_corners_.count(input.source(g)) != 0)
           return true;
     return false;
   }
@@ -109,7 +110,8 @@ public:
   {
     for (Halfedge_index h : {complex_.halfedge(e), complex_.opposite(complex_.halfedge(e))})
       if (!complex_.is_border(h)) {
-        const double a = faces_.length(complex_.next(h)) / faces_.length(h), b = faces_.length(complex_.prev(h)) / faces_.length(h);
+        const double a = faces_.length(complex_.next(h)) / faces_.length(h),
+                     b = faces_.length(complex_.prev(h)) / faces_.length(h);
         if (a * a + b * b < 1)
           return true;
       }
@@ -151,7 +153,8 @@ public:
   // distances from it.
   double split_position(Halfedge_index h, double begin, double end) const
   {
-    const bool at_source = small_corners_.count(complex_.source(h)) != 0, at_target = small_corners_.count(complex_.target(h)) != 0;
+    const bool at_source = small_corners_.count(complex_.source(h)) != 0,
+               at_target = small_corners_.count(complex_.target(h)) != 0;
     if (at_source == at_target)
       return (begin + end) / 2;
     const double l = faces_.length(h);

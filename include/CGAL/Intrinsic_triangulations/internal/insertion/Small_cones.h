@@ -9,8 +9,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_SMALL_CONES_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/point_on_input.h>
 
 #include <algorithm>
@@ -29,8 +29,8 @@ namespace internal {
 class Small_cones
 {
 public:
-  Small_cones(const Exact_geometry& geometry, const Input_shapes& shapes)
-    : input_(geometry.correspondence().input()), unit_exponent_(geometry.metric().unit_exponent()), shapes_(shapes)
+  Small_cones(const Exact_engine& engine, const Input_shapes& shapes)
+    : input_(engine.correspondence().input()), unit_exponent_(engine.metric().unit_exponent()), shapes_(shapes)
   {}
 
   void add(Vertex_index v, double angle) { cones_.emplace(v, Cone{angle, 0}); }

@@ -9,11 +9,12 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_VERTEX_REMOVER_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/Removed_elements.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Removed_elements.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Angle_sum.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Angle_sum.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/settle_around.h>
 
 #include <CGAL/enum.h>
@@ -58,12 +59,13 @@ public:
         continue;
       const std::size_t sides = complex_.is_border(complex_.edge(fixed[0])) ? 1 : 2;
       if (edges_at_vertex().size() == 2 + sides && is_simple_star())
-        removed = triangulation_.unsplit_edge(fixed[0]);
+        removed = Whole_triangulation<Traits>(triangulation_).unsplit_edge(fixed[0]);
     }
     if (!removed) {
       settle(triangulation_, is_constrained_, changed_, [](Edge_index) {});
-      throw Invalid_removal_error("vertex " + std::to_string(v_.idx()) +
-                                  " cannot be removed: edges lead from it back to itself, and flips do not end that. Keep it");
+      throw Invalid_removal_error(
+        "vertex " + std::to_string(v_.idx()) +
+        " cannot be removed: edges lead from it back to itself, and flips do not end that. Keep it");
     }
     settle_after(*removed);
     return *removed;
@@ -78,8 +80,8 @@ private:
     for (Edge_index e : changed_)
       if (std::find(removed.edges.begin(), removed.edges.end(), e) == removed.edges.end())
         stack.push_back(removed.edge_after(e));
-    const auto is_constrained =
-      boost::make_function_property_map<Edge_index, bool>([&](Edge_index e) { return get(is_constrained_, removed.edge_before(e)); });
+    const auto is_constrained = boost::make_function_property_map<Edge_index, bool>(
+      [&](Edge_index e) { return get(is_constrained_, removed.edge_before(e)); });
     settle(triangulation_, is_constrained, stack, [](Edge_index) {});
   }
 
@@ -100,7 +102,7 @@ private:
 
   std::vector<Halfedge_index> fixed_edges() const
   {
-    const Normal_coordinates& coordinates = triangulation_.exact_geometry().correspondence().coordinates();
+    const Normal_coordinates& coordinates = engine(triangulation_).correspondence().coordinates();
     std::vector<Halfedge_index> result;
     bool are_halves = true;
     for (Halfedge_index h : edges_at_vertex())
@@ -109,8 +111,9 @@ private:
         are_halves = are_halves && coordinates.is_original(complex_.edge(h));
       }
     if (!result.empty() && !(result.size() == 2 && are_halves))
-      throw Invalid_removal_error("vertex " + std::to_string(v_.idx()) + " is an end of constrained edges that are not the two "
-                                                                         "halves of an input edge: remove the constraints first");
+      throw Invalid_removal_error("vertex " + std::to_string(v_.idx()) +
+                                  " is an end of constrained edges that are not the two "
+                                  "halves of an input edge: remove the constraints first");
     return result;
   }
 
@@ -130,7 +133,8 @@ private:
     const auto last_turn = [this](Edge_index e) {
       return std::find(turned_.rbegin(), turned_.rend(), e) - turned_.rbegin();
     };
-    std::stable_sort(edges.begin(), edges.end(), [&](Edge_index e, Edge_index f) { return last_turn(e) > last_turn(f); });
+    std::stable_sort(edges.begin(), edges.end(),
+                     [&](Edge_index e, Edge_index f) { return last_turn(e) > last_turn(f); });
     for (Edge_index e : edges)
       if (flip(e, 0)) {
         turned_.push_back(e);
@@ -176,11 +180,11 @@ private:
     if (!is_simple_star())
       return std::nullopt;
     if (edges.size() == 3)
-      return triangulation_.unsplit_face(v_);
+      return Whole_triangulation<Traits>(triangulation_).unsplit_face(v_);
     if (edges.size() == 4) // the vertex lies on a diagonal of the quadrilateral
       for (std::size_t i : {0, 1})
         if (is_straight(edges[i], edges[i + 1]))
-          return triangulation_.unsplit_edge(edges[i]);
+          return Whole_triangulation<Traits>(triangulation_).unsplit_edge(edges[i]);
     return std::nullopt;
   }
 
@@ -188,7 +192,7 @@ private:
   bool is_straight(Halfedge_index h, Halfedge_index following) const
   {
     const Bounded_angle unknown{0, std::numeric_limits<double>::infinity()};
-    return compare_angle_sum_with_pi(complex_, triangulation_.exact_geometry(),
+    return compare_angle_sum_with_pi(engine(triangulation_),
                                      {{complex_.prev(h), unknown}, {complex_.prev(following), unknown}}) == EQUAL;
   }
 

@@ -10,7 +10,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_FACES_WITHOUT_AREA_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 
 #include <CGAL/enum.h>
@@ -25,7 +25,7 @@ template <class Traits>
 bool has_area(const Intrinsic_triangulation<Traits>& triangulation, Face_index f)
 {
   return triangulation.traits().has_positive_area_object()(triangulation.face_data(f)) ||
-         triangulation.exact_geometry().sign_of_area(triangulation.connectivity(), f) != ZERO;
+         engine(triangulation).sign_of_area(f) != ZERO;
 }
 
 // The halfedge of an edge in a face without area, if there is one.

@@ -9,11 +9,11 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_POINT_ON_INPUT_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
-#include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Crossing_sequence.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/straight_walk.h>
 
@@ -50,14 +50,15 @@ inline std::array<double, 3> rounded_coordinates(const std::array<double, 3>& w)
 class Input_shapes
 {
 public:
-  explicit Input_shapes(const Exact_geometry& geometry) : input_(geometry.correspondence().input())
+  explicit Input_shapes(const Exact_engine& engine) : input_(engine.correspondence().input())
   {
     squared_lengths_.reserve(input_.number_of_edges());
     for (Edge_index e : input_.edges())
-      squared_lengths_.push_back(geometry.metric().squared_length_double_double(input_, e).hi());
+      squared_lengths_.push_back(engine.metric().squared_length_double_double(input_, e).hi());
     four_areas_.reserve(input_.number_of_faces());
     for (Face_index f : input_.faces())
-      four_areas_.push_back(geometry.has_input_face_area(f) ? geometry.metric().four_areas_double_double(input_, f).hi() : 0);
+      four_areas_.push_back(engine.has_input_face_area(f) ? engine.metric().four_areas_double_double(input_, f).hi()
+                                                          : 0);
   }
 
   // In the internal unit.
@@ -78,14 +79,16 @@ private:
 };
 
 // The input face that contains a piece.
-inline Face_index input_face(const Delta_complex& complex, const Exact_geometry& geometry, const Triangle_piece& piece)
+inline Face_index input_face(const Exact_engine& engine, const Triangle_piece& piece)
 {
-  const Correspondence& correspondence = geometry.correspondence();
+  const Delta_complex& complex = engine.connectivity();
+  const Correspondence& correspondence = engine.correspondence();
   const Delta_complex& input = correspondence.input();
   const std::int64_t n = correspondence.coordinates().crossings(complex.edge(piece.side));
   if (n > 0) {
     const Halfedge_index crossed =
-      Crossed_halfedges(complex, correspondence, piece.side, geometry.interruption())[std::size_t((std::max)(std::int64_t(0), piece.gap - 1))];
+      Crossed_halfedges(complex, correspondence, piece.side,
+                        engine.interruption())[std::size_t((std::max)(std::int64_t(0), piece.gap - 1))];
     return input.face(piece.gap > 0 ? crossed : input.opposite(crossed));
   }
   return uncrossed_input_face(complex, correspondence, piece.side);
@@ -102,16 +105,17 @@ struct Point_to_insert
 // \param apex gives the third corner of the face of a halfedge of the current triangulation, in the frame of that
 // \return nothing if doubles are too coarse to find it
 template <class Apex>
-std::optional<Point_to_insert> point_on_input(const Delta_complex& complex, const Exact_geometry& geometry, const Input_shapes& shapes, Halfedge_index h,
+std::optional<Point_to_insert> point_on_input(const Exact_engine& engine, const Input_shapes& shapes, Halfedge_index h,
                                               std::array<double, 3> weights, const Apex& apex)
 {
-  const Correspondence& correspondence = geometry.correspondence();
+  const Delta_complex& complex = engine.connectivity();
+  const Correspondence& correspondence = engine.correspondence();
   const Delta_complex& input = correspondence.input();
   while (weights[0] < weights[1] || weights[0] < weights[2]) {
     h = complex.next(h);
     std::rotate(weights.begin(), weights.begin() + 1, weights.end());
   }
-  const auto [source, vector, reference] = geometry.edge_beginning(complex, h);
+  const auto [source, vector, reference] = engine.edge_beginning(h);
   Plane_point to_point = vector * (weights[1] + weights[2] * apex(h)); // seen from the source of h
   const auto input_apex = [&](Halfedge_index g) { return shapes.apex(g); };
   const bool leaves_corner = !correspondence.is_inserted(complex.source(h));
@@ -143,7 +147,7 @@ std::optional<Point_to_insert> point_on_input(const Delta_complex& complex, cons
   const std::int64_t n_ki = correspondence.coordinates().number_of_crossings(complex.edge(ki));
   for (const Triangle_piece& piece : {Triangle_piece{h, crossed}, Triangle_piece{ki, n_ki - crossed}})
     if (piece.gap >= 0 && piece.gap <= correspondence.coordinates().number_of_crossings(complex.edge(piece.side)) &&
-        input_face(complex, geometry, piece) == input.face(point.halfedge))
+        input_face(engine, piece) == input.face(point.halfedge))
       return Point_to_insert{point, piece};
   return Point_to_insert{point, piece_at_source(complex, correspondence, point.halfedge)};
 }

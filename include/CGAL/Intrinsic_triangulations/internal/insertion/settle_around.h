@@ -38,10 +38,11 @@ void settle(Intrinsic_triangulation<Traits>& triangulation, const ConstraintMap&
   std::uint64_t steps = 0;
   while (!stack.empty()) {
     if (++steps % 1024 == 0)
-      triangulation.exact_geometry().interruption().check();
+      engine(triangulation).interruption().check();
     const Edge_index e = stack.back();
     stack.pop_back();
-    if (!complex.is_flippable(e) || whole.is_known_Delaunay(e) || get(is_constrained, e) || possibly(whole.test_and_recompute(e)))
+    if (!complex.is_flippable(e) || whole.is_known_Delaunay(e) || get(is_constrained, e) ||
+        possibly(whole.test_and_recompute(e)))
       continue;
     const Hinge_halfedges around = complex.hinge(e);
     if (whole.flip_not_Delaunay(around) != Flip_outcome::FLIPPED)

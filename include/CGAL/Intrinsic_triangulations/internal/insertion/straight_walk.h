@@ -39,10 +39,7 @@ inline Plane_point third_corner(double ij, double jk, double ki)
   return {x, product > 0 ? std::sqrt(product) / 2 : 0};
 }
 
-inline double cross_product(Plane_point a, Plane_point b)
-{
-  return a.real() * b.imag() - a.imag() * b.real();
-}
+inline double cross_product(Plane_point a, Plane_point b) { return a.real() * b.imag() - a.imag() * b.real(); }
 
 // Where a straight line ends: in the face of a halfedge, with weights of its source, its target and the third corner that are not
 // negative and sum to 1 up to rounding.
@@ -61,8 +58,9 @@ struct Walk_end
 // \param is_barrier whether an edge that is met must not be crossed
 // \return nothing if rounding has made the line lose its way. Around the tip of a needle, it would go on for ever
 template <class Apex, class Is_barrier>
-std::optional<Walk_end> walk_straight(const Delta_complex& complex, Halfedge_index h, Plane_point start, Plane_point end,
-                                      bool leaves_corner, const Apex& apex, const Is_barrier& is_barrier)
+std::optional<Walk_end> walk_straight(const Delta_complex& complex, Halfedge_index h, Plane_point start,
+                                      Plane_point end, bool leaves_corner, const Apex& apex,
+                                      const Is_barrier& is_barrier)
 {
   const auto weights = [](Plane_point z, Plane_point p) {
     const double c = z.imag() != 0 ? p.imag() / z.imag() : 0, b = p.real() - c * z.real();
@@ -100,8 +98,7 @@ std::optional<Walk_end> walk_straight(const Delta_complex& complex, Halfedge_ind
     }
     if (has_area ? !(w[i] < 0) : crossed == 0 && !(leaves_corner && z.real() < 0))
       return Walk_end{h, inside(w), {}, crossed};
-    const Halfedge_index side = i == 0 ? complex.next(h) : i == 1 ? complex.prev(h)
-                                                                  : h;
+    const Halfedge_index side = i == 0 ? complex.next(h) : i == 1 ? complex.prev(h) : h;
     if (is_barrier(complex.edge(side)))
       return Walk_end{h, inside(w), side, crossed};
     const Plane_point corners[3] = {0, 1, z}, left = corners[(i + 2) % 3], right = corners[(i + 1) % 3];

@@ -60,8 +60,7 @@ public:
       return right;
     Vector x = solver_.solve(right);
     if (!x.allFinite())
-      throw Numerical_error(std::string("a linear system cannot be solved: ") + what_ +
-                            " is too badly conditioned");
+      throw Numerical_error(std::string("a linear system cannot be solved: ") + what_ + " is too badly conditioned");
     return x;
   }
 
@@ -77,8 +76,7 @@ private:
 // The rows and columns of a matrix whose new number is not negative, renumbered. The order
 // of numbers must be that of the rows.
 inline Eigen::SparseMatrix<double> submatrix(const Eigen::SparseMatrix<double>& matrix,
-                                             const std::vector<int>& new_rows,
-                                             const std::vector<int>& new_columns,
+                                             const std::vector<int>& new_rows, const std::vector<int>& new_columns,
                                              int number_of_rows, int number_of_columns)
 {
   Eigen::SparseMatrix<double> result(number_of_rows, number_of_columns);

@@ -32,8 +32,7 @@ class Column_block
   using Index = Matrix::StorageIndex;
 
 public:
-  Column_block(const Delta_complex& complex, const Edge_value& edge_value,
-               const Diagonal_value& diagonal_value)
+  Column_block(const Delta_complex& complex, const Edge_value& edge_value, const Diagonal_value& diagonal_value)
     : complex_(complex), edge_value_(edge_value), diagonal_value_(diagonal_value)
   {}
 
@@ -143,8 +142,8 @@ Eigen::SparseMatrix<double> assemble_columns(const Delta_complex& complex, const
   using Index = Eigen::SparseMatrix<double>::StorageIndex;
   constexpr std::size_t columns_of_block = 4096;
   const std::size_t n = complex.number_of_vertices();
-  std::vector<Column_block<Edge_value, Diagonal_value>> blocks(
-    n / columns_of_block + 1, {complex, edge_value, diagonal_value});
+  std::vector<Column_block<Edge_value, Diagonal_value>> blocks(n / columns_of_block + 1,
+                                                               {complex, edge_value, diagonal_value});
   for_each_block<ConcurrencyTag>(n, columns_of_block, [&](std::size_t first, std::size_t last) {
     auto& block = blocks[first / columns_of_block];
     block.reserve(last - first);

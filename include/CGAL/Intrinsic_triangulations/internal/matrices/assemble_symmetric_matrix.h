@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MATRICES_ASSEMBLE_SYMMETRIC_MATRIX_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_columns.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Huge_page_allocator.h>
@@ -142,8 +142,7 @@ private:
     // All in local variables: the compiler cannot know that what is written is none of them.
     const Index *const start = matrix_.outerIndexPtr(), *const diagonal = diagonal_.data(),
                        *const bucket = bucket_.data();
-    Index *const row = matrix_.innerIndexPtr(), *const above = above_.data(),
-                 *const below = below_.data();
+    Index *const row = matrix_.innerIndexPtr(), *const above = above_.data(), *const below = below_.data();
     double* const value = matrix_.valuePtr();
     const Entry* entry = entries_.data();
     const Entry* const behind_all = entry + entries_.size();
@@ -221,9 +220,9 @@ inline void check_matrix_size(const Delta_complex& complex, std::size_t number_o
 {
   using Index = Eigen::SparseMatrix<double>::StorageIndex;
   if (std::size_t(complex.number_of_halfedges()) + number_of_rows > std::size_t((std::numeric_limits<Index>::max)()))
-    throw Invalid_surface_error(
-      Invalid_surface_error::Defect::OUT_OF_RANGE, complex.number_of_edges(), 1,
-      std::to_string(complex.number_of_edges()) + " edges are more than a sparse matrix can hold");
+    throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, complex.number_of_edges(), 1,
+                                std::to_string(complex.number_of_edges()) +
+                                  " edges are more than a sparse matrix can hold");
 }
 
 // The matrix whose entry (v, w) is the sum of edge_value(e) over the edges e between the rows v and w,
@@ -240,8 +239,7 @@ Eigen::SparseMatrix<double> assemble_symmetric_matrix(const Delta_complex& compl
 
 // As above, with a row for each vertex. With Parallel_tag several threads may call both functions.
 template <class ConcurrencyTag, class Edge_value, class Diagonal_value>
-Eigen::SparseMatrix<double> assemble_symmetric_matrix(const Delta_complex& complex,
-                                                      const Edge_value& edge_value,
+Eigen::SparseMatrix<double> assemble_symmetric_matrix(const Delta_complex& complex, const Edge_value& edge_value,
                                                       const Diagonal_value& diagonal_value)
 {
   if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value) {

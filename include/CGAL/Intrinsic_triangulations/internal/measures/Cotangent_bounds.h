@@ -10,7 +10,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_COTANGENT_BOUNDS_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
 
 #include <algorithm>
@@ -59,8 +59,7 @@ class Cotangent_bounds
 {
 public:
   Cotangent_bounds() = default;
-  explicit Cotangent_bounds(const Delta_complex& complex)
-    : bounds_(complex.number_of_halfedges(), default_init)
+  explicit Cotangent_bounds(const Delta_complex& complex) : bounds_(complex.number_of_halfedges(), default_init)
   {
     if (3 * std::size_t(complex.number_of_faces()) != complex.number_of_halfedges())
       std::fill(bounds_.begin(), bounds_.end(), -std::numeric_limits<float>::infinity());
@@ -106,8 +105,8 @@ public:
     const float* const bound = bounds_.data() + 2 * std::size_t(e.idx());
 #ifdef CGAL_HAS_SSE2
     const __m128 a = _mm_loadu_ps(bound), b = _mm_loadu_ps(bound + 4);
-    const __m128 sum = _mm_add_ps(_mm_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0)),
-                                  _mm_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1)));
+    const __m128 sum =
+      _mm_add_ps(_mm_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0)), _mm_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1)));
     return unsigned(_mm_movemask_ps(_mm_cmpgt_ps(sum, _mm_setzero_ps())));
 #else
     unsigned result = 0;

@@ -9,10 +9,11 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_FLAT_GEOMETRY_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/vector_products.h>
 
 #include <CGAL/Mpzf.h>
 #include <CGAL/Uncertain.h>
@@ -45,9 +46,6 @@ inline Rational rational(const Exact_ring& x) { return x; }
 #endif
 
 template <class FT>
-using Vector_3 = std::array<FT, 3>;
-
-template <class FT>
 struct Difference
 {
   FT operator()(double a, double b) const { return FT(a) - FT(b); }
@@ -60,10 +58,7 @@ struct Difference<Double_double>
 template <>
 struct Difference<Bounded_double_double>
 {
-  Bounded_double_double operator()(double a, double b) const
-  {
-    return Bounded_double_double::difference(a, b);
-  }
+  Bounded_double_double operator()(double a, double b) const { return Bounded_double_double::difference(a, b); }
 };
 
 template <class FT>
@@ -74,18 +69,6 @@ Vector_3<FT> difference(const Points& points, Vertex_index from, Vertex_index to
   return {d(q[0], p[0]), d(q[1], p[1]), d(q[2], p[2])};
 }
 
-template <class FT>
-FT scalar_product(const Vector_3<FT>& a, const Vector_3<FT>& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-template <class FT>
-Vector_3<FT> cross_product(const Vector_3<FT>& a, const Vector_3<FT>& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 inline double sum_of_absolute_values(const Vector_3<double>& v)
 {
   return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
@@ -93,29 +76,24 @@ inline double sum_of_absolute_values(const Vector_3<double>& v)
 
 // A volume far above its rounding errors, which are less than 2^-48 of the product of the
 // sums of the absolute values.
-inline bool is_clearly_bent(const Points& points, Vertex_index i, Vertex_index j, Vertex_index k,
-                            Vertex_index l)
+inline bool is_clearly_bent(const Points& points, Vertex_index i, Vertex_index j, Vertex_index k, Vertex_index l)
 {
   const auto a = difference<double>(points, i, j), b = difference<double>(points, i, k),
              c = difference<double>(points, i, l);
   return std::abs(scalar_product(cross_product(a, b), c)) >
-         0x1p-48 * sum_of_absolute_values(a) * sum_of_absolute_values(b) *
-             sum_of_absolute_values(c) +
-           1e-290;
+         0x1p-48 * sum_of_absolute_values(a) * sum_of_absolute_values(b) * sum_of_absolute_values(c) + 1e-290;
 }
 
 // Whether four points are seen to lie in one plane without any product, as most that do:
 // in a plane parallel to two axes, or as corners k, i, l, j of a parallelogram.
-inline bool is_clearly_coplanar(const Points& points, Vertex_index i, Vertex_index j,
-                                Vertex_index k, Vertex_index l)
+inline bool is_clearly_coplanar(const Points& points, Vertex_index i, Vertex_index j, Vertex_index k, Vertex_index l)
 {
   const auto &p = points[i.idx()], &q = points[j.idx()], &r = points[k.idx()], &s = points[l.idx()];
   for (int c = 0; c < 3; ++c)
     if (p[c] == q[c] && p[c] == r[c] && p[c] == s[c])
       return true;
   for (int c = 0; c < 3; ++c) {
-    const Double_double one = Double_double::difference(r[c], p[c]),
-                        other = Double_double::difference(q[c], s[c]);
+    const Double_double one = Double_double::difference(r[c], p[c]), other = Double_double::difference(q[c], s[c]);
     if (one.hi != other.hi || one.lo != other.lo)
       return false;
   }
@@ -124,8 +102,7 @@ inline bool is_clearly_coplanar(const Points& points, Vertex_index i, Vertex_ind
 
 // The sign of scalar_product(a × b, c × d) for vectors from one vertex to another.
 using Vertex_pair = std::pair<Vertex_index, Vertex_index>;
-inline Sign sign_of_normals(const Points& points, Vertex_pair a, Vertex_pair b, Vertex_pair c,
-                            Vertex_pair d)
+inline Sign sign_of_normals(const Points& points, Vertex_pair a, Vertex_pair b, Vertex_pair c, Vertex_pair d)
 {
   // In double the error is less than 2^-48 of the product of the sums of the absolute values.
   const auto length = [&](Vertex_pair v) {
@@ -151,9 +128,8 @@ inline bool are_coplanar(const Points& points, Vertex_index i, Vertex_index j, V
     return false;
   const auto volume = [&](auto zero) {
     using FT = decltype(zero);
-    return scalar_product(
-      cross_product(difference<FT>(points, i, j), difference<FT>(points, i, k)),
-      difference<FT>(points, i, l));
+    return scalar_product(cross_product(difference<FT>(points, i, j), difference<FT>(points, i, k)),
+                          difference<FT>(points, i, l));
   };
   if (is_clearly_coplanar(points, i, j, k, l))
     return true;
@@ -166,8 +142,8 @@ inline bool are_coplanar(const Points& points, Vertex_index i, Vertex_index j, V
 inline bool is_flat(const Delta_complex& complex, const Points& points, Halfedge_index ij)
 {
   const Halfedge_index ji = complex.opposite(ij);
-  const Vertex_index i = complex.source(ij), j = complex.target(ij),
-                     k = complex.target(complex.next(ij)), l = complex.target(complex.next(ji));
+  const Vertex_index i = complex.source(ij), j = complex.target(ij), k = complex.target(complex.next(ij)),
+                     l = complex.target(complex.next(ji));
   return are_coplanar(points, i, j, k, l) && sign_of_normals(points, {i, j}, {i, k}, {i, l}, {i, j}) == POSITIVE;
 }
 

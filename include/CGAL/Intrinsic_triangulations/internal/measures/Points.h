@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_POINTS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_POINTS_H
 
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 
 #include <array>
 

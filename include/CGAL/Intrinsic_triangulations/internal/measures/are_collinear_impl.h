@@ -9,7 +9,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_ARE_COLLINEAR_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
@@ -23,8 +22,7 @@ namespace internal {
 // A component of the cross product that is larger than its rounding error says no, and the
 // rest is decided exactly. \pre the coordinates are finite
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-bool are_collinear(const std::array<double, 3>& p, const std::array<double, 3>& q,
-                   const std::array<double, 3>& r)
+bool are_collinear(const std::array<double, 3>& p, const std::array<double, 3>& q, const std::array<double, 3>& r)
 {
   double u[3], v[3];
   for (int i = 0; i < 3; ++i) {
@@ -41,7 +39,8 @@ bool are_collinear(const std::array<double, 3>& p, const std::array<double, 3>& 
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     const auto difference = [](double a, double b) { return Exact_ring(a) - Exact_ring(b); };
-    if (CGAL::sign(difference(q[j], p[j]) * difference(r[k], p[k]) - difference(q[k], p[k]) * difference(r[j], p[j])) != ZERO)
+    if (CGAL::sign(difference(q[j], p[j]) * difference(r[k], p[k]) - difference(q[k], p[k]) * difference(r[j], p[j])) !=
+        ZERO)
       return false;
   }
   return true;

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_AREA_IN_INPUT_UNIT_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_AREA_IN_INPUT_UNIT_H
 
-#include <CGAL/Intrinsic_triangulations/Index.h>
+#include <CGAL/Intrinsic_triangulations/internal/Index.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
 #include <cmath>

@@ -11,7 +11,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/hinge_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/check_triangles.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
@@ -35,6 +35,7 @@
 #include <limits>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -52,14 +53,13 @@ struct Is_used_vertex
 [[noreturn]] inline void throw_no_length(const Delta_complex& complex, Edge_index e)
 {
   const Halfedge_index h = complex.halfedge(e);
-  const std::string source = std::to_string(complex.source(h).idx()),
-                    target = std::to_string(complex.target(h).idx());
+  const std::string source = std::to_string(complex.source(h).idx()), target = std::to_string(complex.target(h).idx());
   throw Invalid_surface_error(Defect::ZERO_LENGTH_EDGE, complex.source(h).idx(), 1,
-                              complex.is_loop(e) ? "a loop at vertex " + source +
-                                                     " has length zero: the lengths leave no room there"
-                                                 : "vertices " + source + " and " + target +
-                                                     " coincide on the surface, though no edge joins them; "
-                                                     "merge them first");
+                              complex.is_loop(e)
+                                ? "a loop at vertex " + source + " has length zero: the lengths leave no room there"
+                                : "vertices " + source + " and " + target +
+                                    " coincide on the surface, though no edge joins them; "
+                                    "merge them first");
 }
 
 // Names the first edge whose squared length is zero.
@@ -69,29 +69,38 @@ template <class PointVector>
 {
   const Halfedge_index h = complex.halfedge(Edge_index(std::uint32_t(offenders.first)));
   const std::size_t v = complex.source(h).idx(), w = complex.target(h).idx();
-  const bool is_coincident = certainly(points[v][0] == points[w][0]) &&
-                             certainly(points[v][1] == points[w][1]) &&
+  const bool is_coincident = certainly(points[v][0] == points[w][0]) && certainly(points[v][1] == points[w][1]) &&
                              certainly(points[v][2] == points[w][2]);
   throw Invalid_surface_error(
-    is_coincident ? Defect::ZERO_LENGTH_EDGE : Defect::OUT_OF_RANGE, offenders.first,
-    offenders.count,
-    "edge " + std::to_string(offenders.first) + " joins vertices " + std::to_string(v) + " and " +
-      std::to_string(w) +
+    is_coincident ? Defect::ZERO_LENGTH_EDGE : Defect::OUT_OF_RANGE, offenders.first, offenders.count,
+    "edge " + std::to_string(offenders.first) + " joins vertices " + std::to_string(v) + " and " + std::to_string(w) +
       (is_coincident ? ", which coincide: merge them first"
                      : ", whose squared distance underflows beside the size of the surface") +
       offenders.and_more());
 }
 
+// Whether the functors of traits take two edges or faces at once.
+template <class Traits, class = void>
+struct Takes_two_faces : std::false_type
+{};
+template <class Traits>
+struct Takes_two_faces<
+  Traits,
+  std::void_t<decltype(std::declval<Traits>().compute_cotangent_bounds_object()(
+    std::declval<Traits>().construct_face_data_object()(Two_points(), Two_points(), Two_points()),
+    std::declval<Traits>().construct_edge_data_object()(Two_points(), Two_points()), Two_doubles(), Two_doubles()))>>
+  : std::true_type
+{};
+
 // Bounds the corners of the face of h, whose sides from h on are given.
 template <class Traits>
 void bound_corners(const Traits& traits, Halfedge_index h, Halfedge_index next, Halfedge_index prev,
                    const typename Traits::Face_data& face, const typename Traits::Edge_data& side,
-                   const typename Traits::Edge_data& next_side,
-                   const typename Traits::Edge_data& prev_side, Cotangent_bounds& bounds)
+                   const typename Traits::Edge_data& next_side, const typename Traits::Edge_data& prev_side,
+                   Cotangent_bounds& bounds)
 {
   if constexpr (Has_cotangent_bounds<Traits>::value) {
-    const std::array<float, 3> bound =
-      traits.compute_cotangent_bounds_object()(face, side, next_side, prev_side);
+    const std::array<float, 3> bound = traits.compute_cotangent_bounds_object()(face, side, next_side, prev_side);
     bounds.set(h, bound[0]);
     bounds.set(next, bound[1]);
     bounds.set(prev, bound[2]);
@@ -106,9 +115,8 @@ void bound_corners_of_flipped(const Traits& traits, const Hinge_halfedges& aroun
 {
   const auto& [ij, jk, ki, ji, il, lj] = around;
   if constexpr (Takes_two_faces<Traits>::value) {
-    const auto bound = traits.compute_cotangent_bounds_object().of_two(
-      flipped.ilk, flipped.jkl, Two_doubles(flipped.kl), Two_doubles(old.ki, old.lj),
-      Two_doubles(old.il, old.jk));
+    const auto bound = traits.compute_cotangent_bounds_object()(
+      two(flipped.ilk, flipped.jkl), Two_doubles(flipped.kl), Two_doubles(old.ki, old.lj), Two_doubles(old.il, old.jk));
     bounds.set(ij, ji, bound[0]);
     bounds.set(ki, lj, bound[1]);
     bounds.set(il, jk, bound[2]);
@@ -127,10 +135,7 @@ struct Face_halfedges
     : face(f), h(h), next(complex.next(h)), prev(complex.prev(h))
   {}
   // Zero for a triangle, and for a face of one side, whose length is zero.
-  std::uint32_t is_other_face(const Delta_complex& complex) const
-  {
-    return complex.next(next).idx() ^ prev.idx();
-  }
+  std::uint32_t is_other_face(const Delta_complex& complex) const { return complex.next(next).idx() ^ prev.idx(); }
   Face_index face;
   Halfedge_index h, next, prev;
 };
@@ -149,17 +154,14 @@ class Face_measurer
 
 public:
   template <class PointVector, class EdgeVector, class FaceVector>
-  Face_measurer(const Delta_complex& complex, const Traits& traits, const PointVector& points,
-                EdgeVector& edges, FaceVector& faces, Cotangent_bounds& bounds)
+  Face_measurer(const Delta_complex& complex, const Traits& traits, const PointVector& points, EdgeVector& edges,
+                FaceVector& faces, Cotangent_bounds& bounds)
     : complex_(complex), traits_(traits), points_(points.data()), edges_(edges.data()), faces_(faces.data()),
       bounds_(bounds)
   {}
 
   // Not zero if a side has length zero: numbers can be combined without a branch.
-  int is_zero(const Edge_data& e) const
-  {
-    return int(!possibly(traits_.compute_squared_length_object()(e) > FT(0)));
-  }
+  int is_zero(const Edge_data& e) const { return int(!possibly(traits_.compute_squared_length_object()(e) > FT(0))); }
 
   // What was found out about the faces that were measured.
   struct Findings
@@ -196,14 +198,14 @@ public:
   {
     const auto edge = traits_.construct_edge_data_object();
     const Two_points p = corners(one.prev, two.prev), q = corners(one.h, two.h), r = corners(one.next, two.next);
-    const Two_doubles pq = edge.of_two(p, q), qr = edge.of_two(q, r), pr = edge.of_two(p, r);
+    const Two_doubles pq = edge(p, q), qr = edge(q, r), pr = edge(p, r);
     store(one.h, two.h, pq);
     store(one.next, two.next, qr);
     store(one.prev, two.prev, pr);
-    const auto areas = traits_.construct_face_data_object().of_two(p, q, r);
+    const auto areas = traits_.construct_face_data_object()(p, q, r);
     faces_[one.face.idx()] = areas.first();
     faces_[two.face.idx()] = areas.second();
-    const auto bounds = traits_.compute_cotangent_bounds_object().of_two(areas, pq, qr, pr);
+    const auto bounds = traits_.compute_cotangent_bounds_object()(areas, pq, qr, pr);
     bounds_.set(one.h, two.h, bounds[0]);
     bounds_.set(one.next, two.next, bounds[1]);
     bounds_.set(one.prev, two.prev, bounds[2]);
@@ -277,13 +279,12 @@ struct Null_copier
 // The copier brings the faces, a few at a time.
 template <class ConcurrencyTag, class Traits, class Copier, class PointVector, class EdgeVector, class FaceVector>
 void construct_metric_from_points(const Delta_complex& complex, Copier& copier, const Traits& traits,
-                                  const PointVector& points, EdgeVector& edges,
-                                  FaceVector& faces, Cotangent_bounds& bounds)
+                                  const PointVector& points, EdgeVector& edges, FaceVector& faces,
+                                  Cotangent_bounds& bounds)
 {
   CGAL_precondition(points.size() == complex.number_of_vertices());
   constexpr std::size_t faces_at_a_time = 16;
-  using Tag =
-    std::conditional_t<is_for_threads<typename Traits::Edge_data>, ConcurrencyTag, Sequential_tag>;
+  using Tag = std::conditional_t<is_for_threads<typename Traits::Edge_data>, ConcurrencyTag, Sequential_tag>;
   const Face_measurer<Tag, Traits> faces_and_sides(complex, traits, points, edges, faces, bounds);
   std::atomic<bool> is_to_be_refused{false};
 
@@ -310,9 +311,8 @@ void construct_metric_from_points(const Delta_complex& complex, Copier& copier, 
 
 template <class Traits, class EdgeVector, class FaceVector>
 void construct_metric_from_lengths(const Delta_complex& complex, const Traits& traits,
-                                   const std::vector<typename Traits::FT>& lengths,
-                                   EdgeVector& edges, FaceVector& faces,
-                                   Cotangent_bounds& bounds)
+                                   const std::vector<typename Traits::FT>& lengths, EdgeVector& edges,
+                                   FaceVector& faces, Cotangent_bounds& bounds)
 {
   CGAL_precondition(lengths.size() == complex.number_of_edges());
   using FT = typename Traits::FT;
@@ -335,8 +335,8 @@ void construct_metric_from_lengths(const Delta_complex& complex, const Traits& t
     if (violate_triangle_inequality(ij, jk, ki))
       offenders.add(f.idx());
     faces[f.idx()] = construct_face_data.from_lengths(ij, jk, ki);
-    bound_corners(traits, h, next, prev, faces[f.idx()], edges[complex.edge(h).idx()],
-                  edges[complex.edge(next).idx()], edges[complex.edge(prev).idx()], bounds);
+    bound_corners(traits, h, next, prev, faces[f.idx()], edges[complex.edge(h).idx()], edges[complex.edge(next).idx()],
+                  edges[complex.edge(prev).idx()], bounds);
   }
   if (offenders.count > 0)
     throw Invalid_surface_error(Defect::TRIANGLE_INEQUALITY, offenders.first, offenders.count,

@@ -30,10 +30,7 @@ FT sqrt_of_non_negative(const FT& x)
 }
 
 // Of sums of squares, which are not negative.
-inline Two_doubles sqrt_of_non_negative(const Two_doubles& x)
-{
-  return sqrt(x);
-}
+inline Two_doubles sqrt_of_non_negative(const Two_doubles& x) { return sqrt(x); }
 
 // The same bits for (p, q) and (q, p).
 template <class FT>

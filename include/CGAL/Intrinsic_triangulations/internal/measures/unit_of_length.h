@@ -93,10 +93,7 @@ struct Defect_tally
     first = count == 0 ? element : first;
     ++count;
   }
-  std::string and_more() const
-  {
-    return count > 1 ? " (and " + std::to_string(count - 1) + " more)" : std::string();
-  }
+  std::string and_more() const { return count > 1 ? " (and " + std::to_string(count - 1) + " more)" : std::string(); }
   std::size_t first = 0;
   std::size_t count = 0;
 };
@@ -125,7 +122,8 @@ bool scale(FT& x, int exponent)
   return is_exact;
 }
 
-inline void throw_if_underflow(const char* what, const Defect_tally& offenders, const char* advice = "remove the outliers")
+inline void throw_if_underflow(const char* what, const Defect_tally& offenders,
+                               const char* advice = "remove the outliers")
 {
   if (offenders.count > 0)
     throw Invalid_surface_error(Defect::OUT_OF_RANGE, offenders.first, offenders.count,
@@ -144,8 +142,7 @@ Defect_tally non_finite_points(const PointVector& points)
 {
   Defect_tally offenders;
   for (std::size_t v = 0; v < points.size(); ++v)
-    if (!(zero_if_finite(CGAL::to_double(points[v][0])) +
-            zero_if_finite(CGAL::to_double(points[v][1])) +
+    if (!(zero_if_finite(CGAL::to_double(points[v][0])) + zero_if_finite(CGAL::to_double(points[v][1])) +
             zero_if_finite(CGAL::to_double(points[v][2])) ==
           0))
       offenders.add(v);
@@ -274,8 +271,7 @@ int normalize_points(PointVector& points, const IsUsed& is_used)
     const Defect_tally offenders = non_finite_points(points);
     throw Invalid_surface_error(Defect::NOT_FINITE, offenders.first, offenders.count,
                                 "vertex " + std::to_string(offenders.first) +
-                                  " has a coordinate that is not a finite number" +
-                                  offenders.and_more());
+                                  " has a coordinate that is not a finite number" + offenders.and_more());
   }
   const int exponent = unit_exponent<FT>(box.half_extent());
   if (exponent == 0)

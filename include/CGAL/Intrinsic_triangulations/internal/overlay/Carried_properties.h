@@ -9,7 +9,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_CARRIED_PROPERTIES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_CARRIED_PROPERTIES_H
 
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/find_property_map.h>
 
 #include <CGAL/IO/Color.h>
@@ -38,8 +38,8 @@ struct Kernel_values
 template <class Kernel>
 struct Kernel_values<Kernel, std::void_t<typename Kernel::Vector_2>>
 {
-  using type = std::tuple<typename Kernel::FT, typename Kernel::Point_2, typename Kernel::Point_3, typename Kernel::Vector_2,
-                          typename Kernel::Vector_3>;
+  using type = std::tuple<typename Kernel::FT, typename Kernel::Point_2, typename Kernel::Point_3,
+                          typename Kernel::Vector_2, typename Kernel::Vector_3>;
 };
 
 template <class Number>
@@ -47,9 +47,10 @@ using Number_arrays = std::tuple<std::array<Number, 2>, std::array<Number, 3>, s
 
 template <class Mesh>
 using Known_values = decltype(std::tuple_cat(
-  std::tuple<bool, char, signed char, unsigned char, short, unsigned short, int, unsigned int, long, unsigned long, long long,
-             unsigned long long, float, double, long double, std::string, Surface_point, CGAL::IO::Color,
-             typename Mesh::Vertex_index, typename Mesh::Halfedge_index, typename Mesh::Edge_index, typename Mesh::Face_index>(),
+  std::tuple<bool, char, signed char, unsigned char, short, unsigned short, int, unsigned int, long, unsigned long,
+             long long, unsigned long long, float, double, long double, std::string, Surface_point, CGAL::IO::Color,
+             typename Mesh::Vertex_index, typename Mesh::Halfedge_index, typename Mesh::Edge_index,
+             typename Mesh::Face_index>(),
   Number_arrays<float>(), Number_arrays<double>(), Number_arrays<std::int32_t>(), Number_arrays<std::uint32_t>(),
   typename Kernel_values<CGAL::Simple_cartesian<double>>::type(),
   typename Kernel_values<typename CGAL::Kernel_traits<typename Mesh::Point>::Kernel>::type()));
@@ -65,9 +66,11 @@ public:
   {
     for (const std::string& name : mesh.template properties<Index>()) {
       const bool is_of_the_mesh = name == "h:connectivity" || name == "f:connectivity" || name == "f:removed";
-      if (!is_of_the_mesh && !(add<Value>(mesh, name) || ...) && !add_known(mesh, name, static_cast<Known_values<Mesh>*>(nullptr)))
-        throw std::invalid_argument("the property map \"" + name + "\" of " + elements +
-                                    " has a value type that is not known: name it as a template argument of the function");
+      if (!is_of_the_mesh && !(add<Value>(mesh, name) || ...) &&
+          !add_known(mesh, name, static_cast<Known_values<Mesh>*>(nullptr)))
+        throw std::invalid_argument(
+          "the property map \"" + name + "\" of " + elements +
+          " has a value type that is not known: name it as a template argument of the function");
     }
   }
 

@@ -10,7 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 
 #include <CGAL/assertions.h>
 
@@ -58,10 +58,7 @@ public:
   // The halfedges of the two triangulations that h is part of, or null.
   Halfedge_index intrinsic_halfedge(Halfedge h) const { return directed(segment(h).intrinsic, h); }
   Halfedge_index input_halfedge(Halfedge h) const { return directed(segment(h).input, h); }
-  bool is_in_use(Halfedge h) const
-  {
-    return segment(h).intrinsic.is_valid() || segment(h).input.is_valid();
-  }
+  bool is_in_use(Halfedge h) const { return segment(h).intrinsic.is_valid() || segment(h).input.is_valid(); }
 
   // The parts with which a halfedge of a triangulation begins and ends.
   Halfedge first_part(Halfedge_index h) const { return first_intrinsic_parts_[h.idx()]; }

@@ -8,9 +8,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_DYNAMIC_OVERLAY_GRAPH_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_DYNAMIC_OVERLAY_GRAPH_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/overlay/Dynamic_overlay_graph.h>
 
 #include <CGAL/assertions.h>
 
@@ -21,13 +20,11 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Dynamic_overlay_graph::Dynamic_overlay_graph(const Delta_complex& input)
-  : number_of_original_vertices_(input.number_of_vertices()),
-    end_of_vertices_(input.number_of_vertices())
+  : number_of_original_vertices_(input.number_of_vertices()), end_of_vertices_(input.number_of_vertices())
 {
   halfedges_.reserve(input.number_of_halfedges());
   for (Halfedge_index h : input.halfedges()) {
-    halfedges_.push_back({Halfedge(input.next(h).idx()), Halfedge(input.prev(h).idx()),
-                          Vertex(input.target(h).idx())});
+    halfedges_.push_back({Halfedge(input.next(h).idx()), Halfedge(input.prev(h).idx()), Vertex(input.target(h).idx())});
     first_input_parts_.push_back(Halfedge(h.idx()));
   }
   for (Edge_index e : input.edges())
@@ -35,7 +32,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Dynamic_overlay_graph::Dynamic_overlay_grap
   first_intrinsic_parts_ = first_input_parts_;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Dynamic_overlay_graph::Halfedge Dynamic_overlay_graph::add_intrinsic_part(Halfedge_index h, Halfedge before, Halfedge arriving)
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Dynamic_overlay_graph::Halfedge
+Dynamic_overlay_graph::add_intrinsic_part(Halfedge_index h, Halfedge before, Halfedge arriving)
 {
   const Halfedge part = new_segment(target(before), target(arriving));
   segments_[part.idx() >> 1] = {h, Halfedge_index()};
@@ -94,12 +92,12 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Dynamic_overlay_graph::Vertex Dynamic_overl
   return v;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Dynamic_overlay_graph::Halfedge Dynamic_overlay_graph::new_segment(Vertex source, Vertex target)
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Dynamic_overlay_graph::Halfedge Dynamic_overlay_graph::new_segment(Vertex source,
+                                                                                                        Vertex target)
 {
   if (free_segments_.empty()) {
     if (segments_.size() >= std::size_t(1) << 31)
-      throw Integer_overflow_error(
-        "the overlay has 2^31 segments or more: too many edges cross each other");
+      throw Integer_overflow_error("the overlay has 2^31 segments or more: too many edges cross each other");
     free_segments_.push_back(Segment(size_type(segments_.size())));
     segments_.emplace_back();
     halfedges_.resize(2 * segments_.size());

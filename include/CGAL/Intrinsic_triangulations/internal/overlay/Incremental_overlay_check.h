@@ -34,15 +34,14 @@ public:
   // The first defect, or nothing.
   std::string defect()
   {
-    const bool is_valid =
-      has_valid_links() && has_valid_crossings() &&
-      has_valid_edges(
-        intrinsic_, "intrinsic", [&](Halfedge_index h) { return graph_.first_part(h); },
-        [&](Halfedge h) { return graph_.intrinsic_halfedge(h); }) &&
-      has_valid_edges(
-        input_, "input", [&](Halfedge_index h) { return graph_.first_part_in_input(h); },
-        [&](Halfedge h) { return graph_.input_halfedge(h); }) &&
-      has_valid_faces();
+    const bool is_valid = has_valid_links() && has_valid_crossings() &&
+                          has_valid_edges(
+                            intrinsic_, "intrinsic", [&](Halfedge_index h) { return graph_.first_part(h); },
+                            [&](Halfedge h) { return graph_.intrinsic_halfedge(h); }) &&
+                          has_valid_edges(
+                            input_, "input", [&](Halfedge_index h) { return graph_.first_part_in_input(h); },
+                            [&](Halfedge h) { return graph_.input_halfedge(h); }) &&
+                          has_valid_faces();
     return is_valid ? std::string() : defect_;
   }
 
@@ -110,8 +109,7 @@ private:
     std::size_t number_of_crossings = 0;
     for (std::uint8_t d : degree)
       number_of_crossings += d == 4;
-    return number_of_crossings == graph_.number_of_crossings() ||
-           fails("graph", "the number of crossings is wrong");
+    return number_of_crossings == graph_.number_of_crossings() || fails("graph", "the number of crossings is wrong");
   }
 
   // The parts of each halfedge follow each other from its source to its target, where the next
@@ -161,8 +159,7 @@ private:
       do {
         is_visited[h.idx()] = true;
         ++sides;
-        if (is_border_part(h) != is_border ||
-            !is_same_face(intrinsic_, graph_.intrinsic_halfedge(h), intrinsic_face) ||
+        if (is_border_part(h) != is_border || !is_same_face(intrinsic_, graph_.intrinsic_halfedge(h), intrinsic_face) ||
             !is_same_face(input_, graph_.input_halfedge(h), input_face))
           return fails(name(h), "its face is not in one face of both triangulations");
         h = graph_.next(h);

@@ -8,8 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_INCREMENTAL_OVERLAY_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_INCREMENTAL_OVERLAY_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/Incremental_overlay.h>
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Dynamic_overlay_graph_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Incremental_overlay_check.h>
 
@@ -30,7 +29,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Incremental_overlay::flip(Edge_index e
   intrinsic_.flip(e);
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Halfedge_index> Incremental_overlay::crossing_input_halfedges(Halfedge_index h) const
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Halfedge_index>
+Incremental_overlay::crossing_input_halfedges(Halfedge_index h) const
 {
   std::vector<Halfedge_index> result;
   for (Halfedge part = first_part(h); is_crossing(target(part)); part = straight_on(part))
@@ -38,7 +38,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Halfedge_index> Incremental_ove
   return result;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Halfedge_index> Incremental_overlay::crossing_intrinsic_halfedges(Halfedge_index h) const
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Halfedge_index>
+Incremental_overlay::crossing_intrinsic_halfedges(Halfedge_index h) const
 {
   std::vector<Halfedge_index> result;
   for (Halfedge part = first_part_in_input(h); is_crossing(target(part)); part = straight_on(part))
@@ -106,7 +107,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Incremental_overlay::put_diagonal(Half
       sides_[h.idx()] = Side::NONE;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Incremental_overlay::cross_chords(Halfedge_index ij, Halfedge before_l, Halfedge before_k)
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Incremental_overlay::cross_chords(Halfedge_index ij, Halfedge before_l,
+                                                                            Halfedge before_k)
 {
   Halfedge before = before_l;
   for (Halfedge chord : crossed_) {
@@ -122,7 +124,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Incremental_overlay::cross_chords(Half
   graph_.set_first_part(intrinsic_.opposite(ij), opposite(last));
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Incremental_overlay::note_chords(std::vector<Halfedge>& chords, Halfedge_index first, Halfedge_index second, Side side)
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void
+Incremental_overlay::note_chords(std::vector<Halfedge>& chords, Halfedge_index first, Halfedge_index second, Side side)
 {
   chords.clear();
   const Halfedge last = graph_.last_part(second);
@@ -135,7 +138,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Incremental_overlay::note_chords(std::
   }
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE Incremental_overlay::Halfedge Incremental_overlay::before_diagonal(Halfedge_index arriving, Side side) const
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE Incremental_overlay::Halfedge
+Incremental_overlay::before_diagonal(Halfedge_index arriving, Side side) const
 {
   Halfedge h = graph_.last_part(arriving);
   while (is_chord(graph_.next(h)) && sides_[opposite(graph_.next(h)).idx()] == side)

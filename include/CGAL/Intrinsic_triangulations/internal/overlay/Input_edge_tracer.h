@@ -8,10 +8,10 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_INPUT_EDGE_TRACER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_INPUT_EDGE_TRACER_H
 
-#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Overlay_arrays.h>
 
 #include <cstdint>
@@ -41,10 +41,8 @@ public:
   };
 
   // \param overlay has numbers for the segments of intrinsic edges when the first edge is traced
-  Input_edge_tracer(const Delta_complex& intrinsic, const Correspondence& correspondence,
-                    const Overlay_arrays& overlay)
-    : intrinsic_(intrinsic), correspondence_(correspondence), input_(correspondence.input()),
-      overlay_(overlay)
+  Input_edge_tracer(const Delta_complex& intrinsic, const Correspondence& correspondence, const Overlay_arrays& overlay)
+    : intrinsic_(intrinsic), correspondence_(correspondence), input_(correspondence.input()), overlay_(overlay)
   {}
 
   // The vertex where an input edge ends, or an inserted one on it.

@@ -8,8 +8,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_OVERLAY_ARRAYS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_OVERLAY_ARRAYS_H
 
-#include <CGAL/Intrinsic_triangulations/Index.h>
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/Index.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 
 #include <cstdint>
 
@@ -39,15 +39,13 @@ struct Overlay_arrays
   };
   struct Input_edge
   {
-    size_type first;        // the first halfedge, out of the source of 2e; odd if it runs against an oc segment
-    size_type count : 31;   // number of segments
-    size_type is_split : 1; // if inserted vertices lie on it, `first` is the position of the first part in `split_parts`
+    size_type first;      // the first halfedge, out of the source of 2e; odd if it runs against an oc segment
+    size_type count : 31; // number of segments
+    size_type
+      is_split : 1; // if inserted vertices lie on it, `first` is the position of the first part in `split_parts`
   };
 
-  size_type intrinsic_segments_end(size_type e) const
-  {
-    return first_segments[e + 1];
-  }
+  size_type intrinsic_segments_end(size_type e) const { return first_segments[e + 1]; }
 
   // The input halfedge that h is part of, or null.
   size_type input_halfedge(size_type h) const

@@ -8,17 +8,17 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_OVERLAY_BUILDER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_OVERLAY_BUILDER_H
 
-#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Index.h>
-#include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/Progress_function.h>
+#include <CGAL/Intrinsic_triangulations/internal/Index.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Input_edge_walk.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Input_edge_tracer.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Overlay_arrays.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
@@ -128,9 +128,7 @@ private:
       });
 
     const Loop_progress progress = part(0, 0.4, n);
-    for_each_block(n, [&](std::size_t first, std::size_t last) {
-      fill_intrinsic_segments(first, last, progress);
-    });
+    for_each_block(n, [&](std::size_t first, std::size_t last) { fill_intrinsic_segments(first, last, progress); });
   }
 
   void allocate(std::uint64_t crossings, std::uint64_t coinciding)
@@ -197,8 +195,7 @@ private:
   static void check_size(std::uint64_t number_of_segments)
   {
     if (number_of_segments >= std::uint64_t(1) << 31)
-      throw Integer_overflow_error(
-        "the overlay has 2^31 segments or more: too many edges cross each other");
+      throw Integer_overflow_error("the overlay has 2^31 segments or more: too many edges cross each other");
   }
 
   void note_coinciding(Halfedge_index h, size_type segment)
@@ -274,12 +271,9 @@ private:
       Paths& here = blocks[block(first)];
       for (std::size_t i = first; i < last; ++i)
         tracer_.for_each_path_across(
-          Edge_index(size_type(i)),
-          [&](Halfedge_index input_halfedge, const End& source, std::int64_t position) {
-            const End target =
-              tracer_.follow(source.ij, position, [&](const Input_edge_tracer::Crossing& x) {
-                here.crossings.push_back(crossed(x));
-              });
+          Edge_index(size_type(i)), [&](Halfedge_index input_halfedge, const End& source, std::int64_t position) {
+            const End target = tracer_.follow(
+              source.ij, position, [&](const Input_edge_tracer::Crossing& x) { here.crossings.push_back(crossed(x)); });
             here.paths.push_back({input_halfedge, source, target, here.crossings.size()});
           });
     });
@@ -420,13 +414,13 @@ private:
         copy_input_face(face++, f, ij.first, jk.first, ki.first);
         continue;
       }
-      const Triangle_crossings crossings(ij.number_of_crossings(), jk.number_of_crossings(),
-                                         ki.number_of_crossings());
+      const Triangle_crossings crossings(ij.number_of_crossings(), jk.number_of_crossings(), ki.number_of_crossings());
       link_corner(jk, ki, crossings.e_k);
       link_corner(ki, ij, crossings.e_i);
       link_corner(ij, jk, crossings.e_j);
       for (const Side* side : {&ij, &jk, &ki})
-        for (size_type part = (std::min)(side->first, side->last), end = (std::max)(side->first, side->last); part <= end; part += 2)
+        for (size_type part = (std::min)(side->first, side->last), end = (std::max)(side->first, side->last);
+             part <= end; part += 2)
           if (record(part).face == Overlay_arrays::null)
             make_face(face++, part, f);
     }
@@ -439,7 +433,10 @@ private:
     Halfedge_index halfedge;
     size_type first, last;
 
-    std::int64_t number_of_crossings() const { return (std::int64_t((std::max)(first, last)) - (std::min)(first, last)) / 2; }
+    std::int64_t number_of_crossings() const
+    {
+      return (std::int64_t((std::max)(first, last)) - (std::min)(first, last)) / 2;
+    }
   };
   Side side(Halfedge_index h) const
   {
@@ -477,10 +474,7 @@ private:
     link(before, in.last ^ 1);
   }
 
-  size_type input_face(size_type input_halfedge) const
-  {
-    return input_.face(Halfedge_index(input_halfedge)).idx();
-  }
+  size_type input_face(size_type input_halfedge) const { return input_.face(Halfedge_index(input_halfedge)).idx(); }
 
   // A face within an intrinsic one that is cut has a side on an intrinsic edge, and one on an input
   // edge that cuts. (A face bounded by input edges alone would be an input triangle with its corners
@@ -526,8 +520,7 @@ private:
     for_each_block(intrinsic_.number_of_vertices(), [&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) {
         const Halfedge_index h = intrinsic_.halfedge(Vertex_index(size_type(v)));
-        overlay_.vertex_halfedges[v] =
-          h.is_valid() ? first_part(intrinsic_.opposite(h)) ^ 1 : Overlay_arrays::null;
+        overlay_.vertex_halfedges[v] = h.is_valid() ? first_part(intrinsic_.opposite(h)) ^ 1 : Overlay_arrays::null;
       }
     });
   }

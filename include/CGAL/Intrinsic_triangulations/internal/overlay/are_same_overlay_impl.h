@@ -3,13 +3,12 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Definitions of are_same_overlay.h.
+// Definitions of Incremental_overlay.h.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_ARE_SAME_OVERLAY_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_ARE_SAME_OVERLAY_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/are_same_overlay.h>
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 
 #include <cstdint>
 #include <iostream>
@@ -21,7 +20,8 @@ namespace Intrinsic_triangulations {
 
 namespace internal {
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::string difference_of_overlays(const Overlay& overlay, const Incremental_overlay& incremental)
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::string difference_of_overlays(const Overlay& overlay,
+                                                                        const Incremental_overlay& incremental)
 {
   using Halfedge = Overlay::Halfedge;
   using Vertex = Overlay::Vertex;
@@ -60,8 +60,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::string difference_of_overlays(const Ov
 
 } // namespace internal
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool are_same_overlay(const Overlay& overlay, const Incremental_overlay& incremental,
-                                                           bool verbose)
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool are_same_overlay(const Overlay& overlay,
+                                                           const Incremental_overlay& incremental, bool verbose)
 {
   const std::string difference = internal::difference_of_overlays(overlay, incremental);
   if (verbose && !difference.empty())

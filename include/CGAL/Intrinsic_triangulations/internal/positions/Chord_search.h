@@ -8,8 +8,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_CHORD_SEARCH_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_CHORD_SEARCH_H
 
-#include <CGAL/Intrinsic_triangulations/Normal_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
 
 #include <CGAL/enum.h>
@@ -77,8 +77,7 @@ private:
   Triangle_crossings crossings(Halfedge_index ij) const
   {
     const Delta_complex& c = layer_.complex;
-    return Triangle_crossings(layer_.number_of_crossings(c.edge(ij)),
-                              layer_.number_of_crossings(c.edge(c.next(ij))),
+    return Triangle_crossings(layer_.number_of_crossings(c.edge(ij)), layer_.number_of_crossings(c.edge(c.next(ij))),
                               layer_.number_of_crossings(c.edge(c.prev(ij))));
   }
 
@@ -105,16 +104,14 @@ private:
     const double sum = p_0 * (a * y[2]) - p_1 * ((1 - a) * y[2]) + p_2 * ((1 - a) * y[1] - a * y[0]);
     // Positions are good to 2^-52 of their edge, and so are their distances from 1. An error of
     // 2^-52 in one factor counts with the other one; as much again covers the rounding here.
-    const double error =
-      0x1p-50 * (p_0 * (a + y[2]) + p_1 * (1 - a + y[2]) + p_2 * (1 + y[0] + y[1])) +
-      (std::numeric_limits<double>::min)();
+    const double error = 0x1p-50 * (p_0 * (a + y[2]) + p_1 * (1 - a + y[2]) + p_2 * (1 + y[0] + y[1])) +
+                         (std::numeric_limits<double>::min)();
     if (sum > error)
       return POSITIVE;
     if (sum < -error)
       return NEGATIVE;
     const std::optional<Sign> exact = exact_side_(chord, ij, point_);
-    return exact ? *exact : sum >= 0 ? POSITIVE
-                                     : NEGATIVE;
+    return exact ? *exact : sum >= 0 ? POSITIVE : NEGATIVE;
   }
 
   const Layer& layer_;

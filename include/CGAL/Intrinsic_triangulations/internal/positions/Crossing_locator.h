@@ -9,17 +9,17 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_CROSSING_LOCATOR_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Unfolding.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Metric_frame.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Strip.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/metric_images.h>
-#include <CGAL/Intrinsic_triangulations/internal/positions/Plane_frame.h>
-#include <CGAL/Intrinsic_triangulations/internal/positions/Space_frame.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Metric_frame.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Strip.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Plane_frame.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Space_frame.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
@@ -41,10 +41,7 @@ struct Located
   bool is_good; // whether the value is within 2^-53 of x, relative to x
 };
 
-inline Located located(const Bounded_double_double& x)
-{
-  return {x.hi(), x.error() <= 0x1p-53 * std::abs(x.hi())};
-}
+inline Located located(const Bounded_double_double& x) { return {x.hi(), x.error() <= 0x1p-53 * std::abs(x.hi())}; }
 inline Located located(const Mpfr_interval& x)
 {
   const double low = x.lower_double(), high = x.upper_double();

@@ -9,10 +9,10 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_EXACT_SIDE_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Exact_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 
 #include <CGAL/enum.h>
 
@@ -28,8 +28,8 @@ namespace internal {
 class Exact_side
 {
 public:
-  Exact_side(const Delta_complex& intrinsic, const Exact_geometry& geometry, const Overlay& overlay)
-    : intrinsic_(intrinsic), geometry_(geometry), overlay_(overlay)
+  Exact_side(const Exact_engine& engine, const Overlay& overlay)
+    : intrinsic_(engine.connectivity()), engine_(engine), overlay_(overlay)
   {}
 
   // The side of a point of the input with respect to a chord of an intrinsic edge.
@@ -41,7 +41,7 @@ public:
 
 private:
   const Delta_complex& intrinsic_;
-  const Exact_geometry& geometry_;
+  const Exact_engine& engine_;
   const Overlay& overlay_;
 };
 

@@ -8,14 +8,13 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_EXACT_SIDE_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_EXACT_SIDE_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/Unfolding.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Exact_sign.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Metric_frame.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Strip.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Metric_frame.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/Crossing_locator.h>
-#include <CGAL/Intrinsic_triangulations/internal/positions/Exact_side.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
-#include <CGAL/Intrinsic_triangulations/rational_metric.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 
 #include <array>
 #include <cstddef>
@@ -30,8 +29,7 @@ namespace internal {
 // The coordinates relative to another halfedge of the face.
 template <class Metric>
 std::array<typename Metric::Real, 3> coordinates_from(Metric& metric, const Delta_complex& complex,
-                                                      const Surface_point& point,
-                                                      Halfedge_index first)
+                                                      const Surface_point& point, Halfedge_index first)
 {
   const std::size_t i = side_number(complex, point.halfedge, first);
   const Coordinates& b = point.coordinates;
@@ -56,9 +54,9 @@ std::optional<Sign> Exact_side::of_intrinsic_chord(Overlay::Halfedge chord, cons
   const Halfedge_index h = intrinsic_.halfedge(intrinsic_.edge(overlay_.intrinsic_halfedge(chord)));
   const std::int64_t position =
     std::int64_t(overlay_.segment(chord).idx()) - (*overlay_.intrinsic_segments(intrinsic_.edge(h)).begin()).idx();
-  const Sign side = geometry_.side_of(intrinsic_, h, position, point);
-  const Delta_complex& input = geometry_.correspondence().input();
-  if (side == ZERO && squared_four_areas(geometry_.metric(), input, input.face(point.halfedge)) == 0)
+  const Sign side = engine_.side_of(h, position, point);
+  const Delta_complex& input = engine_.correspondence().input();
+  if (side == ZERO && squared_four_areas(engine_.metric(), input, input.face(point.halfedge)) == 0)
     return std::nullopt;
   return (chord.idx() & 1) ? -side : side;
 }
@@ -70,13 +68,13 @@ std::optional<Sign> Exact_side::of_input_chord(Overlay::Halfedge chord, Halfedge
   const Overlay::Vertex x = overlay_.source(chord);
   const Edge_index e = intrinsic_.edge(side);
   const bool is_left = side == intrinsic_.halfedge(e);
-  const Delta_complex& input = geometry_.correspondence().input();
+  const Delta_complex& input = engine_.correspondence().input();
   const Crossed_edges crossed = crossed_edges(overlay_, input, e);
   const auto right_of_crossed_edge = [&](auto& metric) {
     using Metric = std::decay_t<decltype(metric)>;
     using Frame = Metric_frame<Metric>;
     using Vector = typename Frame::Vector;
-    const Unfolding<Metric> unfolding(intrinsic_, geometry_.correspondence(), metric);
+    const Unfolding<Metric> unfolding(intrinsic_, engine_.correspondence(), metric);
     Strip<Frame> strip(input, Frame(input, metric));
     unfolding.lay_out(strip, intrinsic_.halfedge(e), crossed);
     const auto triangle = strip.triangle_behind(overlay_.intrinsic_position(x));
@@ -88,13 +86,12 @@ std::optional<Sign> Exact_side::of_input_chord(Overlay::Halfedge chord, Halfedge
     const auto two_s = corner.s_first + corner.s_first;
     const Vector scale((b[0] + b[1] + b[2]) * two_s, zero);
     const Vector from_source(b[1] * two_s + b[2] * corner.p, b[2] * corner.four_areas);
-    const Vector p = is_left ? strip.target() * from_source
-                             : strip.target() * scale - strip.target() * from_source;
+    const Vector p = is_left ? strip.target() * from_source : strip.target() * scale - strip.target() * from_source;
     return area_between(p - triangle.left * scale, triangle.right - triangle.left);
   };
   const Sign result =
-    exact_sign(*geometry_.input_surface(), right_of_crossed_edge, [e] { return description_of_distance(e); });
-  if (result == ZERO && geometry_.sign_of_area(intrinsic_, intrinsic_.face(side)) == ZERO)
+    exact_sign(*engine_.input_surface(), right_of_crossed_edge, [e] { return description_of_distance(e); });
+  if (result == ZERO && engine_.sign_of_area(intrinsic_.face(side)) == ZERO)
     return std::nullopt;
   return is_left ? result : -result;
 }

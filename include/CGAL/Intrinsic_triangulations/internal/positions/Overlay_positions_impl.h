@@ -8,7 +8,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_OVERLAY_POSITIONS_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_OVERLAY_POSITIONS_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/Crossing_locator.h>
 
 #include <algorithm>
@@ -17,12 +16,13 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Overlay_positions::find_crossings(const Delta_complex& intrinsic, const Exact_geometry& geometry, const Overlay& overlay,
-                                       std::size_t first, std::size_t last, const internal::Loop_progress& progress)
+void Overlay_positions::find_crossings(const internal::Exact_engine& engine, const Overlay& overlay, std::size_t first,
+                                       std::size_t last, const internal::Loop_progress& progress)
 {
-  const Exact_geometry::Surface_lease surface = geometry.input_surface();
-  const Delta_complex& input = geometry.correspondence().input();
-  internal::Crossing_locator locate(intrinsic, geometry.correspondence(), *surface);
+  const Delta_complex& intrinsic = engine.connectivity();
+  const internal::Exact_engine::Surface_lease surface = engine.input_surface();
+  const Delta_complex& input = engine.correspondence().input();
+  internal::Crossing_locator locate(intrinsic, engine.correspondence(), *surface);
   internal::Crossed_edges crossed(input);
   for (std::size_t i = first; i < last; ++i) {
     progress.at(i);

@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_PIECE_WALK_H
 
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/Exact_side.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
 
@@ -80,7 +80,8 @@ private:
     const Coordinates x = corner_coordinates(layer_, before, point.halfedge),
                       y = corner_coordinates(layer_, chord, point.halfedge);
     const Coordinates& p = point.coordinates;
-    const double sum = p[0] * (x[1] * y[2] - x[2] * y[1]) + p[1] * (x[2] * y[0] - x[0] * y[2]) + p[2] * (x[0] * y[1] - x[1] * y[0]);
+    const double sum =
+      p[0] * (x[1] * y[2] - x[2] * y[1]) + p[1] * (x[2] * y[0] - x[0] * y[2]) + p[2] * (x[0] * y[1] - x[1] * y[0]);
     // Coordinates are good to 2^-51, so that each product of two is good to 2^-50 and their difference to 2^-49.
     const double error = 0x1p-48 * (p[0] + p[1] + p[2]);
     if (sum > error)

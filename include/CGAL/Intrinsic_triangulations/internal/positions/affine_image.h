@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_AFFINE_IMAGE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_AFFINE_IMAGE_H
 
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Bounded_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
 
 #include <boost/container/static_vector.hpp>
@@ -33,8 +33,8 @@ struct Corner_in_both
 using Corners_in_both = boost::container::static_vector<Corner_in_both, 6>;
 
 template <class From, class To>
-Corners_in_both corners_in_both(const From& from, Halfedge_index from_first, const To& to,
-                                Halfedge_index to_first, Overlay::Face f)
+Corners_in_both corners_in_both(const From& from, Halfedge_index from_first, const To& to, Halfedge_index to_first,
+                                Overlay::Face f)
 {
   Corners_in_both corners;
   const Overlay::Halfedge first = from.overlay.halfedge(f);

@@ -8,10 +8,10 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_OVERLAY_LAYERS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_OVERLAY_LAYERS_H
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/Overlay_positions.h>
-#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 
 #include <array>
 #include <cstddef>
@@ -40,8 +40,8 @@ inline Halfedge_index only_side_from(const Delta_complex& complex, Face_index f,
 // all segments of the other layer there, of which each corner between them would do the same.
 // That is needed only if the face of the layer has the vertex several times.
 template <class Search>
-Halfedge_index side_at_target(const Delta_complex& complex, const Overlay& overlay, Face_index f,
-                              Overlay::Halfedge h, const Search& search)
+Halfedge_index side_at_target(const Delta_complex& complex, const Overlay& overlay, Face_index f, Overlay::Halfedge h,
+                              const Search& search)
 {
   const Overlay::Vertex v = overlay.target(h);
   if (overlay.is_crossing(v))
@@ -51,11 +51,9 @@ Halfedge_index side_at_target(const Delta_complex& complex, const Overlay& overl
 }
 
 // The side of the input face on which the target of h lies: `Overlay::input_side()`.
-inline Halfedge_index input_side(const Delta_complex& input, const Overlay& overlay,
-                                 Overlay::Halfedge h)
+inline Halfedge_index input_side(const Delta_complex& input, const Overlay& overlay, Overlay::Halfedge h)
 {
-  return side_at_target(input, overlay, overlay.input_face(overlay.face(h)), h,
-                        [&] { return overlay.input_side(h); });
+  return side_at_target(input, overlay, overlay.input_face(overlay.face(h)), h, [&] { return overlay.input_side(h); });
 }
 
 struct Input_layer
@@ -64,18 +62,14 @@ struct Input_layer
   const Overlay& overlay;
   const Overlay_positions& positions;
 
-  std::int64_t number_of_crossings(Edge_index e) const
-  {
-    return std::int64_t(overlay.number_of_input_segments(e)) - 1;
-  }
+  std::int64_t number_of_crossings(Edge_index e) const { return std::int64_t(overlay.number_of_input_segments(e)) - 1; }
   // The part of h at a position from its source, in the direction of h.
   Overlay::Halfedge part(Halfedge_index h, std::int64_t position) const
   {
     const Edge_index e = complex.edge(h);
     if (h == complex.halfedge(e))
       return overlay.input_part(e, Overlay::size_type(position));
-    return overlay.opposite(
-      overlay.input_part(e, Overlay::size_type(number_of_crossings(e) - position)));
+    return overlay.opposite(overlay.input_part(e, Overlay::size_type(number_of_crossings(e) - position)));
   }
   Halfedge_index halfedge(Overlay::Halfedge h) const { return overlay.input_halfedge(h); }
   Face_index face(Overlay::Face f) const { return overlay.input_face(f); }
@@ -107,8 +101,7 @@ struct Intrinsic_layer
   Face_index face(Overlay::Face f) const { return overlay.intrinsic_face(f); }
   Halfedge_index side(Overlay::Halfedge h) const
   {
-    return side_at_target(complex, overlay, face(overlay.face(h)), h,
-                          [&] { return overlay.intrinsic_side(h); });
+    return side_at_target(complex, overlay, face(overlay.face(h)), h, [&] { return overlay.intrinsic_side(h); });
   }
   double on_side(Overlay::Halfedge h) const { return positions.on_intrinsic_side(overlay, h); }
   std::pair<double, double> ends(Overlay::Halfedge h) const { return positions.ends_on_intrinsic_halfedge(overlay, h); }
@@ -120,8 +113,7 @@ using Coordinates = std::array<double, 3>;
 // The number of h among the sides of its face from `first`.
 inline std::size_t side_number(const Delta_complex& complex, Halfedge_index first, Halfedge_index h)
 {
-  return h == first ? 0 : h == complex.next(first) ? 1
-                                                   : 2;
+  return h == first ? 0 : h == complex.next(first) ? 1 : 2;
 }
 
 // The target of h in the face of the layer that contains the face of h.

@@ -46,8 +46,12 @@ public:
   class Lease
   {
   public:
-    Lease(Scratch_pool& pool, std::atomic<Scratch*>& slot, Scratch* scratch) : pool_(&pool), slot_(&slot), scratch_(scratch) {}
-    Lease(Lease&& other) noexcept : pool_(other.pool_), slot_(other.slot_), scratch_(std::exchange(other.scratch_, nullptr)) {}
+    Lease(Scratch_pool& pool, std::atomic<Scratch*>& slot, Scratch* scratch)
+      : pool_(&pool), slot_(&slot), scratch_(scratch)
+    {}
+    Lease(Lease&& other) noexcept
+      : pool_(other.pool_), slot_(other.slot_), scratch_(std::exchange(other.scratch_, nullptr))
+    {}
     Lease& operator=(Lease&&) = delete;
     ~Lease()
     {

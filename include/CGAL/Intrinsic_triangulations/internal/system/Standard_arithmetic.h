@@ -48,7 +48,8 @@ public:
   {
     const double one = unfused(1.), large = unfused(0x1p60);
     if (BOOST_UNLIKELY((one + large) - large != 0 || unfused(5.) / 3 != 0x1.aaaaaaaaaaaabp+0 || flushes_to_zero()))
-      throw Arithmetic_error("doubles do not follow IEEE 754: compile without -ffast-math and the options that it implies");
+      throw Arithmetic_error(
+        "doubles do not follow IEEE 754: compile without -ffast-math and the options that it implies");
   }
 
 private:
@@ -64,14 +65,10 @@ private:
   static Mode mode()
   {
     Mode result;
-    asm volatile("mrs %0, fpcr"
-                 : "=r"(result));
+    asm volatile("mrs %0, fpcr" : "=r"(result));
     return result;
   }
-  static void set_mode(Mode mode) { asm volatile("msr fpcr, %0"
-                                                 :
-                                                 : "r"(mode)
-                                                 : "memory"); }
+  static void set_mode(Mode mode) { asm volatile("msr fpcr, %0" : : "r"(mode) : "memory"); }
   static bool flushes_to_zero() { return false; }
 #else
   using Mode = int;

@@ -78,9 +78,8 @@ template <class ConcurrencyTag, class Range, class Function>
 bool for_each_element(const Range& range, std::size_t n, const Function& f)
 {
   using Iterator = decltype(range.begin());
-  constexpr bool has_random_access =
-    std::is_convertible<typename std::iterator_traits<Iterator>::iterator_category,
-                        std::random_access_iterator_tag>::value;
+  constexpr bool has_random_access = std::is_convertible<typename std::iterator_traits<Iterator>::iterator_category,
+                                                         std::random_access_iterator_tag>::value;
   if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value && has_random_access) {
     if (std::size_t(range.end() - range.begin()) != n)
       return false;

@@ -9,7 +9,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_SHOWN_TEXT_H
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 
 namespace CGAL {
@@ -34,6 +36,17 @@ inline std::string counted(const std::uintmax_t n, const char* const singular, c
 inline std::string are_counted(const std::uintmax_t n, const char* const singular, const char* const plural)
 {
   return (n == 1 ? "is " : "are ") + counted(n, singular, plural);
+}
+
+// What was -1 before it was converted to std::size_t, or to 32 bits, is shown as -1.
+inline std::string index_text(const std::size_t value)
+{
+  constexpr std::size_t none = (std::numeric_limits<std::uint32_t>::max)();
+  if (value > (std::numeric_limits<std::size_t>::max)() / 2)
+    return "-" + std::to_string(std::size_t(0) - value);
+  if (value > none / 2 && value <= none)
+    return "-" + std::to_string(none + 1 - value);
+  return std::to_string(value);
 }
 
 } // namespace internal

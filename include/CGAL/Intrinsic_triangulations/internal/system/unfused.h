@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_UNFUSED_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_UNFUSED_H
 
-#include <CGAL/Intrinsic_triangulations/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 
 #include <boost/config.hpp>
 
@@ -32,14 +32,11 @@ template <class Number>
 BOOST_FORCEINLINE Number unfused(Number x)
 {
 #if defined(__GNUC__) && defined(__SSE2_MATH__)
-  asm(""
-      : "+x"(x));
+  asm("" : "+x"(x));
 #elif defined(__GNUC__) && defined(__aarch64__)
-  asm(""
-      : "+w"(x));
+  asm("" : "+w"(x));
 #elif defined(__GNUC__)
-  asm(""
-      : "+m"(x));
+  asm("" : "+m"(x));
 #else
   volatile Number opaque = x;
   x = opaque;

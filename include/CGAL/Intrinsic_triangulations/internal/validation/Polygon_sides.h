@@ -22,6 +22,33 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
+// Counts elements and keeps the ten smallest.
+class Element_collector
+{
+public:
+  void add(const std::size_t element)
+  {
+    ++count_;
+    if (kept_ == smallest_.size() && element > smallest_[kept_ - 1])
+      return;
+    std::size_t i = kept_ < smallest_.size() ? kept_++ : kept_ - 1;
+    for (; i > 0 && smallest_[i - 1] > element; --i)
+      smallest_[i] = smallest_[i - 1];
+    smallest_[i] = element;
+  }
+  std::size_t count() const { return count_; }
+  std::size_t first() const { return smallest_[0]; }
+  std::vector<std::size_t> elements() const
+  {
+    return std::vector<std::size_t>(smallest_.begin(), smallest_.begin() + kept_);
+  }
+
+private:
+  std::array<std::size_t, 10> smallest_;
+  std::size_t kept_ = 0;
+  std::size_t count_ = 0;
+};
+
 // The corners of all faces one after the other, and the sides in buckets by their smaller
 // vertex (a counting sort), so that the sides of an edge are found in one bucket with one mark
 // per vertex.
@@ -38,36 +65,52 @@ public:
     Index other, source, target;
   };
 
-  // To be called first.
-  void reserve(const std::size_t number_of_faces)
+  Polygon_sides(const std::size_t number_of_vertices, const std::size_t number_of_faces)
+    : number_of_vertices_(number_of_vertices), number_of_faces_(number_of_faces)
+  {}
+
+  // Copies the corners; false if there are no faces, or too many elements. The corners of a face with a bad index
+  // all become `none`, so that nothing later looks at that face.
+  template <class PolygonRange>
+  bool add_polygons(const PolygonRange& polygons)
   {
-    expected_faces_ = number_of_faces;
-    corners_.reserve(3 * number_of_faces);
-  }
-  void add_corner(const std::size_t vertex) { corners_.push_back(static_cast<Index>(vertex)); }
-  // Ends the face whose corners were added last. The corners of a face that is not good all
-  // become `none`, so that nothing later looks at that face.
-  void end_face(const bool is_good)
-  {
-    const std::size_t begin = all_triangles_ ? 3 * number_of_faces_ : first_corner_.back(), end = corners_.size();
-    if (!is_good)
-      std::fill(corners_.begin() + static_cast<std::ptrdiff_t>(begin), corners_.end(), none);
-    if (all_triangles_ && end - begin != 3) {
-      all_triangles_ = false;
-      first_corner_.reserve(expected_faces_ + 1);
-      for (std::size_t f = 0; f <= number_of_faces_; ++f)
-        first_corner_.push_back(static_cast<Index>(3 * f));
+    if (number_of_faces_ == 0 || !can_be_numbered())
+      return false;
+    is_used_.assign(number_of_vertices_, 0);
+    corners_.reserve(3 * number_of_faces_);
+    std::size_t face = 0;
+    for (const auto& polygon : polygons) {
+      const std::size_t begin = corners_.size();
+      bool is_good = true;
+      for (const auto index : polygon) {
+        const std::size_t value = static_cast<std::size_t>(index);
+        if (value < number_of_vertices_)
+          is_used_[value] = 1;
+        else if (is_good) {
+          is_good = false;
+          first_bad_index_ = bad_faces_.count() == 0 ? value : first_bad_index_;
+        }
+        corners_.push_back(static_cast<Index>(value));
+      }
+      if (!is_good) {
+        bad_faces_.add(face);
+        std::fill(corners_.begin() + static_cast<std::ptrdiff_t>(begin), corners_.end(), none);
+      }
+      if (!can_be_numbered())
+        return false;
+      end_face(face++, corners_.size() - begin);
     }
-    if (!all_triangles_)
-      first_corner_.push_back(static_cast<Index>(end));
-    ++number_of_faces_;
+    return true;
   }
-  // \pre all faces were added, with vertices below `number_of_vertices`
-  void sort_sides(const std::size_t number_of_vertices)
+  bool can_be_numbered() const
   {
-    bucket_begin_.assign(number_of_vertices + 2, 0);
-    for_each_side(
-      [this](const Index s, const Index t) { ++bucket_begin_[(std::min)(corners_[s], corners_[t]) + 2]; });
+    return number_of_vertices_ < none && number_of_faces_ < none / 3 && corners_.size() < none;
+  }
+
+  void sort_sides()
+  {
+    bucket_begin_.assign(number_of_vertices_ + 2, 0);
+    for_each_side([this](const Index s, const Index t) { ++bucket_begin_[(std::min)(corners_[s], corners_[t]) + 2]; });
     std::partial_sum(bucket_begin_.begin(), bucket_begin_.end(), bucket_begin_.begin());
     sides_.resize(bucket_begin_.back());
     for_each_side([this](const Index s, const Index t) {
@@ -77,16 +120,18 @@ public:
     bucket_begin_.pop_back(); // now the beginning of each bucket, and the end of the last
   }
 
+  std::size_t number_of_vertices() const { return number_of_vertices_; }
+  bool is_used(const std::size_t vertex) const { return is_used_[vertex] != 0; }
+  const Element_collector& faces_with_bad_index() const { return bad_faces_; }
+  // Of the first of these faces.
+  std::size_t first_bad_index() const { return first_bad_index_; }
   std::size_t number_of_faces() const { return number_of_faces_; }
   std::size_t number_of_corners() const { return corners_.size(); }
   bool are_triangles() const { return all_triangles_; }
 
   // The vertex of a corner.
   Index vertex(const std::size_t corner) const { return corners_[corner]; }
-  std::size_t begin_of_face(const std::size_t face) const
-  {
-    return all_triangles_ ? 3 * face : first_corner_[face];
-  }
+  std::size_t begin_of_face(const std::size_t face) const { return all_triangles_ ? 3 * face : first_corner_[face]; }
   std::size_t degree(const std::size_t face) const { return begin_of_face(face + 1) - begin_of_face(face); }
   std::size_t face_of_corner(const std::size_t corner) const
   {
@@ -116,10 +161,7 @@ public:
   // to before bucket_begin(vertex + 1). \pre for these and what follows: the sides are sorted
   std::size_t bucket_begin(const std::size_t vertex) const { return bucket_begin_[vertex]; }
   const Side& side(const std::size_t position) const { return sides_[position]; }
-  std::size_t face_of_side(const std::size_t position) const
-  {
-    return face_of_corner(sides_[position].source);
-  }
+  std::size_t face_of_side(const std::size_t position) const { return face_of_corner(sides_[position].source); }
   bool leaves(const Side& side, const std::size_t vertex) const { return corners_[side.source] == vertex; }
   // The vertex of a triangle that is not on a side, or `none` if the face is not a triangle.
   Index third_vertex(const Side& side) const
@@ -146,10 +188,24 @@ public:
   }
 
 private:
+  void end_face(const std::size_t face, const std::size_t degree)
+  {
+    if (all_triangles_ && degree != 3) {
+      all_triangles_ = false;
+      first_corner_.reserve(number_of_faces_ + 1);
+      for (std::size_t f = 0; f <= face; ++f)
+        first_corner_.push_back(static_cast<Index>(3 * f));
+    }
+    if (!all_triangles_)
+      first_corner_.push_back(static_cast<Index>(corners_.size()));
+  }
+
+  std::size_t number_of_vertices_, number_of_faces_;
+  std::vector<unsigned char> is_used_;
+  Element_collector bad_faces_;
+  std::size_t first_bad_index_ = 0;
   std::vector<Index> corners_;
   std::vector<Index> first_corner_; // only if not all faces are triangles
-  std::size_t number_of_faces_ = 0;
-  std::size_t expected_faces_ = 0;
   bool all_triangles_ = true;
   std::vector<Index> bucket_begin_;
   std::vector<Side> sides_;

@@ -8,10 +8,9 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_REMOVE_FLAT_VERTICES_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_REMOVE_FLAT_VERTICES_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/Removed_elements.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Removed_elements.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
-#include <CGAL/Intrinsic_triangulations/remove_flat_vertices.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/enum.h>
@@ -30,8 +29,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// The faces around an inner vertex. The spokes are the halfedges that leave it, counterclockwise; face i lies between the
-// spokes i and i + 1.
+// The faces around an inner vertex. The spokes are the halfedges that leave it, counterclockwise; face i lies between
+// the spokes i and i + 1.
 class Flat_star
 {
 public:
@@ -52,8 +51,8 @@ public:
       return angle_is_smallest(0, 0) ? remove_from_plane() : std::nullopt;
     const std::size_t a = ridges_[0], b = ridges_[1];
     const Point p = end(a), q = end(b);
-    if (!collinear(p, center_, q) || !collinear_are_strictly_ordered_along_line(p, center_, q) || !angle_is_smallest(a, b) ||
-        !angle_is_smallest(b, a))
+    if (!collinear(p, center_, q) || !collinear_are_strictly_ordered_along_line(p, center_, q) ||
+        !angle_is_smallest(a, b) || !angle_is_smallest(b, a))
       return std::nullopt;
     link_spokes();
     flip_away(b, a); // in the plane of the last question
@@ -131,8 +130,8 @@ private:
     return CGAL::orientation(shadow(p), shadow(q), shadow(r)) * turn_;
   }
 
-  // Whether the angle from one spoke to another, all in one plane, is no full turn larger than it has to be: one face alone has
-  // the direction of the first spoke, on its right side or inside. Looks at the plane.
+  // Whether the angle from one spoke to another, all in one plane, is no full turn larger than it has to be: one face
+  // alone has the direction of the first spoke, on its right side or inside. Looks at the plane.
   bool angle_is_smallest(std::size_t from, std::size_t to)
   {
     look_at_face(from);
@@ -162,8 +161,9 @@ private:
     }
   }
 
-  // Flips spokes away that are no ridges, from the first to before the last, all in the plane that is looked at. At the end of a spoke, the
-  // corner of the polygon around the vertex is cut off if it is convex and the vertex lies beyond the cut.
+  // Flips spokes away that are no ridges, from the first to before the last, all in the plane that is looked at. At the
+  // end of a spoke, the corner of the polygon around the vertex is cut off if it is convex and the vertex lies beyond
+  // the cut.
   void flip_away(std::size_t first, std::size_t last)
   {
     candidates_.clear();
@@ -191,7 +191,8 @@ private:
       candidates_.push_back(left);
     }
   }
-  // With a tolerance, points that are nearly in line are no corner: a triangle of them would stand between a vertex and its removal.
+  // With a tolerance, points that are nearly in line are no corner: a triangle of them would stand between a vertex and
+  // its removal.
   bool is_thin(std::size_t right, std::size_t i, std::size_t left) const
   {
     const Vector base = difference(end(left), end(right));
@@ -199,8 +200,9 @@ private:
   }
   bool is_ridge(std::size_t i) const { return std::find(ridges_.begin(), ridges_.end(), i) != ridges_.end(); }
 
-  // Of the corners of the polygon, one can be cut off while there are more than four, or four of which no two are in line with
-  // the vertex: two ears of a polygon do not overlap, and the vertex can lie in one of them only, or on the cut.
+  // Of the corners of the polygon, one can be cut off while there are more than four, or four of which no two are in
+  // line with the vertex: two ears of a polygon do not overlap, and the vertex can lie in one of them only, or on the
+  // cut.
   std::optional<Removed_elements> remove_from_plane()
   {
     link_spokes();
@@ -243,7 +245,8 @@ private:
     remove_entries(widths_, result->faces);
     return result;
   }
-  // The width of the slab that holds the faces from one spoke to another, or infinity if they are not like a part of a plane. Looks at the plane.
+  // The width of the slab that holds the faces from one spoke to another, or infinity if they are not like a part of a
+  // plane. Looks at the plane.
   double width_of(std::size_t from, std::size_t to)
   {
     constexpr double infinite = (std::numeric_limits<double>::infinity)();
@@ -336,11 +339,8 @@ private:
   Sign turn_ = POSITIVE;
 };
 
-} // namespace internal
-
-namespace internal {
-
-inline std::vector<Vertex_index> remove_vertices_of(Flat_star& star, Delta_complex& complex, std::vector<std::array<double, 3>>& points,
+inline std::vector<Vertex_index> remove_vertices_of(Flat_star& star, Delta_complex& complex,
+                                                    std::vector<std::array<double, 3>>& points,
                                                     const Progress_function& progress)
 {
   std::vector<Vertex_index> result(complex.vertices().begin(), complex.vertices().end());
@@ -381,8 +381,8 @@ std::vector<Vertex_index> remove_flat_vertices(Delta_complex& complex, std::vect
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Flat_vertex_removal remove_nearly_flat_vertices(Delta_complex& complex, std::vector<std::array<double, 3>>& points, double tolerance,
-                                                const Progress_function& progress)
+Flat_vertex_removal remove_nearly_flat_vertices(Delta_complex& complex, std::vector<std::array<double, 3>>& points,
+                                                double tolerance, const Progress_function& progress)
 {
   const internal::Standard_arithmetic arithmetic;
   internal::Flat_star star(complex, points, tolerance);

@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/Disjoint_sets.h>
-#include <CGAL/Intrinsic_triangulations/sharp_edges.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -113,7 +112,8 @@ private:
       if (!complex_.is_border(e) && (is_thin[face(h)] || is_thin[face(opposite)]))
         crossings.push_back({length(h), e});
     }
-    std::stable_sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) { return a.length > b.length; });
+    std::stable_sort(crossings.begin(), crossings.end(),
+                     [](const Crossing& a, const Crossing& b) { return a.length > b.length; });
     std::vector<bool> has_direction(is_thin);
     has_direction.flip();
     for (const Crossing& crossing : crossings) {
@@ -134,7 +134,8 @@ private:
   std::vector<Vector> directions_;
 };
 
-inline void drop_short_chains(const Delta_complex& complex, const Face_directions& directions, double minimum_length, std::vector<bool>& is_sharp)
+inline void drop_short_chains(const Delta_complex& complex, const Face_directions& directions, double minimum_length,
+                              std::vector<bool>& is_sharp)
 {
   Disjoint_sets chains(complex.number_of_vertices());
   for (Edge_index e : complex.edges())
@@ -168,8 +169,8 @@ double coordinate_spacing(const std::vector<std::array<double, 3>>& points)
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-std::vector<bool> sharp_edges(const Delta_complex& complex, const std::vector<std::array<double, 3>>& points, double degrees,
-                              double minimum_size)
+std::vector<bool> sharp_edges(const Delta_complex& complex, const std::vector<std::array<double, 3>>& points,
+                              double degrees, double minimum_size)
 {
   const internal::Standard_arithmetic arithmetic;
   internal::Face_directions directions(complex, points, (std::max)(minimum_size, 4 * coordinate_spacing(points)));
@@ -180,7 +181,8 @@ std::vector<bool> sharp_edges(const Delta_complex& complex, const std::vector<st
     const Halfedge_index h = complex.halfedge(e);
     const auto &m = directions(complex.face(h)), &n = directions(complex.face(complex.opposite(h)));
     const auto across = internal::cross_product(m, n);
-    result[e.idx()] = std::atan2(std::hypot(across[0], across[1], across[2]), internal::scalar_product(m, n)) > degrees * (CGAL_PI / 180);
+    result[e.idx()] = std::atan2(std::hypot(across[0], across[1], across[2]), internal::scalar_product(m, n)) >
+                      degrees * (CGAL_PI / 180);
   }
   internal::drop_short_chains(complex, directions, minimum_size, result);
   return result;

@@ -1,0 +1,389 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Smallest eigenvalues, condition numbers, and histograms of weights.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EIGENVALUES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_EIGENVALUES_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
+
+#include <CGAL/assertions.h>
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCore>
+#include <Spectra/MatOp/SparseSymMatProd.h>
+#include <Spectra/SymEigsSolver.h>
+#include <Spectra/SymGEigsShiftSolver.h>
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// Solves (L + M) x = b, as Spectra asks for it: the shift is -1 always.
+class Shifted_inverse
+{
+public:
+  using Scalar = double;
+
+  Shifted_inverse(const Eigen::SparseMatrix<double>& stiffness, const Eigen::SparseMatrix<double>& mass)
+    : rows_(stiffness.rows()), cholesky_(stiffness + mass, "the Laplace-Beltrami operator plus the mass matrix")
+  {}
+  Eigen::Index rows() const { return rows_; }
+  Eigen::Index cols() const { return rows_; }
+  void set_shift(double) {}
+  void perform_op(const double* in, double* out) const
+  {
+    Eigen::Map<Eigen::VectorXd>(out, rows_) =
+      cholesky_.solve<Eigen::VectorXd>(Eigen::Map<const Eigen::VectorXd>(in, rows_));
+  }
+
+private:
+  Eigen::Index rows_;
+  Sparse_Cholesky<> cholesky_;
+};
+
+// Of a connected part. \pre the diagonal of the mass matrix is positive
+inline void append_smallest_eigenvalues(const Eigen::SparseMatrix<double>& stiffness, Eigen::SparseMatrix<double> mass,
+                                        Eigen::Index k, std::vector<double>& result)
+{
+  const Eigen::Index n = stiffness.rows();
+  // By Weyl's law the j-th eigenvalue of a surface of area 4π is about j.
+  const double unit = 4 * 3.14159265358979 / mass.sum();
+  mass *= unit;
+  Eigen::VectorXd values;
+  if (n <= 64 || 3 * k > n) {
+    values = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(stiffness),
+                                                                       Eigen::MatrixXd(mass), Eigen::EigenvaluesOnly)
+               .eigenvalues();
+  } else {
+    Shifted_inverse inverse(stiffness, mass);
+    Spectra::SparseSymMatProd<double> product(mass);
+    Spectra::SymGEigsShiftSolver<Shifted_inverse, Spectra::SparseSymMatProd<double>, Spectra::GEigsMode::ShiftInvert>
+      solver(inverse, product, k, (std::min)(n, (std::max)(3 * k, Eigen::Index(40))), -1);
+    solver.init();
+    solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-11);
+    if (solver.info() != Spectra::CompInfo::Successful)
+      throw Numerical_error("the smallest eigenvalues do not converge");
+    values = solver.eigenvalues();
+  }
+  for (double x : values)
+    result.push_back(x * unit);
+}
+
+// The connected parts of a symmetric matrix, each as an increasing list of its rows.
+inline std::vector<std::vector<int>> connected_rows(const Eigen::SparseMatrix<double>& matrix)
+{
+  std::vector<std::vector<int>> parts;
+  std::vector<bool> is_met(std::size_t(matrix.rows()), false);
+  for (int first = 0; first < matrix.rows(); ++first) {
+    if (is_met[std::size_t(first)])
+      continue;
+    std::vector<int> part(1, first);
+    is_met[std::size_t(first)] = true;
+    for (std::size_t i = 0; i < part.size(); ++i)
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, part[i]); entry; ++entry)
+        if (entry.value() != 0 && !is_met[std::size_t(entry.row())]) {
+          is_met[std::size_t(entry.row())] = true;
+          part.push_back(int(entry.row()));
+        }
+    std::sort(part.begin(), part.end());
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \brief returns the smallest solutions λ of `L u = λ M u`, in increasing order.
+///
+/// Rows without mass, which are those of vertices without faces, are left out. A zero appears once for each connected
+/// part of the surface, as each is solved by itself.
+///
+/// Method: Lanczos (Spectra) for the inverse of `L + c M`, with one sparse Cholesky factorization; small parts as dense matrices.
+/// An eigenvalue is within about 1e-10 of itself plus the first one that is positive.
+///
+/// \param stiffness a positive semidefinite matrix, as of `stiffness_matrix()` or `tufted_Laplacian()`
+/// \param mass the mass matrix, lumped or Galerkin
+/// \param number how many are wanted; there are no more than rows with mass
+/// \pre both matrices have the same size
+/// \exception Numerical_error if the iteration does not converge, or if the matrix is not positive definite after rounding
+inline std::vector<double> smallest_eigenvalues(const Eigen::SparseMatrix<double>& stiffness,
+                                                const Eigen::SparseMatrix<double>& mass, std::size_t number)
+{
+  CGAL_precondition(stiffness.rows() == mass.rows());
+  std::vector<double> result;
+  const Eigen::VectorXd masses = mass.diagonal();
+  for (const std::vector<int>& part : internal::connected_rows(stiffness)) {
+    std::vector<int> new_row(std::size_t(stiffness.rows()), -1);
+    int n = 0;
+    for (int row : part)
+      if (masses[row] > 0)
+        new_row[std::size_t(row)] = n++;
+    if (n > 0)
+      internal::append_smallest_eigenvalues(internal::submatrix(stiffness, new_row, new_row, n, n),
+                                            internal::submatrix(mass, new_row, new_row, n, n),
+                                            (std::min)(Eigen::Index(number), Eigen::Index(n)), result);
+  }
+  std::sort(result.begin(), result.end());
+  result.resize((std::min)(result.size(), number));
+  return result;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \brief the extreme nonzero eigenvalues of a stiffness matrix.
+struct Extreme_eigenvalues
+{
+  double smallest = 0; ///< the smallest nonzero eigenvalue
+  double largest = 0;  ///< the largest eigenvalue
+
+  /// returns the ratio of the largest to the smallest.
+  double condition_number() const { return largest / smallest; }
+};
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// Which rows of the stiffness matrix count, and where it is singular.
+class Spectrum_domain
+{
+public:
+  explicit Spectrum_domain(const Delta_complex& complex)
+    : row_(complex.number_of_vertices(), -1), free_row_(complex.number_of_vertices(), -1)
+  {
+    const std::size_t n = complex.number_of_vertices();
+    std::vector<std::uint32_t> rank(n), parent(n);
+    boost::disjoint_sets<std::uint32_t*, std::uint32_t*> components(rank.data(), parent.data());
+    for (std::uint32_t v = 0; v < n; ++v)
+      components.make_set(v);
+    for (Edge_index e : complex.edges())
+      components.union_set(complex.source(complex.halfedge(e)).idx(), complex.target(complex.halfedge(e)).idx());
+    std::vector<bool> has_border(n, false), is_grounded(n, false);
+    for (Vertex_index v : complex.vertices())
+      if (is_on_border(complex, v))
+        has_border[components.find_set(v.idx())] = true;
+    std::vector<int> number_of_component(n, -1);
+    for (Vertex_index v : complex.vertices()) {
+      if (!complex.halfedge(v).is_valid() || is_on_border(complex, v))
+        continue;
+      row_[v.idx()] = number_of_rows_++;
+      const std::uint32_t component = components.find_set(v.idx());
+      closed_component_.push_back(-1);
+      if (!has_border[component]) {
+        int& number = number_of_component[component];
+        if (number < 0) {
+          number = int(component_sizes_.size());
+          component_sizes_.push_back(0);
+        }
+        closed_component_.back() = number;
+        ++component_sizes_[std::size_t(number)];
+        if (!is_grounded[component]) {
+          is_grounded[component] = true;
+          continue;
+        }
+      }
+      free_row_[v.idx()] = number_of_free_rows_++;
+      free_rows_.push_back(row_[v.idx()]);
+    }
+  }
+
+  int number_of_rows() const { return number_of_rows_; }
+  int number_of_closed_components() const { return int(component_sizes_.size()); }
+  int number_of_eigenvalues() const { return number_of_rows_ - number_of_closed_components(); }
+
+  // Inner vertices with a face.
+  Eigen::SparseMatrix<double> interior(const Eigen::SparseMatrix<double>& stiffness) const
+  {
+    return submatrix(stiffness, row_, row_, number_of_rows_, number_of_rows_);
+  }
+  // The same without one vertex of each closed component: positive definite.
+  Eigen::SparseMatrix<double> grounded(const Eigen::SparseMatrix<double>& stiffness) const
+  {
+    return submatrix(stiffness, free_row_, free_row_, number_of_free_rows_, number_of_free_rows_);
+  }
+  const std::vector<int>& free_rows() const { return free_rows_; }
+
+  // Makes a vector orthogonal to the kernel, which is that of the functions that are constant on
+  // closed components.
+  template <class Vector>
+  void project(Vector& x) const
+  {
+    std::vector<double> means(component_sizes_.size(), 0);
+    for (std::size_t i = 0; i < closed_component_.size(); ++i)
+      if (closed_component_[i] >= 0)
+        means[std::size_t(closed_component_[i])] += x[Eigen::Index(i)];
+    for (std::size_t c = 0; c < means.size(); ++c)
+      means[c] /= component_sizes_[c];
+    for (std::size_t i = 0; i < closed_component_.size(); ++i)
+      if (closed_component_[i] >= 0)
+        x[Eigen::Index(i)] -= means[std::size_t(closed_component_[i])];
+  }
+
+private:
+  static bool is_on_border(const Delta_complex& complex, Vertex_index v)
+  {
+    const Halfedge_index h = complex.halfedge(v);
+    return h.is_valid() && complex.is_border(h);
+  }
+
+  std::vector<int> row_, free_row_; // by vertex; -1 for none
+  std::vector<int> free_rows_;      // the rows that are not grounded
+  std::vector<int> closed_component_;
+  std::vector<int> component_sizes_;
+  int number_of_rows_ = 0;
+  int number_of_free_rows_ = 0;
+};
+
+// The pseudoinverse of the stiffness matrix, as Spectra applies it: a right side without
+// constant part has a solution that vanishes at the grounded vertices, and only the
+// constant part of that is still to be taken away.
+class Pseudoinverse
+{
+public:
+  using Scalar = double;
+
+  Pseudoinverse(const Spectrum_domain& domain, const Eigen::SparseMatrix<double>& stiffness)
+    : domain_(domain), cholesky_(domain.grounded(stiffness), "the Laplace-Beltrami operator")
+  {}
+
+  Eigen::Index rows() const { return domain_.number_of_rows(); }
+  Eigen::Index cols() const { return domain_.number_of_rows(); }
+
+  void perform_op(const double* in, double* out) const
+  {
+    Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(in, rows());
+    domain_.project(x);
+    const std::vector<int>& free_rows = domain_.free_rows();
+    Eigen::VectorXd right(Eigen::Index(free_rows.size()));
+    for (std::size_t i = 0; i < free_rows.size(); ++i)
+      right[Eigen::Index(i)] = x[free_rows[i]];
+    const Eigen::VectorXd solution = cholesky_.solve(right);
+    x.setZero();
+    for (std::size_t i = 0; i < free_rows.size(); ++i)
+      x[free_rows[i]] = solution[Eigen::Index(i)];
+    domain_.project(x);
+    Eigen::Map<Eigen::VectorXd>(out, rows()) = x;
+  }
+
+private:
+  const Spectrum_domain& domain_;
+  Sparse_Cholesky<> cholesky_;
+};
+
+template <class Operator>
+double largest_eigenvalue(Operator& op)
+{
+  constexpr Eigen::Index dimension = 40; // of the Krylov space
+  Spectra::SymEigsSolver<Operator> solver(op, 1, (std::min)(dimension, op.rows()));
+  solver.init();
+  solver.compute(Spectra::SortRule::LargestAlge, 3000, 1e-10);
+  if (solver.info() != Spectra::CompInfo::Successful)
+    throw Numerical_error("the extreme eigenvalues do not converge");
+  return solver.eigenvalues()[0];
+}
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \brief returns the smallest and the largest eigenvalue of a stiffness matrix, whose ratio is
+/// the condition number of the operator.
+///
+/// *Definition.* Border vertices and isolated vertices are left out, as for
+/// Dirichlet conditions. The remaining matrix has one zero eigenvalue for each closed component,
+/// which is ignored; all others are positive. The mass matrix is not used.
+///
+/// Method: Lanczos (Spectra) for the largest eigenvalue of the matrix and that of
+/// its pseudoinverse, with one sparse Cholesky factorization. The relative error of an
+/// eigenvalue is about 1e-10, or 1e-16 times the condition number.
+///
+/// \param complex the triangles
+/// \param stiffness their matrix, as returned by `stiffness_matrix()`
+/// \exception Invalid_surface_error if no eigenvalue is left
+/// \exception Numerical_error if an iteration does not converge, or if the matrix is not
+///   positive definite after rounding
+inline Extreme_eigenvalues extreme_eigenvalues(const Delta_complex& complex,
+                                               const Eigen::SparseMatrix<double>& stiffness)
+{
+  CGAL_precondition(stiffness.rows() == Eigen::Index(complex.number_of_vertices()));
+  const internal::Spectrum_domain domain(complex);
+  if (domain.number_of_eigenvalues() == 0)
+    throw Invalid_surface_error(Invalid_surface_error::Defect::WRONG_TOPOLOGY, 0, 1,
+                                "the surface has too few inner vertices for an operator with a "
+                                "condition number");
+  Eigen::SparseMatrix<double> interior = domain.interior(stiffness);
+  if (interior.rows() <= 32) { // the least that leaves room for a Krylov space
+    const Eigen::VectorXd all =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(interior), Eigen::EigenvaluesOnly).eigenvalues();
+    return {all[domain.number_of_closed_components()], all[all.size() - 1]};
+  }
+  // Spectra takes eigenvalues far below 1 for zeros. With a largest one of about 1, those of
+  // the matrix and of the pseudoinverse that are wanted are at least about 1.
+  const double unit = std::ldexp(1., std::ilogb(interior.diagonal().maxCoeff()));
+  interior /= unit;
+  Spectra::SparseSymMatProd<double> product(interior);
+  internal::Pseudoinverse pseudoinverse(domain, stiffness / unit);
+  return {unit / internal::largest_eigenvalue(pseudoinverse), unit * internal::largest_eigenvalue(product)};
+}
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \brief the numbers of cotangent weights in intervals of equal width.
+struct Weight_histogram
+{
+  double low = 0;                  ///< where the first interval begins
+  double high = 0;                 ///< where the last interval ends
+  std::vector<std::size_t> counts; ///< half-open intervals, from `low` to `high`
+  std::size_t below = 0;           ///< weights less than `low`
+  std::size_t above = 0;           ///< weights of at least `high`, infinite ones included
+};
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \brief counts the weights of interior edges. Those of border edges are single cotangents
+/// and say nothing about the Delaunay property.
+///
+/// \param complex the triangles
+/// \param weights `cot k + cot l` for each edge, as returned by `cotangent_weights()`; none is NaN
+/// \param low, high the range of the intervals
+/// \param number_of_intervals their number
+/// \pre `low < high`, `number_of_intervals > 0`, and there is a weight for each edge. O(size).
+/// Source: Fisher, Springborn, Schroeder, Bobenko (2006), figure 6.
+inline Weight_histogram weight_histogram(const Delta_complex& complex, const std::vector<double>& weights, double low,
+                                         double high, std::size_t number_of_intervals)
+{
+  CGAL_precondition(low < high && number_of_intervals > 0);
+  CGAL_precondition(weights.size() == complex.number_of_edges());
+  Weight_histogram histogram{low, high, std::vector<std::size_t>(number_of_intervals, 0)};
+  for (Edge_index e : complex.edges()) {
+    const double w = weights[e.idx()];
+    if (complex.is_border(e))
+      continue;
+    if (w < low)
+      ++histogram.below;
+    else if (w >= high)
+      ++histogram.above;
+    else
+      ++histogram.counts[(std::min)(std::size_t((w - low) / (high - low) * double(number_of_intervals)),
+                                    number_of_intervals - 1)];
+  }
+  return histogram;
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_EIGENVALUES_H

@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Header-only, or compiled once: what a program chooses when it is built. And what every build of it must have in common.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONFIG_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONFIG_H
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// \brief By default the package is header-only. If `CGAL_INTRINSIC_TRIANGULATIONS_COMPILED` is defined, as the CMake target
+/// `Intrinsic_triangulations::compiled` does, what is no template of the user's types comes from a library: programs compile in
+/// half the time, and do the same.
+///
+/// Definitions stand in files whose names end in `_impl.h`. A header includes those of its classes unless the macro is defined.
+#ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#define CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+#else
+#define CGAL_INTRINSIC_TRIANGULATIONS_INLINE inline
+#endif
+
+// Decisions are exact only if each operation on doubles is rounded as IEEE 754 says.
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||  \
+  defined(__NO_SIGNED_ZEROS__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error                                                                                                                 \
+  "Intrinsic_triangulations needs IEEE 754 arithmetic: compile without -Ofast, -ffast-math and the options that it implies"
+#endif
+#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16
+#error "Intrinsic_triangulations needs doubles without excess precision: compile with -msse2 -mfpmath=sse"
+#endif
+
+// Units of one program that were compiled with different values of `name` do not link: a symbol has one value.
+#if defined(__GNUC__) && defined(__ELF__)
+#define CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(name, value)                                                   \
+  __asm__(".globl CGAL_Intrinsic_triangulations_needs_same_" #name "_in_all_units\n"                                   \
+          ".set CGAL_Intrinsic_triangulations_needs_same_" #name "_in_all_units, " #value);
+#elif defined(_MSC_VER)
+#define CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(name, value)                                                   \
+  __pragma(detect_mismatch("CGAL_Intrinsic_triangulations_needs_same_" #name "_in_all_units", #value))
+#else
+#define CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(name, value)
+#endif
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONFIG_H

@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// A point of a triangulated surface, a direction there, and the value that vertex data take there.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_SURFACE_POINT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_SURFACE_POINT_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/Index.h>
+
+#include <CGAL/assertions.h>
+
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsTransfer
+///
+/// \brief a point of a triangulated surface: three barycentric coordinates in a face.
+///
+/// The coordinates belong, in this order, to the source of `halfedge`, to its target and to the
+/// third corner of the face to its left. A halfedge tells the corners apart even if they
+/// are the same vertex, and it does not depend on the choice of `halfedge(f)`. Coordinates are
+/// not negative. They need not sum to 1, but those that the package returns do, up to rounding.
+///
+/// A point with one zero coordinate lies on an edge, a point with two zeros at a vertex.
+struct Surface_point
+{
+  Halfedge_index halfedge;           ///< a halfedge of the face; not a border halfedge
+  std::array<double, 3> coordinates; ///< of source, target and third corner
+
+  /// returns 0 for a point at a vertex, 1 for a point on an edge, 2 for one inside of a face.
+  int dimension() const
+  {
+    int positive = 0;
+    for (double x : coordinates)
+      positive += x > 0 ? 1 : 0;
+    return positive - 1;
+  }
+};
+
+/// \ingroup PkgIntrinsicTriangulationsGeodesics
+/// \brief a point of the input, and a direction in its face.
+struct Surface_direction
+{
+  Surface_point point; ///< where a line begins
+  /// by how much the barycentric coordinates of the target and of the third corner grow in this direction, in any unit; that of
+  /// the source falls by their sum
+  std::array<double, 2> displacement;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsGeodesics
+/// \brief returns the coordinates of `point` relative to another halfedge of its face.
+/// \pre `first` is a side of the face of `point.halfedge`
+inline std::array<double, 3> coordinates_from(const Delta_complex& complex, const Surface_point& point,
+                                              Halfedge_index first)
+{
+  const auto& [a, b, c] = point.coordinates;
+  if (first == point.halfedge)
+    return {a, b, c};
+  if (first == complex.next(point.halfedge))
+    return {b, c, a};
+  CGAL_assertion(first == complex.prev(point.halfedge));
+  return {c, a, b};
+}
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// The side of its face that a point on an edge lies on.
+inline Halfedge_index side_of(const Delta_complex& complex, const Surface_point& point)
+{
+  const auto& [a, b, c] = point.coordinates;
+  return c == 0 ? point.halfedge : a == 0 ? complex.next(point.halfedge) : complex.prev(point.halfedge);
+}
+
+// The coordinates of a point on an edge relative to the ends of a halfedge of that edge.
+inline std::pair<double, double> coordinates_on_edge(const Delta_complex& complex, const Surface_point& point,
+                                                     Halfedge_index along)
+{
+  Halfedge_index h = point.halfedge;
+  for (std::size_t i = 0; i < 3; ++i, h = complex.next(h)) {
+    const double a = point.coordinates[i], b = point.coordinates[(i + 1) % 3];
+    if (point.coordinates[(i + 2) % 3] == 0 && h == along)
+      return {a, b};
+    if (point.coordinates[(i + 2) % 3] == 0 && h == complex.opposite(along))
+      return {b, a};
+  }
+  CGAL_assertion(false);
+  return {};
+}
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsTransfer
+/// \brief returns the value at a point of the piecewise linear function with given values at the
+/// vertices.
+///
+/// \param complex the triangulation that contains the point
+/// \param values a random access range with a value for each vertex; values can be added and
+///   multiplied by a `double` from the left
+/// \param point the point; its coordinates sum to 1
+template <class VertexValues>
+auto interpolate(const Delta_complex& complex, const VertexValues& values, const Surface_point& point)
+{
+  const Halfedge_index h = point.halfedge;
+  const auto& [a, b, c] = point.coordinates;
+  using Value = std::decay_t<decltype(values[0])>;
+  return Value(a * values[complex.source(h).idx()] + b * values[complex.target(h).idx()] +
+               c * values[complex.target(complex.next(h)).idx()]);
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_SURFACE_POINT_H

@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Whether the angles of consecutive corners sum to less than π, exactly.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_ANGLE_SUM_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_ANGLE_SUM_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
+
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// A sum of angles with a bound on its error.
+struct Bounded_angle
+{
+  double value = 0;
+  double error = 0;
+
+  // π is no double, but nearer than 2^-52 to one.
+  bool is_below_pi() const { return value + error < 3.1415926535897932 - 0x1p-50; }
+  bool is_above_pi() const { return value - error > 3.1415926535897932 + 0x1p-50; }
+  // Whether it is π if it is a multiple of π, and neither known to be below nor above.
+  bool is_near_pi() const { return error < 1; }
+
+  // Each sum is rounded by less than 2^-50.
+  Bounded_angle& operator+=(const Bounded_angle& other)
+  {
+    value += other.value;
+    error += other.error + 0x1p-50;
+    return *this;
+  }
+};
+
+// The angle of a corner from four times the area and twice the scalar product of its sides, with the bound E on errors of
+// its face (see Filtered_edge_length_traits): the point (p, a) is wrong by at most 1.08 E. A true area is not negative.
+inline Bounded_angle bounded_angle(double p, double four_areas, double face_error)
+{
+  const double a = (std::max)(four_areas, 0.), modulus = std::hypot(p, a);
+  if (!(modulus > 8 * face_error))
+    return {std::atan2(a, p), std::numeric_limits<double>::infinity()};
+  return {std::atan2(a, p), 1.3 * face_error / modulus + 0x1p-50};
+}
+
+// A corner, by the halfedge that it is opposite to, and an estimate of its angle.
+struct Estimated_corner
+{
+  Halfedge_index opposite;
+  Bounded_angle angle;
+};
+
+// Compares the sum of the angles of corners with π.
+// \pre `geometry.prepare()` was called, and no corner has a face that is turned over
+// \exception Undecided_error, Cancelled_error as `sign_of_cotangent_weight()`
+Comparison_result compare_angle_sum_with_pi(const Exact_engine& engine, const std::vector<Estimated_corner>& corners);
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/internal/engine/Angle_sum_impl.h>
+#endif
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_ANGLE_SUM_H

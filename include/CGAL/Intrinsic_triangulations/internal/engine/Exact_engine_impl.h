@@ -1,0 +1,696 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Definitions of Exact_geometry: what it remembers, how it follows the flips, and corners.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_IMPL_H
+
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Developed_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_fallback.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Straight_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Vertex_positions.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/corner_signs.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <initializer_list>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// What follows the flips, and what speeds up decisions.
+//
+// Const queries read it, and change it in three ways only, all of them safe: the pool of surfaces is made for that; the integers
+// and the straight faces are brought up to date under the mutex, and an atomic flag tells the others that they are.
+//
+// Straight faces do not know of the flips in `journal`, nor of those in the journal of the correspondence but for the first
+// `number_of_known_flips`. Flips that are not followed at once make what was developed of their faces wrong; it is forgotten at the latest when
+// they leave one of these journals.
+struct Exact_engine::Memory
+{
+  using Developed_faces = internal::Developed_faces<Bounded_double_double, Double_double_disk, Corner, Image_corner>;
+
+  struct Carried_images
+  {
+    explicit Carried_images(Input_surface& surface)
+      : rings(surface.prime_fields(0), surface.interruption(), 0), metric(surface, {rings})
+    {}
+    Residue_rings rings; // without irrational roots
+    Residue_metric metric;
+  };
+
+  template <class Compute>
+  std::optional<Image_corner> image(const Compute& compute) const
+  {
+    if (!images)
+      return std::nullopt;
+    try {
+      const Image_corner result = compute();
+      return images->rings.is_defined() ? std::make_optional(result) : std::nullopt;
+    } catch (const Too_costly&) {
+      return std::nullopt;
+    }
+  }
+
+  Sign decided(const Test& test)
+  {
+    counts.add(test.stage, test.sign == ZERO);
+    return test.sign;
+  }
+
+  Decision_settings settings;
+  Stage_counts counts;
+  template <class Edges>
+  void forget_developed_faces(const Delta_complex& complex, const Edges& flips)
+  {
+    for (Edge_index e : flips) // faces that a flip has changed have an edge that was flipped
+      for (Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
+        developed_faces.forget(complex.face(h));
+  }
+
+  std::vector<Edge_index> journal;
+  std::size_t number_of_known_flips = 0;
+  std::optional<Straight_faces> straight_faces;
+  Vertex_positions::Inserted inserted_positions; // kept if the input has points
+  Developed_faces developed_faces;
+  std::optional<Developed_faces::Whole> split_face; // the last one, until its parts are measured
+  // So many flips more of long hinges are followed, whether their tests were close or not. What is laid out pays for it: where tests are
+  // seldom close, it would not be worth it.
+  double credit = 0;
+  std::vector<bool> is_close_call; // a test took more than double since the last flip of the edge
+
+  std::unique_ptr<Input_surface> surface_of_images;
+  std::unique_ptr<Carried_images> images; // of the developed faces, from the first tie on
+
+  std::unique_ptr<Input_properties> input_properties; // made by the first thread that takes a surface
+  std::mutex mutex;
+  std::atomic<bool> is_prepared{false}, knows_straight_faces{false};
+  Scratch_pool<Input_surface> surfaces;
+};
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_engine::Exact_engine(Delta_complex connectivity) : connectivity_(std::move(connectivity)) {}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_engine::keep_input(Input_metric metric)
+{
+  std::unique_ptr<Memory> memory = std::make_unique<Memory>();
+  correspondence_ = {};
+  is_asked_ = false;
+  metric_ = std::move(metric);
+  memory_ = std::move(memory);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_engine::Exact_engine(const Exact_engine& other) : connectivity_(other.connectivity_), metric_(other.metric_)
+{
+  if (!other.memory_)
+    return;
+  memory_ = std::make_unique<Memory>();
+  const std::lock_guard<std::mutex> lock(other.memory_->mutex);
+  correspondence_ = other.correspondence_;
+  is_asked_ = other.is_asked_.load();
+  memory_->settings.tie_proof = other.memory_->settings.tie_proof;
+  memory_->counts = other.memory_->counts;
+  memory_->journal = other.memory_->journal;
+  memory_->number_of_known_flips = other.memory_->number_of_known_flips;
+  memory_->straight_faces = other.memory_->straight_faces;
+  memory_->inserted_positions = other.memory_->inserted_positions;
+  memory_->is_prepared = other.memory_->is_prepared.load();
+  memory_->knows_straight_faces = other.memory_->knows_straight_faces.load();
+}
+
+// The surfaces refer to the members, which have moved.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_engine::Exact_engine(Exact_engine&& other) noexcept
+  : connectivity_(std::move(other.connectivity_)), correspondence_(std::move(other.correspondence_)),
+    is_asked_(other.is_asked_.load()), metric_(std::move(other.metric_)), memory_(std::move(other.memory_))
+{
+  if (!memory_)
+    return;
+  memory_->surfaces.clear();
+  memory_->images.reset();
+  memory_->surface_of_images.reset();
+  memory_->input_properties.reset();
+  memory_->developed_faces = {};
+  memory_->split_face.reset();
+  memory_->is_close_call.clear();
+  memory_->settings.interruption.exchange({});
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_engine& Exact_engine::operator=(Exact_engine other) noexcept
+{
+  connectivity_ = std::move(other.connectivity_);
+  correspondence_ = std::move(other.correspondence_);
+  is_asked_ = other.is_asked_.load();
+  metric_ = std::move(other.metric_);
+  memory_ = std::move(other.memory_);
+  return *this;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_engine::~Exact_engine() = default;
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+const Stage_counts& Exact_engine::stage_counts() const
+{
+  static const Stage_counts none{};
+  return memory_ ? memory_->counts : none;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Stage_counts& Exact_engine::stage_counts() { return memory_->counts; }
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_engine::set_tie_proof(Tie_proof tie_proof) { memory_->settings.tie_proof = tie_proof; }
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::function<bool()> Exact_engine::set_interruption(std::function<bool()> go_further)
+{
+  return memory_->settings.interruption.exchange(std::move(go_further));
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+const Interruption& Exact_engine::interruption() const { return memory_->settings.interruption; }
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_engine::Surface_lease Exact_engine::input_surface() const
+{
+  return memory_->surfaces.take([this] { return new_surface().release(); });
+}
+
+// \pre `prepare()` was called
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::unique_ptr<Input_surface> Exact_engine::new_surface() const
+{
+  {
+    const std::lock_guard<std::mutex> lock(memory_->mutex);
+    if (!memory_->input_properties)
+      memory_->input_properties = std::make_unique<Input_properties>(correspondence_.input(), metric_);
+  }
+  return std::make_unique<Input_surface>(correspondence_.input(), metric_, memory_->settings,
+                                         *memory_->input_properties);
+}
+
+// ---------------------------------------------------------------- when it is asked for
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_engine::begin_journal()
+{
+  if (!memory_)
+    return;
+  correspondence_.begin_journal();
+  is_asked_ = false;
+  memory_->is_prepared = false;
+  memory_->knows_straight_faces = false;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_engine::append(std::vector<Hinge_halfedges> flips)
+{
+  if (memory_)
+    correspondence_.append(std::move(flips));
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_engine::make_room_for_journals(std::size_t number)
+{
+  if (memory_)
+    correspondence_.make_room_for_journals(number);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool Exact_engine::is_prepared() const { return memory_->is_prepared.load(std::memory_order_acquire); }
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_engine::prepare(const Block_runner& run) const
+{
+  if (memory_->is_prepared.load(std::memory_order_acquire))
+    return;
+  const std::lock_guard<std::mutex> lock(memory_->mutex);
+  if (memory_->is_prepared.load(std::memory_order_relaxed))
+    return;
+  Memory& memory = *memory_;
+  memory.journal.reserve(memory.journal.size() + correspondence_.number_of_journaled_flips() -
+                         memory.number_of_known_flips);
+  const std::vector<Edge_index> flips = correspondence_.prepare(connectivity_, run);
+  memory.forget_developed_faces(connectivity_, flips);
+  memory.journal.insert(memory.journal.end(), flips.begin() + std::ptrdiff_t(memory.number_of_known_flips),
+                        flips.end());
+  memory.number_of_known_flips = 0;
+  is_asked_ = true;
+  memory.is_prepared.store(true, std::memory_order_release);
+}
+
+// Finds out which faces are straight, by repeating the flips that were not followed; flip() keeps it up from then on.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_engine::find_straight_faces() const
+{
+  if (memory_->knows_straight_faces.load(std::memory_order_acquire))
+    return;
+  const std::lock_guard<std::mutex> lock(memory_->mutex);
+  if (memory_->knows_straight_faces.load(std::memory_order_relaxed))
+    return;
+  Memory& memory = *memory_;
+  std::vector<Edge_index> flips = memory.journal;
+  const std::vector<Edge_index> later_flips = correspondence_.journaled_flips(connectivity_);
+  flips.insert(flips.end(), later_flips.begin() + std::ptrdiff_t(memory.number_of_known_flips), later_flips.end());
+  if (!flips.empty() || !memory.straight_faces) {
+    Straight_faces straight_faces = memory.straight_faces
+                                      ? *memory.straight_faces
+                                      : Straight_faces(connectivity_.number_of_faces(), metric_.points().size());
+    if (!metric_.points().empty() && !flips.empty()) {
+      Delta_complex copy = connectivity_;
+      for (std::size_t i = flips.size(); i-- > 0;)
+        copy.flip_back(flips[i]);
+      for (Edge_index e : flips) {
+        straight_faces.flip(copy, positions(), e);
+        copy.flip(e);
+      }
+    }
+    memory.forget_developed_faces(connectivity_, flips);
+    memory.straight_faces = std::move(straight_faces);
+    std::vector<Edge_index>().swap(memory.journal);
+    memory.number_of_known_flips = later_flips.size();
+  }
+  is_asked_ = true;
+  memory.knows_straight_faces.store(true, std::memory_order_release);
+}
+
+// ---------------------------------------------------------------- following the flips
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool Exact_engine::flip_and_follow(const Hinge_halfedges& around)
+{
+  if (correspondence_.number_of_journaled_flips() + memory_->journal.size() >=
+      longest_journal * std::size_t(connectivity_.number_of_edges())) {
+    find_straight_faces();
+    prepare();
+  }
+  // What may throw comes first, as long as it stays true without the flip; the integers come last.
+  Memory& memory = *memory_;
+  const Edge_index e = connectivity_.edge(around.ij);
+  const bool is_followed = memory.knows_straight_faces, is_straight = is_followed && follow(around),
+             is_journaled = !is_followed && correspondence_.is_prepared();
+  if (is_journaled)
+    memory.journal.push_back(e);
+  if (!is_followed)
+    memory.forget_developed_faces(connectivity_, std::array{e});
+  try {
+    correspondence_.flip(connectivity_, around);
+  } catch (...) {
+    if (is_journaled)
+      memory.journal.pop_back();
+    memory.forget_developed_faces(connectivity_, std::array{e});
+    throw;
+  }
+  if (is_followed && !correspondence_.is_prepared())
+    ++memory.number_of_known_flips;
+  return is_straight;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_engine::flip_back(const Hinge_halfedges& around)
+{
+  if (memory_) {
+    Memory& memory = *memory_;
+    memory.forget_developed_faces(connectivity_, std::array{connectivity_.edge(around.ij)});
+    if (memory.knows_straight_faces) {
+      memory.straight_faces->flip_back(connectivity_.face(around.ij), connectivity_.face(around.ji));
+      if (!correspondence_.is_prepared())
+        --memory.number_of_known_flips;
+    } else if (correspondence_.is_prepared()) {
+      memory.journal.pop_back();
+    }
+    correspondence_.flip_back(connectivity_, around);
+  }
+  connectivity_.flip_back(around);
+}
+
+// Keeps up what is known of the faces, before the flip of the connectivity. Returns whether
+// the new faces are straight.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool Exact_engine::follow(const Hinge_halfedges& around)
+{
+  Memory& memory = *memory_;
+  const Edge_index e = connectivity_.edge(around.ij);
+  const bool is_close_call = !memory.is_close_call.empty() && memory.is_close_call[e.idx()],
+             is_long = is_long_hinge(around);
+  using Faces = Memory::Developed_faces;
+  if (Faces& faces = memory.developed_faces; is_close_call || (is_long && memory.credit > 0) ||
+                                             faces.contains(connectivity_.face(around.ij)) ||
+                                             faces.contains(connectivity_.face(around.ji))) {
+    if (is_long && !is_close_call)
+      memory.credit -= 1;
+    faces.flip(connectivity_, around, is_long ? 2 : 0, [&](Halfedge_index h) -> std::optional<Faces::Known_corner> {
+      if (is_straight(connectivity_.face(h)))
+        return Faces::Known_corner{h, straight_corner(h), image_of_straight_corner(h)};
+      if (!is_long)
+        return std::nullopt;
+      return laid_out(correspondence_.coordinates().side_with_most_crossings(connectivity_, connectivity_.face(h)),
+                      *input_surface());
+    });
+  }
+  if (is_close_call)
+    memory.is_close_call[e.idx()] = false;
+  return memory.straight_faces->flip(connectivity_, positions(), e);
+}
+
+// Whether the faces beside an edge are worth to be laid out when it is flipped, since to do that later, for its successors, would take
+// longer. Most hinges of ordinary surfaces are not; images in finite fields are so slow that they are carried for close calls alone.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool Exact_engine::is_long_hinge(const Hinge_halfedges& around) const
+{
+  if (!correspondence_.is_prepared() || memory_->images)
+    return false;
+  std::int64_t number_of_crossings = 0;
+  for (Halfedge_index h : {around.jk, around.ki, around.il, around.lj})
+    number_of_crossings += correspondence_.coordinates().number_of_crossings(connectivity_.edge(h));
+  return number_of_crossings > long_hinge;
+}
+
+// A face within one face of the input is straight, whatever the flips before.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_engine::recognize_straight_face(Halfedge_index h)
+{
+  const Face_index f = connectivity_.face(h);
+  if (is_straight(f) || metric_.points().empty())
+    return;
+  for (Halfedge_index side : {h, connectivity_.next(h), connectivity_.prev(h)})
+    if (correspondence_.coordinates().crossings(connectivity_.edge(side)) > 0)
+      return;
+  memory_->straight_faces->straighten(positions(), f, uncrossed_input_face(connectivity_, correspondence_, h));
+}
+
+// The journal of flips cannot be repeated beyond an insertion, and input edges are followed faster before it.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_engine::prepare_insertion()
+{
+  find_straight_faces();
+  prepare();
+  if (correspondence_.number_of_inserted_vertices() == 0 || correspondence_.kept_crossings().is_empty())
+    keep_long_crossings(connectivity_, correspondence_, interruption());
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Vertex_index Exact_engine::split_face(const Triangle_piece& piece, const Surface_point& location)
+{
+  prepare_insertion();
+  connectivity_.make_room_for_vertex();
+  const Face_index f = connectivity_.face(piece.side);
+  memory_->split_face.reset();
+  std::optional<Memory::Developed_faces::Whole> whole;
+  if (memory_->developed_faces.contains(f))
+    whole = memory_->developed_faces.whole(connectivity_, f);
+  split_faces({f}, 3, 3, location, [&] { correspondence_.split_face(connectivity_, piece, location); });
+  memory_->split_face = whole; // nothing is left of a split that failed
+  return connectivity_.split_face(piece.side);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Vertex_index Exact_engine::split_edge(Halfedge_index h, const Surface_point& location)
+{
+  prepare_insertion();
+  connectivity_.make_room_for_vertex();
+  memory_->split_face.reset();
+  std::vector<Face_index> faces;
+  for (Halfedge_index side : {h, connectivity_.opposite(h)})
+    if (!connectivity_.is_border(side))
+      faces.push_back(connectivity_.face(side));
+  split_faces(faces, 1 + faces.size(), 2, location, [&] { correspondence_.split_edge(connectivity_, h, location); });
+  return connectivity_.split_edge(h);
+}
+
+// What is kept of faces that are split into parts; those beyond the first are appended, face by face.
+// \param split_integers splits the faces in the correspondence. An exception leaves everything as it was
+template <class SplitIntegers>
+void Exact_engine::split_faces(const std::vector<Face_index>& faces, std::size_t number_of_new_edges,
+                               std::size_t number_of_parts, const Surface_point& location,
+                               const SplitIntegers& split_integers)
+{
+  Memory& memory = *memory_;
+  const bool has_points = !metric_.points().empty();
+  const auto position = has_points ? std::make_optional(positions().rounded(location)) : std::nullopt;
+  const std::size_t number_of_new_faces = faces.size() * (number_of_parts - 1);
+  for (Face_index f : faces)
+    memory.straight_faces->prepare_split(positions(), f, number_of_new_faces);
+  memory.developed_faces.make_room(number_of_new_faces);
+  make_room(memory.inserted_positions, 1);
+  make_room(memory.is_close_call, number_of_new_edges);
+  split_integers();
+  for (Face_index f : faces) {
+    memory.straight_faces->split(f, number_of_parts - 1);
+    memory.developed_faces.forget(f);
+    memory.developed_faces.append(number_of_parts - 1);
+  }
+  if (has_points)
+    memory.inserted_positions.push_back(*position);
+  if (!memory.is_close_call.empty())
+    memory.is_close_call.resize(connectivity_.number_of_edges() + number_of_new_edges);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Removed_elements Exact_engine::unsplit_edge(Halfedge_index h)
+{
+  correspondence_.unsplit_edge(connectivity_, h);
+  const Halfedge_index behind = connectivity_.continuation(h);
+  if (!connectivity_.is_border(h))
+    join_faces(connectivity_.face(h), {connectivity_.face(h), connectivity_.face(behind)});
+  if (!connectivity_.is_border(connectivity_.opposite(h)))
+    join_faces(connectivity_.face(connectivity_.opposite(h)),
+               {connectivity_.face(connectivity_.opposite(h)), connectivity_.face(connectivity_.opposite(behind))});
+  const Removed_elements removed = connectivity_.unsplit_edge(h);
+  remove(removed);
+  return removed;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Removed_elements Exact_engine::unsplit_face(Vertex_index v)
+{
+  const Halfedge_index a = connectivity_.halfedge(v), b = connectivity_.next_around_target(a),
+                       c = connectivity_.next_around_target(b);
+  const std::initializer_list<Face_index> faces{connectivity_.face(a), connectivity_.face(b), connectivity_.face(c)};
+  // As in Delta_complex::unsplit_face(), the least one stays.
+  join_faces((std::min)(faces), faces);
+  const Removed_elements removed = connectivity_.unsplit_face(v);
+  remove(removed);
+  return removed;
+}
+
+// A vertex was inserted, so that all faces are known.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_engine::join_faces(Face_index f, std::initializer_list<Face_index> faces)
+{
+  memory_->straight_faces->join(f, faces);
+  memory_->developed_faces.forget(f);
+}
+
+// After the removal from the connectivity. Never throws.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_engine::remove(const Removed_elements& removed)
+{
+  correspondence_.remove(removed);
+  Memory& memory = *memory_;
+  memory.straight_faces->remove(removed.faces);
+  memory.developed_faces.remove(connectivity_, removed);
+  if (!memory.is_close_call.empty())
+    remove_entries(memory.is_close_call, removed.edges);
+  if (!metric_.points().empty())
+    remove_entries(memory.inserted_positions, removed.vertices, metric_.points().size());
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Vertex_positions Exact_engine::positions() const
+{
+  return {correspondence_.input(), metric_.points(), correspondence_.locations(), memory_->inserted_positions};
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::optional<Exact_engine::Image_corner> Exact_engine::image_of_straight_corner(Halfedge_index h)
+{
+  return memory_->image(
+    [&] { return internal::image_of_straight_corner(connectivity_, positions(), h, memory_->images->rings); });
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::optional<Exact_engine::Image_corner> Exact_engine::image_of_developed_corner(Halfedge_index h) const
+{
+  return memory_->developed_faces.contains(connectivity_.face(h))
+           ? memory_->developed_faces.image_of_corner(connectivity_, h)
+           : std::nullopt;
+}
+
+// A tie seldom comes alone. From the first one on, images of corners in finite fields are carried along by the
+// flips, where all areas are rational: this saves laying out strips of thousands of triangles for each tie.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_engine::carry_images()
+{
+  memory_->surface_of_images = new_surface();
+  memory_->images = std::make_unique<Memory::Carried_images>(*memory_->surface_of_images);
+  memory_->developed_faces = {};
+  memory_->split_face.reset();
+}
+
+// As corner(), from what is kept of tests before.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_engine::Corner Exact_engine::developed_corner(Halfedge_index h, Input_surface& surface)
+{
+  Memory& memory = *memory_;
+  const Face_index f = connectivity_.face(h);
+  if (is_straight(f))
+    return straight_corner(h);
+  if (memory.developed_faces.contains(f))
+    return memory.developed_faces.corner(connectivity_, h);
+  memory.developed_faces.insert(
+    connectivity_, laid_out(correspondence_.coordinates().side_with_most_crossings(connectivity_, f), surface));
+  return memory.developed_faces.contains(f) ? memory.developed_faces.corner(connectivity_, h)
+                                            : unfolded_corner(h, surface);
+}
+
+// The corner opposite to h.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Known_corner<Exact_engine::Corner, Exact_engine::Image_corner> Exact_engine::laid_out(Halfedge_index h,
+                                                                                      Input_surface& surface)
+{
+  memory_->credit += flips_for_a_quantity * number_of_quantities(h);
+  return {
+    h, unfolded_corner(h, surface), memory_->image([&] {
+      return Unfolding<Residue_metric>(connectivity_, correspondence_, memory_->images->metric).opposite_corner(h);
+    })};
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_engine::Corner Exact_engine::kept_corner(Halfedge_index h)
+{
+  const Standard_arithmetic arithmetic;
+  prepare();
+  find_straight_faces();
+  return developed_corner(h, *input_surface());
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::vector<std::pair<Halfedge_index, Exact_engine::Corner>> Exact_engine::kept_corners_at(Vertex_index v)
+{
+  const Standard_arithmetic arithmetic;
+  prepare();
+  find_straight_faces();
+  Memory& memory = *memory_;
+  std::vector<std::pair<Halfedge_index, Corner>> result;
+  const auto number_of_crossings = [&](Halfedge_index h) {
+    return correspondence_.coordinates().number_of_crossings(connectivity_.edge(h));
+  };
+  if (const auto whole = std::exchange(memory.split_face, std::nullopt)) {
+    Halfedge_index cheapest = whole->sides[0];
+    const auto cost = [&](Halfedge_index side) {
+      return number_of_crossings(connectivity_.next(side)) + number_of_crossings(connectivity_.prev(side));
+    };
+    for (Halfedge_index side : whole->sides)
+      if (cost(side) < cost(cheapest))
+        cheapest = side;
+    memory.developed_faces.keep_parts(connectivity_, *whole, laid_out(cheapest, *input_surface()));
+  }
+  bool are_all_developed = true;
+  std::int64_t number = 0;
+  const Halfedge_index first = connectivity_.opposite(connectivity_.halfedge(v));
+  for (Halfedge_index vi = first;;) {
+    number += number_of_crossings(vi);
+    const Halfedge_index side = connectivity_.next(vi);
+    if (!connectivity_.is_border(vi) && !memory.developed_faces.contains(connectivity_.face(vi)))
+      are_all_developed = false;
+    else if (!connectivity_.is_border(vi) && are_all_developed)
+      result.emplace_back(side, memory.developed_faces.corner(connectivity_, side));
+    if ((vi = connectivity_.next_around_source(vi)) == first)
+      break;
+  }
+  if (are_all_developed)
+    return result;
+  result = corners_at(v);
+  if (number > long_hinge)
+    for (const auto& [side, corner] : result)
+      memory.developed_faces.insert(connectivity_, {side, corner, std::nullopt});
+  return result;
+}
+
+// ---------------------------------------------------------------- corners
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_engine::Corner Exact_engine::corner(Halfedge_index h) const
+{
+  const Standard_arithmetic arithmetic;
+  prepare();
+  find_straight_faces();
+  return corner(h, *input_surface());
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::vector<std::pair<Halfedge_index, Exact_engine::Corner>> Exact_engine::corners_at(Vertex_index v) const
+{
+  const Standard_arithmetic arithmetic;
+  prepare();
+  find_straight_faces(); // which is needed for a removal, too
+  const Surface_lease surface = input_surface();
+  Double_double_metric metric(*surface);
+  std::vector<std::pair<Halfedge_index, Corner>> result;
+  Unfolding<Double_double_metric>(connectivity_, correspondence_, metric)
+    .for_each_corner_at(v, [&](Halfedge_index h, const Corner& c) { result.emplace_back(h, c); });
+  return result;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_engine::Corner Exact_engine::corner(Halfedge_index h, Input_surface& surface) const
+{
+  return is_straight(connectivity_.face(h)) ? straight_corner(h) : unfolded_corner(h, surface);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_engine::Corner Exact_engine::unfolded_corner(Halfedge_index h, Input_surface& surface) const
+{
+  Double_double_metric metric(surface);
+  return Unfolding<Double_double_metric>(connectivity_, correspondence_, metric).opposite_corner(h);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Bounded_double_double Exact_engine::squared_length(Edge_index e, Input_surface& surface) const
+{
+  Double_double_metric metric(surface);
+  return Unfolding<Double_double_metric>(connectivity_, correspondence_, metric).squared_length(e);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_fallback Exact_engine::exact_fallback(Input_surface& surface) const
+{
+  return {connectivity_, correspondence_, surface};
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool Exact_engine::is_straight(Face_index f) const { return (*memory_->straight_faces)(f); }
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_engine::Corner Exact_engine::straight_corner(Halfedge_index h) const
+{
+  return internal::straight_corner<Corner>(connectivity_, positions(), h);
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_IMPL_H

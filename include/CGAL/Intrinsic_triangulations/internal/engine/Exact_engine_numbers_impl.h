@@ -1,0 +1,455 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Definitions of Exact_geometry: vectors, lengths, angles, areas and weights, rounded to doubles.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_NUMBERS_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_NUMBERS_IMPL_H
+
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Double_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_fallback.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Metric_frame.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Two_straight_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Vertex_positions.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/corner_signs.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/area_in_input_unit.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Whether double-doubles tell the number that is asked for: the root of a squared length, the sum of two cotangents with its sign, an area.
+inline bool has_good_root(const Bounded_double_double& s) { return s.relative_error() < 0x1p-70; }
+inline bool is_good_weight(const Bounded_double_double& weight)
+{
+  return is_certain(weight.sign()) && weight.error() < 0x1p-52 * (1 + std::abs(weight.hi()));
+}
+inline bool is_good_area(const Bounded_double_double& a) { return a.is_zero() || a.relative_error() < 0x1p-54; }
+
+// Of an interval around a number that is wanted to the last places.
+inline bool is_narrow(double width, double magnitude) { return width <= 0x1p-51 * magnitude; }
+
+inline double rounded_root(const Bounded_double_double& s, int unit_exponent)
+{
+  const Bounded_double_double l = sqrt(s);
+  return std::ldexp(l.hi() + l.lo(), unit_exponent);
+}
+
+// Vectors that evaluate(metric) computes, each with an error of at most 2^-50 of its length, or of that of the last one if that is longer.
+template <std::size_t N, class Evaluate>
+std::array<std::complex<double>, N> Exact_engine::rounded_vectors(Input_surface& surface, const Evaluate& evaluate)
+{
+  constexpr long largest_precision = 1 << 14; // more is not needed unless a ratio of lengths leaves the range of double
+  std::array<std::complex<double>, N> result;
+  const auto is_narrow = [&](std::size_t i, double width) {
+    return width <= 0x1p-51 * (std::max)(std::abs(result[i]), std::abs(result.back()));
+  };
+  {
+    Double_double_metric metric(surface);
+    const auto vectors = evaluate(metric);
+    bool is_good = true;
+    for (std::size_t i = 0; i < N; ++i)
+      result[i] = {vectors[i].x().hi(), vectors[i].y().hi()};
+    for (std::size_t i = 0; i < N; ++i)
+      is_good = is_good && is_narrow(i, vectors[i].x().error());
+    if (is_good)
+      return result;
+  }
+  for (long precision = 256;; precision = doubled(precision)) {
+    Mpfr_metric metric(surface, {precision});
+    const auto vectors = evaluate(metric);
+    std::array<double, N> width{};
+    const auto middle = [](const Mpfr_interval& x, double& largest_width) {
+      const double low = x.lower_double(), high = x.upper_double();
+      largest_width = (std::max)(largest_width, high - low);
+      return low + (high - low) / 2;
+    };
+    for (std::size_t i = 0; i < N; ++i)
+      result[i] = {middle(vectors[i].x(), width[i]), middle(vectors[i].y(), width[i])};
+    bool is_good = true;
+    for (std::size_t i = 0; i < N; ++i)
+      is_good = is_good && is_narrow(i, width[i]);
+    if (is_good || precision >= largest_precision)
+      return result;
+  }
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_engine::Edge_beginning Exact_engine::edge_beginning(Halfedge_index h) const
+{
+  const Standard_arithmetic arithmetic;
+  prepare();
+  Halfedge_index reference;
+  const auto vectors = rounded_vectors<2>(*input_surface(), [&](auto& metric) {
+    auto begin = Unfolding<std::decay_t<decltype(metric)>>(connectivity_, correspondence_, metric).edge_beginning(h);
+    reference = begin.reference;
+    return std::array{begin.source, begin.vector};
+  });
+  return {vectors[0], vectors[1], reference};
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_engine::input_angle(Halfedge_index h) const
+{
+  const Standard_arithmetic arithmetic;
+  const auto side = rounded_vectors<1>(*input_surface(), [&](auto& metric) {
+    return std::array{
+      Metric_frame<std::decay_t<decltype(metric)>>(correspondence_.input(), metric).ratios(h).at_source};
+  });
+  return std::atan2((std::max)(side[0].imag(), 0.), side[0].real());
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_engine::length(Edge_index e) const
+{
+  const Standard_arithmetic arithmetic;
+  prepare();
+  const Surface_lease surface = input_surface();
+  const Bounded_double_double s = squared_length(e, *surface);
+  if (has_good_root(s))
+    return rounded_root(s, metric_.unit_exponent());
+  return std::ldexp(exact_fallback(*surface).length(e), metric_.unit_exponent());
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Interval_nt<> Exact_engine::length_interval(Edge_index e) const
+{
+  const Standard_arithmetic arithmetic;
+  prepare();
+  const Surface_lease surface = input_surface();
+  const Bounded_double_double l = sqrt(squared_length(e, *surface));
+  double low, high;
+  if (l.error() < 0x1p-60 * l.hi()) {
+    low = high = l.hi();
+    while (low - l.hi() > l.lo() - 1.01 * l.error())
+      low = std::nextafter(low, 0.);
+    while (high - l.hi() < l.lo() + 1.01 * l.error())
+      high = std::nextafter(high, 2 * high);
+  } else {
+    const Mpfr_interval m = sqrt(exact_fallback(*surface).squared_length(e, 128));
+    low = m.lower_double();
+    high = m.upper_double();
+  }
+  // Where the scaling is not exact, it is wrong by less than the next double.
+  low = std::ldexp(low, metric_.unit_exponent());
+  high = std::ldexp(high, metric_.unit_exponent());
+  if (low >= (std::numeric_limits<double>::min)())
+    return Interval_nt<>(low, high);
+  return Interval_nt<>((std::max)(0., std::nextafter(low, 0.)), std::nextafter(high, 1.));
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_engine::cotangent(Halfedge_index h) const
+{
+  const Standard_arithmetic arithmetic;
+  prepare();
+  find_straight_faces();
+  const Surface_lease surface = input_surface();
+  return cotangent(h, corner(h, *surface), *surface);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_engine::cotangent(Halfedge_index h, const Corner& corner, Input_surface& surface) const
+{
+  const double p = corner.p.hi(), four_areas = corner.four_areas.hi();
+  if (corner.four_areas.relative_error() < 0x1p-60 && corner.p.error() < 0x1p-60 * (std::abs(p) + four_areas))
+    return p / four_areas;
+  return exact_fallback(surface).cotangent(
+    h, [](double width, double magnitude) { return width <= 0x1p-51 * (1 + magnitude); });
+}
+
+// As cotangent(), and zero only for a right angle, else with the right sign.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_engine::signed_cotangent(Halfedge_index h, Input_surface& surface) const
+{
+  const Corner c = corner(h, surface);
+  const Sign sign =
+    is_certain(c.p.sign()) ? get_certain(c.p.sign()) : exact_fallback(surface).sign_of_scalar_product(h);
+  if (sign == ZERO)
+    return 0;
+  const double value = cotangent(h, c, surface);
+  return CGAL::sign(value) == sign ? value : exact_fallback(surface).cotangent(h, is_narrow);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_engine::angle(Halfedge_index h) const
+{
+  const Standard_arithmetic arithmetic;
+  prepare();
+  find_straight_faces();
+  const Surface_lease surface = input_surface();
+  const Corner c = corner(h, *surface);
+  if (c.four_areas.relative_error() < 0x1p-60 && c.p.error() < 0x1p-60 * (std::abs(c.p.hi()) + c.four_areas.hi()))
+    return std::atan2(std::abs(c.four_areas.hi()), c.p.hi()); // of a zero without its sign
+  Exact_fallback fallback = exact_fallback(*surface);
+  if (sign_of_area(connectivity_.face(h), *surface) == ZERO)
+    return fallback.sign_of_scalar_product(h) == NEGATIVE ? CGAL_PI : 0;
+  const long scale = fallback.scale_of_corner(h);
+  const double four_areas = fallback.number_of_corner(
+    h, [&](const auto& corner) { return ldexp(corner.four_areas, scale); }, is_narrow);
+  const double p = fallback.number_of_corner(
+    h, [&](const auto& corner) { return ldexp(corner.p, scale); },
+    [&](double width, double magnitude) { return is_narrow(width, (std::max)(magnitude, four_areas)); });
+  return std::atan2(four_areas, p);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_engine::cotangent_weight(Edge_index e) const
+{
+  const Standard_arithmetic arithmetic;
+  prepare();
+  find_straight_faces();
+  const Surface_lease surface = input_surface();
+  const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
+  if (connectivity_.is_border(h) || connectivity_.is_border(g))
+    return signed_cotangent(connectivity_.is_border(h) ? g : h, *surface);
+  const Corner k = corner(h, *surface), l = corner(g, *surface);
+  const Bounded_double_double weight = k.p / k.four_areas + l.p / l.four_areas;
+  if (is_good_weight(weight))
+    return weight.hi();
+  if (const auto by_diagonal = weight_by_other_diagonal(h, {k, l}); by_diagonal && is_good_weight(*by_diagonal))
+    return by_diagonal->hi();
+  const double sum = cotangent(h, k, *surface) + cotangent(g, l, *surface);
+  // Two angles of one triangle sum to less than π.
+  const Sign exact_sign = connectivity_.is_self_glued(e) ? POSITIVE : sign_of_cotangents(e, *surface);
+  if (exact_sign == ZERO)
+    return 0;
+  return CGAL::sign(sum) == exact_sign ? sum
+                                       : exact_fallback(*surface).sum_of_cotangents(corners_beside(connectivity_, e));
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_engine::area(Face_index f) const
+{
+  const Standard_arithmetic arithmetic;
+  prepare();
+  find_straight_faces();
+  const Surface_lease surface = input_surface();
+  const Halfedge_index h = connectivity_.halfedge(f);
+  const Bounded_double_double a = corner(h, *surface).four_areas;
+  if (is_good_area(a))
+    return area_in_input_unit(a.hi() / 4, metric_.unit_exponent(), f);
+  if (sign_of_area(f, *surface) == ZERO)
+    return 0;
+  // In the unit of the input, since in that of the numbers it may be subnormal.
+  const int unit = metric_.unit_exponent();
+  const double value = exact_fallback(*surface).number_of_corner(
+    h, [&](const auto& corner) { return ldexp(corner.four_areas, 2 * long(unit) - 2); }, is_narrow);
+  return unit < 0 ? area_in_input_unit(std::ldexp(value, -2 * unit), unit, f) : value;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_engine::Rounded_numbers::Rounded_numbers(const Delta_complex& complex)
+  : lengths(complex.number_of_edges(), std::numeric_limits<double>::quiet_NaN()),
+    areas(complex.number_of_faces(), std::numeric_limits<double>::quiet_NaN()),
+    cotangents(complex.number_of_halfedges(), default_init)
+{}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_engine::Rounded_numbers::cotangent_weight(const Delta_complex& complex, Edge_index e) const
+{
+  const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
+  const auto cotangent = [&](Halfedge_index side) {
+    const auto& [hi, lo, error] = cotangents[side.idx()];
+    return Bounded_double_double(hi, lo, error);
+  };
+  const Bounded_double_double weight = cotangent(h) + cotangent(g);
+  return is_rounded_alike(weight) ? weight.hi() : std::numeric_limits<double>::quiet_NaN();
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+double Exact_engine::Rounded_numbers::angle(Halfedge_index h, double relative_error) const
+{
+  const auto& [hi, lo, error] = cotangents[h.idx()];
+  return error < relative_error * 0x1p-11 * (1 + std::abs(hi)) ? std::atan2(1., hi)
+                                                               : std::numeric_limits<double>::quiet_NaN();
+}
+
+// A corner of a face, and the side that is opposite to it.
+template <class Real>
+struct Exact_engine::Side_and_corner
+{
+  Halfedge_index side;
+  Triangle_corner<Real> corner;
+
+  // The cotangents of the angles opposite to the side and to those that follow. \pre the area is positive
+  std::array<Real, 3> cotangents() const
+  {
+    const Real inverse = Real(1) / corner.four_areas;
+    return {corner.p * inverse, (corner.s_first.scaled(2) - corner.p) * inverse,
+            (corner.s_second.scaled(2) - corner.p) * inverse};
+  }
+  // Those opposite to the first halfedge of a face and to those that follow. The errors are infinite where the area is not known to
+  // be positive.
+  void get_cotangents(const Delta_complex& complex, Face_index f, std::array<Real, 3>& result) const
+  {
+    if (!certainly(corner.four_areas.sign() == POSITIVE)) {
+      result.fill(Real() / Real());
+      return;
+    }
+    const std::array<Real, 3> from_side = cotangents();
+    const Halfedge_index first = complex.halfedge(f);
+    const std::size_t turns = side == first ? 0 : side == complex.next(first) ? 1 : 2;
+    for (std::size_t i = 0; i < 3; ++i)
+      result[(i + turns) % 3] = from_side[i];
+  }
+};
+
+// The corner of a face that takes the least time.
+template <class Unfolding_>
+Exact_engine::Side_and_corner<Bounded_double_double> Exact_engine::quickest_corner(Face_index f,
+                                                                                   const Unfolding_& unfolding) const
+{
+  if (is_straight(f))
+    return {connectivity_.halfedge(f), straight_corner(connectivity_.halfedge(f))};
+  const Halfedge_index h = correspondence_.coordinates().side_with_most_crossings(connectivity_, f);
+  return {h, unfolding.opposite_corner(h)};
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_engine::find_cotangents(Face_index f, Face_cotangents& result) const
+{
+  const Standard_arithmetic arithmetic;
+  prepare();
+  find_straight_faces();
+  const Surface_lease surface = input_surface();
+  Double_double_metric metric(*surface);
+  metric.interruption().check();
+  quickest_corner(f, Unfolding<Double_double_metric>(connectivity_, correspondence_, metric))
+    .get_cotangents(connectivity_, f, result);
+}
+
+// Nothing but the input and the integers is used, so that flips need not be repeated to find straight faces.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::optional<Exact_engine::Side_and_corner<Double_with_bound>> Exact_engine::rounded_corner(Face_index f) const
+{
+  const Standard_arithmetic arithmetic;
+  prepare();
+  interruption().check();
+  Double_metric metric(correspondence_.input(), metric_, interruption());
+  const Unfolding<Double_metric> unfolding(connectivity_, correspondence_, metric);
+  const Halfedge_index side = correspondence_.coordinates().side_with_most_crossings(connectivity_, f);
+  if (number_of_quantities(side) > short_strip)
+    return std::nullopt;
+  return Side_and_corner<Double_with_bound>{side, unfolding.opposite_corner(side)};
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_engine::find_cotangents(Face_index f, Rounded_face_cotangents& result) const
+{
+  if (const auto c = rounded_corner(f))
+    c->get_cotangents(connectivity_, f, result);
+  else
+    result.fill({0, std::numeric_limits<double>::infinity()});
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Double_with_bound Exact_engine::rounded_four_areas(Face_index f) const
+{
+  const auto c = rounded_corner(f);
+  return c ? c->corner.four_areas : Double_with_bound(0, std::numeric_limits<double>::infinity());
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_engine::find_numbers(const std::size_t first, const std::size_t last, Rounded_numbers& numbers) const
+{
+  using Real = Bounded_double_double;
+  prepare();
+  find_straight_faces();
+  const Surface_lease surface = input_surface();
+  Double_double_metric metric(*surface);
+  const Unfolding<Double_double_metric> unfolding(connectivity_, correspondence_, metric);
+  const auto note_length = [&](Halfedge_index h, const auto& length) {
+    const Edge_index e = connectivity_.edge(h);
+    if (h != connectivity_.halfedge(e) && !connectivity_.is_border(connectivity_.halfedge(e)))
+      return;
+    const Real l = length();
+    if (is_rounded_alike(l))
+      numbers.lengths[e.idx()] = std::ldexp(l.hi(), metric_.unit_exponent());
+  };
+  const std::array<Real, 3> unknown_cotangents{Real() / Real(), Real() / Real(), Real() / Real()};
+  const auto note_cotangent = [&](Halfedge_index h, const Real& cotangent) {
+    numbers.cotangents[h.idx()] = {cotangent.hi(), cotangent.lo(), cotangent.error()};
+  };
+  const auto find = [&](Face_index f) {
+    const Side_and_corner<Real> at = quickest_corner(f, unfolding);
+    const Corner& c = at.corner;
+    const Halfedge_index h = at.side, second = connectivity_.next(h), third = connectivity_.prev(h);
+    note_length(h, [&] { return sqrt(c.s_opposite); });
+    note_length(second, [&] { return sqrt(c.s_second); });
+    note_length(third, [&] { return sqrt(c.s_first); });
+    const std::array<Real, 3> cotangents =
+      certainly(c.four_areas.sign() == POSITIVE) ? at.cotangents() : unknown_cotangents;
+    note_cotangent(h, cotangents[0]);
+    note_cotangent(second, cotangents[1]);
+    note_cotangent(third, cotangents[2]);
+    if (c.four_areas.is_zero())
+      numbers.areas[f.idx()] = 0;
+    else if (c.four_areas.hi() > 0 && is_rounded_alike(c.four_areas))
+      numbers.areas[f.idx()] = c.four_areas.hi() / 4;
+  };
+
+  // Straight faces, two at a time.
+  std::array<Face_index, 2> straight;
+  std::size_t number_of_straight = 0;
+  const auto find_straight = [&] {
+    const auto corners = [&](Face_index f) {
+      const Halfedge_index ij = connectivity_.halfedge(f);
+      return Three_corners{connectivity_.source(ij), connectivity_.target(ij),
+                           connectivity_.target(connectivity_.next(ij))};
+    };
+    const Two_straight_faces two(metric_.points(), corners(straight[0]), corners(straight[number_of_straight - 1]));
+    Two_straight_faces::Numbers known;
+    for (std::size_t i = 0; i < number_of_straight; ++i) {
+      const Face_index f = straight[i];
+      if (!two.get(i == 1, known) || !is_rounded_alike(known.twice_area)) {
+        find(f);
+        continue;
+      }
+      Halfedge_index side = connectivity_.halfedge(f);
+      for (std::size_t c = 0; c < 3; ++c, side = connectivity_.next(side)) {
+        note_length(side, [&] { return known.lengths[c]; });
+        note_cotangent(side, known.cotangents[c]);
+      }
+      numbers.areas[f.idx()] = known.twice_area.hi() / 2;
+    }
+    number_of_straight = 0;
+  };
+  const Vertex_positions all = positions();
+  for (std::size_t i = first; i < last; ++i) {
+    if (i % 1024 == 0)
+      interruption().check();
+    const Face_index f(static_cast<Face_index::size_type>(i));
+    if (!is_straight(f) || all.has_inserted_corner(connectivity_, connectivity_.halfedge(f))) {
+      find(f);
+      continue;
+    }
+    straight[number_of_straight++] = f;
+    if (number_of_straight == 2)
+      find_straight();
+  }
+  if (number_of_straight != 0)
+    find_straight();
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_NUMBERS_IMPL_H

@@ -1,0 +1,276 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// What double-doubles leave open: multiple precision, and proofs that a number is zero.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_EXACT_FALLBACK_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_EXACT_FALLBACK_H
+
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Level_line.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Mirror_symmetry.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/corner_signs.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Two corners, named by the halfedges that they are opposite to.
+struct Two_corners
+{
+  Halfedge_index opposite_to_k, opposite_to_l;
+};
+
+// The corners opposite to an edge, k to its left and l to its right.
+inline Two_corners corners_beside(const Delta_complex& complex, Edge_index e)
+{
+  const Halfedge_index h = complex.halfedge(e);
+  return {h, complex.opposite(h)};
+}
+
+template <class Metric>
+internal::Opposite_corners<typename Metric::Real> unfolded_corners(const Unfolding<Metric>& unfolding,
+                                                                   const Two_corners& corners)
+{
+  return {unfolding.opposite_corner(corners.opposite_to_k), unfolding.opposite_corner(corners.opposite_to_l)};
+}
+
+class Exact_fallback
+{
+public:
+  Exact_fallback(const Delta_complex& complex, const Correspondence& correspondence, Input_surface& surface)
+    : complex_(complex), correspondence_(correspondence), surface_(surface)
+  {}
+
+  using Decision = Exact_decision;
+
+  // The sign of the sum of the cotangents of two corners.
+  Decision sign_of_cotangents(const Two_corners& corners)
+  {
+    const auto sum = [&](auto& metric) {
+      const auto c = unfolded_corners(unfolding(metric), corners);
+      return c.k.p * c.l.four_areas + c.l.p * c.k.four_areas;
+    };
+    if (is_level(corners))
+      return decided({ZERO, Stage::CONGRUENCE}, corners);
+    const auto is_symmetric = [&] {
+      return is_edge(corners) &&
+             Mirror_symmetry(complex_, correspondence_, surface_)(complex_.edge(corners.opposite_to_k)) &&
+             has_positive_area(corners.opposite_to_k) && has_positive_area(corners.opposite_to_l);
+    };
+    return decided(
+      exact_sign_of(sum, is_symmetric, [&] { return name(corners) + ": that the sum of their angles is pi"; }),
+      corners);
+  }
+
+  // The sign of the area of the face of h.
+  Sign sign_of_area(Halfedge_index h)
+  {
+    return sign_of_corner(h, "area", [](const auto& corner) { return corner.four_areas; });
+  }
+
+  // The sign of the scalar product of the two sides that meet in the corner opposite to h.
+  Sign sign_of_scalar_product(Halfedge_index h)
+  {
+    return sign_of_corner(h, "scalar product", [](const auto& corner) { return corner.p; });
+  }
+
+  bool has_length_zero(Edge_index e)
+  {
+    const auto squared_length = [&](auto& metric) { return unfolding(metric).squared_length(e); };
+    return exact_sign_of(squared_length, has_no_other_proof, [&] {
+             return "edge " + std::to_string(e.idx()) + ": that its length is zero";
+           }).sign == ZERO;
+  }
+
+  Mpfr_interval squared_length(Edge_index e, long precision)
+  {
+    Mpfr_metric metric(surface_, {precision});
+    return unfolding(metric).squared_length(e);
+  }
+
+  // The length of e, within one unit in the last place. If the root is itself a double, rounding outward
+  // always leaves an interval of two units in the last place: then the middle is taken.
+  double length(Edge_index e)
+  {
+    for (long precision = 128;; precision = doubled(precision)) {
+      const Mpfr_interval l = sqrt(squared_length(e, precision));
+      const double low = l.lower_double(), high = l.upper_double();
+      const double next = std::nextafter(low, high);
+      if (high <= next)
+        return mpfr_get_d(l.lower(), MPFR_RNDN);
+      if (high <= std::nextafter(next, high))
+        return next;
+    }
+  }
+
+  // The middle of an interval around evaluate(corner opposite to h) that is narrow enough, as is_narrow(width, magnitude) says, or as
+  // narrow as intervals around subnormal numbers can be. What is too small for a double is rounded away from zero.
+  // \pre the face of h has positive area, or evaluate() does not divide by it
+  // \exception Invalid_surface_error if the number leaves the range of double
+  template <class Evaluate, class IsNarrow>
+  double number_of_corner(Halfedge_index h, const Evaluate& evaluate, const IsNarrow& is_narrow)
+  {
+    for (long precision = 128;; precision = doubled(precision)) {
+      const Mpfr_interval x = evaluate(corner(h, precision));
+      const double low = x.lower_double(), high = x.upper_double();
+      const double magnitude = (std::max)(std::abs(low), std::abs(high));
+      if (is_tiny(x))
+        return get_certain(x.sign()) * smallest;
+      // Where the sign is open, the middle could be zero.
+      const bool is_as_narrow_as_can_be = high - low <= 2 * smallest && is_certain(x.sign());
+      if (magnitude < std::numeric_limits<double>::infinity() &&
+          (is_narrow(high - low, magnitude) || is_as_narrow_as_can_be))
+        return low + (high - low) / 2;
+      require_range(x, complex_.face(h));
+    }
+  }
+
+  // \pre the face of h has positive area
+  template <class IsNarrow>
+  double cotangent(Halfedge_index h, const IsNarrow& is_narrow)
+  {
+    return number_of_corner(
+      h, [](const auto& corner) { return corner.p / corner.four_areas; }, is_narrow);
+  }
+
+  // The exponent of a power of two by which numbers of the corner are scaled into the range of double, however small the face.
+  // \pre the face of h has positive area
+  long scale_of_corner(Halfedge_index h)
+  {
+    for (long precision = 128;; precision = doubled(precision)) {
+      const auto c = corner(h, precision);
+      if (!is_certain(c.four_areas.sign()))
+        continue;
+      long exponent = long(mpfr_get_exp(c.four_areas.upper()));
+      for (mpfr_srcptr end : {c.p.lower(), c.p.upper()})
+        if (mpfr_regular_p(end))
+          exponent = (std::max)(exponent, long(mpfr_get_exp(end)));
+      return -exponent;
+    }
+  }
+
+  // The sum of the cotangents of two corners to the last places, however small it is, and with the right sign.
+  // \pre both faces have positive area, and the sum is not zero
+  double sum_of_cotangents(const Two_corners& corners)
+  {
+    for (long precision = 256;; precision = doubled(precision)) {
+      Mpfr_metric metric(surface_, {precision});
+      const auto c = unfolded_corners(unfolding(metric), corners);
+      const Mpfr_interval sum = c.k.p / c.k.four_areas + c.l.p / c.l.four_areas;
+      if (!is_certain(sum.sign()))
+        continue;
+      if (is_tiny(sum)) // and not 0
+        return get_certain(sum.sign()) * smallest;
+      require_range(sum, complex_.face(corners.opposite_to_k));
+      const double low = sum.lower_double(), high = sum.upper_double();
+      if (high - low <= (std::max)(2 * smallest, 0x1p-50 * (std::max)(std::abs(low), std::abs(high))))
+        return low + (high - low) / 2;
+    }
+  }
+
+private:
+  // Angles that sum to π, unless both areas are zero: then the signs of the scalar products tell
+  // which of the angles are π.
+  Decision decided(const Decision& decision, const Two_corners& corners)
+  {
+    if (decision.sign != ZERO || has_positive_area(corners.opposite_to_k))
+      return decision;
+    return {sign_of_tie(sign_of_scalar_product(corners.opposite_to_k), sign_of_scalar_product(corners.opposite_to_l)),
+            decision.stage, decision.is_rational};
+  }
+
+  // Whether two corners at one vertex are proven to form an angle of π, or of 0.
+  bool is_level(const Two_corners& corners)
+  {
+    for (const auto& [g, h] : {std::pair(corners.opposite_to_k, corners.opposite_to_l),
+                               std::pair(corners.opposite_to_l, corners.opposite_to_k)})
+      if (complex_.opposite(complex_.next(g)) == complex_.prev(h))
+        return Level_line(complex_, correspondence_, surface_)(complex_.prev(g), complex_.opposite(complex_.next(h)));
+    return false;
+  }
+
+  static constexpr double smallest = std::numeric_limits<double>::denorm_min();
+
+  static bool is_tiny(const Mpfr_interval& x)
+  {
+    return is_certain(x.sign()) && x.lower_double() >= -smallest && x.upper_double() <= smallest;
+  }
+
+  static void require_range(const Mpfr_interval& x, Face_index f)
+  {
+    const double largest = (std::numeric_limits<double>::max)();
+    if (x.lower_double() >= largest || x.upper_double() <= -largest)
+      throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, f.idx(), 1,
+                                  "face " + std::to_string(f.idx()) +
+                                    " is so thin that a cotangent leaves the range of double: remove it, or mollify "
+                                    "the lengths first");
+  }
+
+  Triangle_corner<Mpfr_interval> corner(Halfedge_index h, long precision)
+  {
+    Mpfr_metric metric(surface_, {precision});
+    return unfolding(metric).opposite_corner(h);
+  }
+
+  template <class Metric>
+  Unfolding<Metric> unfolding(Metric& metric)
+  {
+    return Unfolding<Metric>(complex_, correspondence_, metric);
+  }
+
+  template <class Evaluate, class ProvesZero, class Describe>
+  Decision exact_sign_of(const Evaluate& evaluate, const ProvesZero& proves_zero, const Describe& what)
+  {
+    return Exact_sign<Evaluate>(surface_, evaluate)(proves_zero, what);
+  }
+
+  template <class Evaluate>
+  Sign sign_of_corner(Halfedge_index h, const char* quantity, const Evaluate& evaluate)
+  {
+    const auto value = [&](auto& metric) { return evaluate(unfolding(metric).opposite_corner(h)); };
+    return exact_sign(surface_, value, [&] {
+      return "face " + std::to_string(complex_.face(h).idx()) + ": that its " + quantity + " is zero";
+    });
+  }
+
+  bool has_positive_area(Halfedge_index h) { return sign_of_area(h) == POSITIVE; }
+
+  bool is_edge(const Two_corners& corners) const
+  {
+    return complex_.opposite(corners.opposite_to_k) == corners.opposite_to_l;
+  }
+
+  std::string name(const Two_corners& corners) const
+  {
+    const auto vertex = [this](Halfedge_index h) { return std::to_string(complex_.target(complex_.next(h)).idx()); };
+    return "the corners at vertices " + vertex(corners.opposite_to_k) + " and " + vertex(corners.opposite_to_l);
+  }
+
+  const Delta_complex& complex_;
+  const Correspondence& correspondence_;
+  Input_surface& surface_;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_EXACT_FALLBACK_H

@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// The sign of the sum of two cotangents, from what is known of the two corners.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_CORNER_SIGNS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_CORNER_SIGNS_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Vertex_positions.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <optional>
+#include <type_traits>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// In a tie the angles sum to 0, π or 2π; only in the last case are both obtuse.
+inline Sign sign_of_tie(Sign sign_k, Sign sign_l) { return sign_k == NEGATIVE && sign_l == NEGATIVE ? NEGATIVE : ZERO; }
+
+// The sign of cot k + cot l; a zero is only certain with both areas positive, or with
+// the signs of both scalar products known.
+template <class Corner>
+Uncertain<Sign> sign_of_cotangents(const Corner& k, const Corner& l)
+{
+  const Uncertain<Sign> sign = (k.p * l.four_areas + l.p * k.four_areas).sign();
+  if (!is_certain(sign) || get_certain(sign) != ZERO)
+    return sign;
+  const Uncertain<Sign> sign_k = k.p.sign(), sign_l = l.p.sign();
+  if (!is_certain(sign_k) || !is_certain(sign_l))
+    return Uncertain<Sign>::indeterminate();
+  return sign_of_tie(get_certain(sign_k), get_certain(sign_l));
+}
+
+// On which side of h a point lies that lies in one plane with the face of h, which is straight. No answer if that has no area.
+inline std::optional<Sign> side_in_plane(const Delta_complex& complex, const Vertex_positions& positions,
+                                         Halfedge_index h, const Surface_point& point)
+{
+  const auto value = [&](const auto& convert, bool is_of_face) {
+    const auto origin = positions.position(complex.source(h), convert);
+    const auto from_origin = [&](const auto& p) {
+      return std::decay_t<decltype(p)>{p[0] - origin[0], p[1] - origin[1], p[2] - origin[2]};
+    };
+    const auto u = from_origin(positions.position(complex.target(h), convert));
+    const auto normal = cross_product(u, from_origin(positions.position(complex.target(complex.next(h)), convert)));
+    return scalar_product(normal,
+                          is_of_face ? normal : cross_product(u, from_origin(positions.position(point, convert))));
+  };
+  const Uncertain<Sign> sign = value([](double x) { return Bounded_double_double(x); }, false).sign();
+  if (is_certain(sign) && get_certain(sign) != ZERO)
+    return get_certain(sign);
+  const auto rational = [](double x) { return Rational(x); };
+  if (Rational(value(rational, true)) == 0)
+    return std::nullopt;
+  return static_cast<Sign>(Rational(value(rational, false)).sign());
+}
+
+// Lengths and angles from three points.
+template <class Corner>
+Corner straight_corner(const Delta_complex& complex, const Vertex_positions& positions, Halfedge_index ij)
+{
+  using Real = Bounded_double_double;
+  const Vertex_index i = complex.source(ij), j = complex.target(ij), k = complex.target(complex.next(ij));
+  const auto ki = positions.direction<Real>(k, i), kj = positions.direction<Real>(k, j),
+             side = positions.direction<Real>(i, j);
+  const auto normal = cross_product(ki, kj);
+  return {scalar_product(ki, kj).scaled(2), sqrt(scalar_product(normal, normal)).scaled(2), scalar_product(ki, ki),
+          scalar_product(kj, kj), scalar_product(side, side)};
+}
+
+// The same in finite fields.
+inline Unfolding<Residue_metric>::Corner image_of_straight_corner(const Delta_complex& complex,
+                                                                  const Vertex_positions& positions, Halfedge_index ij,
+                                                                  Residue_rings& rings)
+{
+  const Vertex_index i = complex.source(ij), j = complex.target(ij), k = complex.target(complex.next(ij));
+  const auto minus = [](const auto& p, const auto& q) {
+    return std::decay_t<decltype(p)>{p[0] - q[0], p[1] - q[1], p[2] - q[2]};
+  };
+  const auto corners = [&](const auto& convert) {
+    return std::array{positions.position(i, convert), positions.position(j, convert), positions.position(k, convert)};
+  };
+  const auto images = corners([&](double x) { return rings.number(x); });
+  const Vector_3<Residues> ki = minus(images[0], images[2]), kj = minus(images[1], images[2]),
+                           side = minus(images[1], images[0]);
+  const Residues p = scalar_product(ki, kj);
+  const auto exact = corners([](double x) { return Rational(x); });
+  const auto normal = cross_product(minus(exact[0], exact[2]), minus(exact[1], exact[2]));
+  const Rational squared_four_areas = 4 * scalar_product(normal, normal);
+  return {p + p, rings.root(squared_four_areas), scalar_product(ki, ki), scalar_product(kj, kj),
+          scalar_product(side, side)};
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_CORNER_SIGNS_H

@@ -1,0 +1,342 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// In which order an edge crosses input edges: the turns of the strip of input triangles.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_CROSSING_SEQUENCE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_CROSSING_SEQUENCE_H
+
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Kept_crossings.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/config.hpp>
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Two neighbouring crossings of an edge lie on two sides of one input triangle, which
+// share a corner on one side of the edge. On that side the two input segments run next to
+// each other until they end in that corner; on the other side they part.
+//
+// All neighbouring pairs are followed at once, as blocks that are split only where the
+// segments go different ways, and to both sides in turn, since a pair is decided by the
+// side on which it ends sooner. Two segments that come back to the edge are another pair of
+// its crossings there: the two pairs are linked, so that the way on is followed once.
+//
+// Where a vertex that was inserted lies between two segments, they part without telling anything. Then both are followed
+// to their ends, which name them.
+class Crossing_sequence
+{
+public:
+  // The pairs of neighbouring crossings of h, in order from its source.
+  Crossing_sequence(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h,
+                    const Interruption& interruption)
+    : complex_(complex), correspondence_(correspondence), coordinates_(correspondence.coordinates()), start_(h),
+      interruption_(interruption)
+  {
+    const std::int64_t n = coordinates_.number_of_crossings(complex.edge(h));
+    if (n > largest_number)
+      throw Undecided_error("edge " + std::to_string(complex.edge(h).idx()) + " crosses " + std::to_string(n) +
+                            " input edges, too many to be laid out");
+    if (n < 2)
+      return;
+    turns_.resize(std::size_t(n - 1), UNKNOWN);
+    number_of_unknown_ = n - 1;
+    Queue left({h, 0, 0, n - 1}), right({complex.opposite(h), 0, 0, n - 1});
+    for (std::size_t step = 0; number_of_unknown_ > 0; ++step) {
+      if (step % 1024 == 1023)
+        interruption.check();
+      follow(left, LEFT, [](std::int64_t pair) { return pair; });
+      follow(right, RIGHT, [n](std::int64_t pair) { return n - 2 - pair; });
+    }
+  }
+
+  // Whether the input edges crossed at positions `pair` and `pair + 1` share their end on
+  // the left.
+  bool turns_left(std::size_t pair) const { return turns_[pair] == LEFT; }
+
+private:
+  // Far more than meshes need: what is kept for each pair takes 33 bytes.
+  static constexpr std::int64_t largest_number = std::int64_t(1) << 20;
+
+  enum Turn : std::uint8_t {
+    UNKNOWN,
+    LEFT,
+    RIGHT
+  };
+  static Turn reversed(Turn turn) { return turn == LEFT ? RIGHT : LEFT; }
+
+  // Another pair of the same two segments; it turns the other way if they run the other way there.
+  struct Link
+  {
+    std::int64_t pair = -1;
+    bool is_reversed = false;
+  };
+
+  // Pairs of neighbouring segments that cross `halfedge` into its face: those at positions
+  // lower and lower + 1 and so on from its source are the pairs first, ..., first + count - 1
+  // as seen from where the block comes from.
+  struct Block
+  {
+    Halfedge_index halfedge;
+    std::int64_t lower;
+    std::int64_t first;
+    std::int64_t count;
+  };
+
+  // Most often of one block.
+  class Queue
+  {
+  public:
+    explicit Queue(const Block& block) { push_back(block); }
+    bool empty() const { return first_ == blocks_.size(); }
+    void push_back(const Block& block) { blocks_.push_back(block); }
+    Block pop_front()
+    {
+      const Block result = blocks_[first_++];
+      if (2 * first_ >= blocks_.size()) {
+        blocks_.erase(blocks_.begin(), blocks_.begin() + std::ptrdiff_t(first_));
+        first_ = 0;
+      }
+      return result;
+    }
+
+  private:
+    boost::container::small_vector<Block, 4> blocks_;
+    std::size_t first_ = 0; // those before are done
+  };
+
+  template <class Number_of>
+  void decide(std::int64_t first, std::int64_t count, Turn turn, const Number_of& number_of)
+  {
+    for (std::int64_t pair = first; pair < first + count; ++pair)
+      decide(number_of(pair), turn);
+  }
+
+  void decide(std::int64_t pair, Turn turn)
+  {
+    note(pair, turn);
+    while (!to_pass_on_.empty()) {
+      const std::size_t known = std::size_t(to_pass_on_.back());
+      to_pass_on_.pop_back();
+      for (const Link& link : links_[known])
+        if (link.pair >= 0)
+          note(link.pair, link.is_reversed ? reversed(turns_[known]) : turns_[known]);
+    }
+  }
+
+  BOOST_NOINLINE void decide_by_ends(std::int64_t pair)
+  {
+    const auto crossed = [&](std::int64_t position) {
+      return crossed_input_halfedge(complex_, correspondence_, start_, position, interruption_);
+    };
+    const Delta_complex& input = correspondence_.input();
+    decide(pair, crossed(pair + 1) == input.opposite(input.prev(crossed(pair))) ? LEFT : RIGHT);
+  }
+
+  void note(std::int64_t pair, Turn turn)
+  {
+    if (turns_[std::size_t(pair)] != UNKNOWN)
+      return;
+    turns_[std::size_t(pair)] = turn;
+    --number_of_unknown_;
+    if (!links_.empty())
+      to_pass_on_.push_back(pair);
+  }
+
+  // The strip that leaves `pair` to the side `side` comes to `other` from the side `other_side`.
+  void link(std::int64_t pair, Turn side, std::int64_t other, Turn other_side)
+  {
+    if (links_.empty())
+      links_.resize(turns_.size());
+    const bool is_reversed = side == other_side;
+    links_[std::size_t(pair)][side - LEFT] = {other, is_reversed};
+    links_[std::size_t(other)][other_side - LEFT] = {pair, is_reversed};
+    const auto pass_on = [&](std::int64_t from, std::int64_t to) {
+      const Turn turn = turns_[std::size_t(from)];
+      if (turn != UNKNOWN)
+        decide(to, is_reversed ? reversed(turn) : turn);
+    };
+    pass_on(pair, other);
+    pass_on(other, pair);
+  }
+
+  // Lets a block cross its halfedge later, or links its pairs if that belongs to the edge itself.
+  template <class Number_of>
+  void put(Queue& queue, const Block& block, Turn here, const Number_of& number_of)
+  {
+    if (complex_.edge(block.halfedge) != complex_.edge(start_)) {
+      queue.push_back(block);
+      return;
+    }
+    const bool comes_from_right = block.halfedge == start_;
+    const std::int64_t last = std::int64_t(turns_.size()) - 1;
+    for (std::int64_t i = 0; i < block.count; ++i) {
+      const std::int64_t position = block.lower + i;
+      link(number_of(block.first + i), here, comes_from_right ? position : last - position,
+           comes_from_right ? RIGHT : LEFT);
+    }
+  }
+
+  // Takes one step with the first block of a queue.
+  template <class Number_of>
+  void follow(Queue& queue, Turn here, const Number_of& number_of)
+  {
+    if (queue.empty())
+      return;
+    Block block = queue.pop_front();
+    const auto is_known = [&](std::int64_t pair) { return turns_[std::size_t(number_of(pair))] != UNKNOWN; };
+    while (block.count > 0 && is_known(block.first)) {
+      ++block.first;
+      ++block.lower;
+      --block.count;
+    }
+    while (block.count > 0 && is_known(block.first + block.count - 1))
+      --block.count;
+    if (block.count == 0)
+      return;
+
+    // Positions before c_i cut corner i off, the next e_k end in k, the others cut j off.
+    const Triangle_crossings t = coordinates_.triangle_crossings(complex_, block.halfedge);
+    const std::int64_t to_k = t.c_i, to_j = t.c_i + t.e_k;
+    const std::int64_t end = block.lower + block.count + 1; // behind the last position
+    const Turn there = reversed(here);
+    const auto part = [&](std::int64_t begin_of_next) { // the pair across a boundary parts
+      if (begin_of_next > block.lower && begin_of_next < end)
+        decide(block.first + begin_of_next - 1 - block.lower, 1, there, number_of);
+    };
+    if (correspondence_.is_inserted(complex_.target(complex_.next(block.halfedge)))) { // nothing ends in k
+      if (to_k > block.lower && to_k < end)
+        decide_by_ends(number_of(block.first + to_k - 1 - block.lower));
+    } else {
+      part(to_k);
+      part(to_j);
+    }
+    const auto piece = [&](std::int64_t begin, std::int64_t behind) {
+      begin = (std::max)(begin, block.lower);
+      behind = (std::min)(behind, end);
+      return Block{block.halfedge, begin, block.first + begin - block.lower, behind - begin - 1};
+    };
+    const Block ends = piece(to_k, to_j);
+    if (ends.count > 0)
+      decide(ends.first, ends.count, here, number_of);
+    Block around_i = piece(block.lower, to_k);
+    if (around_i.count > 0) {
+      around_i.halfedge = complex_.opposite(complex_.prev(block.halfedge));
+      put(queue, around_i, here, number_of);
+    }
+    Block around_j = piece(to_j, end);
+    if (around_j.count > 0) {
+      // Segments that cut corner j off keep their distance from j.
+      const Halfedge_index jk = complex_.next(block.halfedge);
+      around_j.lower += coordinates_.number_of_crossings(complex_.edge(jk)) -
+                        coordinates_.number_of_crossings(complex_.edge(block.halfedge));
+      around_j.halfedge = complex_.opposite(jk);
+      put(queue, around_j, here, number_of);
+    }
+  }
+
+  const Delta_complex& complex_;
+  const Correspondence& correspondence_;
+  const Normal_coordinates& coordinates_;
+  Halfedge_index start_;
+  const Interruption& interruption_;
+  boost::container::small_vector<Turn, 64>
+    turns_; // of most edges without asking for memory, which takes as long as to find few of them
+  std::vector<std::array<Link, 2>> links_; // to the left and to the right; empty until needed
+  std::vector<std::int64_t> to_pass_on_;
+  std::int64_t number_of_unknown_ = 0;
+};
+
+// The input halfedges that h crosses from its left to its right, in order: those that are kept, or its own.
+class Crossed_halfedges
+{
+public:
+  // \param is_kept whether they are kept from now on, even if they are few
+  // \pre something is crossed
+  Crossed_halfedges(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h,
+                    const Interruption& interruption, bool is_kept = false)
+    : input_(correspondence.input())
+  {
+    const auto n = std::size_t(correspondence.coordinates().number_of_crossings(complex.edge(h)));
+    CGAL_precondition(n > 0);
+    const Kept_crossings& kept = correspondence.kept_crossings();
+    if (const std::optional<Crossed_range> range = kept.find(h, n)) {
+      crossed_ = *range;
+      return;
+    }
+    const bool leaves_corner = !correspondence.is_inserted(complex.source(h));
+    Halfedge_index g = leaves_corner ? input_.opposite(input_.prev(input_.opposite(correspondence.input_halfedge(h))))
+                                     : crossed_input_halfedge(complex, correspondence, h, 0, interruption);
+    own_.push_back(g);
+    if (n > 1) {
+      const Crossing_sequence sequence(complex, correspondence, h, interruption);
+      own_.reserve(n);
+      for (std::size_t i = 0; i + 1 < n; ++i) {
+        g = input_.opposite(sequence.turns_left(i) ? input_.prev(g) : input_.next(g));
+        own_.push_back(g);
+      }
+    }
+    crossed_ = Crossed_range(own_.data(), n, false);
+    // Around inserted vertices, input edges may have to be followed far.
+    if (is_kept || n > few || correspondence.number_of_inserted_vertices() != 0)
+      kept.keep(complex.number_of_edges(), h, n, crossed_);
+  }
+  Crossed_halfedges(const Crossed_halfedges&) = delete;
+  Crossed_halfedges& operator=(const Crossed_halfedges&) = delete;
+
+  std::size_t size() const { return crossed_.size(); }
+  Halfedge_index operator[](std::size_t i) const { return crossed_[i]; }
+  Halfedge_index front() const { return crossed_[0]; }
+  // Whether number i, which is not the first, has its left end in common with that before.
+  bool turns_left(std::size_t i) const { return crossed_[i] == input_.opposite(input_.prev(crossed_[i - 1])); }
+
+  // To find so many takes no longer than to look them up.
+  static constexpr std::size_t few = 8;
+
+private:
+  const Delta_complex& input_;
+  boost::container::small_vector<Halfedge_index, 16> own_;
+  Crossed_range crossed_;
+};
+
+// Keeps what is crossed in all faces with an edge that crosses many: to be called before the first vertex is inserted, as long as that is
+// found quickly.
+inline void keep_long_crossings(const Delta_complex& complex, const Correspondence& correspondence,
+                                const Interruption& interruption)
+{
+  const Normal_coordinates& coordinates = correspondence.coordinates();
+  for (Edge_index e : complex.edges()) {
+    if (coordinates.number_of_crossings(e) <= std::int64_t(Crossed_halfedges::few))
+      continue;
+    for (Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
+      for (Halfedge_index side : {h, complex.next(h), complex.prev(h)})
+        if (!complex.is_border(h) && coordinates.number_of_crossings(complex.edge(side)) > 0)
+          Crossed_halfedges(complex, correspondence, side, interruption, true);
+  }
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_CROSSING_SEQUENCE_H

@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Which input edge crosses an edge at some place.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_INPUT_EDGE_WALK_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_INPUT_EDGE_WALK_H
+
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
+
+#include <CGAL/assertions.h>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// The input halfedge that follows h counterclockwise around a vertex v. Of those on an input edge, there are two.
+inline Halfedge_index next_input_halfedge(const Correspondence& correspondence, Vertex_index v, Halfedge_index h)
+{
+  const Delta_complex& input = correspondence.input();
+  return correspondence.is_inserted(v) ? input.opposite(h) : input.next_around_source(h);
+}
+
+// An input edge on its way through the triangles, each time it enters one.
+class Input_edge_walk
+{
+public:
+  // It crosses h to the left, so many crossings after the source of h.
+  Input_edge_walk(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h,
+                  std::int64_t position)
+    : complex_(complex), correspondence_(correspondence), halfedge_(h), position_(position)
+  {}
+
+  // Goes through a triangle. Returns whether the edge ends there.
+  bool step()
+  {
+    const Triangle_crossings t = correspondence_.coordinates().triangle_crossings(complex_, halfedge_);
+    const Halfedge_index jk = complex_.next(halfedge_), ki = complex_.prev(halfedge_);
+    if (position_ < t.c_i) {
+      halfedge_ = complex_.opposite(ki);
+      return false;
+    }
+    if (position_ >= t.c_i + t.e_k) {
+      position_ += number_of_crossings(jk) - number_of_crossings(halfedge_); // the distance from j stays
+      halfedge_ = complex_.opposite(jk);
+      return false;
+    }
+    end_vertex_ = complex_.source(ki);
+    end_ = correspondence_.input_halfedge(ki);
+    const bool is_original = correspondence_.coordinates().is_original(complex_.edge(ki));
+    for (std::int64_t i = position_ - t.c_i + (is_original ? 1 : 0); i > 0; --i)
+      end_ = next_input_halfedge(correspondence_, end_vertex_, end_);
+    return true;
+  }
+
+  // The vertex where the edge ended, and the edge as the input halfedge that leaves it.
+  Vertex_index end_vertex() const { return end_vertex_; }
+  Halfedge_index end() const { return end_; }
+
+private:
+  std::int64_t number_of_crossings(Halfedge_index h) const
+  {
+    return correspondence_.coordinates().number_of_crossings(complex_.edge(h));
+  }
+
+  const Delta_complex& complex_;
+  const Correspondence& correspondence_;
+  Halfedge_index halfedge_, end_;
+  std::int64_t position_;
+  Vertex_index end_vertex_;
+};
+
+// How an input halfedge leaves a vertex of the current triangulation.
+struct Input_edge_start
+{
+  Halfedge_index side;   // it coincides with this one, or goes through a triangle and crosses this side of it
+  std::int64_t position; // so many crossings after the source of the side; negative if it coincides
+};
+
+// O(number of edges around v).
+// \pre the input halfedge leaves v, or v lies on it
+inline Input_edge_start start_of_input_edge(const Delta_complex& complex, const Correspondence& correspondence,
+                                            Vertex_index v, Halfedge_index input_halfedge)
+{
+  const Normal_coordinates& coordinates = correspondence.coordinates();
+  const Halfedge_index first = complex.opposite(complex.halfedge(v));
+  for (Halfedge_index ki = first;;) {
+    // Counterclockwise from ki: ki itself if it coincides with an input halfedge, then those that cross the opposite side.
+    Halfedge_index start = correspondence.input_halfedge(ki);
+    if (coordinates.is_original(complex.edge(ki))) {
+      if (start == input_halfedge)
+        return {ki, -1};
+      if (start.is_valid() && !complex.is_border(ki))
+        start = next_input_halfedge(correspondence, v, start);
+    }
+    if (!complex.is_border(ki)) {
+      const Halfedge_index ij = complex.next(ki);
+      const Triangle_crossings t = coordinates.triangle_crossings(complex, ij);
+      for (std::int64_t i = 0; i < t.e_k; ++i) {
+        if (start == input_halfedge)
+          return {ij, t.c_i + i};
+        start = next_input_halfedge(correspondence, v, start);
+      }
+    }
+    ki = complex.next_around_source(ki);
+    CGAL_assertion(ki != first);
+  }
+}
+
+// The input face to the left of a halfedge that crosses no input edge.
+inline Face_index uncrossed_input_face(const Delta_complex& complex, const Correspondence& correspondence,
+                                       Halfedge_index h)
+{
+  const Delta_complex& input = correspondence.input();
+  const Halfedge_index roundabout = correspondence.input_halfedge(h);
+  if (!roundabout.is_valid())
+    return input.face(correspondence.location(complex.source(h)).halfedge);
+  return input.face(correspondence.coordinates().is_original(complex.edge(h)) ? roundabout
+                                                                              : input.opposite(roundabout));
+}
+
+// The input halfedge that crosses h from the left to the right, so many crossings after the source of h. Both ends of the
+// input edge are looked for, until one is found. Time: twice the number of triangles to the nearer one.
+inline Halfedge_index crossed_input_halfedge(const Delta_complex& complex, const Correspondence& correspondence,
+                                             Halfedge_index h, std::int64_t position, const Interruption& interruption)
+{
+  const std::int64_t n = correspondence.coordinates().number_of_crossings(complex.edge(h));
+  CGAL_precondition(position < n);
+  Input_edge_walk to_left(complex, correspondence, h, position),
+    to_right(complex, correspondence, complex.opposite(h), n - 1 - position);
+  for (std::size_t step = 0;; ++step) {
+    if (step % 1024 == 1023)
+      interruption.check();
+    if (to_left.step())
+      return to_left.end();
+    if (to_right.step())
+      return correspondence.input().opposite(to_right.end());
+  }
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_INPUT_EDGE_WALK_H

@@ -1,0 +1,305 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Which input halfedges an edge crosses, kept as long as the edge lives.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_KEPT_CROSSINGS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_KEPT_CROSSINGS_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/Index.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Removed_elements.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <new>
+#include <optional>
+#include <utility>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// The input halfedges that a halfedge crosses from its left to its right, in order from its source.
+class Crossed_range
+{
+public:
+  Crossed_range() = default;
+  Crossed_range(const Halfedge_index* first, std::size_t size, bool is_reversed)
+    : first_(first), size_(size), is_reversed_(is_reversed)
+  {}
+
+  std::size_t size() const { return size_; }
+  Halfedge_index operator[](std::size_t i) const { return is_reversed_ ? opposite(first_[size_ - 1 - i]) : first_[i]; }
+  Crossed_range prefix(std::size_t n) const { return {is_reversed_ ? first_ + (size_ - n) : first_, n, is_reversed_}; }
+
+  static Halfedge_index opposite(Halfedge_index h) { return Halfedge_index(h.idx() ^ 1); }
+
+private:
+  const Halfedge_index* first_ = nullptr; // those of the opposite halfedge if reversed
+  std::size_t size_ = 0;
+  bool is_reversed_ = false;
+};
+
+// What was found once is not followed again. The sequences of the edges that a flip or a new vertex makes are slices of those of the
+// sides around them, which the numbers of segments in the triangles tell (section 2.3 of the paper); where those are not kept,
+// nothing is. Nothing here throws: where memory is short, sequences are not kept.
+//
+// Queries may keep sequences, too, several threads at once: nothing is replaced or freed before a change.
+class Kept_crossings
+{
+  using Array = std::unique_ptr<const Halfedge_index[]>;
+
+public:
+  Kept_crossings() = default;
+  // What only speeds up queries is not copied.
+  Kept_crossings(const Kept_crossings&) {}
+  Kept_crossings(Kept_crossings&& other) noexcept
+    : table_(other.table_.exchange(nullptr)), total_(other.total_.exchange(0))
+  {}
+  Kept_crossings& operator=(Kept_crossings other) noexcept
+  {
+    other.table_ = table_.exchange(other.table_);
+    other.total_ = total_.exchange(other.total_);
+    return *this;
+  }
+  ~Kept_crossings() { clear(); }
+
+  bool is_empty() const { return table_.load(std::memory_order_relaxed) == nullptr; }
+
+  // Those of h, which crosses n input edges, if they are kept.
+  std::optional<Crossed_range> find(Halfedge_index h, std::size_t n) const
+  {
+    const Table* const table = table_.load(std::memory_order_acquire);
+    const Halfedge_index* const first = table ? table->slots[h.idx() / 2].load(std::memory_order_acquire) : nullptr;
+    return first ? std::make_optional(Crossed_range(first, n, (h.idx() & 1) != 0)) : std::nullopt;
+  }
+
+  // Keeps the n that h crosses; sequence[i] is one of them.
+  template <class Sequence>
+  void keep(std::size_t number_of_edges, Halfedge_index h, std::size_t n, const Sequence& sequence) const
+  {
+    Table* const table = made_table(number_of_edges);
+    if (!table)
+      return;
+    Array array = copied(n, [&](std::size_t i) {
+      return (h.idx() & 1) != 0 ? Crossed_range::opposite(sequence[n - 1 - i]) : sequence[i];
+    });
+    const Halfedge_index* nothing = nullptr; // unless another thread was faster
+    if (array && table->slots[h.idx() / 2].compare_exchange_strong(nothing, array.get(), std::memory_order_acq_rel)) {
+      array.release();
+      total_ += n;
+    }
+  }
+
+  // What the edge crosses that a flip is about to make.
+  struct Flipped
+  {
+    Array array;
+    std::size_t number;
+    std::int64_t number_before;
+  };
+  // \param along the input halfedge along ij, if there is one
+  Flipped flipped(const Delta_complex& complex, const Normal_coordinates& coordinates, const Hinge_halfedges& around,
+                  Halfedge_index along) const
+  {
+    const Triangle_crossings above = coordinates.triangle_crossings(complex, around.ij), // (i, j, k)
+      below = coordinates.triangle_crossings(complex, around.ji);                        // (j, i, l)
+    // Segments from il through ij to jk, and from lj to ki.
+    const std::int64_t to_jk = (std::max)(std::int64_t(0), below.c_j - above.c_i - above.e_k),
+                       to_ki = (std::max)(std::int64_t(0), above.c_i - below.c_j - below.e_k);
+    const auto first = [&](Halfedge_index h, std::int64_t n) { return prefix(coordinates, complex.edge(h), h, n); };
+    const auto from_l = below.e_j > 0 || to_ki > 0 ? first(around.lj, below.c_k + below.e_j + to_ki)
+                                                   : first(complex.opposite(around.il), below.c_k + below.e_i + to_jk);
+    const auto from_k = above.e_j > 0 ? first(around.ki, above.c_k + above.e_j)
+                                      : first(complex.opposite(around.jk), above.c_k + above.e_i);
+    Flipped result{nullptr, 0, coordinates.number_of_crossings(complex.edge(around.ij))};
+    if (from_l && from_k) { // from l to k
+      result.array = joined(*from_l, along, *from_k);
+      result.number = from_l->size() + (along.is_valid() ? 1 : 0) + from_k->size();
+    }
+    return result;
+  }
+  // To be called with that at the flip.
+  void flip(Edge_index e, Flipped flipped)
+  {
+    forget(e, flipped.number_before);
+    if (Table* const table = flipped.array ? table_.load() : nullptr) {
+      table->slots[e.idx()] = flipped.array.release();
+      total_ += flipped.number;
+    }
+  }
+  // Nothing is kept any longer for e, which crosses so many input edges.
+  void forget(Edge_index e, std::int64_t number)
+  {
+    if (Table* const table = table_)
+      if (const Halfedge_index* const kept = table->slots[e.idx()].exchange(nullptr)) {
+        total_ -= std::size_t(number);
+        delete[] kept;
+      }
+  }
+
+  // Three edges from the corners of a triangle to a new vertex in a piece of it are appended. To be called before the split of the connectivity.
+  void split_face(const Delta_complex& complex, const Normal_coordinates& coordinates, const Triangle_piece& piece)
+  {
+    const std::size_t number_of_edges = complex.number_of_edges();
+    if (!make_room(number_of_edges, 3))
+      return;
+    const Halfedge_index ij = piece.side, jk = complex.next(ij), ki = complex.prev(ij);
+    const std::int64_t n_ij = coordinates.number_of_crossings(complex.edge(ij));
+    append(prefix(coordinates, complex.edge(ij), ij, piece.gap));
+    append(prefix(coordinates, complex.edge(ij), complex.opposite(ij), n_ij - piece.gap));
+    append(from_opposite_corner(complex, coordinates, ij, jk, ki, piece.gap));
+  }
+  // Likewise where an edge is split that coincides with an input edge.
+  void split_edge(const Delta_complex& complex, const Normal_coordinates& coordinates, Halfedge_index h)
+  {
+    const std::size_t number_of_edges = complex.number_of_edges();
+    if (!make_room(number_of_edges, 3))
+      return;
+    append(Crossed_range());
+    for (Halfedge_index ij : {h, complex.opposite(h)})
+      if (!complex.is_border(ij))
+        append(from_opposite_corner(complex, coordinates, ij, complex.next(ij), complex.prev(ij), 0));
+  }
+  // Before that of the coordinates.
+  void remove(const Normal_coordinates& coordinates, const Removed_elements& removed)
+  {
+    if (Table* const table = table_)
+      for (Edge_index e : removed.edges) {
+        forget(e, coordinates.number_of_crossings(e));
+        table->slots[e.idx()] = table->slots[--table->size].load();
+        table->slots[table->size] = nullptr;
+      }
+  }
+
+  void clear() noexcept
+  {
+    if (Table* const table = table_.exchange(nullptr)) {
+      for (std::size_t e = 0; e < table->size; ++e)
+        delete[] table->slots[e].load();
+      delete table;
+    }
+    total_ = 0;
+  }
+
+private:
+  using Slot = std::atomic<const Halfedge_index*>;
+  // One for each edge, of the halfedge with the even number.
+  struct Table
+  {
+    std::size_t size, capacity;
+    std::unique_ptr<Slot[]> slots;
+  };
+  // In halfedges of 4 bytes, beside a pointer for each edge.
+  static constexpr std::size_t largest_total = std::size_t(1) << 25;
+
+  static Table* new_table(std::size_t size, std::size_t capacity)
+  {
+    std::unique_ptr<Slot[]> slots(new (std::nothrow) Slot[capacity]());
+    return slots ? new (std::nothrow) Table{size, capacity, std::move(slots)} : nullptr;
+  }
+  // The first thread that keeps something makes it. `nullptr` if there is no memory.
+  Table* made_table(std::size_t number_of_edges) const
+  {
+    if (Table* const table = table_.load(std::memory_order_acquire))
+      return table;
+    Table *const made = new_table(number_of_edges, number_of_edges), *other = nullptr;
+    if (!made || table_.compare_exchange_strong(other, made, std::memory_order_acq_rel))
+      return made;
+    delete made;
+    return other;
+  }
+  bool make_room(std::size_t number_of_edges, std::size_t number)
+  {
+    Table* table = made_table(number_of_edges);
+    if (table && table->capacity - table->size < number) {
+      Table* const larger = new_table(table->size, table->size + table->size / 2 + number);
+      if (!larger) {
+        clear();
+        return false;
+      }
+      for (std::size_t e = 0; e < table->size; ++e)
+        larger->slots[e] = table->slots[e].load();
+      delete std::exchange(table, larger);
+      table_ = table;
+    }
+    return table != nullptr;
+  }
+
+  // \param get get(i) is one of n halfedges
+  template <class Get>
+  Array copied(std::size_t n, const Get& get) const
+  {
+    if (total_ + n > largest_total)
+      return nullptr;
+    std::unique_ptr<Halfedge_index[]> result(new (std::nothrow) Halfedge_index[n]);
+    for (std::size_t i = 0; result && i < n; ++i)
+      result[i] = get(i);
+    return result;
+  }
+  // The sequence of the opposite of the halfedge that it is given for, which leads to the new vertex.
+  void append(const std::optional<Crossed_range>& to_v)
+  {
+    Table& table = *table_;
+    Array array;
+    if (to_v && to_v->size() != 0)
+      array =
+        copied(to_v->size(), [&](std::size_t i) { return Crossed_range::opposite((*to_v)[to_v->size() - 1 - i]); });
+    if (array)
+      total_ += to_v->size();
+    table.slots[table.size++] = array.release();
+  }
+
+  std::optional<Crossed_range> prefix(const Normal_coordinates& coordinates, Edge_index e, Halfedge_index h,
+                                      std::int64_t n) const
+  {
+    if (n == 0)
+      return Crossed_range();
+    const auto all = find(h, std::size_t(coordinates.number_of_crossings(e)));
+    return all ? std::make_optional(all->prefix(std::size_t(n))) : std::nullopt;
+  }
+
+  // What a line crosses from the corner k of a triangle to a point behind so many crossings of ij.
+  std::optional<Crossed_range> from_opposite_corner(const Delta_complex& complex, const Normal_coordinates& coordinates,
+                                                    Halfedge_index ij, Halfedge_index jk, Halfedge_index ki,
+                                                    std::int64_t gap) const
+  {
+    const Triangle_crossings t = coordinates.triangle_crossings(complex, ij);
+    const std::int64_t from_j = coordinates.number_of_crossings(complex.edge(ij)) - gap;
+    std::int64_t along_ki = t.c_k + t.e_j, along_kj = t.c_k + t.e_i;
+    if (gap < t.c_i)
+      along_ki += t.c_i - gap;
+    else if (from_j < t.c_j)
+      along_kj += t.c_j - from_j;
+    return along_ki > along_kj ? prefix(coordinates, complex.edge(ki), ki, along_ki)
+                               : prefix(coordinates, complex.edge(jk), complex.opposite(jk), along_kj);
+  }
+
+  // A line from a point to another: what it crosses first, an edge between if that is valid, and what it crosses from its end.
+  Array joined(const Crossed_range& from_source, Halfedge_index between, const Crossed_range& from_target) const
+  {
+    const std::size_t n = from_source.size(), m = n + (between.is_valid() ? 1 : 0), all = m + from_target.size();
+    if (all == 0)
+      return nullptr;
+    return copied(all, [&](std::size_t i) {
+      return i < n ? from_source[i] : i < m ? between : Crossed_range::opposite(from_target[all - 1 - i]);
+    });
+  }
+
+  mutable std::atomic<Table*> table_{nullptr};
+  mutable std::atomic<std::size_t> total_{0};
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_KEPT_CROSSINGS_H

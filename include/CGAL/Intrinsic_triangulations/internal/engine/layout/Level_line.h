@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// A proof that two edges form a straight line across parallel folds.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_LEVEL_LINE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_LEVEL_LINE_H
+
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/number_utils.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Let all input edges that two edges va and vb cross, and those that leave v between them, be parallel to one direction u, or have coplanar
+// faces. Then each triangle of the strips lies in a plane that contains u, and to unfold it keeps the coordinate of its points along u. So if
+// a and b are level with v, which is to say (a − v)·u = (b − v)·u = 0, then va and vb are perpendicular to u in the plane of the unfolding,
+// and the angle between them is a multiple of π: on cylinders, prisms and folded plates, whatever lies between, without a root.
+class Level_line
+{
+public:
+  Level_line(const Delta_complex& complex, const Correspondence& correspondence, Input_surface& surface)
+    : complex_(complex), correspondence_(correspondence), input_(correspondence.input()), surface_(surface)
+  {}
+
+  // Whether the angle at their common source, counterclockwise from va to vb, is proven to be a multiple of π.
+  bool operator()(Halfedge_index va, Halfedge_index vb)
+  {
+    const Vertex_index v = complex_.source(va), a = complex_.target(va), b = complex_.target(vb);
+    if (points().empty() || correspondence_.is_inserted(v) || correspondence_.is_inserted(a) ||
+        correspondence_.is_inserted(b))
+      return false;
+    fold_.reset();
+    return folds_around_are_parallel(va, vb) && crossed_folds_are_parallel(va) && crossed_folds_are_parallel(vb) &&
+           fold_ && is_perpendicular({v, a}, *fold_) && is_perpendicular({v, b}, *fold_);
+  }
+
+private:
+  const Points& points() const { return surface_.metric().points(); }
+
+  // Those between va and vb.
+  bool folds_around_are_parallel(Halfedge_index va, Halfedge_index vb)
+  {
+    const Normal_coordinates& coordinates = correspondence_.coordinates();
+    std::int64_t number = 0;
+    Halfedge_index vi = va;
+    do { // once around v if va is vb
+      if (complex_.is_border(vi))
+        return false;
+      number += coordinates.triangle_crossings(complex_, complex_.next(vi)).e_k +
+                (vi != va && coordinates.is_original(complex_.edge(vi)) ? 1 : 0);
+      vi = complex_.next_around_source(vi);
+    } while (vi != vb);
+    Halfedge_index h = correspondence_.input_halfedge(va);
+    if (coordinates.is_original(complex_.edge(va)))
+      h = input_.next_around_source(h);
+    for (; number > 0; --number, h = input_.next_around_source(h))
+      if (!is_parallel_fold(h))
+        return false;
+    return true;
+  }
+
+  bool crossed_folds_are_parallel(Halfedge_index h)
+  {
+    if (correspondence_.coordinates().number_of_crossings(complex_.edge(h)) == 0)
+      return true;
+    const Crossed_halfedges crossed(complex_, correspondence_, h, surface_.interruption());
+    for (std::size_t i = 0; i < crossed.size(); ++i)
+      if (!is_parallel_fold(crossed[i]))
+        return false;
+    return true;
+  }
+
+  // The first fold gives the direction.
+  bool is_parallel_fold(Halfedge_index h)
+  {
+    if (surface_.is_flat(h))
+      return true;
+    const Vertex_pair ends{input_.source(h), input_.target(h)};
+    if (fold_)
+      return are_parallel(*fold_, ends);
+    fold_ = ends;
+    return true;
+  }
+
+  bool are_parallel(Vertex_pair p, Vertex_pair q) const
+  {
+    const auto is_zero = [&](std::size_t x, std::size_t y) {
+      return has_sign_zero([&](auto zero) {
+        using FT = decltype(zero);
+        const auto d = difference<FT>(points(), p.first, p.second), e = difference<FT>(points(), q.first, q.second);
+        return FT(d[x] * e[y] - d[y] * e[x]);
+      });
+    };
+    return is_zero(0, 1) && is_zero(1, 2) && is_zero(2, 0);
+  }
+  bool is_perpendicular(Vertex_pair p, Vertex_pair q) const
+  {
+    return has_sign_zero([&](auto zero) {
+      using FT = decltype(zero);
+      return FT(
+        scalar_product(difference<FT>(points(), p.first, p.second), difference<FT>(points(), q.first, q.second)));
+    });
+  }
+  template <class Evaluate>
+  static bool has_sign_zero(const Evaluate& evaluate)
+  {
+    const Uncertain<Sign> sign = evaluate(Bounded_double_double()).sign();
+    return is_certain(sign) ? get_certain(sign) == ZERO : CGAL::is_zero(evaluate(Exact_ring()));
+  }
+
+  const Delta_complex& complex_;
+  const Correspondence& correspondence_;
+  const Delta_complex& input_;
+  Input_surface& surface_;
+  std::optional<Vertex_pair> fold_;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_LEVEL_LINE_H

@@ -1,0 +1,727 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// PLY, text or binary: elements with properties, of which coordinates and corners are read and the others skipped.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_PLY_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_PLY_H
+
+#include <CGAL/Intrinsic_triangulations/internal/files/Text_lines.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/Polygon_soup.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+struct Ply_property
+{
+  std::string name, type, size_type;
+}; // size_type: lists only
+struct Ply_element
+{
+  std::string name;
+  std::size_t count;
+  std::vector<Ply_property> properties;
+
+  bool is_vertex() const { return name == "vertex" || name == "vertices"; }
+  bool is_face() const { return name == "face" || name == "faces"; }
+  bool is_strips() const { return name == "tristrips"; }
+  // The first property of that name, null if there is none.
+  const Ply_property* find(const std::string& property_name) const
+  {
+    for (const Ply_property& property : properties)
+      if (property.name == property_name)
+        return &property;
+    return nullptr;
+  }
+  // The corners of a face, or of strips.
+  const Ply_property* find_corners() const
+  {
+    const Ply_property* const property = find("vertex_indices");
+    return property != nullptr ? property : find("vertex_index");
+  }
+};
+
+// The number of bytes of a type, 0 if there is no such type.
+inline std::size_t ply_type_size(const std::string& type)
+{
+  // clang-format off
+  static const struct
+  {
+    const char* name;
+    std::size_t size;
+  } table[] = {
+    {"char", 1}, {"int8", 1}, {"uchar", 1}, {"uint8", 1},
+    {"short", 2}, {"int16", 2}, {"ushort", 2}, {"uint16", 2},
+    {"int", 4}, {"int32", 4}, {"uint", 4}, {"uint32", 4},
+    {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
+  // clang-format on
+  for (const auto& row : table)
+    if (type == row.name)
+      return row.size;
+  return 0;
+}
+inline bool is_real(const std::string& type) { return type.compare(0, 5, "float") == 0 || type == "double"; }
+
+struct Ply_header
+{
+  std::string format;
+  std::vector<Ply_element> elements;
+  std::size_t bytes = 0, lines = 0;
+};
+
+inline Ply_header read_ply_header(const std::string& path, const Text_encoding& encoding)
+{
+  std::ifstream in(path, std::ios::binary);
+  in.seekg(static_cast<std::streamoff>(encoding.begin));
+  Ply_header header;
+  std::string line, &format = header.format;
+  std::vector<Ply_element>& elements = header.elements;
+  bool is_ended = false;
+  for (std::size_t& number = header.lines = 1; !is_ended && std::getline(in, line, encoding.line_end); ++number) {
+    const std::string where = "line " + std::to_string(number) + " of the header: ";
+    const auto refuse_unless = [&](const bool is_good, const char* const text) {
+      if (!is_good)
+        refuse_file(path, where + quote(line) + text);
+    };
+    std::istringstream words(line.substr(0, 1000));
+    // Keywords and names in small letters, whatever they are in.
+    const auto word = [&words] {
+      std::string result;
+      words >> result;
+      return in_small_letters(result);
+    };
+    const std::string keyword = word();
+    if (number == 1) {
+      if (keyword != "ply")
+        refuse_file(path, "the file begins with " + quote(line) + " where ply is expected");
+    } else if (keyword == "comment" || keyword == "obj_info" || keyword.empty())
+      continue;
+    else if (keyword == "format" || format.empty()) {
+      const bool is_first = format.empty();
+      format = word();
+      refuse_unless(is_first && keyword == "format" &&
+                      (format == "ascii" || format == "binary_little_endian" || format == "binary_big_endian"),
+                    " is not a format (ascii, binary_little_endian or binary_big_endian)");
+      word(); // the version, of which there is one
+    } else if (keyword == "element") {
+      Ply_element element;
+      element.name = word();
+      long long value = 0;
+      refuse_unless(read_integer(word(), value) && value >= 0, " has no number of elements");
+      element.count = static_cast<std::size_t>(value);
+      for (const Ply_element& other : elements)
+        refuse_unless(other.name != element.name, " names an element for the second time");
+      elements.push_back(element);
+    } else if (keyword == "property") {
+      Ply_property property;
+      property.type = word();
+      if (property.type == "list") {
+        property.size_type = word();
+        property.type = word();
+      }
+      property.name = word();
+      if (elements.empty())
+        refuse_file(path, where + "a property comes before any element");
+      refuse_unless(
+        !property.name.empty() && ply_type_size(property.type) != 0 &&
+          (property.size_type.empty() || (ply_type_size(property.size_type) != 0 && !is_real(property.size_type))),
+        " has a type that is not known");
+      refuse_unless(elements.back().find(property.name) == nullptr, " names a property for the second time");
+      elements.back().properties.push_back(property);
+    } else {
+      refuse_unless(keyword == "end_header", " is not understood");
+      is_ended = true;
+    }
+    refuse_unless(word().empty(), " has a word too many");
+  }
+  if (!is_ended)
+    refuse_file(path, "the header has no end (no line end_header)");
+  const std::streamoff told = in.tellg(); // -1 if nothing follows
+  header.bytes = static_cast<std::size_t>(told < 0 ? std::streamoff(std::filesystem::file_size(path)) : told);
+  return header;
+}
+
+// That properties have types that are known, and that there are x, y and z.
+inline void check_types(const std::string& path, const std::vector<Ply_element>& elements)
+{
+  bool has_vertices = false, has_faces = false;
+  for (const Ply_element& element : elements) {
+    has_vertices = has_vertices || element.is_vertex();
+    has_faces = has_faces || element.is_face() || element.is_strips();
+    if (element.is_vertex())
+      for (const char* const name : {"x", "y", "z"}) {
+        const Ply_property* const property = element.find(name);
+        if (property == nullptr || !property->size_type.empty())
+          refuse_file(path, std::string("by the header the vertices have no coordinate ") + name);
+      }
+    if (element.is_face() || element.is_strips()) {
+      const Ply_property* const property = element.find_corners();
+      if (property == nullptr || property->size_type.empty())
+        refuse_file(path,
+                    "by the header the elements " + element.name + " have no list vertex_indices or vertex_index");
+      if (is_real(property->type))
+        refuse_file(path, "by the header the list " + property->name + " of the elements " + element.name +
+                            " has the type " + property->type + ", which is none of integers");
+    }
+  }
+  if (!has_vertices || !has_faces)
+    refuse_file(path, std::string("the file has no element ") + (has_vertices ? "face" : "vertex"), Defect::EMPTY);
+}
+
+// That there may be a value for each property of each element.
+inline void check_counts(const std::string& path, const Ply_header& header, const std::uintmax_t file_size)
+{
+  const bool is_text = header.format == "ascii";
+  // The last number of a text needs nothing behind it.
+  const std::uintmax_t room = file_size - (std::min<std::uintmax_t>)(header.bytes, file_size) + is_text;
+  for (const Ply_element& element : header.elements) {
+    std::uintmax_t least = 0; // the bytes of one element whose lists are empty
+    for (const Ply_property& property : element.properties)
+      least += is_text ? 2 : ply_type_size(property.size_type.empty() ? property.type : property.size_type);
+    const std::string announced =
+      "the header announces " + counted(element.count, "element", "elements") + " " + quote(element.name);
+    if (element.count > 0 && least == 0)
+      refuse_file(path, announced + ", which have no property: remove them from the header");
+    if (element.count > 0 && element.count > room / least)
+      refuse_file(path, announced + ", more than fit into the " + counted(file_size, "byte", "bytes") + " of the file");
+  }
+}
+
+inline bool is_signed(const std::string& type) { return type[0] == 'i' || type == "char" || type == "short"; }
+
+// A property as the loops want it.
+struct Ply_layout
+{
+  enum Role : std::size_t {
+    X,
+    Y,
+    Z,
+    CORNERS,
+    STRIPS, // corners, too
+    NONE
+  };
+
+  // The smallest and the largest integer of a type.
+  struct Range
+  {
+    explicit Range(const std::string& type)
+      : least(is_signed(type) ? -(1LL << (8 * ply_type_size(type) - 1)) : 0),
+        greatest((1LL << (8 * ply_type_size(type) - is_signed(type))) - 1)
+    {}
+    long long least, greatest;
+  };
+
+  Ply_layout(const Ply_element& element, const Ply_property& property)
+    : size(ply_type_size(property.type)), size_of_count(ply_type_size(property.size_type)),
+      is_real(internal::is_real(property.type)), range(is_real ? "char" : property.type),
+      range_of_count(is_list() ? property.size_type : "char"), role(NONE)
+  {
+    static constexpr const char* names[] = {"x", "y", "z"};
+    for (std::size_t i = 0; i < 3; ++i)
+      if (element.is_vertex() && element.find(names[i]) == &property)
+        role = static_cast<Role>(i);
+    if ((element.is_face() || element.is_strips()) && element.find_corners() == &property)
+      role = element.is_face() ? CORNERS : STRIPS;
+  }
+
+  static std::vector<Ply_layout> of(const Ply_element& element)
+  {
+    std::vector<Ply_layout> result;
+    for (const Ply_property& property : element.properties)
+      result.emplace_back(element, property);
+    return result;
+  }
+
+  bool is_list() const { return size_of_count != 0; }
+  bool has_corners() const { return role == CORNERS || role == STRIPS; }
+
+  std::size_t size;          // of a number in bytes
+  std::size_t size_of_count; // of the number of entries, 0 if it is no list
+  bool is_real;
+  Range range, range_of_count; // of an integer
+  Role role;
+};
+
+// A file of that many bytes has no more triangles, in text or not.
+inline void reserve_ply(const Ply_element& element, const std::uintmax_t bytes, Polygon_soup& soup)
+{
+  if (element.is_vertex())
+    reserve(soup.points, element.count);
+  if (element.is_face())
+    reserve(soup.triangles, (std::min<std::uintmax_t>)(element.count, bytes / 8 + 1));
+}
+
+// Appends the triangles of strips, which end at -1. Every second triangle is turned. Two equal corners make none: they
+// turn the next.
+inline void add_strips(const std::string& path, const std::string& where, const std::vector<std::uint32_t>& corners,
+                       Polygon_soup& soup)
+{
+  std::size_t turns = 0, length = 0;
+  for (std::size_t i = 0; i <= corners.size(); ++i) {
+    if (i == corners.size() || corners[i] == (std::numeric_limits<std::uint32_t>::max)()) {
+      if (length == 1 || length == 2)
+        refuse_file(path, where + ": a strip of triangles ends after " + counted(length, "vertex", "vertices") +
+                            ", before entry " + std::to_string(i) + " of the list");
+      length = 0;
+      continue;
+    }
+    if (++length < 3)
+      continue;
+    const std::array<std::uint32_t, 3> triangle = {corners[i - 2 + (length + 1) % 2], corners[i - 2 + length % 2],
+                                                   corners[i]};
+    if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])
+      ++turns;
+    else
+      soup.add_face(triangle.data(), triangle.data() + 3);
+  }
+  if (turns > 0)
+    soup.warnings.push_back(where + ": the strips of triangles turn " + counted(turns, "time", "times") +
+                            " at a vertex that comes twice, which is no triangle");
+}
+
+template <bool is_big_endian>
+class Ply_binary_reader
+{
+public:
+  Ply_binary_reader(const std::string& path, const Ply_header& header, Polygon_soup& soup, File_blocks& file)
+    : path_(path), header_(header), soup_(soup), file_(file)
+  {}
+
+  void read()
+  {
+    for (const Ply_element& element : header_.elements) {
+      reserve_ply(element, file_.left(), soup_);
+      const std::vector<Ply_layout> layout = Ply_layout::of(element);
+      const bool has_lists = std::any_of(layout.begin(), layout.end(), [](const Ply_layout& l) { return l.is_list(); });
+      std::size_t done = 0;
+      if (element.is_vertex() && !has_lists)
+        done = take_vertices(element, layout);
+      for (; done < element.count; ++done) {
+        if (layout.size() == 1 && layout[0].size_of_count == 1 && layout[0].size == 4 && element.is_face())
+          done += take_triangles(element.count - done);
+        if (done < element.count)
+          take_element(element, layout, done);
+      }
+    }
+    check_end();
+  }
+
+private:
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+  static constexpr bool is_host_big_endian = true;
+#else
+  static constexpr bool is_host_big_endian = false;
+#endif
+
+  template <class T>
+  static T load(const char* const p)
+  {
+    char bytes[sizeof(T)];
+    std::memcpy(bytes, p, sizeof(T));
+    if constexpr (is_big_endian != is_host_big_endian)
+      std::reverse(bytes, bytes + sizeof(T));
+    T result;
+    std::memcpy(&result, bytes, sizeof(T));
+    return result;
+  }
+  static double load_number(const char* const p, const Ply_layout& l)
+  {
+    if (l.is_real)
+      return l.size == 8 ? load<double>(p) : static_cast<double>(load<float>(p));
+    const std::uint32_t bits = load_index(p, l);
+    return l.range.least < 0 ? static_cast<double>(static_cast<std::int32_t>(bits)) : static_cast<double>(bits);
+  }
+
+  // An index of any type; -1 if it is negative.
+  static std::uint32_t load_index(const char* const p, const Ply_layout& l)
+  {
+    const bool is_signed = l.range.least < 0;
+    return l.size == 1   ? (is_signed ? static_cast<std::uint32_t>(load<std::int8_t>(p)) : load<std::uint8_t>(p))
+           : l.size == 2 ? (is_signed ? static_cast<std::uint32_t>(load<std::int16_t>(p)) : load<std::uint16_t>(p))
+                         : load<std::uint32_t>(p);
+  }
+
+  // Bytes behind the elements are faces or vertices that the header does not know, unless there is nothing in them.
+  void check_end()
+  {
+    const std::uintmax_t begin = file_.offset();
+    std::uintmax_t count = 0;
+    bool is_empty = true;
+    while (file_.require(1)) {
+      is_empty = is_empty && std::all_of(file_.first, file_.last, [](char c) { return c == 0 || is_white(c); });
+      count += file_.available();
+      file_.first = file_.last;
+    }
+    if (count == 0)
+      return;
+    std::string announced;
+    for (const Ply_element& element : header_.elements)
+      announced += (announced.empty() ? "" : ", ") + std::to_string(element.count) + " " + element.name;
+    const std::string text = "from byte " + std::to_string(begin) + " on there " + are_counted(count, "byte", "bytes") +
+                             " behind the elements that the header announces (" + announced + ")";
+    if (!is_empty)
+      refuse_file(path_, text);
+    soup_.warnings.push_back(text + ", which are zeros or blanks");
+  }
+
+  // Each has the same number of bytes, and coordinates of one real type: none is taken otherwise. Returns how many
+  // there are before the end of the file.
+  std::size_t take_vertices(const Ply_element& element, const std::vector<Ply_layout>& layout)
+  {
+    std::size_t stride = 0;
+    std::array<std::size_t, 3> offset{};
+    std::array<const Ply_layout*, 3> coordinate{};
+    for (const Ply_layout& l : layout) {
+      if (l.role < 3) {
+        offset[l.role] = stride;
+        coordinate[l.role] = &l;
+      }
+      stride += l.size;
+    }
+    const auto are_reals_of = [&coordinate](const std::size_t size) {
+      return std::all_of(coordinate.begin(), coordinate.end(),
+                         [size](const Ply_layout* l) { return l->is_real && l->size == size; });
+    };
+    const auto take = [&](auto real) {
+      using Real = decltype(real);
+      std::size_t done = 0;
+      while (done < element.count && file_.require(stride)) {
+        const std::size_t n = (std::min)(element.count - done, file_.available() / stride);
+        const char* p = file_.first;
+        for (std::size_t i = 0; i < n; ++i, p += stride)
+          soup_.points.push_back({load<Real>(p + offset[0]), load<Real>(p + offset[1]), load<Real>(p + offset[2])});
+        file_.first = p;
+        done += n;
+      }
+      return done;
+    };
+    return are_reals_of(8) ? take(double()) : are_reals_of(4) ? take(float()) : 0;
+  }
+
+  // Faces of nothing but a byte and three indices, as many as come one after the other. Returns their number.
+  std::size_t take_triangles(const std::size_t at_most)
+  {
+    using Index = std::uint32_t;
+    constexpr std::size_t stride = 1 + 3 * sizeof(Index);
+    std::size_t done = 0;
+    while (done < at_most && soup_.is_triangulated() && file_.require(stride)) {
+      const std::size_t n = (std::min)(at_most - done, file_.available() / stride);
+      const char* p = file_.first;
+      std::size_t i = 0;
+      for (; i < n && *p == 3; ++i, p += stride)
+        soup_.triangles.push_back(
+          {load<Index>(p + 1), load<Index>(p + 1 + sizeof(Index)), load<Index>(p + 1 + 2 * sizeof(Index))});
+      file_.first = p;
+      done += i;
+      if (i < n)
+        break;
+    }
+    return done;
+  }
+
+  // The general case. What nobody wants is never in memory as a whole.
+  void take_element(const Ply_element& element, const std::vector<Ply_layout>& layout, const std::size_t index)
+  {
+    std::array<double, 3> point{};
+    for (std::size_t k = 0; k < layout.size(); ++k) {
+      const Ply_layout& l = layout[k];
+      const auto refuse = [&](const std::string& text) {
+        refuse_file(path_, "element " + element.name + " " + std::to_string(index) + ": " + text);
+      };
+      const std::string& name = element.properties[k].name;
+      std::uintmax_t count = 1;
+      if (l.is_list()) {
+        if (!file_.require(l.size_of_count))
+          refuse("the file ends within " + name);
+        std::uint32_t bits = 0;
+        for (std::size_t b = 0; b < l.size_of_count; ++b)
+          bits |= static_cast<std::uint32_t>(static_cast<unsigned char>(file_.first[b]))
+                  << 8 * (is_big_endian ? l.size_of_count - 1 - b : b);
+        file_.first += l.size_of_count;
+        if (l.range_of_count.least < 0 && (bits >> (8 * l.size_of_count - 1)) != 0)
+          refuse("the list " + name + " claims a negative number of entries");
+        if (bits > file_.left())
+          refuse("the list " + name + " claims more entries than the file has");
+        count = bits;
+      }
+      const std::uintmax_t bytes = count * l.size;
+      if (l.role == Ply_layout::NONE ? !file_.skip(bytes)
+                                     : bytes > file_.left() || !file_.require(static_cast<std::size_t>(bytes)))
+        refuse("the file ends within " + name);
+      if (l.role == Ply_layout::NONE)
+        continue;
+      if (l.has_corners()) {
+        corners_.clear();
+        for (std::size_t i = 0; i < count; ++i)
+          corners_.push_back(load_index(file_.first + l.size * i, l));
+        if (l.role == Ply_layout::CORNERS)
+          soup_.add_face(corners_.data(), corners_.data() + corners_.size());
+        else
+          add_strips(path_, "element " + element.name + " " + std::to_string(index), corners_, soup_);
+      } else
+        point[l.role] = load_number(file_.first, l);
+      file_.first += bytes;
+    }
+    if (element.is_vertex())
+      soup_.points.push_back(point);
+  }
+
+  std::string path_;
+  const Ply_header& header_;
+  Polygon_soup& soup_;
+  File_blocks& file_;
+  std::vector<std::uint32_t> corners_; // of a face
+};
+
+// Words in the order of the elements and their properties. An element is a line, or goes on over several; or everything
+// is in one line.
+class Ply_text_reader
+{
+public:
+  Ply_text_reader(const std::string& path, const Ply_header& header, Polygon_soup& soup, const std::uintmax_t size,
+                  const Progress_function& progress, const char line_end)
+    : path_(path), header_(header), soup_(soup),
+      lines_(path, size, progress, {header.bytes, line_end}, header.lines - 1, no_comment),
+      size_(size - (std::min<std::uintmax_t>)(size, header.bytes))
+  {}
+
+  void read()
+  {
+    std::size_t end = 0; // the line on which the element before ends
+    for (const Ply_element& element : header_.elements) {
+      element_ = &element;
+      reserve_ply(element, size_, soup_);
+      const std::vector<Ply_layout> layout = Ply_layout::of(element);
+      const bool is_vertex = element.is_vertex();
+      for (index_ = 0; index_ < element.count; ++index_) {
+        if (!find_word())
+          refuse_end();
+        if (begin_ == 0)
+          first_ = lines_.number();
+        if (lines_.number() == end && surplus_.empty()) {
+          surplus_ = line_of_two();
+          last_line_ = end;
+        }
+        if (lines_.number() == end && end != first_)
+          refuse_file(path_, surplus_, Defect::UNREADABLE, index_);
+        begin_ = lines_.number();
+        take_element(layout, is_vertex);
+        end = lines_.number();
+      }
+    }
+    if (find_word())
+      refuse_file(path_, surplus_.empty() || lines_.number() == end
+                           ? "line " + std::to_string(lines_.number()) + ": " + quote(lines_.take_word()) +
+                               " is behind the " + so_far() + " that the header announces"
+                           : surplus_);
+  }
+
+private:
+  // What is wrong if the line ends within the elements that begin on it, which is a row of too many numbers or too few.
+  std::string line_of_two()
+  {
+    const bool is_first = index_ == 0;
+    const Ply_element& before = is_first ? *(element_ - 1) : *element_;
+    std::string names;
+    for (const Ply_property& property : before.properties)
+      names += (names.empty() ? "" : ", ") + property.name;
+    return "line " + std::to_string(begin_) + ", element " + before.name + " " +
+           std::to_string(is_first ? before.count - 1 : index_ - 1) +
+           (begin_ == lines_.number() ? std::string()
+                                      : ", which goes on over line " + std::to_string(lines_.number())) +
+           ": " + quote(std::string(lines_.p, skip_word(lines_.p, lines_.last))) +
+           " is behind the numbers that the header names (" + names +
+           "); name it there, or begin each element on a line of its own";
+  }
+
+  void take_element(const std::vector<Ply_layout>& layout, const bool is_vertex)
+  {
+    std::array<double, 3> point{};
+    for (std::size_t k = 0; k < layout.size(); ++k) {
+      const Ply_layout& l = layout[k];
+      const Ply_property& property = element_->properties[k];
+      if (!l.is_list()) {
+        if (l.role < 3)
+          point[l.role] = take_value(l, property);
+        else
+          skip_value(property);
+        continue;
+      }
+      const long long count =
+        take_integer(l.range_of_count, property.size_type, [&] { return "the size of the list " + property.name; });
+      if (count < 0)
+        refuse_file(path_, where() + ": the list " + property.name + " claims a negative number of entries");
+      // Each entry takes two bytes.
+      if (static_cast<std::uintmax_t>(count) > size_ / 2 + 1)
+        refuse_file(path_, where() + ": the list " + property.name + " claims more entries than the file has");
+      corners_.clear();
+      for (long long i = 0; i < count; ++i)
+        if (l.has_corners())
+          corners_.push_back(
+            static_cast<std::uint32_t>(take_integer(l.range, property.type, [&] { return property.name; })));
+        else
+          skip_value(property);
+      if (!l.has_corners())
+        continue;
+      if (l.role == Ply_layout::CORNERS)
+        soup_.add_face(corners_.data(), corners_.data() + corners_.size());
+      else
+        add_strips(path_, where(), corners_, soup_);
+    }
+    if (is_vertex)
+      soup_.points.push_back(point);
+  }
+
+  // Goes to the next word; false at the end of the file.
+  bool find_word()
+  {
+    const bool is_there = lines_.find_word();
+    if (is_there && lines_.number() > last_line_)
+      refuse_file(path_, surplus_, Defect::UNREADABLE, index_);
+    return is_there;
+  }
+  void require_word()
+  {
+    if (!find_word())
+      refuse_end();
+  }
+  [[noreturn]] void refuse_end() const
+  {
+    refuse_file(path_, surplus_.empty() ? "the file ends too early, after " + so_far() : surplus_);
+  }
+  std::string so_far() const
+  {
+    return counted(soup_.points.size(), "vertex", "vertices") + " and " +
+           counted(soup_.number_of_faces(), "face", "faces");
+  }
+  // Goes over the number at p if it is the whole word.
+  template <class Real>
+  bool take_real_word(Real& number)
+  {
+    const char* p = lines_.p;
+    if (!take_real(p, lines_.last, number) || (p != lines_.last && *p == '#'))
+      return false;
+    lines_.p = p;
+    return true;
+  }
+
+  double take_value(const Ply_layout& l, const Ply_property& property)
+  {
+    if (!l.is_real)
+      return static_cast<double>(take_integer(l.range, property.type, [&] { return property.name; }));
+    require_word();
+    double number = 0;
+    float rounded = 0;
+    if (l.size == 8 ? take_real_word(number) : take_real_word(rounded))
+      return l.size == 8 ? number : rounded;
+    const std::string_view word = lines_.take_word();
+    number = check_coordinate(path_, word, where(), index_);
+    if (l.size == 8)
+      return number;
+    if (std::abs(number) > (std::numeric_limits<float>::max)())
+      refuse_file(path_,
+                  where() + ": " + property.name + " is of type float, for which " + quote(word) + " is too large",
+                  Defect::OUT_OF_RANGE, index_);
+    return static_cast<float>(number);
+  }
+
+  // Goes over what nobody wants, which may be any number: not finite, or out of the range of its type.
+  void skip_value(const Ply_property& property)
+  {
+    require_word();
+    if (double ignored = 0; take_real_word(ignored))
+      return;
+    if (const std::string_view word = lines_.take_word(); !is_number(word))
+      refuse_file(path_, where() + ": " + quote(word) + " is not a number, which is needed for " + property.name,
+                  Defect::UNREADABLE, index_);
+  }
+
+  // \param what says what it is
+  template <class What>
+  long long take_integer(const Ply_layout::Range& range, const std::string& type, const What& what)
+  {
+    require_word();
+    const char* p = lines_.p;
+    if (std::uint32_t count = 0;
+        take_count(p, lines_.last, count) && (p == lines_.last || is_white(*p)) && count <= range.greatest) {
+      lines_.p = p;
+      return count;
+    }
+    long long number = 0;
+    const std::string_view word = lines_.take_word();
+    const Integer_state state = integer_state(word, number);
+    if (state == Integer_state::NOT_AN_INTEGER)
+      refuse_file(path_, where() + ": " + quote(word) + " is not an integer, which is needed for " + what());
+    if (state == Integer_state::TOO_LARGE || number < range.least || number > range.greatest)
+      refuse_file(path_,
+                  where() + ": " + quote(word) + " is out of range for " + what() + ", which is of type " + type);
+    return number;
+  }
+
+  std::string where() const
+  {
+    return "line " + std::to_string(lines_.number()) + ", element " + element_->name + " " + std::to_string(index_);
+  }
+
+  std::string path_;
+  const Ply_header& header_;
+  Polygon_soup& soup_;
+  static constexpr char no_comment = '\n'; // no word begins with it
+  Text_lines lines_;
+  const std::uintmax_t size_;         // of what follows the header
+  std::size_t first_ = 0, begin_ = 0; // the lines on which the first element begins, and this one
+  std::string surplus_;               // what is wrong with the line if there is another behind it
+  std::size_t last_line_ = (std::numeric_limits<std::size_t>::max)(); // there must be no other then
+  const Ply_element* element_ = nullptr;
+  std::size_t index_ = 0;              // of the element among those of its kind
+  std::vector<std::uint32_t> corners_; // of a face
+};
+
+// The first line tells how the lines of the header end: what follows may be no text.
+inline Text_encoding find_ply_encoding(const std::string& path)
+{
+  Text_encoding result = find_encoding(path);
+  const std::string head = load_file(path, 1000);
+  const std::size_t end = head.find_first_of("\r\n");
+  result.line_end = end != std::string::npos && head[end] == '\r' && head.compare(end, 2, "\r\n") != 0 ? '\r' : '\n';
+  return result;
+}
+
+inline void read_ply(const std::string& path, const std::uintmax_t size, const Progress_function& progress,
+                     Polygon_soup& soup)
+{
+  const Text_encoding encoding = find_ply_encoding(path);
+  const Ply_header header = read_ply_header(path, encoding);
+  check_types(path, header.elements);
+  check_counts(path, header, size);
+  if (header.format == "ascii")
+    return Ply_text_reader(path, header, soup, size, progress, encoding.line_end).read();
+  File_blocks file(path, size, header.bytes, progress);
+  if (header.format == "binary_little_endian")
+    Ply_binary_reader<false>(path, header, soup, file).read();
+  else
+    Ply_binary_reader<true>(path, header, soup, file).read();
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_PLY_H

@@ -1,0 +1,472 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// STL, text or binary: facets whose corners do not know each other.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_STL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_STL_H
+
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/File_blocks.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/Polygon_soup.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <new>
+#include <string>
+#include <string_view>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Text begins with the word solid, and has no bytes that only binary files have: their headers may begin with any word.
+inline bool is_text_stl(const std::string& head)
+{
+  const std::size_t mark = head.compare(0, 3, "\xef\xbb\xbf") == 0 ? 3 : 0;
+  const char *const end = head.data() + head.size(), *const word = skip_white(head.data() + mark, end);
+  return is_keyword(std::string_view(word, static_cast<std::size_t>(skip_word(word, end) - word)), "solid") &&
+         std::all_of(word, end, [](char c) { return is_white(c) || !(c >= 0 && c < ' '); });
+}
+
+[[noreturn]] inline void refuse_neither(const std::string& path, const std::string& head, const std::string& trouble)
+{
+  find_encoding(path); // of a text
+  const char *const end = head.data() + head.size(), *const word = skip_white(head.data(), end);
+  const std::string first(word, skip_word(word, end));
+  refuse_file(
+    path,
+    is_keyword(first, "solid")
+      ? "the file begins as text STL does, but has bytes that are in no text; nor is it binary STL (" + trouble + ")"
+      : "neither text STL (the first word is " + quote(first) + " and not solid) nor binary STL (" + trouble + ")");
+}
+
+// Corners at the same position are one vertex: positions in a hash table.
+class Stl_corners
+{
+public:
+  explicit Stl_corners(Polygon_soup& soup) : soup_(soup), table_(1 << 10, none) {}
+
+  // The vertex at p, a new one if there is none.
+  std::uint32_t vertex(const std::array<double, 3>& p)
+  {
+    for (std::size_t i = hash(p);; ++i) {
+      std::uint32_t& entry = table_[i & (table_.size() - 1)];
+      if (entry == none) {
+        const std::uint32_t v = static_cast<std::uint32_t>(soup_.points.size());
+        if (v == none)
+          throw std::bad_alloc();
+        entry = v;
+        soup_.points.push_back(p);
+        if (2 * soup_.points.size() > table_.size())
+          grow();
+        return v;
+      }
+      if (soup_.points[entry] == p)
+        return entry;
+    }
+  }
+
+private:
+  static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
+
+  static std::size_t hash(const std::array<double, 3>& p)
+  {
+    std::uint64_t h = 0;
+    for (const double coordinate : p) {
+      const double c = coordinate + 0.; // there is one zero
+      std::uint64_t bits;
+      std::memcpy(&bits, &c, sizeof(bits));
+      h = (h ^ bits) * 0x9e3779b97f4a7c15u;
+      h ^= h >> 32;
+    }
+    return static_cast<std::size_t>(h);
+  }
+
+  void grow()
+  {
+    Large_vector<std::uint32_t>(4 * table_.size(), none).swap(table_);
+    for (std::uint32_t v = 0; v < soup_.points.size(); ++v) {
+      std::size_t i = hash(soup_.points[v]);
+      while (table_[i & (table_.size() - 1)] != none)
+        ++i;
+      table_[i & (table_.size() - 1)] = v;
+    }
+  }
+
+  Polygon_soup& soup_;
+  Large_vector<std::uint32_t> table_; // its size is a power of two
+};
+
+// solid [name] { facet [normal x y z] [outer loop] 3 vertex x y z [endloop] endfacet } endsolid [name]
+//
+// Line ends count behind solid and endsolid alone, whose names end there, and behind color, which some programs add,
+// and #.
+class Stl_text_reader
+{
+public:
+  Stl_text_reader(const std::string& path, Polygon_soup& soup) : path_(path), soup_(soup), corners_(soup) {}
+
+  void read(const std::uintmax_t size, const Progress_function& progress)
+  {
+    const Text_encoding encoding = find_encoding(path_);
+    line_end_ = encoding.line_end;
+    File_blocks file(path_, size, encoding.begin, progress);
+    reserve(soup_, size / 256, size / 128); // a guess: the usual file has fewer
+    while (file.take_words()) {
+      const char *p = file.first, *const last = file.last;
+      for (;;) {
+        for (; p != last && is_white(*p); ++p)
+          number_ += *p == line_end_;
+        if (p == last)
+          break;
+        if (coordinates_ < 3)
+          take_coordinate(p, last);
+        else if (state_ != SOLID || !prefix_.empty() || number_ == line_of_rest_ || !take_usual_facet(p, last)) {
+          const char* const begin = p;
+          p = skip_word(begin, last);
+          take_word(std::string_view(begin, static_cast<std::size_t>(p - begin)));
+        }
+      }
+      file.first = last;
+    }
+    if (state_ != SOLID && state_ != OUTSIDE)
+      refuse_file(path_, "the file ends within facet " + std::to_string(facet()) + ", without a line endsolid",
+                  Defect::UNREADABLE, facet());
+    if (soup_.triangles.empty())
+      refuse_file(path_, "there is no facet in the file", Defect::EMPTY);
+    if (state_ == SOLID)
+      soup_.warnings.push_back("the file ends without a line endsolid, behind facet " + std::to_string(facet() - 1) +
+                               ": it may have been cut off");
+  }
+
+private:
+  enum State {
+    OUTSIDE, // of all solids
+    SOLID,   // before a facet
+    FACET,   // behind that word, or its normal
+    CORNERS,
+    LOOP // before the end of a facet
+  };
+
+  // Goes over a facet that is written as nearly all are; at any other it stays.
+  bool take_usual_facet(const char*& begin, const char* const last)
+  {
+    const char* p = begin;
+    std::size_t lines = 0;
+    const auto skip = [&] {
+      for (; p != last && is_white(*p); ++p)
+        lines += *p == line_end_;
+    };
+    const auto take = [&](const auto& word) {
+      constexpr std::size_t size = sizeof word - 1; // without the zero
+      skip();
+      if (static_cast<std::size_t>(last - p) <= size || std::memcmp(p, word, size) != 0 || !is_white(p[size]))
+        return false;
+      p += size;
+      return true;
+    };
+    if (!take("facet") || !take("normal"))
+      return false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      skip();
+      if (p == last || !(is_digit(*p) || *p == '-'))
+        return false;
+      p = skip_word(p, last);
+    }
+    if (!take("outer") || !take("loop"))
+      return false;
+    std::array<std::array<double, 3>, 3> points;
+    for (std::array<double, 3>& point : points) {
+      if (!take("vertex"))
+        return false;
+      for (double& coordinate : point) {
+        skip();
+        if (!take_real(p, last, coordinate) || p == last || *p == '#')
+          return false;
+      }
+    }
+    if (!take("endloop") || !take("endfacet"))
+      return false;
+    for (std::size_t i = 0; i < 3; ++i)
+      triangle_[i] = corners_.vertex(points[i]);
+    soup_.triangles.push_back(triangle_);
+    number_ += lines;
+    begin = p;
+    return true;
+  }
+
+  void take_word(const std::string_view word)
+  {
+    if (number_ == line_of_rest_)
+      return take_rest(word);
+    if (take_usual_word(word))
+      return;
+    if (prefix_.empty() && word[0] == '#')
+      return begin_rest(false);
+    const std::string whole = std::string(prefix_) + std::string(word);
+    prefix_ = {};
+    const std::string lower = in_small_letters(whole);
+    if (!take_usual_word(lower))
+      take_unusual_word(lower, whole);
+  }
+
+  // The words of a facet, one after the other.
+  bool take_usual_word(const std::string_view word)
+  {
+    switch (state_) {
+    case SOLID:
+      if (word != "facet" || !prefix_.empty())
+        return false;
+      begin_facet();
+      return true;
+    case FACET:
+      if (normal_ > 0) {
+        if (!is_digit(word[0]) && word[0] != '-')
+          return false;
+        --normal_;
+      } else if (!prefix_.empty()) {
+        if (word != "loop" || prefix_ != "outer ")
+          return false;
+        prefix_ = {};
+        state_ = CORNERS;
+        has_loop_ = true;
+      } else if (word == "outer")
+        prefix_ = "outer ";
+      else if (word == "normal" && !has_normal_) {
+        has_normal_ = true;
+        normal_ = 3;
+      } else
+        return false;
+      return true;
+    case CORNERS:
+      if (!prefix_.empty())
+        return false;
+      if (word == "vertex" && number_of_corners_ < 3) {
+        coordinates_ = 0;
+        line_of_vertex_ = number_;
+      } else if (word == "endloop" && has_loop_)
+        state_ = LOOP;
+      else
+        return false;
+      return true;
+    case LOOP:
+      if (word != "endfacet" || !prefix_.empty())
+        return false;
+      end_facet();
+      return true;
+    case OUTSIDE:
+      break;
+    }
+    return false;
+  }
+
+  // \param word in small letters
+  // \param shown as it stands in the file
+  void take_unusual_word(const std::string& word, const std::string& shown)
+  {
+    const bool is_before_corners = state_ == FACET && (word == "outer" || word == "outer loop" || word == "vertex");
+    if (is_before_corners && word == "outer") {
+      normal_ = 0; // of which words are missing
+      prefix_ = "outer ";
+    } else if (is_before_corners) {
+      state_ = CORNERS;
+      has_loop_ = word != "vertex";
+      if (!has_loop_)
+        take_usual_word(word);
+    } else if (state_ == FACET && normal_ > 0)
+      --normal_; // NaN, for example
+    else if (word == "end")
+      prefix_ = "end";
+    else if (state_ == CORNERS && word == "vertex")
+      refuse_corners();
+    else if (state_ == CORNERS && word == "endfacet" && !has_loop_)
+      end_facet();
+    else if (word == "solid" && (state_ == SOLID || state_ == OUTSIDE)) {
+      if (state_ == SOLID)
+        soup_.warnings.push_back("line " + std::to_string(number_) +
+                                 ": a solid begins where the one before has no line endsolid");
+      state_ = SOLID;
+      begin_rest(true);
+    } else if (word == "endsolid" && state_ == SOLID) {
+      state_ = OUTSIDE;
+      begin_rest(true);
+    } else if (state_ != OUTSIDE && (word == "color" || word == "colour"))
+      begin_rest(false);
+    else
+      refuse_word(shown);
+  }
+
+  void end_facet()
+  {
+    if (number_of_corners_ != 3)
+      refuse_corners();
+    soup_.triangles.push_back(triangle_);
+    state_ = SOLID;
+  }
+
+  void begin_facet()
+  {
+    state_ = FACET;
+    has_loop_ = has_normal_ = false;
+    number_of_corners_ = normal_ = 0;
+  }
+
+  // A comment to the end of the line, or a name, which ends at a facet, too: some files are one line.
+  void begin_rest(const bool is_name)
+  {
+    line_of_rest_ = number_;
+    facet_words_ = is_name;
+  }
+  void take_rest(const std::string_view word)
+  {
+    if (facet_words_ == 0)
+      return;
+    facet_words_ = is_keyword(word, "facet")                           ? 2
+                   : facet_words_ == 2 && is_keyword(word, "normal")   ? 3
+                   : facet_words_ == 3 && is_number(std::string(word)) ? 4
+                                                                       : 1;
+    if (facet_words_ < 4)
+      return;
+    if (state_ == OUTSIDE)
+      refuse_word("facet normal");
+    line_of_rest_ = facet_words_ = 0;
+    begin_facet();
+    has_normal_ = true;
+    normal_ = 2;
+  }
+
+  void take_coordinate(const char*& p, const char* const last)
+  {
+    double& coordinate = point_[coordinates_];
+    if (!take_real(p, last, coordinate) || (p != last && *p == '#')) {
+      const char* const begin = p;
+      p = skip_word(begin, last);
+      const std::string word(begin, p);
+      if (number_ != line_of_vertex_)
+        refuse_file(path_,
+                    place(line_of_vertex_, "facet", facet()) + ": a vertex has " +
+                      counted(coordinates_, "number", "numbers") + " where 3 are needed",
+                    Defect::UNREADABLE, facet());
+      coordinate = check_coordinate(path_, word, place(number_, "facet", facet()), facet());
+    }
+    if (++coordinates_ == 3)
+      triangle_[number_of_corners_++] = corners_.vertex(point_);
+  }
+
+  std::size_t facet() const { return soup_.triangles.size(); }
+
+  [[noreturn]] void refuse(const std::string& text, const Defect defect = Defect::UNREADABLE) const
+  {
+    refuse_file(path_, place(number_, "facet", facet()) + ": " + text, defect, facet());
+  }
+  [[noreturn]] void refuse_corners() const { refuse("the facet does not have three vertices", Defect::NOT_A_TRIANGLE); }
+  [[noreturn]] void refuse_word(const std::string& word) const
+  {
+    const bool is_within_facet = [&word] {
+      for (const char* const part : {"outer", "vertex", "normal", "endloop", "endfacet"})
+        if (is_keyword(word, part))
+          return true;
+      return false;
+    }();
+    refuse(quote(word) + " where " +
+           (state_ == OUTSIDE                               ? "solid"
+            : state_ == SOLID                               ? "facet or endsolid"
+            : state_ == FACET                               ? (has_normal_ ? "outer loop" : "normal or outer loop")
+            : state_ == CORNERS && (number_of_corners_ < 3) ? "vertex"
+            : state_ == CORNERS && has_loop_                ? "endloop"
+                                                            : "endfacet") +
+           " is expected" + (state_ == SOLID && is_within_facet ? ": the line facet normal is missing before it" : ""));
+  }
+
+  std::string path_;
+  Polygon_soup& soup_;
+  Stl_corners corners_;
+  char line_end_ = '\n';
+  std::size_t number_ = 1; // of the line
+  State state_ = OUTSIDE;
+  bool has_loop_ = false, has_normal_ = false;          // of the facet
+  int normal_ = 0;                                      // how many of its words are to come
+  std::size_t number_of_corners_ = 0, coordinates_ = 3; // coordinates of the corner
+  std::string_view prefix_;                             // the first half of a keyword of two words
+  std::size_t line_of_rest_ = 0, line_of_vertex_ = 0;   // the rest of that line is a name or a comment
+  int facet_words_ = 0;                                 // in a name, one more than there are words of a facet
+  std::array<double, 3> point_{};
+  std::array<std::uint32_t, 3> triangle_{};
+};
+
+// A header of 80 bytes, the number of facets, and 50 bytes for each.
+inline void read_binary_stl(const std::string& path, const std::string& head, const std::uintmax_t size,
+                            const Progress_function& progress, Polygon_soup& soup)
+{
+  if (head.size() < 84)
+    refuse_neither(path, head, "shorter than the header of 84 bytes");
+  constexpr std::uint32_t unknown_number = (std::numeric_limits<std::uint32_t>::max)();
+  std::uint32_t announced = 0;
+  std::memcpy(&announced, &head[80], 4);
+  const std::uintmax_t stored = (size - 84) / 50, surplus = (size - 84) % 50;
+  const std::string both = "the header announces " + counted(announced, "facet", "facets") +
+                           ", the file has room for " + std::to_string(stored);
+  // Who writes facets as they come may not know their number in time.
+  const bool is_unknown = (announced == 0 || announced == unknown_number) && stored > 0 && surplus == 0;
+  const std::uintmax_t facets = is_unknown ? stored : announced;
+  if (facets > stored)
+    refuse_neither(path, head,
+                   both + ": it ends within facet " + std::to_string(stored) + ", which begins at byte " +
+                     std::to_string(84 + 50 * stored));
+  if (is_unknown) {
+    soup.warnings.push_back("the header announces " + counted(announced, "facet", "facets") + "; all " +
+                            std::to_string(stored) + " that are in the file were read");
+  } else if (facets < stored)
+    refuse_file(
+      path, both + ": facet " + std::to_string(facets) + ", at byte " + std::to_string(84 + 50 * facets) +
+              ", is the first behind them; correct the number, of four bytes at byte 80, or cut off what is behind");
+  else if (surplus > 0)
+    soup.warnings.push_back("there " + are_counted(surplus, "byte", "bytes") + " behind the " +
+                            counted(facets, "facet", "facets") + ", too few for a facet");
+
+  File_blocks file(path, size, 84, progress);
+  Stl_corners corners(soup);
+  reserve(soup, facets / 2, facets); // as many vertices as a closed surface has
+  for (std::size_t f = 0; f < facets; ++f, file.first += 50) {
+    if (!file.require(50))
+      refuse_file(path, "facet " + std::to_string(f) + ": the file ends within the facet", Defect::UNREADABLE, f);
+    std::array<std::uint32_t, 3> triangle;
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::array<double, 3> point;
+      for (std::size_t j = 0; j < 3; ++j) {
+        float coordinate;
+        std::memcpy(&coordinate, file.first + 12 + 12 * i + 4 * j, 4);
+        if (!std::isfinite(coordinate))
+          refuse_file(path, "facet " + std::to_string(f) + ": a coordinate is not finite", Defect::NOT_FINITE, f);
+        point[j] = coordinate;
+      }
+      triangle[i] = corners.vertex(point);
+    }
+    soup.triangles.push_back(triangle);
+  }
+}
+
+inline void read_stl(const std::string& path, const std::uintmax_t size, const Progress_function& progress,
+                     Polygon_soup& soup)
+{
+  const std::string head = load_file(path, 4096);
+  if (is_text_stl(head))
+    Stl_text_reader(path, soup).read(size, progress);
+  else
+    read_binary_stl(path, head, size, progress, soup);
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_STL_H

@@ -1,0 +1,345 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Numbers of all elements as those of single ones, but with one corner laid out for each face.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_ELEMENT_MEASURER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_ELEMENT_MEASURER_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/area_in_input_unit.h>
+#include <CGAL/Intrinsic_triangulations/internal/numbers/Cotangent_weight.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Cotangents and their sums beside faces of any area; none is NaN.
+template <class Traits>
+class Extended_cotangents
+{
+public:
+  explicit Extended_cotangents(const Intrinsic_triangulation<Traits>& triangulation)
+    : triangulation_(triangulation), complex_(triangulation.connectivity()),
+      has_area_(complex_.number_of_faces(), unknown)
+  {}
+
+  // The cotangent weight of an edge, with the sign that the number type decides.
+  double weight(Edge_index e)
+  {
+    const Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
+    double result = std::numeric_limits<double>::quiet_NaN();
+    if (has_area(h) && has_area(g))
+      result = CGAL::to_double(triangulation_.cotangent_weight(e));
+    if (std::isnan(result)) {
+      result = (complex_.is_border(h) ? 0 : rough_cotangent(h)) + (complex_.is_border(g) ? 0 : rough_cotangent(g));
+      // Two faces of zero area, with angles of 0 and of π opposite to the edge: a tie.
+      if (std::isnan(result))
+        result = 0;
+    }
+    // A sum of two rounded cotangents that cancel can have another sign.
+    if (result < 0 && !complex_.is_border(e) && certainly(triangulation_.is_locally_Delaunay(e)))
+      result = 0;
+    return result;
+  }
+
+  // Opposite to h. \pre h is not a border halfedge
+  double cotangent(Halfedge_index h)
+  {
+    const double result =
+      has_area(h) ? CGAL::to_double(triangulation_.cotangent(h)) : std::numeric_limits<double>::quiet_NaN();
+    return std::isnan(result) ? rough_cotangent(h) : result;
+  }
+
+  // Whether a face beside e has no area. Only then can the weight be infinite, but for overflow.
+  bool is_beside_flat_face(Edge_index e)
+  {
+    const Halfedge_index h = complex_.halfedge(e);
+    return !(has_area(h) && has_area(complex_.opposite(h)));
+  }
+
+private:
+  static constexpr std::int8_t unknown = -1;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  bool has_area(Halfedge_index h)
+  {
+    if (complex_.is_border(h))
+      return true;
+    const Face_index f = complex_.face(h);
+    if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry)
+      if (triangulation_.traits().has_positive_area_object()(
+            triangulation_.face_data(f))) // mostly known, and sooner than by memory
+        return true;
+    std::int8_t& answer = has_area_[f.idx()];
+    if (answer == unknown)
+      answer = has_positive_area(triangulation_, f);
+    return answer != 0;
+  }
+
+  // For a face whose area is zero, or not known to be positive, or beside one.
+  double rough_cotangent(Halfedge_index h)
+  {
+    if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry) {
+      if (has_area(h))
+        return triangulation_.cotangent(h);
+      // At the corner of a flat face the scalar product is that of two parallel sides.
+      return std::copysign(infinity, internal::engine(triangulation_).corner(h).p.hi());
+    }
+    const auto length = [&](Halfedge_index k) { return CGAL::to_double(triangulation_.length(complex_.edge(k))); };
+    const double l_ij = length(h), l_jk = length(complex_.next(h)), l_ki = length(complex_.prev(h));
+    // In units of the longest side, lest a square overflows.
+    const double longest = std::fmax(l_ij, std::fmax(l_jk, l_ki));
+    const double ij = l_ij / longest, jk = l_jk / longest, ki = l_ki / longest;
+    const double p = twice_scalar_product<double>(jk * jk, ki * ki, ij * ij);
+    // Rounded lengths make a little area of none, and a number of what is infinite.
+    if (Traits::Has_exact_decisions::value && !has_area(h))
+      return std::copysign(infinity, p);
+    const double q = squared_four_areas_from_lengths(ij, jk, ki);
+    return q > 0 ? p / std::sqrt(q) : std::copysign(infinity, p);
+  }
+
+  const Intrinsic_triangulation<Traits>& triangulation_;
+  const Delta_complex& complex_;
+  std::vector<std::int8_t> has_area_; // or `unknown`
+};
+
+// One corner of each face is laid out, by several threads; single elements are asked for where that does not tell, and where the traits
+// have no exact geometry.
+template <class ConcurrencyTag, class Traits>
+class Element_measurer
+{
+  using Triangulation = Intrinsic_triangulation<Traits>;
+
+public:
+  Element_measurer(const Triangulation& triangulation, const Progress_function& progress)
+    : triangulation_(triangulation), complex_(triangulation.connectivity()), progress_(progress)
+  {
+    if constexpr (Triangulation::uses_exact_geometry)
+      lay_out_faces(internal::engine<ConcurrencyTag>(triangulation));
+  }
+
+  std::vector<double> lengths()
+  {
+    std::vector<double> result = numbers<Edge_index>(
+      complex_.number_of_edges(), [&](Edge_index e) { return known_->lengths[e.idx()]; },
+      [&](Edge_index e) { return CGAL::to_double(triangulation_.length(e)); });
+    if (known_)
+      known_->lengths = {}; // gives the memory back
+    return result;
+  }
+
+  std::vector<double> areas()
+  {
+    return numbers<Face_index>(
+      complex_.number_of_faces(), [&](Face_index f) { return known_area(f); },
+      [&](Face_index f) { return CGAL::to_double(triangulation_.area(f)); });
+  }
+
+  std::vector<double> weights()
+  {
+    Extended_cotangents<Traits> extended(triangulation_);
+    return numbers<Edge_index>(
+      complex_.number_of_edges(),
+      [&](Edge_index e) { return complex_.is_border(e) ? unknown : known_->cotangent_weight(complex_, e); },
+      [&](Edge_index e) { return extended.weight(e); });
+  }
+
+  std::vector<double> cotangents()
+  {
+    Extended_cotangents<Traits> extended(triangulation_);
+    return numbers<Halfedge_index>(
+      complex_.number_of_halfedges(), [&](Halfedge_index h) { return known_cotangent(h); },
+      [&](Halfedge_index h) { return complex_.is_border(h) ? 0 : extended.cotangent(h); });
+  }
+
+  // \param angle(h) returns a single one
+  template <class Angle>
+  std::vector<double> angles(double relative_error, const Angle& angle)
+  {
+    return numbers<Halfedge_index>(
+      complex_.number_of_halfedges(),
+      [&](Halfedge_index h) { return complex_.is_border(h) ? 0 : known_->angle(h, relative_error); },
+      [&](Halfedge_index h) { return complex_.is_border(h) ? 0 : angle(h); });
+  }
+
+private:
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  static constexpr const char* name = "the measurement";
+
+  void lay_out_faces(const Exact_engine& engine)
+  {
+    known_.emplace(complex_);
+    const std::size_t n = complex_.number_of_faces(), between_reports = progress_ ? 16 * elements_of_block : n;
+    for (std::size_t begin = 0; begin < n; begin += between_reports) {
+      report_progress(progress_, 0.5 * double(begin) / double(n), name);
+      for_each_block<ConcurrencyTag>(
+        (std::min)(between_reports, n - begin), elements_of_block / 4,
+        [&](std::size_t first, std::size_t last) { engine.find_numbers(begin + first, begin + last, *known_); });
+    }
+  }
+
+  double known_area(Face_index f) const
+  {
+    const double area = known_->areas[f.idx()];
+    try {
+      return std::isnan(area) ? area : area_in_input_unit(area, triangulation_.unit_exponent(), f);
+    } catch (const Invalid_surface_error&) { // of several, one thread finds the first
+      return unknown;
+    }
+  }
+
+  double known_cotangent(Halfedge_index h) const
+  {
+    if (complex_.is_border(h))
+      return 0;
+    const auto& [hi, lo, error] = known_->cotangents[h.idx()];
+    return error < 0x1p-53 * (1 + std::abs(hi)) ? hi : unknown;
+  }
+
+  // One for each of n elements: `known(element)`, or `compute(element)` where that is NaN.
+  template <class Element, class Known, class Compute>
+  std::vector<double> numbers(std::size_t n, const Known& known, const Compute& compute)
+  {
+    std::vector<double> result(n, unknown);
+    const auto element = [](std::size_t i) { return Element(typename Element::size_type(i)); };
+    if (known_)
+      for_each_block<ConcurrencyTag>(n, elements_of_block, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+          result[i] = known(element(i));
+      });
+    // Nobody knows how many are left for this loop, or how many loops follow.
+    const double done = (fraction_ + 1) / 2;
+    const Loop_progress progress(progress_, name, std::exchange(fraction_, done), done, n);
+    for (std::size_t i = 0; i < n; ++i) {
+      progress.at(i);
+      if (std::isnan(result[i]))
+        result[i] = compute(element(i));
+    }
+    return result;
+  }
+
+  const Triangulation& triangulation_;
+  const Delta_complex& complex_;
+  const Progress_function progress_;
+  double fraction_ = 0.5;
+  std::optional<Exact_engine::Rounded_numbers> known_; // of a triangulation with exact geometry
+};
+
+// Counts negative cotangent weights, and finds the smallest: the exact geometry is only asked for those that can be it.
+template <class Traits>
+class Weight_summarizer
+{
+public:
+  explicit Weight_summarizer(const Intrinsic_triangulation<Traits>& triangulation)
+    : triangulation_(triangulation), complex_(triangulation.connectivity()), extended_(triangulation)
+  {}
+
+  // \tparam Summary has `smallest`, `negative` and `infinite`
+  template <class Summary>
+  void summarize(Summary& summary)
+  {
+    if constexpr (has_bounds)
+      by_bounds(summary);
+    else
+      for (Edge_index e : complex_.edges())
+        add(e, summary);
+  }
+
+private:
+  template <class T, class = void>
+  struct Has_bounds : std::false_type
+  {};
+  template <class T>
+  struct Has_bounds<T, std::void_t<typename T::Compute_bounded_cotangent>> : T::Uses_exact_geometry
+  {};
+  static constexpr bool has_bounds = Has_bounds<Traits>::value;
+
+  template <class Summary>
+  void add(Edge_index e, Summary& summary)
+  {
+    const double weight = extended_.weight(e);
+    summary.infinite += !std::isfinite(weight);
+    if (complex_.is_border(e))
+      return;
+    summary.negative += weight < 0;
+    if (std::isfinite(weight))
+      summary.smallest = (std::min)(weight, summary.smallest.value_or(weight));
+  }
+
+  template <class Summary>
+  void by_bounds(Summary& summary)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::vector<double> lowest(complex_.number_of_edges(), infinity);
+    double smallest_from_above = infinity;
+    for (Edge_index e : complex_.edges()) {
+      if (extended_.is_beside_flat_face(e)) {
+        add(e, summary);
+      } else if (!complex_.is_border(e)) {
+        const auto [low, high] = bounds(e);
+        lowest[e.idx()] = low;
+        smallest_from_above = (std::min)(smallest_from_above, high);
+        // The bounds are rounded. An edge with one face on both sides is Delaunay, whatever its weight.
+        if (low < margin(low))
+          summary.negative +=
+            (high < -margin(high) && complex_.is_flippable(e)) || !certainly(triangulation_.is_locally_Delaunay(e));
+      }
+    }
+    // The bounds are those of the exact weight; what is reported is rounded once more.
+    smallest_from_above += margin(smallest_from_above);
+    for (Edge_index e : complex_.edges())
+      if (lowest[e.idx()] < infinity && lowest[e.idx()] <= smallest_from_above) {
+        const double weight = extended_.weight(e);
+        summary.smallest = (std::min)(weight, summary.smallest.value_or(weight));
+      }
+  }
+
+  static double margin(double x) { return 0x1p-40 * (1 + std::abs(x)); }
+
+  // Of the weight of an interior edge, from what is stored.
+  std::pair<double, double> bounds(Edge_index e) const
+  {
+    double low = 0, high = 0;
+    for (Halfedge_index h : {complex_.halfedge(e), complex_.opposite(complex_.halfedge(e))}) {
+      const auto c = triangulation_.traits().compute_bounded_cotangent_object()(
+        triangulation_.face_data(complex_.face(h)), triangulation_.edge_data(e),
+        triangulation_.edge_data(complex_.edge(complex_.next(h))),
+        triangulation_.edge_data(complex_.edge(complex_.prev(h))));
+      low += c.value - c.error;
+      high += c.value + c.error;
+    }
+    return {low, high};
+  }
+
+  const Intrinsic_triangulation<Traits>& triangulation_;
+  const Delta_complex& complex_;
+  Extended_cotangents<Traits> extended_;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_ELEMENT_MEASURER_H

@@ -1,0 +1,564 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// The passes over a list of polygons that find what is wrong with it, and how it is said.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_VALIDATE_TRIANGLES_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_VALIDATE_TRIANGLES_IMPL_H
+
+#include <CGAL/Intrinsic_triangulations/internal/gluing/Surface_gluer.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
+#include <CGAL/Intrinsic_triangulations/internal/validation/Disjoint_sets.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+using Defect = Invalid_surface_error::Defect;
+
+inline std::string face_text(const Polygon_sides& polygons, const std::size_t face)
+{
+  std::ostringstream text;
+  text << face << " (corners ";
+  const std::size_t begin = polygons.begin_of_face(face), end = polygons.begin_of_face(face + 1);
+  for (std::size_t c = begin; c < end && c < begin + 8; ++c)
+    text << (c == begin ? "" : ", ") << polygons.vertex(c);
+  text << (end > begin + 8 ? ", ...)" : ")");
+  return text.str();
+}
+
+inline std::string edge_text(const Polygon_sides& polygons, const std::size_t side)
+{
+  const std::array<std::size_t, 2> v = polygons.ends(side);
+  return "edge " + std::to_string(v[0]) + "-" + std::to_string(v[1]);
+}
+
+inline std::string faces_text(const Polygon_sides& polygons, const std::size_t side)
+{
+  std::string text;
+  std::size_t written = 0;
+  bool is_complete = true;
+  polygons.for_each_face_of_edge(side, [&](const std::size_t face) {
+    if (written == 8)
+      return is_complete = false;
+    text += (written++ == 0 ? "" : ", ") + std::to_string(face);
+    return true;
+  });
+  return (written == 1 ? "face " : "faces ") + text + (is_complete ? "" : ", ...");
+}
+
+// Examines one list of polygons, in passes over the flat arrays of Polygon_sides.
+class Surface_examiner
+{
+  using Coordinates = std::array<double, 3>;
+
+public:
+  Surface_examiner(const std::vector<Coordinates>& points, Polygon_sides& polygons)
+    : points_(points), polygons_(polygons)
+  {}
+
+  Surface_report examine()
+  {
+    report_.number_of_vertices = number_of_vertices_;
+    report_.number_of_faces = polygons_.number_of_faces();
+    if (examine_numbers()) {
+      examine_coordinates();
+      examine_faces();
+      polygons_.sort_sides();
+      examine_edges();
+      examine_lengths();
+      examine_use();
+    }
+    std::stable_sort(report_.findings.begin(), report_.findings.end(),
+                     [](const Finding& a, const Finding& b) { return a.defect < b.defect; });
+    return std::move(report_);
+  }
+
+private:
+  typedef Polygon_sides::Index Index;
+  typedef Polygon_sides::Side Side;
+  static constexpr Index none_ = Polygon_sides::none;
+
+  // The sides of the edge from the current bucket's vertex to this one.
+  struct Edge_mark
+  {
+    Index bucket, first_side, count;
+    bool same_direction, same_third;
+  };
+
+  const Coordinates& point(const std::size_t vertex) const { return points_[vertex]; }
+  Finding& add(const Defect defect, const std::size_t count, std::vector<std::size_t> elements, std::string description)
+  {
+    report_.findings.push_back(
+      Finding{defect, std::move(elements), {}, count, defect <= Defect::OUT_OF_RANGE, std::move(description)});
+    return report_.findings.back();
+  }
+  // The elements of `edges` are positions in sides_ of the first sides of edges.
+  void add_edges(const Defect defect, const Element_collector& edges, std::string description)
+  {
+    Finding& finding = add(defect, edges.count(), {}, std::move(description));
+    for (const std::size_t s : edges.elements()) {
+      finding.elements.push_back(polygons_.face_of_side(s));
+      finding.edges.push_back(polygons_.ends(s));
+    }
+  }
+  // Says what was seen while the polygons were copied; whether there is more to examine.
+  bool examine_numbers()
+  {
+    const std::size_t n = number_of_vertices_, number_of_faces = report_.number_of_faces;
+    if (number_of_faces == 0)
+      add(Defect::EMPTY, 1, {},
+          n == 0 ? "there is no vertex and no face" : "there " + are_counted(n, "vertex", "vertices") + " but no face");
+    else if (!polygons_.can_be_numbered())
+      add(Defect::OUT_OF_RANGE, 1, {},
+          n >= none_ || number_of_faces >= none_ / 3
+            ? std::to_string(n) + " vertices and " + std::to_string(number_of_faces) +
+                " faces are more than 32-bit indices can number"
+            : "the faces have more corners than 32-bit indices can number");
+    if (!report_.findings.empty())
+      return false;
+    if (const Element_collector& bad = polygons_.faces_with_bad_index(); bad.count() != 0)
+      add(Defect::BAD_INDEX, bad.count(), bad.elements(),
+          "face " + std::to_string(bad.first()) + " names vertex " + index_text(polygons_.first_bad_index()) +
+            ", but there " + are_counted(n, "vertex", "vertices"));
+    return true;
+  }
+
+  void examine_coordinates()
+  {
+    Element_collector bad;
+    for (std::size_t v = 0; v < number_of_vertices_; ++v) {
+      const Coordinates p = point(v);
+      if (!(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])))
+        bad.add(v);
+      else if (polygons_.is_used(v))
+        for (int i = 0; i < 3; ++i)
+          box_.add(i, p[i]);
+    }
+    all_finite_ = bad.count() == 0;
+    if (all_finite_) {
+      examine_scaled_coordinates();
+      return;
+    }
+    const Coordinates p = point(bad.first());
+    std::ostringstream text;
+    text.precision(17);
+    text << "vertex " << bad.first() << " has the coordinates (" << p[0] << ", " << p[1] << ", " << p[2] << ")";
+    add(Defect::NOT_FINITE, bad.count(), bad.elements(), text.str());
+  }
+
+  // What the constructors refuse to scale.
+  void examine_scaled_coordinates()
+  {
+    exponent_ = unit_exponent<double>(box_.half_extent());
+    if (exponent_ == 0)
+      return;
+    Element_collector vanishing;
+    for (std::size_t v = 0; v < number_of_vertices_; ++v)
+      if (Coordinates p = point(v); polygons_.is_used(v) && !scale_point(p, box_, exponent_))
+        vanishing.add(v);
+    if (vanishing.count() == 0)
+      return;
+    const Coordinates p = point(vanishing.first());
+    std::ostringstream text;
+    text << "vertex " << vanishing.first() << " at (" << p[0] << ", " << p[1] << ", " << p[2]
+         << ") has a coordinate that is lost beside the size of the surface, about " << 2 * box_.half_extent();
+    add(Defect::OUT_OF_RANGE, vanishing.count(), vanishing.elements(), text.str());
+  }
+
+  // Number of corners, repeated corners and zero areas.
+  void examine_faces()
+  {
+    Element_collector not_triangles, repeated, flat;
+    std::vector<Index> last_face(polygons_.are_triangles() ? 0 : number_of_vertices_, none_); // for polygons only
+    for (std::size_t f = 0; f < report_.number_of_faces; ++f) {
+      const std::size_t begin = polygons_.begin_of_face(f), end = polygons_.begin_of_face(f + 1);
+      if (end - begin != 3)
+        not_triangles.add(f);
+      if (begin == end || polygons_.vertex(begin) == none_)
+        continue;
+      if (end - begin == 3) {
+        const Index a = polygons_.vertex(begin), b = polygons_.vertex(begin + 1), c = polygons_.vertex(begin + 2);
+        if (a == b || b == c || c == a)
+          repeated.add(f);
+        else if (all_finite_ && are_collinear(point(a), point(b), point(c)))
+          flat.add(f);
+        continue;
+      }
+      bool is_repeated = false;
+      for (std::size_t c = begin; c < end; ++c) {
+        is_repeated = is_repeated || last_face[polygons_.vertex(c)] == f;
+        last_face[polygons_.vertex(c)] = static_cast<Index>(f);
+      }
+      if (is_repeated)
+        repeated.add(f);
+    }
+    if (not_triangles.count() != 0) {
+      const std::size_t f = not_triangles.first(), corners = polygons_.degree(f);
+      const bool has_text = corners != 0 && polygons_.vertex(polygons_.begin_of_face(f)) != none_;
+      add(Defect::NOT_A_TRIANGLE, not_triangles.count(), not_triangles.elements(),
+          "face " + (has_text ? face_text(polygons_, f) : std::to_string(f)) + " has " + std::to_string(corners) +
+            (corners == 1 ? " corner" : " corners") + " instead of 3");
+    }
+    if (repeated.count() != 0)
+      add(Defect::REPEATED_CORNER, repeated.count(), repeated.elements(),
+          "face " + face_text(polygons_, repeated.first()) + " names a vertex twice");
+    if (flat.count() != 0)
+      add(Defect::DEGENERATE_FACE, flat.count(), flat.elements(),
+          "face " + face_text(polygons_, flat.first()) + " has zero area");
+  }
+
+  void examine_edges()
+  {
+    Element_collector crowded, turned, coincident, duplicates;
+    std::vector<Edge_mark> marks(number_of_vertices_, Edge_mark{none_, 0, 0, false, false});
+    std::vector<std::array<Index, 3>> crowded_faces; // other, third, face
+    Disjoint_sets fans(polygons_.number_of_corners());
+    Length_range lengths;
+    for (std::size_t a = 0; a < number_of_vertices_; ++a) {
+      const std::size_t begin = polygons_.bucket_begin(a), end = polygons_.bucket_begin(a + 1);
+      for (std::size_t s = begin; s < end; ++s) {
+        const Side& side = polygons_.side(s);
+        Edge_mark& mark = marks[side.other];
+        if (mark.bucket != a) {
+          mark = Edge_mark{static_cast<Index>(a), static_cast<Index>(s), 1, false, false};
+          continue;
+        }
+        const Side& first = polygons_.side(mark.first_side);
+        const bool same_direction = polygons_.leaves(side, a) == polygons_.leaves(first, a);
+        fans.unite(same_direction ? side.source : side.target, first.source);
+        fans.unite(same_direction ? side.target : side.source, first.target);
+        if (++mark.count == 2) {
+          const Index third = polygons_.third_vertex(side);
+          mark.same_direction = same_direction;
+          mark.same_third = third != none_ && third > side.other && third == polygons_.third_vertex(first);
+        }
+      }
+      bool is_crowded = false;
+      for (std::size_t s = begin; s < end; ++s) {
+        const Side& side = polygons_.side(s);
+        const Edge_mark& mark = marks[side.other];
+        if (mark.first_side == s) {
+          ++report_.number_of_edges;
+          report_.number_of_border_edges += mark.count == 1;
+          if (!lengths.add(point(a), point(side.other), s))
+            coincident.add(s);
+          if (mark.count > 2) {
+            crowded.add(s);
+            is_crowded = true;
+          } else if (mark.same_direction)
+            turned.add(s);
+        } else if (mark.count == 2 && mark.same_third)
+          duplicates.add(polygons_.face_of_corner(side.source));
+      }
+      if (is_crowded)
+        find_duplicates_in_bucket(begin, end, marks, crowded_faces, duplicates);
+    }
+    report_.is_orientable = turned.count() == 0 || (crowded.count() == 0 && is_orientable(marks));
+    if (duplicates.count() != 0)
+      add(Defect::DUPLICATE_FACE, duplicates.count(), duplicates.elements(),
+          "face " + face_text(polygons_, duplicates.first()) + " has the same corners as face " +
+            std::to_string(first_face_like(duplicates.first())));
+    if (crowded.count() != 0)
+      add_edges(Defect::NON_MANIFOLD_EDGE, crowded,
+                edge_text(polygons_, crowded.first()) + " has " + std::to_string(number_of_faces_at(crowded.first())) +
+                  " faces (" + faces_text(polygons_, crowded.first()) + ")");
+    if (turned.count() != 0)
+      add_edges(Defect::INCONSISTENT_ORIENTATION, turned,
+                edge_text(polygons_, turned.first()) + " is traversed in the same direction by both its faces (" +
+                  faces_text(polygons_, turned.first()) +
+                  (report_.is_orientable || crowded.count() != 0
+                     ? ")"
+                     : ") and the surface is one-sided, so that no choice of directions fits"));
+    if (coincident.count() != 0)
+      add_edges(Defect::ZERO_LENGTH_EDGE, coincident,
+                edge_text(polygons_, coincident.first()) + " of " + faces_text(polygons_, coincident.first()) +
+                  " has zero length, its ends coincide");
+    count_fans(fans);
+    if (all_finite_)
+      lengths_ = lengths;
+  }
+  std::size_t number_of_faces_at(const std::size_t side) const
+  {
+    std::size_t count = 0;
+    polygons_.for_each_face_of_edge(side, [&count](std::size_t) {
+      ++count;
+      return true;
+    });
+    return count;
+  }
+  // Among the faces at the edges of a bucket that have more than two.
+  void find_duplicates_in_bucket(const std::size_t begin, const std::size_t end, const std::vector<Edge_mark>& marks,
+                                 std::vector<std::array<Index, 3>>& faces, Element_collector& duplicates) const
+  {
+    faces.clear();
+    for (std::size_t s = begin; s < end; ++s) {
+      if (marks[polygons_.side(s).other].count <= 2)
+        continue;
+      const Index third = polygons_.third_vertex(polygons_.side(s));
+      if (third != none_ && third > polygons_.side(s).other)
+        faces.push_back({{polygons_.side(s).other, third, static_cast<Index>(polygons_.face_of_side(s))}});
+    }
+    std::sort(faces.begin(), faces.end());
+    for (std::size_t i = 1; i < faces.size(); ++i)
+      if (faces[i][0] == faces[i - 1][0] && faces[i][1] == faces[i - 1][1])
+        duplicates.add(faces[i][2]);
+  }
+  std::size_t first_face_like(const std::size_t face) const
+  {
+    const auto sorted_corners = [this](const std::size_t f) {
+      const std::size_t c = polygons_.begin_of_face(f);
+      std::array<Index, 3> v = {{polygons_.vertex(c), polygons_.vertex(c + 1), polygons_.vertex(c + 2)}};
+      std::sort(v.begin(), v.end());
+      return v;
+    };
+    const std::array<Index, 3> v = sorted_corners(face);
+    std::size_t f = 0;
+    while (f != face && (polygons_.degree(f) != 3 || sorted_corners(f) != v))
+      ++f;
+    return f;
+  }
+  // Can the faces be turned to agree? Each face has two nodes, itself and
+  // itself turned; a one-sided surface connects them. Only when edges disagree.
+  bool is_orientable(std::vector<Edge_mark>& marks) const
+  {
+    const Index f = static_cast<Index>(report_.number_of_faces);
+    Disjoint_sets turns(2 * std::size_t(f));
+    marks.assign(marks.size(), Edge_mark{none_, 0, 0, false, false});
+    for (std::size_t a = 0; a < number_of_vertices_; ++a)
+      for (std::size_t s = polygons_.bucket_begin(a); s < polygons_.bucket_begin(a + 1); ++s) {
+        Edge_mark& mark = marks[polygons_.side(s).other];
+        if (mark.bucket != a) {
+          mark.bucket = static_cast<Index>(a);
+          mark.first_side = static_cast<Index>(s);
+          continue;
+        }
+        const Side& first = polygons_.side(mark.first_side);
+        const Index x = static_cast<Index>(polygons_.face_of_corner(first.source));
+        const Index y = static_cast<Index>(polygons_.face_of_side(s));
+        const bool same = polygons_.leaves(first, a) == polygons_.leaves(polygons_.side(s), a);
+        turns.unite(x, same ? y + f : y);
+        turns.unite(x + f, same ? y : y + f);
+      }
+    for (Index x = 0; x < f; ++x)
+      if (turns.find(x) == turns.find(x + f))
+        return false;
+    return true;
+  }
+
+  void examine_lengths()
+  {
+    if (lengths_.is_empty())
+      return;
+    report_.exponent_of_longest_edge = lengths_.exponent_of_longest();
+    report_.exponent_of_shortest_edge = lengths_.exponent_of_shortest();
+    if (!lengths_.vanishes_in_unit(exponent_))
+      return;
+    Element_collector shortest;
+    shortest.add(lengths_.shortest_edge());
+    std::ostringstream text;
+    text << edge_text(polygons_, lengths_.shortest_edge()) << " (length about " << lengths_.shortest() << ") and "
+         << edge_text(polygons_, lengths_.longest_edge()) << " (length about ";
+    if (std::isinf(lengths_.longest()))
+      text << "2^1024";
+    else
+      text << lengths_.longest();
+    text << ") differ by a factor of about 2^" << report_.exponent_of_longest_edge - report_.exponent_of_shortest_edge;
+    add_edges(Defect::OUT_OF_RANGE, shortest, text.str());
+  }
+
+  // The corners at a vertex that are connected through sides are one fan.
+  void count_fans(Disjoint_sets& fans)
+  {
+    number_of_fans_.assign(number_of_vertices_, 0);
+    Element_collector pinched;
+    for (std::size_t f = 0; f < report_.number_of_faces; ++f) {
+      const std::size_t begin = polygons_.begin_of_face(f), end = polygons_.begin_of_face(f + 1);
+      if (end - begin < 3 || polygons_.vertex(begin) == none_)
+        continue;
+      for (std::size_t c = begin; c < end; ++c)
+        if (fans.find(static_cast<Index>(c)) == c)
+          ++number_of_fans_[polygons_.vertex(c)];
+    }
+    for (std::size_t v = 0; v < number_of_vertices_; ++v)
+      if (number_of_fans_[v] > 1)
+        pinched.add(v);
+    if (pinched.count() == 0)
+      return;
+    std::string faces;
+    std::size_t written = 0;
+    for (std::size_t c = 0; c < polygons_.number_of_corners() && written < 2; ++c)
+      if (polygons_.vertex(c) == pinched.first() && fans.find(static_cast<Index>(c)) == c)
+        faces +=
+          (written++ == 0 ? "one with face " : ", another with face ") + std::to_string(polygons_.face_of_corner(c));
+    add(Defect::NON_MANIFOLD_VERTEX, pinched.count(), pinched.elements(),
+        "the faces around vertex " + std::to_string(pinched.first()) + " form " +
+          std::to_string(number_of_fans_[pinched.first()]) + " fans that touch only there (" + faces + ")");
+  }
+  void examine_use()
+  {
+    Disjoint_sets pieces(number_of_vertices_);
+    polygons_.for_each_side(
+      [&](const Index s, const Index t) { pieces.unite(polygons_.vertex(s), polygons_.vertex(t)); });
+    Element_collector unused, roots;
+    for (std::size_t v = 0; v < number_of_vertices_; ++v) {
+      if (!polygons_.is_used(v))
+        unused.add(v);
+      else if (pieces.find(static_cast<Index>(v)) == v)
+        roots.add(v);
+    }
+    report_.number_of_components = roots.count();
+    if (unused.count() != 0)
+      add(Defect::UNREFERENCED_VERTEX, unused.count(), unused.elements(),
+          "vertex " + std::to_string(unused.first()) + " is not referenced by any face");
+    if (roots.count() > 1)
+      add(Defect::SEVERAL_COMPONENTS, roots.count(), roots.elements(),
+          "the surface has " + std::to_string(roots.count()) + " components");
+  }
+
+  const std::vector<Coordinates>& points_;
+  Polygon_sides& polygons_;
+  const std::size_t number_of_vertices_ = polygons_.number_of_vertices();
+  bool all_finite_ = true;
+  std::vector<Index> number_of_fans_;
+  Box box_; // of the vertices that are used
+  int exponent_ = 0;
+  Length_range lengths_;
+  Surface_report report_;
+};
+
+// How what is found is called, in what number, and what to do about it.
+struct Finding_words
+{
+  const char* singular; // the element that `count` counts
+  const char* plural;
+  const char* summary; // completes "3 ..."
+  const char* advice;
+};
+
+inline Finding_words words_of(const Finding& finding)
+{
+  switch (finding.defect) {
+  case Defect::EMPTY:
+    return {"file", "files", "without a face", "at least one triangle is needed"};
+  case Defect::BAD_INDEX:
+    return {"face", "faces", "with a bad index",
+            "vertices are counted from 0 here: remove the face, or add the missing vertices"};
+  case Defect::NOT_FINITE:
+    return {"vertex", "vertices", "not finite", "give every vertex finite coordinates"};
+  case Defect::NOT_A_TRIANGLE:
+    return {"face", "faces", "not a triangle", "triangulate the faces, as repair_polygons() does"};
+  case Defect::REPEATED_CORNER:
+    return {"face", "faces", "with a repeated corner",
+            "remove the face, or cut it into loops, as repair_polygons() does"};
+  case Defect::DUPLICATE_FACE:
+    return {"face", "faces", "repeating another", "remove all but one, as repair_polygons() does"};
+  case Defect::NON_MANIFOLD_EDGE:
+    return {"edge", "edges", "not manifold",
+            "remove the faces that do not belong there, or separate those that do, as repair_polygons() does"};
+  case Defect::INCONSISTENT_ORIENTATION:
+    return {"edge", "edges", "with faces of opposite orientation", "orient the faces, as repair_polygons() does"};
+  case Defect::NON_MANIFOLD_VERTEX:
+    return {"vertex", "vertices", "not manifold", "give each fan a vertex of its own, as repair_polygons() does"};
+  case Defect::ZERO_LENGTH_EDGE:
+    return {"edge", "edges", "of zero length",
+            "merge the two vertices and remove the faces that vanish, as repair_polygons() does, or move one of them"};
+  case Defect::OUT_OF_RANGE:
+    if (finding.elements.empty())
+      return {"element", "elements", "too many", "split the surface"};
+    if (finding.edges.empty())
+      return {"vertex", "vertices", "out of range",
+              "no scaling brings both into the range of double: round it to zero, or remove the outliers"};
+    return {
+      "edge", "edges", "out of range",
+      "no scaling brings both squared lengths, and their products, into the range of double: remove the outliers"};
+  case Defect::DEGENERATE_FACE:
+    return {"face", "faces", "of zero area", ""};
+  case Defect::UNREFERENCED_VERTEX:
+    return {"vertex", "vertices", "not referenced by any face", ""};
+  default:
+    return {"component", "components", "in all", ""};
+  }
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Surface_report examine(const std::vector<std::array<double, 3>>& points, Polygon_sides& polygons)
+{
+  return Surface_examiner(points, polygons).examine();
+}
+
+} // namespace internal
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::string message(const Finding& finding,
+                                                         const std::optional<std::string>& advice)
+{
+  const internal::Finding_words words = internal::words_of(finding);
+  std::string text = finding.description;
+  if (finding.count > 1 && finding.defect != Invalid_surface_error::Defect::SEVERAL_COMPONENTS)
+    text += ", and " + std::to_string(finding.count - 1) + " more " +
+            (finding.count == 2 ? words.singular : words.plural) + " like it";
+  const std::string what_to_do = advice.value_or(words.advice);
+  if (!what_to_do.empty())
+    text += "; " + what_to_do;
+  return text;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::string message(const Surface_report& report, const std::string& name,
+                                                         const std::optional<std::string>& advice)
+{
+  std::string text;
+  const Finding* const fatal = report.first_fatal();
+  if (fatal != nullptr) {
+    text = message(*fatal, advice);
+    std::string others;
+    for (const Finding& finding : report.findings) {
+      if (!finding.is_fatal || &finding == fatal)
+        continue;
+      const internal::Finding_words words = internal::words_of(finding);
+      others += (others.empty() ? " (also: " : ", ") + std::to_string(finding.count) + " " +
+                (finding.count == 1 ? words.singular : words.plural) + " " + words.summary;
+    }
+    text += others.empty() ? others : others + ")";
+  } else
+    for (const Finding& finding : report.findings)
+      text += (text.empty() ? "" : "; ") + message(finding);
+  return name.empty() || text.empty() ? text : name + ": " + text;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void throw_if_fatal(const Surface_report& report, const std::string& name)
+{
+  const Finding* const fatal = report.first_fatal();
+  if (fatal != nullptr)
+    throw Invalid_surface_error(fatal->defect, fatal->elements.empty() ? 0 : fatal->elements.front(), fatal->count,
+                                message(report, name));
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::vector<std::size_t> turned_triangles(const std::vector<std::array<double, 3>>& points,
+                                          const std::vector<std::array<std::uint32_t, 3>>& triangles)
+{
+  const internal::Points places(points.begin(), points.end());
+  const internal::Surface_gluer gluer(places, triangles);
+  std::vector<std::size_t> result;
+  for (std::size_t f = 0; f < triangles.size(); ++f)
+    if (gluer.is_turned(f))
+      result.push_back(f);
+  return result;
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_VALIDATE_TRIANGLES_IMPL_H

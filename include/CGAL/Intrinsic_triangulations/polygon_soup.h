@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Points and polygons as arrays, and how a file becomes them, or a message that says what is wrong with it and where.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_POLYGON_SOUP_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_POLYGON_SOUP_H
+
+#include <CGAL/Intrinsic_triangulations/observer.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/files/Polygon_soup.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsIO
+/// \brief reads the points and polygons of an OFF, OBJ, PLY, STL or TS file; the extension of its name, in small letters or
+/// capitals, tells the format.
+///
+/// Nothing is merged, turned or left out. But STL has no vertices, only corners: those at the same position become one
+/// vertex. Colors, normals and textures are skipped, and in OBJ whatever is no vertex and no face. Anything else that
+/// is not understood, missing or left over is an error, or a warning in the result if the meaning is plain.
+///
+/// Each coordinate becomes the nearest double; in PLY files with properties `float`, the nearest float.
+///
+/// \param file_name the name of a file that does not change while it is read
+/// \param progress is called for each piece of the file, a megabyte, with the part that was read
+///
+/// \return the points and polygons; whether they are a surface is another question, see `examine_polygons()`
+///
+/// \exception Invalid_surface_error if the file cannot be read. The message begins with the name of the file, and
+///   names the line or the element at fault. Header counts are checked against the file size: so memory is bounded
+///   by the size of the file
+/// \exception Cancelled_error if `progress` returns `false`
+///
+/// O(size of the file); in STL files, vertices are found by hashing.
+Polygon_soup read_polygon_soup(const std::string& file_name, const Progress_function& progress = {});
+
+/// \ingroup PkgIntrinsicTriangulationsIO
+/// \brief returns the size of a regular file that can be opened, in bytes.
+/// \exception Invalid_surface_error if it is none, or is not there; the message begins with the name of the file
+std::uintmax_t readable_file_size(const std::string& file_name);
+
+/// \ingroup PkgIntrinsicTriangulationsIO
+/// \brief returns which program makes a file that can be read of one that cannot, judged by the extension of its name.
+/// \return for example "; Assimp reads it: assimp export a.glb a.obj", with a command for the shell; the empty string
+/// if no program is known
+std::string conversion_advice(const std::string& file_name);
+
+/// \cond SKIP_IN_MANUAL
+namespace internal {
+
+// \exception Invalid_surface_error that names the file and a face that is no triangle
+void require_triangles(const std::string& file_name, const Polygon_soup& soup);
+
+} // namespace internal
+/// \endcond
+
+/// \ingroup PkgIntrinsicTriangulationsIO
+/// \brief reads the points and triangles of a file, as `read_polygon_soup()`.
+///
+///     std::vector<std::array<double, 3>> points;
+///     std::vector<std::array<std::uint32_t, 3>> triangles;
+///     read_triangles("mesh.ply", points, triangles);
+///     const auto [idt, report] = intrinsic_Delaunay_triangulation(points, triangles);
+///
+/// \tparam PointRange a model of `BackInsertionSequence` of points that three doubles in braces can initialize, as
+///   `std::array<double, 3>` and the points of a kernel of doubles. Vectors of the types above get the arrays of the
+///   reader without a copy
+/// \tparam TriangleRange a model of `BackInsertionSequence` of random access ranges of integers that three integers in
+/// braces can initialize
+///
+/// \param file_name as for `read_polygon_soup()`
+/// \param points become those of the file
+/// \param triangles become those of the file, as indices into `points`
+/// \param progress as for `read_polygon_soup()`
+///
+/// \exception Invalid_surface_error as `read_polygon_soup()`, and if a face is not a triangle. The ranges are unchanged
+/// then.
+/// \exception Cancelled_error if `progress` returns `false`
+template <class PointRange, class TriangleRange>
+void read_triangles(const std::string& file_name, PointRange& points, TriangleRange& triangles,
+                    const Progress_function& progress = {})
+{
+  Polygon_soup soup = read_polygon_soup(file_name, progress);
+  internal::require_triangles(file_name, soup);
+  if constexpr (std::is_same<PointRange, decltype(soup.points)>::value)
+    points = std::move(soup.points);
+  else {
+    points.clear();
+    for (const auto& [x, y, z] : soup.points)
+      points.push_back({x, y, z});
+  }
+  if constexpr (std::is_same<TriangleRange, decltype(soup.triangles)>::value)
+    triangles = std::move(soup.triangles);
+  else {
+    using Triangle = typename TriangleRange::value_type;
+    using Index = std::decay_t<decltype(std::declval<Triangle&>()[0])>;
+    triangles.clear();
+    for (const auto& [i, j, k] : soup.triangles)
+      triangles.push_back({static_cast<Index>(i), static_cast<Index>(j), static_cast<Index>(k)});
+  }
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/internal/files/polygon_soup_impl.h>
+#endif
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_POLYGON_SOUP_H

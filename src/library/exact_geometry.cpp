@@ -1,6 +1,0 @@
-// Copyright (c) 2026 The Intrinsic_triangulations developers.
-// SPDX-License-Identifier: LGPL-3.0-or-later
-//
-// What is compiled once of the exact geometry.
-
-#include <CGAL/Intrinsic_triangulations/internal/exact/Exact_geometry_impl.h>

@@ -1,7 +1,0 @@
-// Copyright (c) 2026 The Intrinsic_triangulations developers.
-// SPDX-License-Identifier: LGPL-3.0-or-later
-//
-// What is compiled once of the metric of the input.
-
-#include <CGAL/Intrinsic_triangulations/internal/exact/Input_metric_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/exact/Rational_points_impl.h>

@@ -1,0 +1,7 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// What is compiled once of exact questions to points.
+
+#include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear_impl.h>

@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The number types that a user can choose, and what they are called.
+
+#ifndef IDT_NUMBER_TYPES_NUMBER_TYPE_H
+#define IDT_NUMBER_TYPES_NUMBER_TYPE_H
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace idt {
+
+enum class Number_type {
+  FILTERED,
+  DOUBLE,
+  FLOAT,
+  LONG_DOUBLE,
+  FLOAT128,
+  INTERVAL,
+  MPFR,
+  CORE,
+  HALF_ANGLE_DOUBLE,
+  HALF_ANGLE_CORE
+};
+
+constexpr Number_type default_number_type = Number_type::FILTERED;
+
+// The name as it stands on the command line and in reports.
+const char* name(Number_type number_type);
+
+// What it is, in a line.
+const char* description(Number_type number_type);
+
+// The number type of that name, if there is one.
+std::optional<Number_type> find_number_type(const std::string& name);
+
+const std::vector<Number_type>& number_types();
+
+std::vector<std::string> number_type_names();
+
+} // namespace idt
+
+#endif // IDT_NUMBER_TYPES_NUMBER_TYPE_H

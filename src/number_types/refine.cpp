@@ -1,0 +1,183 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "number_types/refine.h"
+
+#include "system/Stopwatch.h"
+
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace idt {
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+std::vector<IT::Surface_point> inserted_points(const Filtered_triangulation& triangulation)
+{
+  std::vector<IT::Surface_point> result;
+  for (auto v = triangulation.input().number_of_vertices(); v < triangulation.connectivity().number_of_vertices(); ++v)
+    result.push_back(triangulation.location(IT::Vertex_index(v)));
+  return result;
+}
+
+IT::Edge_index shortest_edge(const Filtered_triangulation& triangulation, IT::Face_index f)
+{
+  const IT::Delta_complex& complex = triangulation.connectivity();
+  const IT::Halfedge_index h = complex.halfedge(f);
+  IT::Edge_index result = complex.edge(h);
+  for (IT::Halfedge_index side : {complex.next(h), complex.prev(h)})
+    if (triangulation.length(complex.edge(side)) < triangulation.length(result))
+      result = complex.edge(side);
+  return result;
+}
+
+Short_side short_side(const Filtered_triangulation& triangulation, const Surface& surface, IT::Face_index f)
+{
+  const IT::Edge_index e = shortest_edge(triangulation, f);
+  Short_side result{triangulation.length(e), std::nullopt};
+  if (!surface.has_points())
+    return result;
+  const IT::Vertex_index v = triangulation.connectivity().source(triangulation.connectivity().halfedge(e));
+  result.place = triangulation.is_inserted(v)
+                   ? IT::point_in_space(surface.connectivity, surface.points, triangulation.location(v))
+                   : surface.points[v.idx()];
+  return result;
+}
+
+std::optional<Short_side> smallest_left_face(const Filtered_triangulation& triangulation, const Surface& surface,
+                                             const IT::Refinement_report& report)
+{
+  std::optional<std::pair<double, IT::Face_index>> smallest;
+  for (const IT::Unrefined_face& left : report.unrefined)
+    if (left.reason == IT::Refinement_obstacle::TOO_SMALL || left.reason == IT::Refinement_obstacle::BUDGET) {
+      const std::pair<double, IT::Face_index> candidate{triangulation.length(shortest_edge(triangulation, left.face)),
+                                                        left.face};
+      smallest = smallest ? (std::min)(*smallest, candidate) : candidate;
+    }
+  return smallest ? std::optional<Short_side>(short_side(triangulation, surface, smallest->second)) : std::nullopt;
+}
+
+// A thin face with a short side takes as many vertices as squares on that side cover it, at most.
+double sufficient_size(const Filtered_triangulation& triangulation, const Refinement_options& options,
+                       const IT::Refinement_report& report)
+{
+  std::vector<std::pair<double, double>> needs; // by side
+  for (const IT::Unrefined_face& left : report.unrefined)
+    if (left.reason == IT::Refinement_obstacle::BUDGET) {
+      const double side = triangulation.length(shortest_edge(triangulation, left.face));
+      needs.emplace_back(side, triangulation.area(left.face) / (side * side));
+    }
+  std::sort(needs.rbegin(), needs.rend());
+  const double most = double(report.insertions + report.segment_splits) / 10;
+  double sum = 0;
+  for (const auto& [side, need] : needs)
+    if ((sum += need) > most)
+      return side < (std::min)(options.criteria.maximum_edge_length, options.criteria.maximum_circumradius) / 4
+               ? 1.1 * side
+               : 0;
+  return 0;
+}
+
+// Asks the caller, and remembers how far the refinement is in case that an exception ends it.
+class Asking_refinement_visitor
+{
+public:
+  Asking_refinement_visitor(const Filtered_triangulation& triangulation, const Job& job)
+    : job_(job), where_([this, &triangulation] { return short_side(triangulation, job_.surface, progress_.face); })
+  {}
+
+  bool go_further(const IT::Progress& progress)
+  {
+    progress_.points = progress.insertions;
+    flips_ = progress.flips;
+    return goes_on();
+  }
+  void before_step(const IT::Refinement_progress& progress)
+  {
+    progress_ = progress;
+    const auto& gives_up = job_.options.refinement->gives_up;
+    is_given_up_ = is_given_up_ || (gives_up && gives_up(progress, where_));
+  }
+  bool goes_on() const { return !is_given_up_ && (!job_.refine_further || job_.refine_further(progress_)); }
+  bool is_given_up() const { return is_given_up_; }
+  std::uint64_t flips() const { return flips_; }
+
+private:
+  const Job& job_;
+  const std::function<Short_side()> where_;
+  IT::Refinement_progress progress_;
+  std::uint64_t flips_ = 0;
+  bool is_given_up_ = false;
+};
+
+} // namespace
+
+void refine(Filtered_triangulation& triangulation, const Job& job, Outcome& outcome)
+{
+  if (outcome.report.status != IT::Flip_status::DELAUNAY)
+    return;
+  const Refinement_options& options = *job.options.refinement;
+  Asking_refinement_visitor visitor(triangulation, job);
+  // A single decision can take long.
+  std::function<bool()> afterwards = triangulation.set_interruption([&] { return visitor.goes_on(); });
+  const Stopwatch stopwatch;
+  outcome.refinement.emplace();
+  Refinement_summary& summary = *outcome.refinement;
+  const auto parameters = CGAL::parameters::minimum_angle(options.criteria.minimum_angle)
+                            .maximum_circumradius(options.criteria.maximum_circumradius)
+                            .maximum_edge_length(options.criteria.maximum_edge_length)
+                            .minimum_size(options.criteria.minimum_size)
+                            .edge_is_constrained_map(Edge_flags{&options.is_constrained})
+                            .visitor(std::ref(visitor));
+  try {
+    summary.report =
+      options.maximum_number_of_points
+        ? IT::refine_Delaunay(triangulation, parameters.maximum_number(*options.maximum_number_of_points))
+        : IT::refine_Delaunay(triangulation, parameters);
+  } catch (const IT::Invalid_surface_error&) {
+    throw;
+  } catch (const IT::Cancelled_error&) {
+    summary.is_cancelled = true;
+    summary.report.flips = visitor.flips();
+  } catch (const IT::Error& error) {
+    // The vertices that were inserted before are there.
+    outcome.failure = error.what();
+    summary.is_cancelled = true;
+    summary.report.flips = visitor.flips();
+  }
+  triangulation.set_interruption(std::move(afterwards));
+  summary.is_given_up = visitor.is_given_up();
+  summary.smallest_left = smallest_left_face(triangulation, job.surface, summary.report);
+  if (summary.report.status == IT::Refinement_status::BUDGET_EXHAUSTED)
+    summary.sufficient_size = sufficient_size(triangulation, options, summary.report);
+  summary.points = inserted_points(triangulation);
+  const auto is_on_edge = [](const IT::Surface_point& point) { return point.dimension() == 1; };
+  summary.report.segment_splits =
+    std::uint64_t(std::count_if(summary.points.begin(), summary.points.end(), is_on_edge));
+  summary.report.insertions = summary.points.size() - summary.report.segment_splits;
+  summary.seconds = stopwatch.seconds();
+}
+
+std::vector<bool> constrained_parts(const Filtered_triangulation& triangulation,
+                                    const std::vector<bool>& is_constrained)
+{
+  const IT::Delta_complex& complex = triangulation.connectivity();
+  std::vector<bool> result(complex.number_of_edges());
+  if (is_constrained.empty())
+    return result;
+  for (IT::Edge_index e : complex.edges())
+    if (triangulation.is_input_edge(e))
+      result[e.idx()] =
+        is_constrained[triangulation.input().edge(triangulation.input_halfedge(complex.halfedge(e))).idx()];
+  return result;
+}
+
+} // namespace idt

@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Delaunay refinement, compiled once: it needs exact geometry.
+
+#ifndef IDT_NUMBER_TYPES_REFINE_H
+#define IDT_NUMBER_TYPES_REFINE_H
+
+#include "number_types/run.h"
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+
+#include <CGAL/property_map.h>
+
+#include <vector>
+
+namespace idt {
+
+using Filtered_triangulation =
+  CGAL::Intrinsic_triangulations::Intrinsic_triangulation<CGAL::Intrinsic_triangulations::Filtered_edge_length_traits>;
+
+// A flag for each edge as a property map; edges that came later have none set.
+struct Edge_flags
+{
+  using key_type = CGAL::Intrinsic_triangulations::Edge_index;
+  using value_type = bool;
+  using reference = bool;
+  using category = boost::readable_property_map_tag;
+  friend bool get(const Edge_flags& map, key_type e) { return e.idx() < map.flags->size() && (*map.flags)[e.idx()]; }
+  const std::vector<bool>* flags;
+};
+
+// Flips are done; refines if they found a Delaunay triangulation.
+void refine(Filtered_triangulation& triangulation, const Job& job, Outcome& outcome);
+
+// Tells for each edge of the current triangulation whether it is a part of a constrained edge of the input.
+std::vector<bool> constrained_parts(const Filtered_triangulation& triangulation,
+                                    const std::vector<bool>& is_constrained);
+
+} // namespace idt
+
+#endif // IDT_NUMBER_TYPES_REFINE_H

@@ -1,0 +1,197 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A surface goes in, its intrinsic Delaunay triangulation comes out as plain numbers, whatever number type made it.
+
+#ifndef IDT_NUMBER_TYPES_RUN_H
+#define IDT_NUMBER_TYPES_RUN_H
+
+#include "input/Surface.h"
+#include "number_types/Number_type.h"
+
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/untwist.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace idt {
+
+// What a run is to find out beside the flips; what nobody asked for costs nothing.
+struct Requested_results
+{
+  bool weights = true;          // their summaries, before and after
+  bool lengths = true;          // of the result
+  bool numbers = true;          // weights and areas of the result
+  bool input_numbers = false;   // lengths, weights and areas of the input
+  bool crossings = true;        // where the input lies in the result
+  bool tessellation = false;    // ties and cells, of a result that is Delaunay
+  bool verification = false;    // the exact check of each edge
+  bool exact_lengths = false;   // of the edges of the result, whatever made it
+  bool wrong_decisions = false; // compares each test with the exact one
+  bool overlay = false;         // of input and result, with the positions of the crossings
+  bool shapes = false;          // of the faces of the result
+
+  static Requested_results nothing()
+  {
+    Requested_results wanted;
+    wanted.weights = wanted.lengths = wanted.numbers = wanted.crossings = false;
+    return wanted;
+  }
+  bool needs_input() const
+  {
+    return crossings || tessellation || verification || exact_lengths || wrong_decisions || overlay || shapes;
+  }
+};
+
+// A face that refinement has left or is at, by its shortest side.
+struct Short_side
+{
+  double length = 0;
+  std::optional<std::array<double, 3>> place; // of an end, if the surface is in space
+};
+
+// The named parameters of `refine_Delaunay()`.
+struct Refinement_criteria
+{
+  double minimum_angle = 25;
+  double maximum_circumradius = std::numeric_limits<double>::infinity();
+  double maximum_edge_length = std::numeric_limits<double>::infinity();
+  double minimum_size = 0;
+};
+
+// What Delaunay refinement is to do once the flips are done.
+struct Refinement_options
+{
+  Refinement_criteria criteria;
+  std::optional<std::uint64_t> maximum_number_of_points;
+  std::vector<bool> is_constrained; // for each input edge: whether no flip may remove it
+  // Is asked before each face that is refined, and may ask where that is: if it says yes, the run ends, and nothing else is found out.
+  std::function<bool(const CGAL::Intrinsic_triangulations::Refinement_progress&, const std::function<Short_side()>&)>
+    gives_up;
+};
+
+struct Run_options
+{
+  Number_type number_type = default_number_type;
+  int precision = 128; // bits at least, for MPFR alone
+  std::optional<std::uint64_t> maximum_number_of_flips;
+  CGAL::Intrinsic_triangulations::Tie_proof tie_proof = CGAL::Intrinsic_triangulations::Tie_proof::PROBABLE_IF_COSTLY;
+  std::optional<Refinement_options> refinement; // with FILTERED alone
+  Requested_results wanted;
+};
+
+// Is asked before each test, with the numbers of tests and flips so far; the flips end
+// when it answers `false`.
+using Continue_function = std::function<bool(std::uint64_t tests, std::uint64_t flips)>;
+// The same of refinement, which asks before each new vertex.
+using Continue_refining_function = std::function<bool(const CGAL::Intrinsic_triangulations::Refinement_progress&)>;
+
+struct Job
+{
+  const Surface& surface;
+  Run_options options;
+  Continue_function go_further;
+  // Is asked during exact decisions that take long, which end if it says no: what they were for is not
+  // found out then, or taken from the stored numbers.
+  std::function<bool()> go_on_deciding;
+  // Is asked during the construction of the overlay, which is left out if it says no, and once right after the flips.
+  CGAL::Intrinsic_triangulations::Progress_function overlay_progress;
+  Continue_refining_function refine_further = {};
+};
+
+// What the normal coordinates tell.
+struct Crossing_summary
+{
+  std::uint64_t simple = 0;    // intrinsic edges that cross exactly one input edge
+  std::uint64_t longest = 0;   // the largest number of segments in one intrinsic edge
+  std::uint64_t crossings = 0; // in all
+  std::uint64_t changed = 0;   // intrinsic edges that are no input edges
+  double seconds = 0;          // for these numbers, and for the graph of the overlay where it was wanted
+  double position_seconds = 0; // for the places of the crossings in the overlay
+};
+
+// The cells that are left of a Delaunay triangulation when the ties are removed.
+struct Tessellation_summary
+{
+  std::size_t ties = 0;
+  std::size_t cells = 0;
+};
+
+// What refinement did.
+struct Refinement_summary
+{
+  bool is_given_up = false;
+  bool is_cancelled = false; // by the caller; the report lists no faces then
+  CGAL::Intrinsic_triangulations::Refinement_report report;
+  std::vector<CGAL::Intrinsic_triangulations::Surface_point> points; // on the input, of the new vertices in order
+  // Of the faces that were left as too small, or for the budget, the one with the shortest side.
+  std::optional<Short_side> smallest_left;
+  // A smallest size with which a tenth of the budget would suffice for what it has left, as areas tell; 0 if that is not known.
+  double sufficient_size = 0;
+  double seconds = 0;
+};
+
+// The worst faces.
+struct Shape_summary
+{
+  double minimum_angle = 0;                    // in degrees
+  std::optional<double> minimum_refined_angle; // of the faces that refinement does not list, if there are any
+  double maximum_circumradius = 0;             // infinite beside a face of zero area
+};
+
+// No number is NaN. A weight beside a face of zero area is infinite. What was not wanted,
+// or could not be found out, is empty.
+struct Outcome
+{
+  CGAL::Intrinsic_triangulations::Delta_complex connectivity;
+  CGAL::Intrinsic_triangulations::Element_numbers numbers;       // of the result
+  CGAL::Intrinsic_triangulations::Element_numbers input_numbers; // before the flips
+  std::vector<std::int64_t> crossings;                           // for each edge: -1 if it is an input edge
+  // For each edge, where the surface was untwisted: how often it crosses edges of the surface before that.
+  std::optional<CGAL::Intrinsic_triangulations::Crossing_counts> original_crossings;
+  std::vector<double> exact_lengths; // for each edge, correctly rounded but for one unit
+  std::vector<std::uint8_t> is_tie;  // for each edge
+  CGAL::Intrinsic_triangulations::Flip_report report;
+  bool are_flips_cancelled = false; // the caller said no: the report has the numbers until then
+  std::string failure;              // what ended the flips, or kept something from being found out
+  bool is_interrupted = false;      // something was left out because the caller said no, beside flips
+  // How many tests each stage decided, for the number type that has stages.
+  std::optional<CGAL::Intrinsic_triangulations::Stage_counts> stages;
+  std::optional<CGAL::Intrinsic_triangulations::Weight_summary> weights_before;
+  std::optional<CGAL::Intrinsic_triangulations::Weight_summary> weights_after;
+  std::optional<Crossing_summary> crossing_summary;
+  std::optional<CGAL::Intrinsic_triangulations::Common_subdivision> subdivision;
+  std::optional<Tessellation_summary> tessellation;
+  std::optional<Refinement_summary> refinement;
+  std::optional<Shape_summary> shapes;
+  std::optional<CGAL::Intrinsic_triangulations::Delaunay_verification> verification;
+  std::optional<std::uint64_t> wrong_decisions;
+  double build_seconds = 0;
+  double flip_seconds = 0;
+  double check_seconds = 0;   // for verification, ties and shapes
+  double number_seconds = 0;  // for lengths, weights and areas of the result
+  double summary_seconds = 0; // for the summaries of weights
+};
+
+// Makes a surface Delaunay with the number type that the options name.
+// \exception Invalid_surface_error if the number type cannot hold the surface
+// \exception Undecided_error if it cannot decide something that the construction needs
+Outcome run(const Job& job);
+
+} // namespace idt
+
+#endif // IDT_NUMBER_TYPES_RUN_H
