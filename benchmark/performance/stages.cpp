@@ -164,14 +164,16 @@ private:
     stage("integers and input connectivity", 2 * complex_bytes, times, counts,
           [&] { IT::internal::engine<ConcurrencyTag>(*t); });
     std::optional<IT::Overlay> overlay;
-    overlay.emplace(*t, IT::Progress_function(), ConcurrencyTag()); // for its size
+    overlay.emplace(*t, CGAL::parameters::default_values(), ConcurrencyTag()); // for its size
     const double overlay_bytes = 28. * overlay->number_of_segments() + 4. * overlay->number_of_vertices() +
                                  12. * overlay->number_of_faces() + 16 * e;
     stage("overlay: graph", 2 * complex_bytes + overlay_bytes, times, counts,
-          [&] { overlay.emplace(*t, IT::Progress_function(), ConcurrencyTag()); });
+          [&] { overlay.emplace(*t, CGAL::parameters::default_values(), ConcurrencyTag()); });
     std::optional<IT::Overlay_positions> positions;
     stage("overlay: positions", overlay_bytes + 16. * overlay->number_of_crossings() + points_bytes, times, counts,
-          [&] { positions.emplace(IT::internal::engine(*t), *overlay, IT::Progress_function(), ConcurrencyTag()); });
+          [&] {
+            positions.emplace(IT::internal::engine(*t), *overlay, CGAL::parameters::default_values(), ConcurrencyTag());
+          });
     stage("cotangent weights", complex_bytes + metric_bytes + 8 * e, times, counts,
           [&] { IT::cotangent_weights<ConcurrencyTag>(*t); });
     stage("stiffness matrix", complex_bytes + metric_bytes + 12 * (2 * e + v), times, counts,
