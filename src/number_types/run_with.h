@@ -157,8 +157,9 @@ void find_crossings(const Triangulation& triangulation, Outcome& outcome)
   outcome.crossings.reserve(triangulation.connectivity().number_of_edges());
   for (IT::Edge_index e : triangulation.connectivity().edges()) {
     const bool is_input_edge = triangulation.is_input_edge(e);
-    const std::uint64_t n = static_cast<std::uint64_t>(triangulation.number_of_crossings(e));
-    outcome.crossings.push_back(is_input_edge ? -1 : triangulation.number_of_crossings(e));
+    const std::int64_t number = triangulation.number_of_crossings(e);
+    const std::uint64_t n = static_cast<std::uint64_t>(number);
+    outcome.crossings.push_back(is_input_edge ? -1 : number);
     summary.simple += n == 1;
     summary.longest = (std::max)(summary.longest, n + 1);
     summary.changed += !is_input_edge;

@@ -215,6 +215,8 @@ TEST(Parallel, every_stage)
   // The angles opposite to the fold sum to pi, and it takes rational numbers to tell so.
   std::vector<samples::Indexed_triangles> parts(
     5000, {{{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, 0, 0.25}}, {{0, 1, 2}, {1, 0, 3}}});
+  const IT::Stage_counts folds = expect_same_with_any_number_of_threads(together(parts));
+  EXPECT_EQ(folds[IT::Stage::ALGEBRAIC] + folds[IT::Stage::MODULAR], 5000u);
   samples::Indexed_triangles pillow = samples::pillow(60); // ties across long strips
   for (auto& p : pillow.points)
     p[2] = p[1];

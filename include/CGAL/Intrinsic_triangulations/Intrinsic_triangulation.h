@@ -325,7 +325,7 @@ public:
       if (is_certain(answer)) // the filter decides no tie
         return certainly(answer) ? POSITIVE : NEGATIVE;
     }
-    return engine_.sign_of_cotangents(e);
+    return prepared_engine().sign_of_cotangents(e);
   }
 
   /// \brief returns how many tests of `flip_to_Delaunay()` each stage decided.
@@ -442,7 +442,7 @@ private:
     return Flip_outcome::FLIPPED;
   }
 
-  // as `flip()`, for an edge that is not Delaunay.
+  // As `flip()`, for an edge that is not Delaunay.
   //
   // The quadrilateral around such an edge is always strictly convex. So traits whose decisions
   // are exact need not look, and the flip takes O(1) unless both old faces may have zero area.
@@ -458,7 +458,7 @@ private:
     const Arithmetic arithmetic;
     return flip_not_Delaunay(connectivity().hinge(e));
   }
-  // as above, for the halfedges around the edge.
+  // As above, for the halfedges around the edge.
   Flip_outcome flip_not_Delaunay(const Hinge_halfedges& around)
   {
     const Hinge_data old = hinge(around);
@@ -495,7 +495,7 @@ private:
 
   // ---------------------------------------------------------------- new vertices: nothing is flipped
 
-  // splits a face into three by a new vertex.
+  // Splits a face into three by a new vertex.
   // \param piece the piece of the face that contains the vertex, between the input edges that cross it
   // \param location where the vertex lies: strictly inside a face of the input, and inside of the piece. The metric is not
   //   changed: its coordinates are taken as exact once they are divided by their sum
@@ -515,7 +515,7 @@ private:
     });
     return v;
   }
-  // splits an edge that coincides with an input edge, and the faces beside it, by a new vertex.
+  // Splits an edge that coincides with an input edge, and the faces beside it, by a new vertex.
   // \param h a halfedge of the edge, which lies on the border or between two different faces
   // \param location where the vertex lies: strictly between the ends of the edge, on the input edge
   // \return the new vertex, as `split_edge(h)` of `Delta_complex`
@@ -539,7 +539,7 @@ private:
     });
     return v;
   }
-  // removes an inserted vertex in the middle of three faces, which become one. See `remove_vertex()`.
+  // Removes an inserted vertex in the middle of three faces, which become one. See `remove_vertex()`.
   // \return what was removed, as `unsplit_face(v)` of `Delta_complex`
   Removed_elements unsplit_face(Vertex_index v)
   {
@@ -555,7 +555,7 @@ private:
     replace(after(removed, side), whole);
     return removed;
   }
-  // removes an inserted vertex on a straight line of two edges.
+  // Removes an inserted vertex on a straight line of two edges.
   // \param h a halfedge to the vertex. What continues it forms an angle of π with it
   // \return what was removed, as `unsplit_edge(h)` of `Delta_complex`
   // \exception Integer_overflow_error as above
@@ -573,7 +573,7 @@ private:
       replace(after(removed, side), corner);
     return removed;
   }
-  // replaces the stored numbers of `f` by those that follow from the input, where these are better.
+  // Replaces the stored numbers of `f` by those that follow from the input, where these are better.
   //
   // After many flips their error bounds are so wide that filters decide little. For traits with exact geometry. Costs time
   // proportional to the number of input edges that the sides cross.
@@ -586,7 +586,7 @@ private:
     recompute(h, engine_.kept_corner(h));
   }
 
-  // replaces the stored numbers of all faces around `v` by those that follow from the input.
+  // Replaces the stored numbers of all faces around `v` by those that follow from the input.
   //
   // As `recompute(Face_index)` for each of them, but each edge from `v` is laid out once. `v` lies inside the surface or on its border.
   // \pre `v` has a face

@@ -25,6 +25,7 @@
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -181,7 +182,8 @@ Sign Exact_engine::sign_of_cotangents(Edge_index e) const
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Sign Exact_engine::sign_of_cotangents(Edge_index e, Input_surface& surface) const
 {
-  if (const std::optional<Test> test = quick_test(e, Effort::IN_PLANE))
+  if (const std::optional<Test> test =
+        test_in_plane(connectivity_.halfedge(e), std::as_const(*memory_->straight_faces)))
     return test->sign;
   const Halfedge_index h = connectivity_.halfedge(e);
   const Opposite_corners corners = known_corners(h, surface);
