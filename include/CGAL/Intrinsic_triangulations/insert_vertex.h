@@ -170,10 +170,7 @@ Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const
                            const NamedParameters& np = parameters::default_values())
 {
   const auto is_constrained = internal::edge_constraints_of(np);
-  auto observer = internal::observer_of(np);
-  std::optional<internal::Interruption_scope<Intrinsic_triangulation<Traits>>> scope;
-  if constexpr (!decltype(observer)::Is_silent::value)
-    scope.emplace(triangulation, [&observer] { return observer(); });
+  const internal::Interruption_scope scope(triangulation, internal::go_further_function_of(np));
   const internal::Standard_arithmetic arithmetic;
   const Delta_complex& complex = triangulation.connectivity();
   const internal::Exact_engine& engine = internal::engine(triangulation);
@@ -252,10 +249,7 @@ Removed_elements remove_vertex(Intrinsic_triangulation<Traits>& triangulation, V
                                const NamedParameters& np = parameters::default_values())
 {
   const auto is_constrained = internal::edge_constraints_of(np);
-  auto observer = internal::observer_of(np);
-  std::optional<internal::Interruption_scope<Intrinsic_triangulation<Traits>>> scope;
-  if constexpr (!decltype(observer)::Is_silent::value)
-    scope.emplace(triangulation, [&observer] { return observer(); });
+  const internal::Interruption_scope scope(triangulation, internal::go_further_function_of(np));
   if (v.idx() >= triangulation.connectivity().number_of_vertices() || !triangulation.is_inserted(v))
     throw Invalid_removal_error("vertex " + std::to_string(v.idx()) +
                                 " was not inserted: only inserted vertices can be removed");

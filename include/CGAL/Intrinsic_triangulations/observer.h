@@ -210,7 +210,7 @@ std::function<bool()> go_further_function_of(const NamedParameters& np)
 }
 
 // As long as it lives, exact decisions that take long ask a function whether to go on, after the one that
-// they asked before.
+// they asked before; an empty one is not asked.
 template <class Triangulation>
 class Interruption_scope
 {
@@ -218,16 +218,24 @@ public:
   Interruption_scope(Triangulation& triangulation, const std::function<bool()>& go_further)
     : triangulation_(triangulation)
   {
+    if (!go_further)
+      return;
     std::function<bool()> both = [this, go_further] { return (!before_ || before_()) && go_further(); };
     before_ = triangulation.set_interruption(std::move(both));
+    is_set_ = true;
   }
   Interruption_scope(const Interruption_scope&) = delete;
   Interruption_scope& operator=(const Interruption_scope&) = delete;
-  ~Interruption_scope() { triangulation_.set_interruption(std::move(before_)); }
+  ~Interruption_scope()
+  {
+    if (is_set_)
+      triangulation_.set_interruption(std::move(before_));
+  }
 
 private:
   Triangulation& triangulation_;
   std::function<bool()> before_;
+  bool is_set_ = false;
 };
 
 inline void report_progress(const Progress_function& progress, double fraction, const char* what)
