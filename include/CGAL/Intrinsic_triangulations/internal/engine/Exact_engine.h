@@ -44,6 +44,8 @@ class Input_surface;
 class Exact_fallback;
 class Residues;
 class Vertex_positions;
+class Crossed_edges;
+struct Saved_triangulation;
 template <class Corner, class Image_corner>
 struct Known_corner;
 
@@ -127,10 +129,22 @@ public:
   // Removes an inserted vertex, the target of `h`, on a straight line of two edges. Likewise.
   Removed_elements unsplit_edge(Halfedge_index h);
 
+  // Replaces the triangulation by one that a file says has come from this input. All of that is checked, exactly.
+  // \pre nothing was flipped, `saved.is_straight` has an entry for each face, and `saved` names no vertex, edge or face that does not exist
+  // \exception Invalid_surface_error if it is none; then this can only be destroyed
+  void restore(Saved_triangulation saved);
+  // Whether a face is known to be a triangle in space. Numbers that are rounded depend on that in the last place.
+  bool is_known_to_be_straight(Face_index f) const
+  {
+    find_straight_faces();
+    return is_straight(f);
+  }
+
   // ---------------------------------------------------------------- how decisions are made
 
   // What they accept as a tie.
   void set_tie_proof(Tie_proof tie_proof);
+  Tie_proof tie_proof() const;
   // A function that is called from time to time during a single decision that takes long: if it returns `false`, the decision ends with a
   // Cancelled_error. Threads that decide call it, several at once if they do. An empty one, as at the beginning, ends none; copies do not
   // take it over. Returns the one before.
@@ -199,6 +213,9 @@ public:
   // Returns the length of `e` in the unit of the input, within one unit in the last
   // place.
   double length(Edge_index e) const;
+
+  // Returns the squared length of `e` in the unit of the metric, within one unit in the last place.
+  double squared_length(Edge_index e) const;
 
   // Returns an interval around the length of `e`, in the unit of the input.
   Interval_nt<> length_interval(Edge_index e) const;
@@ -327,6 +344,16 @@ private:
   Bounded_double_double squared_length(Edge_index e, Input_surface& surface) const;
   Exact_fallback exact_fallback(Input_surface& surface) const;
   bool is_straight(Face_index f) const;
+  bool has_inserted_vertex(Face_index f) const;
+  void check_line(Edge_index e) const;
+  // Whether the ends of the edges that h crosses lie on its two sides, or else on h, or else not so.
+  enum class Line_check {
+    STRAIGHT,
+    TOUCHING,
+    BENT
+  };
+  Line_check check_sides(Halfedge_index h, const Crossed_edges& crossed) const;
+  Face_index plane(Face_index f) const;
   template <class Real>
   struct Side_and_corner;
   template <class Unfolding_>
@@ -349,6 +376,7 @@ private:
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_numbers_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_restore_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_signs_impl.h>
 #endif
 

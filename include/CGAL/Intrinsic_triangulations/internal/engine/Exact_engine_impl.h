@@ -183,6 +183,9 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_engine::set_tie_proof(Tie_proof tie_proof) { memory_->settings.tie_proof = tie_proof; }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Tie_proof Exact_engine::tie_proof() const { return memory_->settings.tie_proof; }
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 std::function<bool()> Exact_engine::set_interruption(std::function<bool()> go_further)
 {
   return memory_->settings.interruption.exchange(std::move(go_further));

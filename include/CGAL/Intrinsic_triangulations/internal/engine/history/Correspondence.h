@@ -40,6 +40,15 @@ namespace internal {
 class Correspondence
 {
 public:
+  Correspondence() = default;
+  // With what is known from elsewhere.
+  // \param coordinates the integers of the current triangulation
+  // \param locations where the vertices lie that follow those of the input
+  Correspondence(Delta_complex input, Normal_coordinates coordinates, std::vector<Surface_point> locations)
+    : is_prepared_(true), knows_input_(true), input_(std::move(input)), coordinates_(std::move(coordinates)),
+      locations_(std::move(locations))
+  {}
+
   // Whether the integers are up to date, so that `coordinates()`, `input()` and `input_halfedge()` are available.
   bool is_prepared() const { return is_prepared_; }
 

@@ -104,6 +104,14 @@ public:
     records_.push_back(Record{-1, {0, 0}, {0, 0}});
   }
 
+  // Replaces the integers of `e`.
+  // \param crossings as `crossings(e)`
+  // \param first, second the roundabouts of its halfedges, null where there are none
+  void set(Edge_index e, std::int64_t crossings, Halfedge_index first, Halfedge_index second)
+  {
+    set_record(Halfedge_index(2 * e.idx()), {crossings, {first.idx(), second.idx()}, {0, 0}});
+  }
+
   // The number of times that input edges cross `e`, or −1 if `e` coincides with one.
   std::int64_t crossings(Edge_index e) const { return record(e).crossings; }
   // Whether `e` coincides with an input edge.

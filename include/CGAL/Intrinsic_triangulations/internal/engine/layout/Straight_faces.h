@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -47,6 +48,17 @@ public:
   {
     for (std::size_t f = 0; f < plane_.size(); ++f)
       plane_[f] = united_with_[f] = std::uint32_t(f);
+  }
+
+  // With what is known from elsewhere: for each face that of an input face in its plane, or the null descriptor.
+  Straight_faces(std::size_t number_of_input_faces, std::size_t number_of_points, const std::vector<Face_index>& planes)
+    : Straight_faces(number_of_input_faces, number_of_points)
+  {
+    if (number_of_points == 0)
+      return;
+    plane_.resize(planes.size(), default_init);
+    for (std::size_t f = 0; f < planes.size(); ++f)
+      plane_[f] = planes[f].is_valid() ? planes[f].idx() : none;
   }
 
   bool operator()(Face_index f) const { return !plane_.empty() && plane_[f.idx()] != none; }

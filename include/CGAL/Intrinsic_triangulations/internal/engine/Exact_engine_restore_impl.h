@@ -1,0 +1,199 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Definitions of Exact_engine: a triangulation from a file, which is not believed.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_RESTORE_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_RESTORE_IMPL_H
+
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Saved_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/check_correspondence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Double_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Metric_frame.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Strip.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
+
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// The edges of the triangulation are lines through the input triangles that the integers name: then the faces between them are the triangles
+// that are laid out, as they are up to isotopy (see Correspondence_check). Inserted vertices are no part of that isotopy: faces at these
+// must not be inverted.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_engine::restore(Saved_triangulation saved)
+{
+  const Standard_arithmetic arithmetic;
+  prepare();
+  Memory& memory = *memory_;
+  const std::size_t number_of_input_faces = connectivity_.number_of_faces(),
+                    number_of_points = metric_.points().size();
+  Delta_complex input = correspondence_.input();
+  correspondence_ = Correspondence(std::move(input), std::move(saved.coordinates), std::move(saved.locations));
+  connectivity_ = std::move(saved.connectivity);
+  memory.straight_faces = Straight_faces(number_of_input_faces, number_of_points,
+                                         std::vector<Face_index>(connectivity_.number_of_faces()));
+  memory.knows_straight_faces = true;
+
+  Correspondence_check check(connectivity_, correspondence_, interruption());
+  check.check_locations();
+  if (number_of_points != 0)
+    for (const Surface_point& location : correspondence_.locations())
+      memory.inserted_positions.push_back(positions().rounded(location));
+  check();
+  for (Edge_index e : connectivity_.edges())
+    check_line(e);
+  for (Face_index f : connectivity_.faces())
+    if (has_inserted_vertex(f) && sign_of_area(f) == NEGATIVE)
+      throw_not_a_triangulation("face", f.idx(), "is inverted");
+
+  if (number_of_points == 0)
+    return;
+  std::vector<Face_index> planes(connectivity_.number_of_faces());
+  for (Face_index f : connectivity_.faces())
+    if (saved.is_straight[f.idx()])
+      planes[f.idx()] = plane(f);
+  memory.straight_faces = Straight_faces(number_of_input_faces, number_of_points, planes);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool Exact_engine::has_inserted_vertex(Face_index f) const
+{
+  const Halfedge_index h = connectivity_.halfedge(f);
+  for (Halfedge_index side : {h, connectivity_.next(h), connectivity_.prev(h)})
+    if (correspondence_.is_inserted(connectivity_.target(side)))
+      return true;
+  return false;
+}
+
+// An edge begins and ends in the input faces that the integers name, and each input edge that it crosses has one end on either side of it.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_engine::check_line(Edge_index e) const
+{
+  const std::int64_t n = correspondence_.coordinates().crossings(e);
+  if (n < 0)
+    return;
+  const auto fail = [&](const std::string& what) { throw_not_a_triangulation("edge", e.idx(), what); };
+  const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
+  const Face_index first = uncrossed_input_face(connectivity_, correspondence_, h),
+                   last = uncrossed_input_face(connectivity_, correspondence_, g);
+  if (!first.is_valid() || !last.is_valid())
+    fail("leaves the surface");
+  bool has_length = false;
+  if (n == 0) {
+    if (first != last)
+      fail("crosses no input edge, and its ends lie in different input faces");
+    if (!correspondence_.is_inserted(connectivity_.source(h)) && !correspondence_.is_inserted(connectivity_.target(h)))
+      fail("joins two corners of one input face, and is none of its sides");
+  } else {
+    const Crossed_halfedges sequence(connectivity_, correspondence_, h, interruption());
+    const Delta_complex& input = correspondence_.input();
+    Crossed_edges crossed(input);
+    for (std::size_t i = 0; i < sequence.size(); ++i)
+      crossed.push_back(sequence[i]);
+    if (input.face(input.opposite(sequence.front())) != first || input.face(crossed[crossed.size() - 1]) != last)
+      fail("does not begin and end in the input faces that its ends lie in");
+    const Line_check check = check_sides(h, crossed);
+    if (check == Line_check::BENT)
+      fail("is no straight line over the input triangles");
+    has_length = check == Line_check::STRAIGHT;
+  }
+  if (!has_length && has_length_zero(e))
+    fail("has length zero");
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_engine::Line_check Exact_engine::check_sides(Halfedge_index h, const Crossed_edges& crossed) const
+{
+  // Twice the area to an end of a crossed edge: positive if it lies on the right side. Calls visit(area) until it returns `false`.
+  const auto for_each_area = [&](auto& metric, const auto& visit) {
+    using Metric = std::decay_t<decltype(metric)>;
+    using Frame = Metric_frame<Metric>;
+    Strip<Frame> strip(correspondence_.input(), Frame(correspondence_.input(), metric));
+    Unfolding<Metric>(connectivity_, correspondence_, metric).lay_out(strip, h, crossed);
+    strip.for_each_crossing(
+      [&](const auto& areas, const auto&, const auto&) { return visit(areas.left) && visit(areas.right); });
+  };
+  std::vector<std::size_t> open; // by which number of areas
+  const auto find_open = [&](auto& metric) {
+    bool is_bent = false;
+    std::size_t i = 0;
+    open.clear();
+    for_each_area(metric, [&](const auto& area) {
+      const Uncertain<Sign> sign = area.sign();
+      is_bent = certainly(sign == NEGATIVE);
+      if (!certainly(sign == POSITIVE))
+        open.push_back(i);
+      ++i;
+      return !is_bent;
+    });
+    return is_bent ? Line_check::BENT : Line_check::STRAIGHT;
+  };
+  Double_metric doubles(correspondence_.input(), metric_, interruption());
+  Line_check result = find_open(doubles);
+  if (result == Line_check::BENT || open.empty())
+    return result;
+  const Surface_lease surface = input_surface();
+  Double_double_metric double_doubles(*surface);
+  result = find_open(double_doubles);
+  for (std::size_t i = 0; i < open.size() && result != Line_check::BENT; ++i) {
+    const auto area = [&](auto& metric) {
+      std::optional<typename std::decay_t<decltype(metric)>::Real> found;
+      std::size_t number = 0;
+      for_each_area(metric, [&](const auto& each) {
+        if (number++ == open[i])
+          found = each;
+        return !found;
+      });
+      return *found;
+    };
+    const Sign sign = exact_sign(*surface, area, [&] {
+      return "that edge " + std::to_string(connectivity_.edge(h).idx()) + " runs through a vertex of the input";
+    });
+    result = sign == POSITIVE ? result : sign == ZERO ? Line_check::TOUCHING : Line_check::BENT;
+  }
+  return result;
+}
+
+// An input face in whose plane all lie that a face shares points with, or none. All of these meet its sides.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Face_index Exact_engine::plane(Face_index f) const
+{
+  const Delta_complex& input = correspondence_.input();
+  Face_index result;
+  const auto lies_in_it = [&](Face_index g) {
+    if (!result.is_valid())
+      result = g;
+    return result == g || have_one_plane(input, metric_.points(), result, g);
+  };
+  const Halfedge_index h = connectivity_.halfedge(f);
+  for (Halfedge_index side : {h, connectivity_.next(h), connectivity_.prev(h)}) {
+    if (!lies_in_it(uncrossed_input_face(connectivity_, correspondence_, side)))
+      return {};
+    if (correspondence_.coordinates().number_of_crossings(connectivity_.edge(side)) == 0)
+      continue;
+    const Crossed_halfedges crossed(connectivity_, correspondence_, side, interruption());
+    for (std::size_t i = 0; i < crossed.size(); ++i)
+      if (!lies_in_it(input.face(crossed[i])))
+        return {};
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_RESTORE_IMPL_H

@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// A triangulation and its input in a file.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SAVING_SAVED_FILE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SAVING_SAVED_FILE_H
+
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Saved_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
+
+#include <functional>
+#include <iosfwd>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+struct Saved_file
+{
+  Delta_complex input;
+  Input_metric::Point_vector points; // empty, as one of the others, unless the input is given by them
+  std::vector<double> lengths;
+  Input_metric metric; // of squared lengths
+  Saved_triangulation triangulation;
+  std::vector<bool> is_constrained; // for each edge of the triangulation, or empty
+  Stage_counts counts;
+  Tie_proof tie_proof = Tie_proof::PROBABLE_IF_COSTLY;
+};
+
+// Asked for each block of bytes.
+using Go_further = std::function<bool()>;
+
+// \exception Undecided_error if an edge crosses more input edges than can be laid out
+void write_saved_file(std::ostream& os, const Exact_engine& engine, const Stage_counts& counts,
+                      const std::vector<bool>& is_constrained, const Go_further& go_further);
+// Checks the connectivity of input and triangulation, and that there is an entry for each element; not what only the metric can tell.
+// Memory: proportional to what was read, whatever the header says
+Saved_file read_saved_file(std::istream& is, const Go_further& go_further);
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/internal/saving/Saved_file_impl.h>
+#endif
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SAVING_SAVED_FILE_H
