@@ -6,6 +6,7 @@
 #include "commands/command_line.h"
 #include "input/flat_vertices.h"
 #include "input/repair.h"
+#include "input/saved_triangulation.h"
 #include "output/Output_file.h"
 #include "output/write_json.h"
 #include "output/write_overlay.h"
@@ -58,6 +59,12 @@ void Result_files::add_options(CLI::App& command, CLI::Option* repair)
     ->capture_default_str()
     ->needs(overlay_option);
   command
+    .add_option("--save", save,
+                "write the triangulation itself, with its input and where that lies: a file that each subcommand takes "
+                "as INPUT, to go "
+                "on from there")
+    ->type_name("F.idt");
+  command
     .add_option("--repair-map", repair_map,
                 "write where the vertices and faces of the repaired surface come from, as CSV: "
                 "element,index,input")
@@ -68,6 +75,8 @@ void Result_files::add_options(CLI::App& command, CLI::Option* repair)
 void Result_files::check_paths(const std::vector<std::string>& inputs) const
 {
   check_output_paths(paths(), inputs);
+  if (!save.empty() && !is_saved_triangulation(name_with_format(save, "idt")))
+    throw Usage_error("--save: " + save + " does not end in .idt, by which the file is known as a triangulation");
   if (overlay.empty())
     return;
   const std::optional<Mesh_format> format = format_of_overlay();
@@ -92,6 +101,7 @@ void Result_files::add_to(Requested_results& wanted) const
 {
   wanted.lengths = !edges.empty();
   wanted.numbers = !edges.empty() || !Laplacian.empty() || !mass.empty();
+  wanted.saved = !save.empty();
   wanted.overlay = !crossings.empty() || !overlay.empty();
 }
 
@@ -111,6 +121,8 @@ void Result_files::write(Triangulation_result& result) const
   write_one("edges", edges, [&](std::ostream& os) { write_edges(os, result); });
   write_one("laplacian", Laplacian, [&](std::ostream& os) { write_Laplacian(os, result); });
   write_one("mass", mass, [&](std::ostream& os) { write_mass(os, result); });
+  if (!result.outcome.saved.empty())
+    write_one("save", save, [&](std::ostream& os) { os << result.outcome.saved; });
   if (result.outcome.subdivision) {
     write_one("crossings", crossings, [&](std::ostream& os) { write_crossings(os, result); });
     write_one("overlay", overlay, [&](std::ostream& os) {

@@ -21,7 +21,7 @@ namespace idt {
 // Their paths as options of the command line; what has an empty path is not written.
 struct Result_files
 {
-  std::string stats, edges, Laplacian, mass, crossings, overlay, points, repair_map, vertex_map;
+  std::string stats, edges, Laplacian, mass, crossings, overlay, points, repair_map, vertex_map, save;
   std::string overlay_format = "ply"; // on the standard output
   bool has_overlay_triangles = false;
   bool is_verbose = false; // of the report
@@ -31,7 +31,7 @@ struct Result_files
 
   std::vector<std::string> paths() const
   {
-    return {stats, edges, Laplacian, mass, crossings, overlay, points, repair_map, vertex_map};
+    return {stats, edges, Laplacian, mass, crossings, overlay, points, repair_map, vertex_map, save};
   }
 
   // \exception Usage_error if a file would replace another, or an input, or has no format for an overlay

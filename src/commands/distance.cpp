@@ -298,7 +298,7 @@ void find_on_surface(const Distance_options& options, Distance_result& result)
   set_number_of_vertices(options, complex.number_of_vertices(), result);
   result.read_seconds = stopwatch.restart();
   Progress progress(options.input, "triangulating");
-  auto triangulation = make_triangulation<Triangulation::Traits>(surface);
+  auto triangulation = first_triangulation<Triangulation::Traits>(surface);
   const IT::Flip_report report = IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(Flip_watch{progress}));
   result.flips = report.flips;
   if (options.is_refined) {

@@ -11,12 +11,14 @@
 #include "input/constraints.h"
 #include "input/flat_vertices.h"
 #include "input/mesh_file.h"
+#include "input/saved_triangulation.h"
 #include "output/Output_file.h"
 #include "system/text.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/sharp_edges.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <iostream>
@@ -94,8 +96,16 @@ Triangulation_result refine_surface(Surface surface, Run_options run_options, co
   Smallest_size chosen(surface);
   Budget_warning warning(surface.path, budget(surface, options));
   Refinement_options& refinement = *run_options.refinement;
-  const std::vector<bool> is_constrained =
-    options.constraints.empty() ? std::vector<bool>() : read_constraints(options.constraints, surface);
+  std::vector<bool> is_constrained = surface.saved ? surface.saved->is_constrained : std::vector<bool>();
+  if (!options.constraints.empty()) {
+    const std::size_t number_of_points = surface.points.size();
+    const std::vector<bool> read = read_constraints(options.constraints, surface);
+    if (surface.saved && surface.points.size() != number_of_points)
+      throw Usage_error("--constraints: " + options.constraints +
+                        " has lines through faces, which need new vertices in the input: refine the mesh instead");
+    is_constrained.resize(read.size());
+    std::transform(read.begin(), read.end(), is_constrained.begin(), is_constrained.begin(), std::logical_or<>());
+  }
   refinement.gives_up = [&](const CGAL::Intrinsic_triangulations::Refinement_progress& progress,
                             const std::function<Short_side()>& where) {
     if (options.minimum_size || !chosen.covers(progress.size)) {

@@ -60,9 +60,13 @@ void check(const Triangulate_options& options)
   const std::vector<std::string> outputs = options.files.paths();
   if (options.inputs.size() > 1 &&
       std::any_of(outputs.begin(), outputs.end(), [](const std::string& s) { return !s.empty(); }))
-    throw Usage_error("--stats, --edges, --crossings, --overlay, --laplacian, --mass and --repair-map take one input: "
-                      "several would go to the same file");
+    throw Usage_error(
+      "--stats, --edges, --crossings, --overlay, --laplacian, --mass, --save and --repair-map take one input: "
+      "several would go to the same file");
   options.files.check_paths(options.inputs);
+  if (!options.files.save.empty() && options.number_type != name(Number_type::FILTERED))
+    throw Usage_error("--save: only the number type " + std::string(name(Number_type::FILTERED)) +
+                      " makes triangulations that can be saved");
 }
 
 Exit_status triangulate_file(const std::string& path, const Triangulate_options& options,

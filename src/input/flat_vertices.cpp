@@ -20,6 +20,9 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 double remove_flat_vertices(Surface& surface, std::optional<double> tolerance)
 {
+  if (surface.saved)
+    throw Usage_error(surface.path +
+                      ": --remove-flat-vertices is for meshes, as a saved triangulation keeps its input");
   if (!surface.has_points())
     throw Usage_error(surface.path +
                       ": --remove-flat-vertices needs a surface in space, and this one has edge lengths alone");

@@ -23,6 +23,7 @@
 #include <limits>
 #include <optional>
 #include <type_traits>
+#include <vector>
 
 namespace idt {
 
@@ -104,9 +105,10 @@ IT::Flip_report flip_with(IT::Intrinsic_triangulation<Traits>& triangulation, co
       : IT::default_maximum_number_of_flips(triangulation.connectivity().number_of_edges()));
   const auto parameters = CGAL::parameters::visitor(std::ref(visitor)).maximum_number(budget);
   if constexpr (Traits::Uses_exact_geometry::value)
-    if (job.options.refinement)
-      return IT::flip_to_Delaunay(
-        triangulation, parameters.edge_is_constrained_map(Edge_flags{&job.options.refinement->is_constrained}));
+    if (job.options.refinement) {
+      const std::vector<bool> is_constrained = first_constraints(triangulation, job);
+      return IT::flip_to_Delaunay(triangulation, parameters.edge_is_constrained_map(Edge_flags{&is_constrained}));
+    }
   return IT::flip_to_Delaunay(triangulation, parameters);
 }
 

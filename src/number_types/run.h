@@ -44,6 +44,7 @@ struct Requested_results
   bool wrong_decisions = false; // compares each test with the exact one
   bool overlay = false;         // of input and result, with the positions of the crossings
   bool shapes = false;          // of the faces of the result
+  bool saved = false;           // the triangulation as a file, with FILTERED alone
 
   static Requested_results nothing()
   {
@@ -53,7 +54,7 @@ struct Requested_results
   }
   bool needs_input() const
   {
-    return crossings || tessellation || verification || exact_lengths || wrong_decisions || overlay || shapes;
+    return crossings || tessellation || verification || exact_lengths || wrong_decisions || overlay || shapes || saved;
   }
 };
 
@@ -179,6 +180,7 @@ struct Outcome
   std::optional<Refinement_summary> refinement;
   std::optional<Shape_summary> shapes;
   std::optional<CGAL::Intrinsic_triangulations::Delaunay_verification> verification;
+  std::string saved; // the bytes of a file, or none
   std::optional<std::uint64_t> wrong_decisions;
   double build_seconds = 0;
   double flip_seconds = 0;

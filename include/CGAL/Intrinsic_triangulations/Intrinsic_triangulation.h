@@ -221,6 +221,12 @@ public:
   /// \exception Integer_overflow_error if an edge crosses more than 2^60 input edges
   /// @{
 
+  /// returns the metric of the input, exactly.
+  const Input_metric& input_metric() const
+  {
+    CGAL_precondition(keeps_input());
+    return engine_.metric();
+  }
   /// returns the connectivity of the input. It has the same vertices, edges, halfedges and faces as at the beginning;
   /// `halfedge(v)` and `halfedge(f)` may be other halfedges of the vertex and the face.
   const Delta_complex& input() const { return prepared_engine().correspondence().input(); }

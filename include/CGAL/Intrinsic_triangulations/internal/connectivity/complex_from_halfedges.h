@@ -45,8 +45,9 @@ inline Delta_complex complex_from_halfedges(std::size_t number_of_edges,
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t h = faces[f][i];
       if (h >= records.size() || records[h].face != none)
-        throw_not_a_triangulation("face", f, "names halfedge " + std::to_string(h) +
-                                               (h < records.size() ? ", which another one has" : ", which does not exist"));
+        throw_not_a_triangulation("face", f,
+                                  "names halfedge " + std::to_string(h) +
+                                    (h < records.size() ? ", which another one has" : ", which does not exist"));
       records[h] = {faces[f][(i + 1) % 3], faces[f][(i + 2) % 3], none, f};
     }
     face_halfedges.push_back(Halfedge_index(faces[f][0]));
@@ -68,8 +69,8 @@ inline Delta_complex complex_from_halfedges(std::size_t number_of_edges,
     std::uint32_t h = first;
     do {
       if (records[h].target != none)
-        throw_not_a_triangulation("vertex", v, "and vertex " + std::to_string(records[h].target) + " share halfedge " +
-                                                 std::to_string(h));
+        throw_not_a_triangulation(
+          "vertex", v, "and vertex " + std::to_string(records[h].target) + " share halfedge " + std::to_string(h));
       records[h].target = v;
       const std::uint32_t from_v = h ^ 1;
       if (is_border(from_v)) {

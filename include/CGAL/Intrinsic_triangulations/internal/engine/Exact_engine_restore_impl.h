@@ -38,13 +38,12 @@ void Exact_engine::restore(Saved_triangulation saved)
   const Standard_arithmetic arithmetic;
   prepare();
   Memory& memory = *memory_;
-  const std::size_t number_of_input_faces = connectivity_.number_of_faces(),
-                    number_of_points = metric_.points().size();
+  const std::size_t number_of_input_faces = connectivity_.number_of_faces(), number_of_points = metric_.points().size();
   Delta_complex input = correspondence_.input();
   correspondence_ = Correspondence(std::move(input), std::move(saved.coordinates), std::move(saved.locations));
   connectivity_ = std::move(saved.connectivity);
-  memory.straight_faces = Straight_faces(number_of_input_faces, number_of_points,
-                                         std::vector<Face_index>(connectivity_.number_of_faces()));
+  memory.straight_faces =
+    Straight_faces(number_of_input_faces, number_of_points, std::vector<Face_index>(connectivity_.number_of_faces()));
   memory.knows_straight_faces = true;
 
   Correspondence_check check(connectivity_, correspondence_, interruption());

@@ -28,7 +28,8 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 template <std::size_t size>
-using Unsigned = std::conditional_t<size == 1, std::uint8_t, std::conditional_t<size == 4, std::uint32_t, std::uint64_t>>;
+using Unsigned =
+  std::conditional_t<size == 1, std::uint8_t, std::conditional_t<size == 4, std::uint32_t, std::uint64_t>>;
 
 class Byte_writer
 {
@@ -42,10 +43,7 @@ public:
     if (bytes_.size() > block)
       flush();
   }
-  void put(const std::string& text)
-  {
-    bytes_.insert(bytes_.end(), text.begin(), text.end());
-  }
+  void put(const std::string& text) { bytes_.insert(bytes_.end(), text.begin(), text.end()); }
   void flush()
   {
     os_.write(bytes_.data(), std::streamsize(bytes_.size()));
@@ -152,16 +150,14 @@ public:
   std::uint64_t offset() const { return offset_; }
 
   // Of the row that was taken last.
-  [[noreturn]] void fail_here(const std::string& what) const
-  {
-    fail(offset_ - left_ * size_ - size_, what);
-  }
+  [[noreturn]] void fail_here(const std::string& what) const { fail(offset_ - left_ * size_ - size_, what); }
   [[noreturn]] void fail(std::uint64_t offset, const std::string& what) const
   {
     const std::size_t row = row_ == 0 ? 0 : row_ - 1;
     throw Invalid_surface_error(Invalid_surface_error::Defect::UNREADABLE, row, 1,
                                 "byte " + std::to_string(offset) +
-                                  (element_ ? ", " + std::string(element_) + " " + std::to_string(row) : "") + ": " + what);
+                                  (element_ ? ", " + std::string(element_) + " " + std::to_string(row) : "") + ": " +
+                                  what);
   }
 
 private:

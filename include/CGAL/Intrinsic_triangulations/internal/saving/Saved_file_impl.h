@@ -8,7 +8,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/complex_from_halfedges.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/metric/Input_metric_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 #include <CGAL/Intrinsic_triangulations/internal/saving/Byte_stream.h>
 #include <CGAL/Intrinsic_triangulations/internal/saving/Saved_file.h>
 #include <CGAL/Intrinsic_triangulations/internal/saving/Saved_header.h>
@@ -31,9 +31,9 @@ namespace internal {
 constexpr std::int64_t most_saved_crossings = std::int64_t(1) << 20;
 
 // In the unit of the input.
-inline Rational unscaled_squared_length(const Input_metric& metric, std::size_t e)
+inline Rational unscaled_squared_length(const Input_metric& metric, const Delta_complex& input, Edge_index e)
 {
-  Rational s = metric.rational_lengths()->squared[e];
+  Rational s = squared_length(metric, input, e);
   const int k = 2 * metric.unit_exponent();
   if (k > 0)
     mpq_mul_2exp(s.backend().data(), s.backend().data(), mp_bitcnt_t(k));
@@ -143,8 +143,8 @@ private:
     for (double l : metric.lengths())
       bytes_.put(std::ldexp(l, metric.unit_exponent()));
     if (metric.rational_lengths())
-      for (std::size_t e = 0; e < metric.rational_lengths()->squared.size(); ++e) {
-        const std::string digits = unscaled_squared_length(metric, e).str();
+      for (Edge_index e : correspondence_.input().edges()) {
+        const std::string digits = unscaled_squared_length(metric, correspondence_.input(), e).str();
         bytes_.put(std::uint32_t(digits.size()));
         bytes_.put(digits);
       }

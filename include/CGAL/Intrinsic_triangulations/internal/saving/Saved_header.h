@@ -59,8 +59,7 @@ struct Saved_header
     } else {
       element("vertex", vertices, {"uint halfedge"});
     }
-    element("face", faces,
-            {"list uchar uint vertex_indices", "uint halfedge_0", "uint halfedge_1", "uint halfedge_2"});
+    element("face", faces, {"list uchar uint vertex_indices", "uint halfedge_0", "uint halfedge_1", "uint halfedge_2"});
     if (metric == Metric_kind::LENGTHS)
       element("input_edge", edges, {"double length"});
     else if (metric == Metric_kind::SQUARED_LENGTHS)

@@ -188,7 +188,8 @@ private:
   }
 
   // Follows an input halfedge that leaves v, the corner opposite to ij, until it ends.
-  void follow(Vertex_index v, Halfedge_index ij, std::int64_t position, Halfedge_index start, const Rotation_system& around)
+  void follow(Vertex_index v, Halfedge_index ij, std::int64_t position, Halfedge_index start,
+              const Rotation_system& around)
   {
     if (input_.is_border(start) || input_.is_border(input_.opposite(start)))
       fail("edge", complex_.edge(ij).idx(), "is crossed by a border edge of the input");
@@ -201,8 +202,9 @@ private:
       has_ended = walk.step();
     }
     if (walk.end(around) != input_.opposite(start))
-      fail("edge", complex_.edge(ij).idx(), "is crossed by input edge " + std::to_string(input_.edge(start).idx()) +
-                                              ", which does not end where it should");
+      fail("edge", complex_.edge(ij).idx(),
+           "is crossed by input edge " + std::to_string(input_.edge(start).idx()) +
+             ", which does not end where it should");
     check_order(start, v, walk.end_vertex());
   }
 
