@@ -263,8 +263,6 @@ public:
   /// returns the squared length of `e`.
   FT squared_length(Edge_index e) const
   {
-    if constexpr (uses_exact_geometry)
-      return in_input_unit(engine_.squared_length(e), 2);
     return in_input_unit(traits_.compute_squared_length_object()(edge_data(e)), 2);
   }
   /// returns the area of `f`.
@@ -554,35 +552,14 @@ private:
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
-    engine_.restore(std::move(saved));
-    edges_.resize(connectivity().number_of_edges(), internal::default_init);
+    engine_.restore(saved);
+    edges_ = std::move(saved.squared_lengths);
     faces_.resize(connectivity().number_of_faces(), internal::default_init);
-    if (keeps_bounds)
-      bounds_ = internal::Cotangent_bounds(connectivity());
-    const internal::Face_measurer<Sequential_tag, Traits> measurer(connectivity(), traits_, engine_.metric().points(),
-                                                                   edges_, faces_, bounds_);
-    const auto refined = traits_.construct_refined_data_object();
-    std::vector<Halfedge_index> laid_out;
+    bounds_ = internal::Cotangent_bounds(connectivity());
     for (Face_index f : connectivity().faces()) {
-      const Halfedge_index h = connectivity().halfedge(f);
-      if (engine_.is_known_to_be_straight(f) && !engine_.has_inserted_corner(h)) {
-        measurer.measure(internal::Face_halfedges(connectivity(), h));
-        continue;
-      }
-      const internal::Exact_engine::Corner c = engine_.corner(h);
-      faces_[f.idx()] = refined(c.four_areas, c.s_first, c.s_second, c.s_opposite);
-      const auto store = [&](Halfedge_index side, const auto& s) {
-        constexpr double enough = 0x1p-60;
-        edges_[edge(side).idx()] =
-          refined(s.error() <= enough * s.hi() ? s : std::decay_t<decltype(s)>(engine_.squared_length(edge(side))));
-      };
-      store(h, c.s_opposite);
-      store(connectivity().prev(h), c.s_first);
-      store(connectivity().next(h), c.s_second);
-      laid_out.push_back(h);
+      faces_[f.idx()] = {saved.areas[f.idx()][0], saved.areas[f.idx()][1]};
+      bound_corners(connectivity().halfedge(f));
     }
-    for (Halfedge_index h : laid_out)
-      bound_corners(h);
   }
 
   // Removes an inserted vertex in the middle of three faces, which become one. See `remove_vertex()`.

@@ -8,6 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_IO_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_IO_H
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
@@ -15,13 +16,14 @@
 #include <CGAL/Intrinsic_triangulations/internal/saving/Saved_file.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 
-#include <CGAL/property_map.h>
-
+#include <array>
+#include <cstdint>
 #include <fstream>
+#include <functional>
 #include <istream>
+#include <limits>
 #include <ostream>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -35,7 +37,6 @@ namespace Intrinsic_triangulations {
 /// The file is a binary PLY file of the input, which other programs read as a mesh if it has points, with further elements for the
 /// triangulation: \ref idt_files_saved describes each byte.
 ///
-/// \tparam Traits a model of `IntrinsicTriangulationTraits` that uses exact geometry: no other one has numbers that a reader could check
 /// \tparam NamedParameters a sequence of named parameters
 /// \param os a stream that was opened in binary mode; its state tells whether all was written
 /// \param triangulation the triangulation
@@ -54,28 +55,49 @@ namespace Intrinsic_triangulations {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \pre `triangulation.keeps_input()`
 /// \exception Undecided_error if an edge crosses more than 2<sup>20</sup> input edges: a reader could not lay it out
 /// \exception Cancelled_error if the visitor says so
 /// \exception Integer_overflow_error as `Intrinsic_triangulation::number_of_crossings()`
 /// O(size).
-template <class Traits, class NamedParameters = parameters::Default_named_parameters>
-void write_triangulation(std::ostream& os, const Intrinsic_triangulation<Traits>& triangulation,
+template <class NamedParameters = parameters::Default_named_parameters>
+void write_triangulation(std::ostream& os, const Intrinsic_triangulation<Filtered_edge_length_traits>& triangulation,
                          const NamedParameters& np = parameters::default_values())
 {
-  static_assert(Intrinsic_triangulation<Traits>::uses_exact_geometry,
-                "only triangulations whose traits use exact geometry can be written");
   using parameters::get_parameter;
-  using Constraints = decltype(get_parameter(np, internal_np::edge_is_constrained));
-  const internal::Exact_engine& engine = internal::engine(triangulation);
   std::vector<bool> is_constrained;
-  if constexpr (!std::is_same<std::decay_t<Constraints>, internal_np::Param_not_found>::value) {
+  if constexpr (internal::has_edge_constraints<NamedParameters>) {
     const auto map = internal::edge_constraints_of(np);
     for (Edge_index e : triangulation.connectivity().edges())
       is_constrained.push_back(get(map, e));
   }
-  internal::write_saved_file(os, engine, triangulation.stage_counts(), is_constrained,
+  const internal::Stored_numbers numbers{[&](Edge_index e) { return triangulation.edge_data(e); },
+                                         [&](Face_index f) {
+                                           const Bounded_area& area = triangulation.face_data(f);
+                                           return std::array<double, 2>{area.value, area.error};
+                                         }};
+  internal::write_saved_file(os, internal::engine(triangulation), triangulation.stage_counts(), numbers, is_constrained,
                              internal::go_further_function_of(np));
+}
+
+/// \ingroup PkgIntrinsicTriangulationsIO
+/// \brief as above, for the triangulation of a common subdivision: from it, the same subdivision can be made.
+template <class NamedParameters = parameters::Default_named_parameters>
+void write_triangulation(std::ostream& os, const Common_subdivision& subdivision,
+                         const NamedParameters& np = parameters::default_values())
+{
+  const internal::Exact_engine& engine = internal::engine(subdivision);
+  const Delta_complex& complex = engine.connectivity();
+  // Numbers without bounds: the first decisions replace them.
+  const internal::Stored_numbers numbers{
+    [&](Edge_index e) {
+      const Halfedge_index h = complex.halfedge(e);
+      return engine.corner(complex.is_border(h) ? complex.opposite(h) : h).s_opposite.hi();
+    },
+    [&](Face_index f) {
+      return std::array<double, 2>{engine.corner(complex.halfedge(f)).four_areas.hi(),
+                                   std::numeric_limits<double>::infinity()};
+    }};
+  internal::write_saved_file(os, engine, engine.stage_counts(), numbers, {}, internal::go_further_function_of(np));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsIO
@@ -85,10 +107,9 @@ void write_triangulation(std::ostream& os, const Intrinsic_triangulation<Traits>
 /// It is the triangulation that was written, with the same descriptors: every query returns the same, in each bit. Flips, insertions and
 /// removals go on from there.
 ///
-/// A file is not believed. Connectivity, integers and inserted vertices are checked against each other and against the input, by exact
-/// layouts, so that what is returned is a triangulation of the input surface whatever the bytes are.
+/// A file is not believed. Connectivity, integers, inserted vertices and numbers are checked against each other and against the input,
+/// by exact layouts, so that what is returned is a triangulation of the input surface whatever the bytes are.
 ///
-/// \tparam Traits the traits of the triangulation, which need not be those that it was written with
 /// \tparam NamedParameters a sequence of named parameters
 /// \param is a stream that was opened in binary mode. What follows the triangulation is not read
 /// \param np an optional sequence of named parameters among those listed below
@@ -110,13 +131,12 @@ void write_triangulation(std::ostream& os, const Intrinsic_triangulation<Traits>
 ///   no surface
 /// \exception Cancelled_error if the visitor says so
 /// Time: O(size + number of crossings). Memory: proportional to what was read, whatever the header says.
-template <class Traits = Filtered_edge_length_traits, class NamedParameters = parameters::Default_named_parameters>
-Intrinsic_triangulation<Traits> read_triangulation(std::istream& is,
-                                                   const NamedParameters& np = parameters::default_values())
+template <class NamedParameters = parameters::Default_named_parameters>
+Intrinsic_triangulation<Filtered_edge_length_traits>
+read_triangulation(std::istream& is, const NamedParameters& np = parameters::default_values())
 {
-  using Triangulation = Intrinsic_triangulation<Traits>;
+  using Triangulation = Intrinsic_triangulation<Filtered_edge_length_traits>;
   using parameters::get_parameter;
-  using Constraints = decltype(get_parameter(np, internal_np::edge_is_constrained));
   const std::function<bool()> go_further = internal::go_further_function_of(np);
   internal::Saved_file file = internal::read_saved_file(is, go_further);
   Triangulation result = !file.points.empty() ? Triangulation(std::move(file.input), std::move(file.points))
@@ -125,14 +145,14 @@ Intrinsic_triangulation<Traits> read_triangulation(std::istream& is,
                            : Triangulation::from_metric(std::move(file.input), std::move(file.metric));
   {
     const internal::Interruption_scope<Triangulation> scope(result, go_further);
-    internal::Whole_triangulation<Traits> whole(result);
+    internal::Whole_triangulation<Filtered_edge_length_traits> whole(result);
     whole.restore(std::move(file.triangulation));
     whole.count_as_tested(file.counts[Stage::FILTER]);
     file.counts.decided[std::size_t(Stage::FILTER)] = 0;
     whole.engine().stage_counts() = file.counts;
     whole.engine().set_tie_proof(file.tie_proof);
   }
-  if constexpr (!std::is_same<std::decay_t<Constraints>, internal_np::Param_not_found>::value) {
+  if constexpr (internal::has_edge_constraints<NamedParameters>) {
     const auto map = get_parameter(np, internal_np::edge_is_constrained);
     for (std::uint32_t e = 0; e < file.is_constrained.size(); ++e)
       put(map, Edge_index(e), bool(file.is_constrained[e]));
@@ -141,10 +161,11 @@ Intrinsic_triangulation<Traits> read_triangulation(std::istream& is,
 }
 
 /// \ingroup PkgIntrinsicTriangulationsIO
-/// \brief as above, for the name of a file.
+/// \brief as `write_triangulation()`, for the name of a file.
 /// \exception Error if it cannot be written; what is there then is not removed
-template <class Traits, class NamedParameters = parameters::Default_named_parameters>
-void write_triangulation(const std::string& file_name, const Intrinsic_triangulation<Traits>& triangulation,
+template <class NamedParameters = parameters::Default_named_parameters>
+void write_triangulation(const std::string& file_name,
+                         const Intrinsic_triangulation<Filtered_edge_length_traits>& triangulation,
                          const NamedParameters& np = parameters::default_values())
 {
   std::ofstream os(file_name, std::ios::binary);
@@ -154,29 +175,22 @@ void write_triangulation(const std::string& file_name, const Intrinsic_triangula
 }
 
 /// \ingroup PkgIntrinsicTriangulationsIO
-/// \brief as above, for the name of a file, with which messages begin. Nothing may follow the triangulation.
-template <class Traits = Filtered_edge_length_traits, class NamedParameters = parameters::Default_named_parameters>
-Intrinsic_triangulation<Traits> read_triangulation(const std::string& file_name,
-                                                   const NamedParameters& np = parameters::default_values())
+/// \brief as `read_triangulation()`, for the name of a file, with which messages begin. Nothing may follow the triangulation.
+template <class NamedParameters = parameters::Default_named_parameters>
+Intrinsic_triangulation<Filtered_edge_length_traits>
+read_triangulation(const std::string& file_name, const NamedParameters& np = parameters::default_values())
 {
-  const auto fail = [&](Invalid_surface_error::Defect defect, std::size_t element, std::size_t count,
-                        const std::string& what) {
-    throw Invalid_surface_error(defect, element, count, file_name + ": " + what);
-  };
-  std::ifstream is(file_name, std::ios::binary);
-  if (!is)
-    fail(Invalid_surface_error::Defect::UNREADABLE, 0, 1, "cannot be opened");
+  using Defect = Invalid_surface_error::Defect;
   try {
-    Intrinsic_triangulation<Traits> result = read_triangulation<Traits>(is, np);
+    std::ifstream is(file_name, std::ios::binary);
+    if (!is)
+      throw Invalid_surface_error(Defect::UNREADABLE, 0, 1, "cannot be opened");
+    Intrinsic_triangulation<Filtered_edge_length_traits> result = read_triangulation(is, np);
     if (is.peek() != std::ifstream::traits_type::eof())
-      fail(Invalid_surface_error::Defect::UNREADABLE, 0, 1, "there are bytes behind the triangulation");
+      throw Invalid_surface_error(Defect::UNREADABLE, 0, 1, "there are bytes behind the triangulation");
     return result;
   } catch (const Invalid_surface_error& e) {
-    const std::string what = e.what();
-    if (what.compare(0, file_name.size(), file_name) == 0)
-      throw;
-    fail(e.defect(), e.element(), e.count(), what);
-    throw; // which is not reached
+    throw Invalid_surface_error(e.defect(), e.element(), e.count(), file_name + ": " + e.what());
   }
 }
 

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple, Optional, Tuple
 import numpy
 
 from . import _arrays, _core
+from ._rebuilt import Rebuilt
 
 _NO_VERTEX = 2**32 - 1
 
@@ -60,9 +61,10 @@ class CutSurface(NamedTuple):
     """The barycentric coordinates of these vertices there."""
 
 
-class _Lines:
+class _Lines(Rebuilt):
     def __init__(self, V: Any, F: Any) -> None:
         points, faces = _arrays.points_and_faces(V, F)
+        self._remember(_Lines.__init__, points.copy(), faces.copy())
         self._number_of_vertices = len(points)
         self._number_of_faces = len(faces)
         self._surface = _core.SurfaceInSpace(points, faces)

@@ -13,12 +13,13 @@ from typing import Any
 import numpy
 
 from . import _arrays, _core
+from ._rebuilt import Rebuilt
 from ._triangulation import Triangulation
 
 BOUNDARIES = ("neumann", "dirichlet", "averaged")
 
 
-class MeshHeatMethodDistanceSolver:
+class MeshHeatMethodDistanceSolver(Rebuilt):
     """Distances of all vertices from some of them, by the heat method.
 
     The matrices are factorized once; then each set of sources costs two solutions of linear systems, or three. Calls from several
@@ -54,6 +55,8 @@ class MeshHeatMethodDistanceSolver:
                  keeps_ridges: bool = True) -> None:
         points, faces = _arrays.points_and_faces(V, F)
         options = _options(t_coef, boundary, keeps_ridges)
+        self._remember(MeshHeatMethodDistanceSolver.__init__, points.copy(), faces.copy(), t_coef, use_robust, boundary=boundary,
+                       keeps_ridges=keeps_ridges)
         self._number_of_vertices = len(points)
         if use_robust:
             self._heat = _core.heat_on_any_triangles(points, faces, *options)
@@ -75,9 +78,13 @@ class MeshHeatMethodDistanceSolver:
         if not isinstance(triangulation, Triangulation):
             raise ValueError(f"triangulation has to be a Triangulation, not {type(triangulation).__name__}")
         result = cls.__new__(cls)
-        result._number_of_vertices = triangulation.number_of_vertices
-        result._heat = _core.heat_on_surface(triangulation._surface, *_options(t_coef, boundary, keeps_ridges))
+        result._begin(triangulation.copy(), t_coef, boundary, keeps_ridges)
         return result
+
+    def _begin(self, triangulation: Triangulation, t_coef: float, boundary: str, keeps_ridges: bool) -> None:
+        self._remember(MeshHeatMethodDistanceSolver._begin, triangulation, t_coef, boundary, keeps_ridges)
+        self._number_of_vertices = triangulation.number_of_vertices
+        self._heat = _core.heat_on_surface(triangulation._surface, *_options(t_coef, boundary, keeps_ridges))
 
     def compute_distance(self, v_ind: int) -> numpy.ndarray:
         """The distance of each vertex from one of them.

@@ -37,6 +37,9 @@ class CommonSubdivision:
         self._subdivision = subdivision
         self._points = points
 
+    def __getstate__(self) -> Any:
+        return {name: value for name, value in self.__dict__.items() if name in ("_subdivision", "_points")}
+
     def __repr__(self) -> str:
         return f"<CommonSubdivision: {self.number_of_vertices} vertices, {self.number_of_polygons} polygons>"
 

@@ -7,7 +7,9 @@
 
 from __future__ import annotations
 
+import copy
 import math
+import os
 from typing import Any, List, NamedTuple, Optional, Tuple
 
 import numpy
@@ -164,13 +166,78 @@ class Triangulation:
         return result
 
     def copy(self) -> "Triangulation":
-        """Another object with the same triangulation and the same input."""
-        return Triangulation._of(self._surface.copy(), self._points)
+        """Another object of the same class with the same triangulation and the same input."""
+        result = type(self).__new__(type(self))
+        result.__dict__.update(self.__dict__)
+        result._surface = self._surface.copy()
+        return result
 
     __copy__ = copy
 
     def __deepcopy__(self, memo: Any) -> "Triangulation":
-        return self.copy()
+        result = self.copy()
+        memo[id(self)] = result
+        own = ("_surface", "_points")
+        result.__dict__.update({name: copy.deepcopy(value, memo) for name, value in self.__dict__.items() if name not in own})
+        return result
+
+    def __setstate__(self, state: Any) -> None:
+        self.__dict__.update(state)
+        if self._points is not None:
+            self._points.flags.writeable = False
+
+    def save(self, path: Any) -> None:
+        """Write the triangulation, with its input and where that lies, to a file from which `load` makes the same triangulation.
+
+        `pickle` keeps a triangulation in the same bytes. The file is a binary PLY file of the input with further elements.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            The name of the file; the command `idt` knows such files by names that end in `.idt`.
+
+        Raises
+        ------
+        Error
+            If the file cannot be written.
+        UndecidedError
+            If an edge crosses more than 2**20 edges of the input.
+
+        Examples
+        --------
+        >>> import intrinsic_triangulations as it, os, tempfile
+        >>> t = it.Triangulation([[0, 0, 0], [4, 0, 0], [2, 1, 0], [2, 0, 1]], [[0, 1, 2], [1, 0, 3]])
+        >>> t.flip_to_delaunay().flips
+        1
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     t.save(os.path.join(folder, "kite.idt"))
+        ...     it.Triangulation.load(os.path.join(folder, "kite.idt")).lengths.tolist() == t.lengths.tolist()
+        True
+        """
+        self._surface.save(os.fspath(path))
+
+    @classmethod
+    def load(cls, path: Any) -> "Triangulation":
+        """Read a triangulation that `save` or the command has written.
+
+        Everything in the file is checked, exactly: what is returned is a triangulation of the input in the file, whatever that holds.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            The name of the file.
+
+        Raises
+        ------
+        InvalidSurfaceError
+            If the file holds no triangulation; the message says what is wrong, and at which byte or element.
+        """
+        surface = _core.Surface.load(os.fspath(path))
+        points = surface.input_points()
+        if len(points) == 0:
+            return cls._of(surface)
+        points.flags.writeable = False
+        return cls._of(surface, points)
 
     def __repr__(self) -> str:
         return (f"<Triangulation: {self.number_of_vertices} vertices, {self.number_of_edges} edges, "

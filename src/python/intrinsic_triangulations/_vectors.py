@@ -14,11 +14,12 @@ import numpy
 import scipy.sparse
 
 from . import _arrays, _core
+from ._rebuilt import Rebuilt
 
 STRATEGIES = ("VectorHeat", "AffineLocal", "AffineAdaptive")
 
 
-class MeshVectorHeatSolver:
+class MeshVectorHeatSolver(Rebuilt):
     """Tangent vectors carried along shortest ways, and logarithmic maps, by the vector heat method.
 
     The matrices are factorized once. A tangent vector has two coordinates in the frame of its vertex, which `get_tangent_frames`
@@ -51,6 +52,7 @@ class MeshVectorHeatSolver:
         if time is not None and not (time > 0 and math.isfinite(time)):
             raise ValueError(f"t_coef has to be positive and finite, not {t_coef!r}")
         points, faces = _arrays.points_and_faces(V, F)
+        self._remember(MeshVectorHeatSolver.__init__, points.copy(), faces.copy(), t_coef)
         surface = _core.Surface.from_points(points, faces)
         surface.flip_to_delaunay(None, 2**64 - 1)
         self._surface = surface

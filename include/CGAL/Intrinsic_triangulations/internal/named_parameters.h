@@ -16,6 +16,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -86,6 +87,13 @@ Named_parameters<T, Parameter_tag<parameter>> named(const T& value)
 {
   return Named_parameters<T, Parameter_tag<parameter>>(value);
 }
+
+// Whether a map of constrained edges is given.
+template <class NamedParameters>
+constexpr bool has_edge_constraints =
+  !std::is_same<std::decay_t<decltype(parameters::get_parameter(std::declval<const NamedParameters&>(),
+                                                                internal_np::edge_is_constrained))>,
+                internal_np::Param_not_found>::value;
 
 } // namespace internal
 /// \endcond

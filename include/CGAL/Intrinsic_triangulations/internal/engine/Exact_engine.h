@@ -130,9 +130,10 @@ public:
   Removed_elements unsplit_edge(Halfedge_index h);
 
   // Replaces the triangulation by one that a file says has come from this input. All of that is checked, exactly.
-  // \pre nothing was flipped, `saved.is_straight` has an entry for each face, and `saved` names no vertex, edge or face that does not exist
+  // Its numbers stay there.
+  // \pre nothing was flipped, and `saved` has an entry for each of its elements
   // \exception Invalid_surface_error if it is none; then this can only be destroyed
-  void restore(Saved_triangulation saved);
+  void restore(Saved_triangulation& saved);
   // Whether a face is known to be a triangle in space. Numbers that are rounded depend on that in the last place.
   bool is_known_to_be_straight(Face_index f) const
   {
@@ -213,9 +214,6 @@ public:
   // Returns the length of `e` in the unit of the input, within one unit in the last
   // place.
   double length(Edge_index e) const;
-
-  // Returns the squared length of `e` in the unit of the metric, within one unit in the last place.
-  double squared_length(Edge_index e) const;
 
   // Returns an interval around the length of `e`, in the unit of the input.
   Interval_nt<> length_interval(Edge_index e) const;
@@ -345,6 +343,7 @@ private:
   Exact_fallback exact_fallback(Input_surface& surface) const;
   bool is_straight(Face_index f) const;
   bool has_inserted_vertex(Face_index f) const;
+  bool are_sound(Face_index f, const Saved_triangulation& saved, Input_surface& surface) const;
   void check_line(Edge_index e) const;
   // Whether the ends of the edges that h crosses lie on its two sides, or else on h, or else not so.
   enum class Line_check {

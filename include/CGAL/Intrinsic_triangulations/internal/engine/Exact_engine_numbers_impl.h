@@ -128,16 +128,6 @@ double Exact_engine::length(Edge_index e) const
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-double Exact_engine::squared_length(Edge_index e) const
-{
-  const Standard_arithmetic arithmetic;
-  prepare();
-  const Surface_lease surface = input_surface();
-  const Bounded_double_double s = squared_length(e, *surface);
-  return has_good_root(s) ? s.hi() : exact_fallback(*surface).rounded_squared_length(e);
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Interval_nt<> Exact_engine::length_interval(Edge_index e) const
 {
   const Standard_arithmetic arithmetic;

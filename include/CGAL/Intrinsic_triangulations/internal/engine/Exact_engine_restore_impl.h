@@ -19,6 +19,9 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -33,7 +36,7 @@ namespace internal {
 // that are laid out, as they are up to isotopy (see Correspondence_check). Inserted vertices are no part of that isotopy: faces at these
 // must not be inverted.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_engine::restore(Saved_triangulation saved)
+void Exact_engine::restore(Saved_triangulation& saved)
 {
   const Standard_arithmetic arithmetic;
   prepare();
@@ -58,13 +61,56 @@ void Exact_engine::restore(Saved_triangulation saved)
     if (has_inserted_vertex(f) && sign_of_area(f) == NEGATIVE)
       throw_not_a_triangulation("face", f.idx(), "is inverted");
 
-  if (number_of_points == 0)
-    return;
-  std::vector<Face_index> planes(connectivity_.number_of_faces());
+  if (number_of_points != 0) {
+    std::vector<Face_index> planes(connectivity_.number_of_faces());
+    for (Face_index f : connectivity_.faces())
+      if (saved.is_straight[f.idx()])
+        planes[f.idx()] = plane(f);
+    memory.straight_faces = Straight_faces(number_of_input_faces, number_of_points, planes);
+  }
+  const Surface_lease surface = input_surface();
   for (Face_index f : connectivity_.faces())
-    if (saved.is_straight[f.idx()])
-      planes[f.idx()] = plane(f);
-  memory.straight_faces = Straight_faces(number_of_input_faces, number_of_points, planes);
+    if (!are_sound(f, saved, *surface))
+      throw_not_a_triangulation("face", f.idx(),
+                                "has an area or sides that differ from the true ones by more than its bound");
+}
+
+// The invariants of Filtered_edge_length_traits.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool Exact_engine::are_sound(Face_index f, const Saved_triangulation& saved, Input_surface& surface) const
+{
+  const auto [area, bound] = saved.areas[f.idx()];
+  if (bound == std::numeric_limits<double>::infinity())
+    return true; // nobody relies on these numbers
+  const Halfedge_index h = connectivity_.halfedge(f);
+  constexpr double u = 0x1p-53, rounded_up = 1 + 0x1p-40;
+  // \param difference bounds the difference of a stored number and the true one
+  const auto are_good = [&](Halfedge_index side, const auto& corner, const auto& difference) {
+    double of_sides = 0, sum = 0;
+    const auto add = [&](Halfedge_index g, const auto& s) {
+      const double stored = saved.squared_lengths[connectivity_.edge(g).idx()];
+      of_sides += (std::max)(difference(stored, s), 6 * u * stored);
+      sum += stored;
+    };
+    add(side, corner.s_opposite);
+    add(connectivity_.next(side), corner.s_second);
+    add(connectivity_.prev(side), corner.s_first);
+    // No comparison holds for NaN.
+    return bound >= rounded_up * 1.5 * of_sides && bound >= rounded_up * 1.5 * difference(area, corner.four_areas) &&
+           bound >= rounded_up * 12 * u * sum && sum >= 0;
+  };
+  Double_double_metric metric(surface);
+  const auto quickest = quickest_corner(f, Unfolding<Double_double_metric>(connectivity_, correspondence_, metric));
+  if (are_good(quickest.side, quickest.corner, [](double stored, const Bounded_double_double& x) {
+        return std::abs(stored - x.hi()) + std::abs(x.lo()) + x.error();
+      }))
+    return true;
+  Mpfr_metric precise_metric(surface, {256});
+  return are_good(h, Unfolding<Mpfr_metric>(connectivity_, correspondence_, precise_metric).opposite_corner(h),
+                  [&](double stored, const Mpfr_interval& x) {
+                    const Mpfr_interval d = x - precise_metric.constant(stored);
+                    return (std::max)(std::abs(d.lower_double()), std::abs(d.upper_double()));
+                  });
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE

@@ -11,7 +11,9 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 
+#include <array>
 #include <vector>
 
 namespace CGAL {
@@ -23,7 +25,10 @@ struct Saved_triangulation
   Delta_complex connectivity;
   Normal_coordinates coordinates;       // of its edges
   std::vector<Surface_point> locations; // of the vertices that follow those of the input
-  std::vector<bool> is_straight;        // for each face: whether it was known to be a triangle in space
+  // What Filtered_edge_length_traits keep, in the unit of the metric: squared lengths; for each face four times the area, and the bound.
+  Large_vector<double> squared_lengths;
+  Large_vector<std::array<double, 2>> areas;
+  std::vector<bool> is_straight; // for each face: whether it was known to be a triangle in space
 };
 
 } // namespace internal

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/Saved_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/reports.h>
 
+#include <array>
 #include <functional>
 #include <iosfwd>
 #include <vector>
@@ -36,9 +37,17 @@ struct Saved_file
 // Asked for each block of bytes.
 using Go_further = std::function<bool()>;
 
+// What the traits keep, as `Saved_triangulation` has it.
+struct Stored_numbers
+{
+  std::function<double(Edge_index)> squared_length;
+  std::function<std::array<double, 2>(Face_index)> area;
+};
+
 // \exception Undecided_error if an edge crosses more input edges than can be laid out
 void write_saved_file(std::ostream& os, const Exact_engine& engine, const Stage_counts& counts,
-                      const std::vector<bool>& is_constrained, const Go_further& go_further);
+                      const Stored_numbers& numbers, const std::vector<bool>& is_constrained,
+                      const Go_further& go_further);
 // Checks the connectivity of input and triangulation, and that there is an entry for each element; not what only the metric can tell.
 // Memory: proportional to what was read, whatever the header says
 Saved_file read_saved_file(std::istream& is, const Go_further& go_further);

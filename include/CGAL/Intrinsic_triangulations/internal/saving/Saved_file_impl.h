@@ -49,7 +49,7 @@ public:
     : bytes_(os), engine_(engine), correspondence_(engine.correspondence()), go_further_(go_further)
   {}
 
-  void operator()(const Stage_counts& counts, const std::vector<bool>& is_constrained)
+  void operator()(const Stage_counts& counts, const Stored_numbers& numbers, const std::vector<bool>& is_constrained)
   {
     const Delta_complex &input = correspondence_.input(), &complex = engine_.connectivity();
     check_crossings();
@@ -66,12 +66,14 @@ public:
       bytes_.put(p.halfedge.idx(), p.coordinates[0], p.coordinates[1], p.coordinates[2]);
     for_each(complex.faces(), [&](Face_index f) {
       const std::array<Halfedge_index, 3> h = sides(complex, f);
-      bytes_.put(h[0].idx(), h[1].idx(), h[2].idx(), std::uint8_t(engine_.is_known_to_be_straight(f)));
+      const std::array<double, 2> area = numbers.area(f);
+      bytes_.put(h[0].idx(), h[1].idx(), h[2].idx(), area[0], area[1],
+                 std::uint8_t(engine_.is_known_to_be_straight(f)));
     });
     for_each(complex.edges(), [&](Edge_index e) {
       const Halfedge_index h = complex.halfedge(e);
-      bytes_.put(std::int32_t(correspondence_.coordinates().crossings(e)), correspondence_.input_halfedge(h).idx(),
-                 correspondence_.input_halfedge(complex.opposite(h)).idx());
+      bytes_.put(numbers.squared_length(e), std::int32_t(correspondence_.coordinates().crossings(e)),
+                 correspondence_.input_halfedge(h).idx(), correspondence_.input_halfedge(complex.opposite(h)).idx());
       if (!is_constrained.empty())
         bytes_.put(std::uint8_t(is_constrained[e.idx()]));
     });
@@ -268,14 +270,17 @@ private:
       t.locations.push_back({h, {a, b, bytes_.get<double>()}});
     });
     Large_vector<std::array<std::uint32_t, 3>> faces;
-    for_each("intrinsic_face", header_.intrinsic_faces, 13, [&] {
+    for_each("intrinsic_face", header_.intrinsic_faces, 29, [&] {
       faces.push_back(get_three());
+      const double area = bytes_.get<double>();
+      t.areas.push_back({area, bytes_.get<double>()});
       t.is_straight.push_back(get_bool());
     });
     t.connectivity = complex_from_halfedges(header_.intrinsic_edges, faces, vertices);
     t.coordinates = Normal_coordinates(t.connectivity);
-    for_each("intrinsic_edge", header_.intrinsic_edges, header_.has_constraints ? 13 : 12,
+    for_each("intrinsic_edge", header_.intrinsic_edges, header_.has_constraints ? 21 : 20,
              [&, e = Edge_index(0)]() mutable {
+               t.squared_lengths.push_back(bytes_.get<double>());
                const std::int32_t n = bytes_.get<std::int32_t>();
                if (n > most_saved_crossings)
                  bytes_.fail_here("the edge crosses more input edges than can be laid out");
@@ -308,9 +313,10 @@ private:
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void write_saved_file(std::ostream& os, const Exact_engine& engine, const Stage_counts& counts,
-                      const std::vector<bool>& is_constrained, const Go_further& go_further)
+                      const Stored_numbers& numbers, const std::vector<bool>& is_constrained,
+                      const Go_further& go_further)
 {
-  Saved_file_writer(os, engine, go_further)(counts, is_constrained);
+  Saved_file_writer(os, engine, go_further)(counts, numbers, is_constrained);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE

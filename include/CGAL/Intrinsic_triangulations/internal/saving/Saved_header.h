@@ -53,6 +53,7 @@ struct Saved_header
     };
     os << "ply\nformat binary_little_endian 1.0\n"
        << "comment intrinsic triangulation, version 1\n"
+       << "comment traits Filtered_edge_length_traits\n"
        << "comment ties " << (tie_proof == Tie_proof::PROVEN ? "proven" : "probable") << '\n';
     if (metric == Metric_kind::POINTS) {
       element("vertex", vertices, {"double x", "double y", "double z", "uint halfedge"});
@@ -69,12 +70,12 @@ struct Saved_header
     element("intrinsic_vertex", intrinsic_vertices, {"uint halfedge"});
     element("inserted_vertex", inserted_vertices, {"uint halfedge", "double a", "double b", "double c"});
     element("intrinsic_face", intrinsic_faces,
-            {"uint halfedge_0", "uint halfedge_1", "uint halfedge_2", "uchar is_straight"});
+            {"uint halfedge_0", "uint halfedge_1", "uint halfedge_2", "double four_areas", "double error",
+             "uchar is_straight"});
+    element("intrinsic_edge", intrinsic_edges,
+            {"double squared_length", "int crossings", "uint input_halfedge_0", "uint input_halfedge_1"});
     if (has_constraints)
-      element("intrinsic_edge", intrinsic_edges,
-              {"int crossings", "uint input_halfedge_0", "uint input_halfedge_1", "uchar is_constrained"});
-    else
-      element("intrinsic_edge", intrinsic_edges, {"int crossings", "uint input_halfedge_0", "uint input_halfedge_1"});
+      os << "property uchar is_constrained\n";
     element("count", number_of_counts, {"uint low", "uint high"});
     os << "end_header\n";
     return os.str();

@@ -106,14 +106,19 @@ public:
     return unfolding(metric).squared_length(e);
   }
 
-  // The length of e and its square, within one unit in the last place.
+  // The length of e, within one unit in the last place. If the root is itself a double, rounding outward
+  // always leaves an interval of two units in the last place: then the middle is taken.
   double length(Edge_index e)
   {
-    return rounded([&](long precision) { return sqrt(squared_length(e, precision)); });
-  }
-  double rounded_squared_length(Edge_index e)
-  {
-    return rounded([&](long precision) { return squared_length(e, precision); });
+    for (long precision = 128;; precision = doubled(precision)) {
+      const Mpfr_interval l = sqrt(squared_length(e, precision));
+      const double low = l.lower_double(), high = l.upper_double();
+      const double next = std::nextafter(low, high);
+      if (high <= next)
+        return mpfr_get_d(l.lower(), MPFR_RNDN);
+      if (high <= std::nextafter(next, high))
+        return next;
+    }
   }
 
   // The middle of an interval around evaluate(corner opposite to h) that is narrow enough, as is_narrow(width, magnitude) says, or as
@@ -182,22 +187,6 @@ public:
   }
 
 private:
-  // The double nearest to evaluate(precision), or one beside it. If that is itself a double, rounding outward
-  // always leaves an interval of two units in the last place: then the middle is taken.
-  template <class Evaluate>
-  static double rounded(const Evaluate& evaluate)
-  {
-    for (long precision = 128;; precision = doubled(precision)) {
-      const Mpfr_interval x = evaluate(precision);
-      const double low = x.lower_double(), high = x.upper_double();
-      const double next = std::nextafter(low, high);
-      if (high <= next)
-        return mpfr_get_d(x.lower(), MPFR_RNDN);
-      if (high <= std::nextafter(next, high))
-        return next;
-    }
-  }
-
   // Angles that sum to π, unless both areas are zero: then the signs of the scalar products tell
   // which of the angles are π.
   Decision decided(const Decision& decision, const Two_corners& corners)
