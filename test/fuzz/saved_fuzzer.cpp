@@ -27,17 +27,19 @@ namespace {
 using fuzz::require;
 namespace IT = fuzz::IT;
 
-// Each change takes seven bytes: what it is, where, and by which value.
+// Each change takes up to eight bytes: what it is, where, and by which value.
 void change(std::string& file, fuzz::Bytes& bytes)
 {
   const unsigned kind = bytes.below(8);
+  // Seldom in the header: almost all that is changed there is refused at once.
+  const std::size_t header = file.find("end_header") + 11,
+                    begin = bytes.below(16) == 0 || header + 8 > file.size() ? 0 : header;
   const auto place = [&] {
     std::size_t at = bytes.next();
     at = 256 * at + bytes.next();
-    return 4 * (at % (file.size() / 4));
+    return begin + at % (file.size() - begin - 4);
   };
-  // Words begin where the numbers of most elements do, at any distance from the end.
-  const std::size_t at = file.size() - 4 - place(), value = bytes.next();
+  const std::size_t at = place(), value = bytes.next();
   std::uint32_t word;
   std::memcpy(&word, &file[at], 4);
   switch (kind) {
@@ -54,10 +56,10 @@ void change(std::string& file, fuzz::Bytes& bytes)
     word ^= std::uint32_t(1) << (value % 32);
     break;
   case 4: // the word of another place
-    std::memcpy(&word, &file[file.size() - 4 - place()], 4);
+    std::memcpy(&word, &file[place()], 4);
     break;
   case 5: { // both change places
-    const std::size_t other = file.size() - 4 - place();
+    const std::size_t other = place();
     std::uint32_t there;
     std::memcpy(&there, &file[other], 4);
     std::memcpy(&file[other], &word, 4);
@@ -106,7 +108,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const unsigned number = bytes.below(256);
   if (number < 200) {
     file = files[number % files.size()];
-    while (!bytes.is_at_end())
+    while (!bytes.is_at_end() && file.size() >= 64)
       change(file, bytes);
   } else {
     file.assign(reinterpret_cast<const char*>(data) + 1, size - (size != 0));

@@ -288,9 +288,9 @@ TEST(SavedTriangulation, Interruptions)
   Triangulation t = triangulation_of(samples::torus(60, 30));
   IT::flip_to_Delaunay(t);
   std::ostringstream os;
-  EXPECT_THROW(IT::write_triangulation(os, triangulation_of(samples::torus(200, 100)),
-                                       parameters::visitor([] { return false; })),
-               IT::Cancelled_error);
+  EXPECT_THROW(
+    IT::write_triangulation(os, triangulation_of(samples::torus(200, 100)), parameters::visitor([] { return false; })),
+    IT::Cancelled_error);
   std::istringstream is(written(t));
   EXPECT_THROW(IT::read_triangulation(is, parameters::visitor([] { return false; })), IT::Cancelled_error);
 }

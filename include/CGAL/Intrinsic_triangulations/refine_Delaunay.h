@@ -142,8 +142,10 @@ Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation
   auto observer = internal::observer_of(np);
   using Observer = decltype(observer);
   internal::Flips_before_refinement<Observer> before{observer};
-  internal::flip_all<Sequential_tag>(internal::Whole_triangulation<Traits>(triangulation), is_constrained, before,
-                                     (std::numeric_limits<std::uint64_t>::max)());
+  const std::uint64_t flips_before =
+    internal::flip_all<Sequential_tag>(internal::Whole_triangulation<Traits>(triangulation), is_constrained, before,
+                                       (std::numeric_limits<std::uint64_t>::max)())
+      .flips;
   const std::uint64_t maximum_number = choose_parameter(get_parameter(np, internal_np::maximum_number),
                                                         10 * std::uint64_t(complex.number_of_vertices()) + 1000000);
   internal::Delaunay_refiner<Traits, Observer> refiner(triangulation, criteria, std::move(is_segment), observer,
@@ -151,7 +153,9 @@ Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation
   std::optional<internal::Interruption_scope<Intrinsic_triangulation<Traits>>> scope;
   if constexpr (!Observer::Is_silent::value)
     scope.emplace(triangulation, [&refiner] { return refiner.asks_further(); });
-  return refiner();
+  Refinement_report report = refiner();
+  report.flips += flips_before;
+  return report;
 }
 
 } // namespace Intrinsic_triangulations

@@ -87,7 +87,7 @@ struct Refinement_report
   Refinement_status status = Refinement_status::REFINED; ///< how the run ended
   std::uint64_t insertions = 0;                          ///< the number of vertices inserted into faces
   std::uint64_t segment_splits = 0;                      ///< the number of vertices inserted on edges
-  std::uint64_t flips = 0;                               ///< the number of flips
+  std::uint64_t flips = 0;                               ///< the number of flips, also before the first vertex
   std::vector<Unrefined_face> unrefined;                 ///< the faces that do not meet the criteria, in order
 };
 

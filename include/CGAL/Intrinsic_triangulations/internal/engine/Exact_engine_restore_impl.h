@@ -83,6 +83,11 @@ bool Exact_engine::are_sound(Face_index f, const Saved_triangulation& saved, Inp
   if (bound == std::numeric_limits<double>::infinity())
     return true; // nobody relies on these numbers
   const Halfedge_index h = connectivity_.halfedge(f);
+  bool are_finite = std::isfinite(area) && bound >= 0;
+  for (Halfedge_index side : {h, connectivity_.next(h), connectivity_.prev(h)})
+    are_finite = are_finite && std::isfinite(saved.squared_lengths[connectivity_.edge(side).idx()]);
+  if (!are_finite)
+    return false;
   constexpr double u = 0x1p-53, rounded_up = 1 + 0x1p-40;
   // \param difference bounds the difference of a stored number and the true one
   const auto are_good = [&](Halfedge_index side, const auto& corner, const auto& difference) {
@@ -95,7 +100,6 @@ bool Exact_engine::are_sound(Face_index f, const Saved_triangulation& saved, Inp
     add(side, corner.s_opposite);
     add(connectivity_.next(side), corner.s_second);
     add(connectivity_.prev(side), corner.s_first);
-    // No comparison holds for NaN.
     return bound >= rounded_up * 1.5 * of_sides && bound >= rounded_up * 1.5 * difference(area, corner.four_areas) &&
            bound >= rounded_up * 12 * u * sum && sum >= 0;
   };
