@@ -36,7 +36,7 @@ namespace Intrinsic_triangulations {
 /// \brief a finding of `examine_polygons()`, with the first elements that it concerns.
 struct Finding
 {
-  /// what is wrong, or unusual.
+  /// the defect or peculiarity.
   Invalid_surface_error::Defect defect;
   /// the smallest indices, at most ten, increasing where they are vertices or
   /// faces; for a finding about edges, the first face of each of `edges`.
@@ -214,11 +214,11 @@ bool is_clean(const Delta_complex& complex, const PointRange& points)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
-/// \brief returns which triangles to turn over, by exchanging two corners, so that neighbors agree; in increasing order.
+/// \brief returns which triangles to turn over, by exchanging two corners, so that neighbors agree; in increasing
+/// order.
 ///
-/// The first triangle of each part that edges join stays as it is. Where an even number of triangles meets at an edge,
-/// directions alternate around it, as they do around solids that touch. A surface that is one-sided is cut open
-/// somewhere.
+/// The first triangle of each edge-connected part keeps its orientation. If an even number of triangles meets at an
+/// edge, directions alternate around it, as at solids that touch. A one-sided surface is cut open somewhere.
 /// \param points the positions of the vertices
 /// \param triangles three different vertices for each triangle
 std::vector<std::size_t> turned_triangles(const std::vector<std::array<double, 3>>& points,
