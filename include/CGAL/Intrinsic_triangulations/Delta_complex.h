@@ -68,10 +68,10 @@ struct Hinge_halfedges
 {
   Halfedge_index ij; ///< halfedge `2e` of the edge
   Halfedge_index jk; ///< the next one, to the corner k on its left
-  Halfedge_index ki; ///< the one before
+  Halfedge_index ki; ///< the previous one
   Halfedge_index ji; ///< halfedge `2e + 1`
   Halfedge_index il; ///< the next one, to the corner l on the right
-  Halfedge_index lj; ///< the one before
+  Halfedge_index lj; ///< the previous one
 };
 
 /// \ingroup PkgIntrinsicTriangulationsConnectivity

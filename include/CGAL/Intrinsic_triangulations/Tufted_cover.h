@@ -64,10 +64,10 @@ struct Tufted_cover_report
   std::size_t repeated_corner_faces = 0; ///< faces dropped because they name a vertex twice
   std::size_t collapsed_faces = 0;       ///< faces dropped because corners of theirs were merged
   std::size_t zero_length_faces = 0;     ///< faces dropped by `Coincident_vertices::DROP`
-  std::size_t faces_without_area = 0;    ///< faces dropped because all that they are connected with has no area
-  std::size_t merged_vertices = 0;       ///< vertices that another one stands for
-  std::size_t unreferenced_vertices = 0; ///< vertices that no face has that was not dropped: their rows are zero
-  Mollification_report mollification;    ///< what mollification changed: nothing unless it was asked for
+  std::size_t faces_without_area = 0;    ///< faces dropped because their whole part has zero area
+  std::size_t merged_vertices = 0;       ///< vertices merged into another one
+  std::size_t unreferenced_vertices = 0; ///< vertices of no remaining face: their rows are zero
+  Mollification_report mollification;    ///< the changes by mollification, if requested
 
   /// returns the number of all faces that were dropped.
   std::size_t dropped_faces() const

@@ -350,7 +350,7 @@ struct Weight_histogram
   double high = 0;                 ///< where the last interval ends
   std::vector<std::size_t> counts; ///< half-open intervals, from `low` to `high`
   std::size_t below = 0;           ///< weights less than `low`
-  std::size_t above = 0;           ///< weights of at least `high`, infinite ones included
+  std::size_t above = 0;           ///< weights of at least `high`, including infinite ones
 };
 
 /// \ingroup PkgIntrinsicTriangulationsOperators

@@ -39,7 +39,7 @@ struct Geodesic_distances
 {
   std::vector<double> distances; ///< of all vertices, in the unit of the input; infinite where no source is connected
   std::uint64_t number_of_ways = 0; ///< how many bundles of straight ways were followed from a face to the next
-  bool is_complete = true;          ///< whether all were. If not, distances may be as large as those along edges
+  bool is_complete = true;          ///< whether all of them were. If not, distances may be as large as along edges
 };
 
 /// \cond SKIP_IN_MANUAL

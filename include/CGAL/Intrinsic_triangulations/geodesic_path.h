@@ -98,7 +98,7 @@ struct Geodesic_path
   double initial_length = 0;                    ///< of the shortest path along edges
   double length = 0;                            ///< as of `Geodesic_path_network`
   bool is_geodesic = false;                     ///< whether it is locally shortest, by an exact decision
-  Geodesic_report report;                       ///< what it took
+  Geodesic_report report;                       ///< the report of the shortening
 };
 
 /// \cond SKIP_IN_MANUAL

@@ -47,7 +47,7 @@ std::vector<Vertex_index> remove_flat_vertices(Delta_complex& complex, std::vect
 /// \brief the result of `remove_nearly_flat_vertices()`.
 struct Flat_vertex_removal
 {
-  std::vector<Vertex_index> vertices; ///< for each vertex that is left, its descriptor before
+  std::vector<Vertex_index> vertices; ///< for each remaining vertex, its previous descriptor
   double deviation = 0; ///< a bound on how far the surface has moved, in the unit of the points: at most the tolerance
 };
 

@@ -77,8 +77,8 @@ struct Refinement_progress
 /// \ingroup PkgIntrinsicTriangulationsInsertion
 /// \brief how a run of `refine_Delaunay()` ended.
 enum class Refinement_status {
-  REFINED,         ///< all faces meet the criteria but those that are listed with a reason other than `BUDGET`
-  BUDGET_EXHAUSTED ///< the largest number of new vertices was reached
+  REFINED,         ///< all faces meet the criteria except those listed with a reason other than `BUDGET`
+  BUDGET_EXHAUSTED ///< the maximum number of new vertices was reached
 };
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
@@ -98,7 +98,7 @@ enum class Geodesic_status {
   GEODESIC,     ///< locally shortest: at each inner vertex that is not fixed, the angles on both sides are at least π
   CONTRACTIBLE, ///< a closed curve that was shrunk to a point
   BLOCKED,      ///< it can only be shortened over an edge of the network, or over edges that cannot be flipped
-  NOT_IMPROVABLE, ///< a loop of one edge that is no geodesic, for which no shorter path of edges was found
+  NOT_IMPROVABLE, ///< a loop of one edge that is not a geodesic, for which no shorter path of edges was found
   UNFINISHED      ///< the budget did not suffice, or an exception ended the run
 };
 
@@ -110,7 +110,7 @@ struct Geodesic_report
   Geodesic_status status = Geodesic_status::GEODESIC;
   std::uint64_t flips = 0; ///< the number of flips
   std::uint64_t steps = 0; ///< how often a part of a path was replaced by a shorter one
-  std::uint64_t tests = 0; ///< the number of edges that were looked at
+  std::uint64_t tests = 0; ///< the number of edges examined
 };
 
 /// \ingroup PkgIntrinsicTriangulationsMetric

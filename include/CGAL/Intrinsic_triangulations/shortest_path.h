@@ -46,7 +46,7 @@ namespace Intrinsic_triangulations {
 /// \brief the result of `shortest_path()`.
 struct Shortest_path
 {
-  std::vector<Halfedge_index> halfedges; ///< each begins where the one before ends
+  std::vector<Halfedge_index> halfedges; ///< each begins where the previous one ends
   double distance = 0;                   ///< the length of the shortest path, up to rounding, in the unit of the input
   bool is_complete = true;               ///< whether it was found; if not, `halfedges` are any path
 };

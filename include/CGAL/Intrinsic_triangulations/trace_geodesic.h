@@ -29,10 +29,10 @@ namespace Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief where a traced line ends.
 enum class Trace_status {
-  AT_LENGTH,       ///< inside of a face, or on an edge, after the length that was asked for
+  AT_LENGTH,       ///< inside a face, or on an edge, after the requested length
   AT_BORDER,       ///< on a border edge
-  AT_VERTEX,       ///< exactly in a vertex, where it is not determined how to go on
-  BUDGET_EXHAUSTED ///< after the largest number of faces, where it enters the next one
+  AT_VERTEX,       ///< exactly at a vertex, where the continuation is not determined
+  BUDGET_EXHAUSTED ///< after the maximum number of faces, where it enters the next one
 };
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics

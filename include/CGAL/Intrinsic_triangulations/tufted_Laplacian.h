@@ -45,7 +45,7 @@ struct Tufted_Laplacian
   /// for each input vertex, the vertex that represents it: the row of a merged vertex is zero, and it has the value of
   /// its representative
   std::vector<std::uint32_t> representative;
-  Tufted_cover_report report; ///< what was found in the triangles, and what was done with them
+  Tufted_cover_report report; ///< the defects of the triangles, and how they were handled
   Flip_report flips;          ///< how the cover became Delaunay
   double minimum_weight = 0;  ///< the smallest of the numbers `(cot k + cot l)/2` of edges of the cover
 };

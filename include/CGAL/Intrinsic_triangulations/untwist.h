@@ -120,9 +120,9 @@ Untwisting untwist(Delta_complex& complex, std::vector<Rational>& squared_length
 template <class Traits>
 struct Gluing_triangulation
 {
-  Intrinsic_triangulation<Traits> triangulation; ///< its input is the gluing that the twists left
+  Intrinsic_triangulation<Traits> triangulation; ///< its input is the gluing after the twists
   Flip_report report;                            ///< the report of the flips after the twists
-  Untwisting untwisting; ///< the twists; `crossings` are those of the triangulation with the gluing that was given
+  Untwisting untwisting; ///< the twists; `crossings` are those of the triangulation with the given gluing
 };
 
 /// \cond SKIP_IN_MANUAL
