@@ -87,7 +87,8 @@ TEST_F(Distance_command, writes_meshes_with_values)
     EXPECT_EQ(std::stod(vtp.at(6 + v)), d[v]);
 }
 
-// The kite is flat: the logarithmic map is the identity but for a turn, and an axis that is carried remains what it is in the plane.
+// The kite is flat: the logarithmic map is the identity but for a turn, and an axis that is carried remains what it is
+// in the plane.
 TEST_F(Distance_command, writes_vectors)
 {
   write_kite("kite.off");

@@ -151,7 +151,8 @@ TEST(Insert_vertex, does_not_change_the_metric)
   }
 }
 
-// Vertices 2 and 4 lie on the edge from 0 to 1, in faces 3 and 4, which have no area and stay where that edge is on the border.
+// Vertices 2 and 4 lie on the edge from 0 to 1, in faces 3 and 4, which have no area and stay where that edge is on the
+// border.
 samples::Indexed_triangles triangle_over_flat_faces(bool is_closed_below)
 {
   samples::Indexed_triangles result;

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A table of unusual and damaged files, each small and large: read with all faces, perhaps with a warning, or refused at the right place.
+// A table of unusual and damaged files, each small and large: read with all faces, perhaps with a warning, or refused
+// at the right place.
 
 #include "Surface_file_test.h"
 #include "faces_of_file.h"

@@ -254,8 +254,8 @@ public:
   /// @}
 
   /// \name Along an edge
-  /// The crossings of an edge, and the inserted vertices on an input edge, are numbered from zero in the direction of its
-  /// halfedge `2e`.
+  /// The crossings of an edge, and the inserted vertices on an input edge, are numbered from zero in the direction of
+  /// its halfedge `2e`.
   /// @{
 
   /// returns the segments of intrinsic edge `e`, in order.
