@@ -52,7 +52,7 @@ void catch_requests(void (*function)(), bool is_once);
 // To be called before, and again in a copy of this process. \return false if nobody can wait for requests
 bool prepare_to_wait_for_requests();
 // Returns the kind of the next request, which is positive, or 0 if there is none in time. \param milliseconds negative:
-// waits for ever
+// waits forever
 int wait_for_request(long milliseconds);
 // As a request of this kind ends a process that does not catch it.
 [[noreturn]] void end_by_request(int kind);

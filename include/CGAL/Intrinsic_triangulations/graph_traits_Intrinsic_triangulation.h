@@ -59,7 +59,7 @@ std::int64_t number_of_edge(Edge_normal_coordinate_tag, const Intrinsic_triangul
   return internal::engine(g).correspondence().coordinates().crossings(e);
 }
 
-// A number of each edge, computed when it is asked for.
+// A number of each edge, computed on access.
 template <class Tag, class Traits>
 class Edge_number_map
 {

@@ -129,10 +129,9 @@ Surface_report examine(const std::vector<std::array<double, 3>>& points, Polygon
 /// \ingroup PkgIntrinsicTriangulationsValidation
 /// \brief examines whether polygons form an oriented 2-manifold of triangles with usable edge lengths.
 ///
-/// The function looks for every kind of defect, as far as earlier
-/// findings allow: a face with an invalid index is ignored in all later checks, and lengths and
-/// areas are not checked where a coordinate is not finite. No topological check assumes an
-/// orientation. Coordinates are examined as `double`. Their range is checked as by the constructors of
+/// The function looks for every kind of defect that earlier findings allow to check: a face with an invalid index is
+/// ignored in all later checks, and lengths and areas are not checked where a coordinate is not finite. No topological
+/// check assumes an orientation. Coordinates are examined as `double`. Their range is checked as by the constructors of
 /// `Intrinsic_triangulation` with traits on `double`: what is not refused here is not refused there.
 ///
 /// \tparam PointRange a model of `RandomAccessRange`, of points whose coordinates are `p[0]`, `p[1]` and `p[2]`

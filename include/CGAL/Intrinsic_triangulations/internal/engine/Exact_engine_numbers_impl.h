@@ -34,8 +34,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Whether double-doubles tell the number that is asked for: the root of a squared length, the sum of two cotangents
-// with its sign, an area.
+// Whether double-doubles determine the requested number: the root of a squared length, the sum of two cotangents with
+// its sign, an area.
 inline bool has_good_root(const Bounded_double_double& s) { return s.relative_error() < 0x1p-70; }
 inline bool is_good_weight(const Bounded_double_double& weight)
 {

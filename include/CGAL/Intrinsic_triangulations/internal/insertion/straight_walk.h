@@ -56,7 +56,7 @@ struct Walk_end
 // \param leaves_corner whether the walk starts at the source of h, into the triangle
 // \param apex gives the third corner of the face of a halfedge, in the frame of that
 // \param is_barrier whether an edge that is met must not be crossed
-// \return nothing if rounding has made the line lose its way. Around the tip of a needle, it would go on for ever
+// \return nothing if rounding has made the line lose its way. Around the tip of a needle, it would go on forever
 template <class Apex, class Is_barrier>
 std::optional<Walk_end> walk_straight(const Delta_complex& complex, Halfedge_index h, Plane_point start,
                                       Plane_point end, bool leaves_corner, const Apex& apex,

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Loops on several threads for code that does not know whose threads these are, as it is compiled once and without TBB.
+// A type-erased parallel loop, so that code that is compiled once need not depend on TBB.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_BLOCK_RUNNER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_BLOCK_RUNNER_H
