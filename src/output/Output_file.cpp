@@ -102,7 +102,7 @@ Output_file::Output_file(const std::string& path) : path_(path), target_(path)
   const int pipe = fs::is_fifo(status) ? open_pipe_with_reader(path) : -1;
   if (fs::is_fifo(status) && pipe < 0) {
     if (errno == ENXIO)
-      throw Output_error(path_ + ": cannot be written: this is a pipe from which no program reads");
+      throw Output_error(path_ + ": cannot be written: no program reads from this pipe");
     fail(errno);
   }
   errno = 0;

@@ -229,7 +229,7 @@ TEST_F(Distance_command, methods_and_their_errors)
   EXPECT_EQ(json::parse(content(folder_ / "s.json"))["warnings"].size(), 1u);
   EXPECT_GT(json::parse(content(folder_ / "s.json"))["bounded"], 3);
   const Command_run by_heat = idt("distance polygon.off --source 0 --method heat");
-  EXPECT_TRUE(contains(by_heat.out, "far from right") && contains(by_heat.err, "leave --method heat away"))
+  EXPECT_TRUE(contains(by_heat.out, "poor: see the warning") && contains(by_heat.err, "omit --method heat"))
     << by_heat.err;
   EXPECT_TRUE(
     contains(idt("distance polygon.off --source 0 --method exact").out, "accuracy          exact up to rounding\n"));

@@ -185,7 +185,7 @@ TEST(Insert_vertex, faces_without_area)
       insert(face, {1, 1, 1});
       ADD_FAILURE() << "a vertex in a face without area";
     } catch (const IT::Invalid_point_error& error) {
-      EXPECT_NE(std::string(error.what()).find("face " + std::to_string(face) + " of the input, which has no area"),
+      EXPECT_NE(std::string(error.what()).find("face " + std::to_string(face) + " of the input, which has zero area"),
                 std::string::npos)
         << error.what();
     }

@@ -684,7 +684,7 @@ std::vector<Case> cases()
      }},
     {"ts", "another object before it",
      [](S& s, E& e) {
-       e.warning = "line 1: the part of the kind \"PLine\" is no surface";
+       e.warning = "line 1: the part of the kind \"PLine\" is not a surface";
        return "GOCAD PLine 1\nILINE\nVRTX 1 0 0 0\nVRTX 2 1 1 1\nSEG 1 2\nEND\n" + ts_text(s);
      }},
     {"ts", "two parts",

@@ -118,7 +118,7 @@ inline void check_area(const internal::Exact_engine& engine, const Surface_point
   const Face_index f = engine.correspondence().input().face(point.halfedge);
   if (!engine.has_input_face_area(f))
     throw Invalid_point_error("a new vertex lies in face " + std::to_string(f.idx()) +
-                              " of the input, which has no area: move it into another one");
+                              " of the input, which has zero area: move it into another one");
 }
 
 } // namespace internal
@@ -181,16 +181,15 @@ Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const
   if (point.dimension() == 1) {
     const std::optional<Halfedge_index> h = internal::halfedge_along(engine, point);
     if (!h)
-      throw Invalid_point_error(
-        "a new vertex lies on an input edge that is no edge of the triangulation any more: move it into a face, or "
-        "constrain that edge before flips");
+      throw Invalid_point_error("a new vertex lies on an input edge that is no longer an edge of the triangulation: "
+                                "move it into a face, or constrain that edge before flips");
     if (complex.is_self_glued(complex.edge(*h)))
       throw Invalid_point_error("a new vertex lies on an edge with the same face on both sides: move it into the face");
     if (const auto side = internal::side_without_area(triangulation, complex.edge(*h)))
       throw Invalid_point_error(
         "a new vertex lies on a side of face " +
         std::to_string(correspondence.input().face(correspondence.input_halfedge(*side)).idx()) +
-        " of the input, which has no area: move it into another one");
+        " of the input, which has zero area: move it into another one");
     v = internal::Whole_triangulation<Traits>(triangulation).split_edge(*h, point);
   } else {
     internal::check_area(engine, point);

@@ -43,7 +43,7 @@ namespace internal {
 {
   throw Invalid_surface_error(Invalid_surface_error::Defect::DEGENERATE_FACE, f.idx(), 1,
                               "face " + std::to_string(f.idx()) +
-                                " has no area, so that its cotangents are infinite: remove it, "
+                                " has zero area, so its cotangents are infinite: remove it, "
                                 "or mollify the lengths first");
 }
 
