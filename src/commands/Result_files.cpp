@@ -24,12 +24,12 @@ namespace idt {
 void Result_files::add_options(CLI::App& command, CLI::Option* repair)
 {
   command.add_flag("--verbose", is_verbose,
-                   "report also how edges were decided, where the input lies in the result, and what took how long");
-  command.add_option("--stats", stats, "write what the verbose report says as a JSON object")->type_name("F.json");
+                   "also report how edges were decided, where the input lies in the result, and the time of each step");
+  command.add_option("--stats", stats, "write the verbose report as a JSON object")->type_name("F.json");
   command
     .add_option("--edges", edges,
-                "write the intrinsic edges as CSV: source,target,length,cotan_weight,crossings,"
-                "original; no weight where it is infinite, beside a face of zero area")
+                "write the intrinsic edges as CSV: source,target,length,cotan_weight,crossings,original; the weight is "
+                "empty where it is infinite, beside a face of zero area")
     ->type_name("F.csv");
   command
     .add_option("--laplacian", Laplacian,
@@ -40,8 +40,8 @@ void Result_files::add_options(CLI::App& command, CLI::Option* repair)
     ->type_name("F.mtx");
   command
     .add_option("--crossings", crossings,
-                "write what each intrinsic edge crosses, in order, as CSV: source,target,edge,"
-                "position,input_source,input_target,t,u")
+                "write the crossings of each intrinsic edge, in order, as CSV: "
+                "source,target,edge,position,input_source,input_target,t,u")
     ->type_name("F.csv");
   CLI::Option* const overlay_option =
     command
@@ -51,9 +51,9 @@ void Result_files::add_options(CLI::App& command, CLI::Option* repair)
       ->type_name("F.(ply|off|obj|vtp)");
   command
     .add_flag("--overlay-triangles", has_overlay_triangles,
-              "cut the polygons of --overlay into triangles, for programs that take no others")
+              "cut the polygons of --overlay into triangles, for programs that accept only triangles")
     ->needs(overlay_option);
-  set_words(command.add_option("--overlay-format", overlay_format, "the format of --overlay -, on the standard output"),
+  set_words(command.add_option("--overlay-format", overlay_format, "the format of --overlay - on the standard output"),
             {"ply", "off", "obj", "vtp", "stl", "ts"})
     ->type_name("EXT")
     ->capture_default_str()
@@ -93,8 +93,8 @@ void Result_files::check_surface(const Surface& surface) const
   if (!overlay.empty() && !surface.has_points())
     throw Invalid_surface_error(Invalid_surface_error::Defect::UNREADABLE, 0, 1,
                                 surface.path +
-                                  ": --overlay needs a surface in space, and this one has edge lengths alone" +
-                                  (surface.mollification ? ", since --mollify has changed them" : ""));
+                                  ": --overlay needs a surface in space, but this one has only edge lengths" +
+                                  (surface.mollification ? ", because --mollify changed them" : ""));
 }
 
 void Result_files::add_to(Requested_results& wanted) const

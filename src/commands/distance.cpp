@@ -120,13 +120,13 @@ void check(const Distance_options& options)
   if (options.cover == "tufted" && options.has_vectors)
     throw Usage_error("--vectors needs --cover none: a vertex of the tufted cover has no tangent plane");
   if (options.cover == "tufted" && !options.overlay_path.empty())
-    throw Usage_error("--overlay needs --cover none: the tufted cover is no triangulation of the input");
+    throw Usage_error("--overlay needs --cover none: the tufted cover is not a triangulation of the input");
   const std::optional<Mesh_format> overlay_format = options.overlay_format();
   if (!options.overlay_path.empty() && overlay_format != Mesh_format::PLY && overlay_format != Mesh_format::VTP)
     throw Usage_error(options.overlay_path +
                       ": the overlay with distances is written as a file whose name ends in .ply or .vtp");
   if (options.has_vectors && options.output_path.empty())
-    throw Usage_error("--vectors needs -o, the file that they are written to");
+    throw Usage_error("--vectors needs -o, the file to write them to");
   if (options.time_coefficient && !(*options.time_coefficient > 0 && std::isfinite(*options.time_coefficient)))
     throw Usage_error("--time: T is a positive number");
   const std::string& path = options.output_path;
@@ -360,14 +360,14 @@ Json statistics(const Distance_options& options, const Distance_result& result)
 std::string accuracy(const Distance_options& options, const Distance_result& result)
 {
   if (!result.is_complete)
-    return "some distances may be too large, up to those along edges: too many straight ways had to be followed";
+    return "some distances may be too large, up to those along edges: there were too many straight ways to follow";
   if (result.errors)
     return "mean error " + in_short(100 * (*result.errors)[0]) + " %, largest " + in_short(100 * (*result.errors)[1]) +
            " %";
   if (result.is_far_from_right())
-    return "far from right: see the warning";
+    return "poor: see the warning";
   if (options.is_by_heat())
-    return "that of the heat method; --compare-exact tells";
+    return "that of the heat method; --compare-exact measures it";
   return options.method == "exact" ? "exact up to rounding" : "errors of about 0.1 %, seldom more than 1 %";
 }
 
@@ -401,16 +401,15 @@ Exit_status run_distance(const Distance_options& options)
       result.warnings.push_back("heat gave " + std::to_string(result.number_of_bounded_distances) + " of " +
                                 std::to_string(result.surface.number_of_vertices) +
                                 " distances which are shorter than straight lines or longer than paths along edges, by "
-                                "more than 5 %: others are far from right, "
-                                "too; leave --method heat away");
+                                "more than 5 %: others are inaccurate, too; omit --method heat");
       std::cerr << "idt: " << path << ": " << result.warnings.back() << std::endl;
     }
     const std::string& output = options.output_path;
     const std::string type = std::filesystem::path(name_with_format(output, options.format)).extension().string();
     if (result.surface.points.empty() && result.surface.number_of_vertices > 0 && !type.empty() && type != ".csv")
-      throw Usage_error(output + ": " + path + " has lengths alone, no points: write a .csv file");
+      throw Usage_error(output + ": " + path + " has only lengths, no points: write a .csv file");
     if (result.surface.points.empty() && result.subdivision)
-      throw Usage_error(options.overlay_path + ": " + path + " has lengths alone, no points");
+      throw Usage_error(options.overlay_path + ": " + path + " has only lengths, no points");
     write_file(options.overlay_path, [&](std::ostream& os) {
       write_overlay(os, *result.subdivision, result.surface.points, *options.overlay_format(), false,
                     {result.overlay_distances});
@@ -435,9 +434,9 @@ Exit_status run_distance(const Distance_options& options)
 void add_distance_command(CLI::App& app, Selected_command& selected)
 {
   const auto options = std::make_shared<Distance_options>();
-  CLI::App& command = *app.add_subcommand("distance", "Find the distance of all vertices from some of them");
+  CLI::App& command = *app.add_subcommand("distance", "Find the distances of all vertices from some of them");
   command.footer(
-    "Distances are the lengths of shortest paths on an intrinsic Delaunay triangulation, or those of the heat\n"
+    "Distances are lengths of shortest paths on an intrinsic Delaunay triangulation, or computed by the heat\n"
     "method. They are zero at the sources, and infinite where no source is connected. Vertices are counted from\n"
     "zero.\n");
   command
@@ -458,42 +457,37 @@ void add_distance_command(CLI::App& app, Selected_command& selected)
                 "write the overlay of input and triangulation, as `idt triangulate` does, with the distance at each of "
                 "its vertices")
     ->type_name("F.(ply|vtp)");
-  set_words(
-    command.add_option("--format", options->format, "the format of -o -, or --overlay -, on the standard output"),
-    {"csv", "ply", "vtp"})
+  set_words(command.add_option("--format", options->format, "the format of -o - or --overlay - on the standard output"),
+            {"csv", "ply", "vtp"})
     ->type_name("EXT")
     ->capture_default_str();
-  set_words(command.add_option(
-              "--cover", options->cover,
-              "tufted: on a closed surface over any triangles; none: on the triangles themselves, which have to be an "
-              "oriented surface"),
+  set_words(command.add_option("--cover", options->cover,
+                               "tufted: on a closed surface over any triangles; none: on the triangles themselves, "
+                               "which must form an oriented surface"),
             {"tufted", "none"})
     ->capture_default_str();
+  set_words(command.add_option(
+              "--method", options->method,
+              "approximate: follow straight ways over the faces, nearly equal ones together; exact: follow each of "
+              "them; heat: the heat method. The default is approximate, or heat with --boundary or --time"),
+            {"approximate", "exact", "heat"});
+  command.add_flag("--compare-exact", options->is_compared,
+                   "report the mean and the largest error compared with the exact distances");
   set_words(
     command.add_option(
-      "--method", options->method,
-      "approximate: straight ways are followed over the faces, those that are nearly the same together; exact: all of "
-      "them; heat: by the spread of heat. approximate by default, and heat with --boundary or --time"),
-    {"approximate", "exact", "heat"});
-  command.add_flag("--compare-exact", options->is_compared,
-                   "report the mean and the largest error, against the exact distances");
-  set_words(command.add_option("--boundary", options->boundary,
-                               "what heat does at the border: neumann, none leaves, as by default; dirichlet, it is "
-                               "cold there; average, the mean "
-                               "of both"),
-            {"neumann", "dirichlet", "average"});
-  command.add_flag("--refine", options->is_refined, "insert vertices first until no angle is below 25 degrees");
+      "--boundary", options->boundary,
+      "heat at the border: neumann, none leaves (default); dirichlet, the border is cold; average, the mean of both"),
+    {"neumann", "dirichlet", "average"});
+  command.add_flag("--refine", options->is_refined, "first insert vertices until no angle is below 25 degrees");
   command
     .add_option("--time", options->time_coefficient,
-                "for how long heat spreads, in units of the squared mean length of the edges: the larger, the "
-                "smoother; 1 by default")
+                "how long heat spreads, in units of the squared mean edge length: larger is smoother; 1 by default")
     ->type_name("T");
   command.add_flag("--vectors", options->has_vectors,
-                   "also write the first axis of the source, carried parallelly to each vertex, and for one source its "
-                   "logarithmic map");
+                   "also write the first axis of the source, parallel-transported to each vertex, and for one source "
+                   "its logarithmic map");
   add_repair_option(command, options->is_repaired);
-  command.add_option("--stats", options->stats_path, "write what the report says as a JSON object")
-    ->type_name("F.json");
+  command.add_option("--stats", options->stats_path, "write the report as a JSON object")->type_name("F.json");
   command.callback([options, &selected] { selected = [options] { return run_distance(*options); }; });
 }
 

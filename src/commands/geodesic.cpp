@@ -116,7 +116,7 @@ void check(const Geodesic_options& options)
       "a path needs --to, a closed one --via or --to with --closed, and a line --direction and --length");
   if (options.is_closed && options.via.size() + (options.to.empty() ? 0 : 1) < 2)
     throw Usage_error(
-      "--closed needs two of --via and --to beside --from: the curve begins as the one through these vertices");
+      "--closed needs two of --via and --to besides --from: the curve initially runs through these vertices");
   if (options.direction &&
       (!std::isfinite(*options.direction) || !std::isfinite(*options.length) || *options.length < 0))
     throw Usage_error("--direction and --length have to be finite, and the length not negative");
@@ -170,7 +170,7 @@ IT::Vertex_index vertex(const Surface& surface, Triangulation& triangulation, co
   if (stop.vertex)
     return vertex(triangulation, *stop.vertex);
   if (!surface.has_points())
-    throw Usage_error(surface.path + " has lengths alone, no points: begin and end at vertices");
+    throw Usage_error(surface.path + " has only lengths, no points: begin and end at vertices");
   return IT::vertex_at_point(triangulation, IT::locate(surface.connectivity, surface.points, stop.point));
 }
 
@@ -382,9 +382,9 @@ Exit_status run_geodesic(const Geodesic_options& options)
     const Surface surface = load_surface(path, {std::nullopt, options.is_repaired});
     const std::string type = options.extension();
     if (!surface.has_points() && !type.empty() && type != ".csv")
-      throw Usage_error(options.output_path + ": " + path + " has lengths alone, no points: write a .csv file");
+      throw Usage_error(options.output_path + ": " + path + " has only lengths, no points: write a .csv file");
     if (!surface.has_points() && !options.cut_path.empty())
-      throw Usage_error(options.cut_path + ": " + path + " has lengths alone, no points");
+      throw Usage_error(options.cut_path + ": " + path + " has only lengths, no points");
     const Stopwatch stopwatch;
     const Curve curve = [&] {
       const Progress progress(path, "looking for the line");
@@ -426,31 +426,30 @@ void add_geodesic_command(CLI::App& app, Selected_command& selected)
   const auto options = std::make_shared<Geodesic_options>();
   CLI::App& command = *app.add_subcommand("geodesic", "Find straight lines on a surface");
   command.footer(
-    "A path or a closed curve begins along edges and is shortened by flips until it is proven to be\n"
+    "A path or a closed curve begins along edges, and flips shorten it until it is proven to be\n"
     "locally shortest. A line is followed over the faces, with exact decisions. Vertices are counted from\n"
     "zero. The exit status is 4 if a curve could not be made locally shortest, or shortest with --shortest, or a\n"
-    "line came to --maximum-faces.\n");
+    "line reached --maximum-faces.\n");
   command.add_option("INPUT", options->input, "as for `idt triangulate`")->required();
   command
-    .add_option("--from", options->from,
-                "where it begins: a vertex, or the point of the surface that is nearest to a point in space")
+    .add_option("--from", options->from, "the start: a vertex, or the point of the surface nearest to a point in space")
     ->type_name("V|X,Y,Z")
     ->required();
-  command.add_option("--to", options->to, "where a path ends")->type_name("V|X,Y,Z");
+  command.add_option("--to", options->to, "the end of a path")->type_name("V|X,Y,Z");
   command
-    .add_option(
-      "--via", options->via,
-      "a vertex or point in between; can be repeated. A path goes on to pass through it, a closed curve only begins so")
+    .add_option("--via", options->via,
+                "a vertex or point in between; can be repeated. A path keeps passing through it, a closed curve only "
+                "begins there")
     ->type_name("V|X,Y,Z")
     ->expected(1)
     ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command.add_flag("--closed", options->is_closed, "a closed curve: from the last vertex back to the first");
   command.add_flag("--shortest", options->is_shortest,
-                   "the shortest path of all, from stop to stop, and its exact length up to rounding beside it");
+                   "the shortest path of all, from stop to stop, and its exact length up to rounding");
   command.add_option("--direction", options->direction,
-                     "a line instead: in this direction, an angle on the surface in radians, counterclockwise from the "
+                     "a line instead, in this direction: an angle on the surface in radians, counterclockwise from the "
                      "neighbour with the smallest number, or from the border");
-  command.add_option("--length", options->length, "how long the line is");
+  command.add_option("--length", options->length, "the length of the line");
   command.add_option("--maximum-faces", options->maximum_number_of_faces, "end the line after N faces")
     ->type_name("N")
     ->transform(whole_number())
@@ -461,12 +460,11 @@ void add_geodesic_command(CLI::App& app, Selected_command& selected)
     ->type_name("F.(obj|csv|ply|vtp)");
   command.add_option("--cut", options->cut_path, "write the surface, cut open along the curve")
     ->type_name("F.(off|obj|ply|ts|vtp)");
-  set_words(command.add_option("--format", options->format, "the format of -o -, on the standard output"),
+  set_words(command.add_option("--format", options->format, "the format of -o - on the standard output"),
             {"csv", "obj", "ply", "vtp"})
     ->type_name("EXT")
     ->capture_default_str();
-  command.add_option("--stats", options->stats_path, "write what the report says as a JSON object")
-    ->type_name("F.json");
+  command.add_option("--stats", options->stats_path, "write the report as a JSON object")->type_name("F.json");
   add_repair_option(command, options->is_repaired);
   command.callback([options, &selected] { selected = [options] { return run_geodesic(*options); }; });
 }

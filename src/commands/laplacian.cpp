@@ -155,7 +155,7 @@ void write_report(std::ostream& os, const Laplacian_options& options, const Lapl
   line(report.repeated_corner_faces, "face", "faces", "with a vertex as two corners");
   line(report.collapsed_faces, "face", "faces", "whose corners were merged");
   line(report.zero_length_faces, "face", "faces", "with a side of length zero");
-  line(report.faces_without_area, "face", "faces", "connected with nothing that has an area");
+  line(report.faces_without_area, "face", "faces", "connected only with faces of zero area");
   if (report.merged_vertices > 0)
     os << "\n  merged            " << counted(report.merged_vertices, "vertex", "vertices")
        << " with another at the same place: rows of zeros";
@@ -221,24 +221,24 @@ void add_Laplacian_command(CLI::App& app, Selected_command& selected)
       "of the vertices")
     ->type_name("L.mtx");
   command.add_option("--mass", options->mass_path, "write the mass matrix")->type_name("M.mtx");
+  set_words(command.add_option(
+              "--mass-type", options->mass_type,
+              "lumped: a third of the area around each vertex; galerkin: the mass matrix of linear finite elements"),
+            {"lumped", "galerkin"})
+    ->capture_default_str();
   set_words(
-    command.add_option("--mass-type", options->mass_type,
-                       "lumped: a third of the area around each vertex; galerkin: that of linear finite elements"),
-    {"lumped", "galerkin"})
+    command.add_option("--cover", options->cover,
+                       "tufted: two copies of each face, glued around each edge, where the surface is not closed; "
+                       "none: the faces themselves, which must form an orientable surface, with a fixed border"),
+    {"tufted", "none"})
     ->capture_default_str();
   set_words(
     command.add_option(
-      "--cover", options->cover,
-      "tufted: two copies of each face, glued around each edge, where the surface is not closed; none: the faces "
-      "themselves, which have to be an orientable surface, with a fixed border"),
-    {"tufted", "none"})
+      "--coincident-vertices", options->coincident_vertices,
+      "what to do if an edge joins two vertices at the same place: report an error, merge them, or drop its faces"),
+    {"error", "merge", "drop"})
     ->capture_default_str();
-  set_words(command.add_option(
-              "--coincident-vertices", options->coincident_vertices,
-              "what to do where an edge joins two vertices at the same place: an error, merge them, or drop its faces"),
-            {"error", "merge", "drop"})
-    ->capture_default_str();
-  command.add_flag("--weld", options->is_welded, "merge all vertices at the same place first");
+  command.add_flag("--weld", options->is_welded, "first merge all vertices at the same place");
   command
     .add_option(
       "--mollify", options->mollification,
@@ -249,8 +249,7 @@ void add_Laplacian_command(CLI::App& app, Selected_command& selected)
   command.add_option("--eigenvalues", options->number_of_eigenvalues, "print the K smallest eigenvalues")
     ->type_name("K")
     ->check(CLI::Range(1, 10000));
-  command.add_option("--stats", options->stats_path, "write what the report says as a JSON object")
-    ->type_name("F.json");
+  command.add_option("--stats", options->stats_path, "write the report as a JSON object")->type_name("F.json");
   command.callback([options, &selected] { selected = [options] { return run_Laplacian(*options); }; });
 }
 

@@ -202,8 +202,8 @@ std::string warning(const Parameterize_options& options, const Result& result)
          ", " + std::to_string(j) + " and " + std::to_string(k) + " at (" + in_full(result.uv[i][0]) + ", " +
          in_full(result.uv[i][1]) + "); " +
          (other.empty() // no weight is negative and the boundary is convex: the exact map has none
-            ? "they are so small that the last place of coordinates does not tell their corners apart: cut the surface "
-              "open along its length there, or map a part of it"
+            ? "they are too small for the last place of coordinates to distinguish their corners: cut the surface open "
+              "along its length there, or map a part of it"
             : "try " + other);
 }
 
@@ -248,7 +248,7 @@ void write_files(const Parameterize_options& options, const Result& result)
   const Surface& surface = result.triangulation.surface;
   const Outcome& outcome = result.triangulation.outcome;
   if (!(options.uv_path.empty() && options.uv_input_path.empty()) && !surface.has_points())
-    throw Usage_error("--uv and --uv-input need points: " + surface.path + " has lengths alone");
+    throw Usage_error("--uv and --uv-input need points: " + surface.path + " has only lengths");
   if (!options.uv_path.empty())
     write_textured_mesh(options.uv_path, make_map_over_intrinsic(surface, *outcome.subdivision, result.uv));
   if (!options.uv_input_path.empty())
@@ -325,7 +325,7 @@ void add_parameterize_command(CLI::App& app, Selected_command& selected)
                  "singular values: 1 where a triangle keeps its shape.\n");
   command.add_option("INPUT", options->input, "as for `idt triangulate`")->required();
   set_words(command.add_option("--laplacian", options->Laplacian,
-                               "the triangulation whose cotangents, or whose circles, are taken"),
+                               "the triangulation whose cotangents, or whose circles, are used"),
             {"intrinsic", "extrinsic"})
     ->capture_default_str();
   set_words(command.add_option("--boundary", options->boundary,
@@ -338,8 +338,8 @@ void add_parameterize_command(CLI::App& app, Selected_command& selected)
     ->capture_default_str();
   command
     .add_option("--uv", options->uv_path,
-                "write the surface with the texture coordinates that are linear on the intrinsic "
-                "triangles, as the overlay; beside it F.mtl and F.png with a checkerboard")
+                "write the surface, as the overlay, with texture coordinates that are linear on the intrinsic "
+                "triangles; and F.mtl and F.png with a checkerboard")
     ->type_name("F.obj");
   command.add_option("--uv-input", options->uv_input_path, "the same, linear on the input triangles")
     ->type_name("F.obj");
@@ -348,7 +348,7 @@ void add_parameterize_command(CLI::App& app, Selected_command& selected)
                 "write the distortion of both on each face of the overlay: "
                 "input_face,intrinsic_face,over_input,over_intrinsic")
     ->type_name("F.csv");
-  command.add_option("--json", options->json_path, "write what the report says as a JSON object")->type_name("F.json");
+  command.add_option("--json", options->json_path, "write the report as a JSON object")->type_name("F.json");
   add_repair_option(command, options->is_repaired);
   command.callback([options, &selected] { selected = [options] { return run_parameterize(*options); }; });
 }

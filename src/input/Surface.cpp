@@ -162,7 +162,7 @@ void untwist(Surface& surface)
     throw Usage_error(surface.path + ": --fast-forward is for gluings; this triangulation was made of one already");
   if (surface.has_points())
     throw Usage_error(surface.path +
-                      ": --fast-forward is for gluings; no edge can wind around a surface in space very often");
+                      ": --fast-forward is for gluings; no edge of a surface in space winds around it very often");
   const Stopwatch stopwatch;
   try {
     if (surface.squared_lengths.empty())

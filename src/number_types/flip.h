@@ -71,8 +71,8 @@ private:
   std::uint64_t tests_ = 0, flips_ = 0, asked_flips_ = 0;
 };
 
-// Checks each test against the exact geometry of the same edge. A test that is left undecided is not wrong, and what cannot be proven
-// wrong is not counted.
+// Checks each test against the exact geometry of the same edge. A test that is left undecided is not wrong, and what
+// cannot be proven wrong is not counted.
 template <class Traits>
 class Decision_counter : public Asking_visitor<Traits>
 {

@@ -80,7 +80,8 @@ struct Refinement_options
   Refinement_criteria criteria;
   std::optional<std::uint64_t> maximum_number_of_points;
   std::vector<bool> is_constrained; // for each input edge: whether no flip may remove it
-  // Is asked before each face that is refined, and may ask where that is: if it says yes, the run ends, and nothing else is found out.
+  // Is asked before each face that is refined, and may ask where that is: if it says yes, the run ends, and nothing
+  // else is found out.
   std::function<bool(const CGAL::Intrinsic_triangulations::Refinement_progress&, const std::function<Short_side()>&)>
     gives_up;
 };
@@ -141,7 +142,8 @@ struct Refinement_summary
   std::vector<CGAL::Intrinsic_triangulations::Surface_point> points; // on the input, of the new vertices in order
   // Of the faces that were left as too small, or for the budget, the one with the shortest side.
   std::optional<Short_side> smallest_left;
-  // A smallest size with which a tenth of the budget would suffice for what it has left, as areas tell; 0 if that is not known.
+  // A smallest size with which a tenth of the budget would suffice for what it has left, as areas tell; 0 if that is
+  // not known.
   double sufficient_size = 0;
   double seconds = 0;
 };

@@ -199,7 +199,7 @@ std::optional<Shape_summary> summarize_shapes(const Triangulation& triangulation
   if (refinement)
     for (const IT::Unrefined_face& f : refinement->report.unrefined)
       is_listed[f.face.idx()] = true;
-  // More digits than are looked at.
+  // More digits than needed.
   const std::vector<double> angles = IT::opposite_angles<Concurrency_tag>(triangulation, 0x1p-24);
   Shape_summary summary;
   summary.minimum_angle = 180;

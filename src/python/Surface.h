@@ -58,7 +58,8 @@ public:
     });
   }
 
-  // The first side of each input face, as it was given: the library remembers faces and sides, but not which is the first.
+  // The first side of each input face, as it was given: the library remembers faces and sides, but not which is the
+  // first.
   const std::vector<IT::Halfedge_index>& input_sides() const { return input_sides_; }
 
 private:

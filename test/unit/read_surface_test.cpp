@@ -480,7 +480,7 @@ TEST_F(Read_surface, broken_ply)
   refused("a.ply", header("int", "uchar int") + "0 0 0.5\n" + points + "3 0 1 2\n",
           "line 10, element vertex 0: \"0.5\" is not an integer, which is needed for z");
   refused("a.ply", header("list uchar float", "uchar int"), "by the header the vertices have no coordinate x");
-  refused("a.ply", header("float", "uchar float"), "has the type float, which is none of integers");
+  refused("a.ply", header("float", "uchar float"), "has the type float, which is not a list of integers");
   refused("a.ply", header("double", "uchar int") + "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n",
           "line 11, element vertex 1: the coordinate \"nan\" is not finite", Defect::NOT_FINITE);
   refused("a.ply", header("double", "uchar int") + points + "3 0 x 2\n",

@@ -267,8 +267,8 @@ TEST(Refine_Delaunay, asks_while_edges_are_flipped_at_first)
   }
 }
 
-// A vertex that is far away makes needles whose corners there are smaller than what doubles resolve. A line that is followed in
-// doubles then goes round and round.
+// A vertex that is far away makes needles whose corners there are smaller than what doubles resolve. A line that is
+// followed in doubles then goes round and round.
 TEST(Refine_Delaunay, ends_at_the_tips_of_needles)
 {
   samples::Indexed_triangles surface;

@@ -74,8 +74,8 @@ void make_half_disks(int number, int rings, Points& points, Triangles& triangles
   }
 }
 
-// Functions that are the same on all sheets are those of a half-disk with a free diameter; those whose sum vanishes have the
-// diameter fixed, and there are two for each. Both are Bessel functions of the disk.
+// Functions that are the same on all sheets are those of a half-disk with a free diameter; those whose sum vanishes
+// have the diameter fixed, and there are two for each. Both are Bessel functions of the disk.
 TEST(Smallest_eigenvalues, three_half_disks_on_one_edge)
 {
   Points points;

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A table of unusual and damaged files, each small and large: read with all faces, perhaps with a warning, or refused at the right place.
+// A table of unusual and damaged files, each small and large: read with all faces, perhaps with a warning, or refused
+// at the right place.
 
 #include "Surface_file_test.h"
 #include "faces_of_file.h"
@@ -683,7 +684,7 @@ std::vector<Case> cases()
      }},
     {"ts", "another object before it",
      [](S& s, E& e) {
-       e.warning = "line 1: the part of the kind \"PLine\" is no surface";
+       e.warning = "line 1: the part of the kind \"PLine\" is not a surface";
        return "GOCAD PLine 1\nILINE\nVRTX 1 0 0 0\nVRTX 2 1 1 1\nSEG 1 2\nEND\n" + ts_text(s);
      }},
     {"ts", "two parts",

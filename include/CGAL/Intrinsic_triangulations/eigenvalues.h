@@ -112,17 +112,18 @@ inline std::vector<std::vector<int>> connected_rows(const Eigen::SparseMatrix<do
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the smallest solutions λ of `L u = λ M u`, in increasing order.
 ///
-/// Rows without mass, which are those of vertices without faces, are left out. A zero appears once for each connected
-/// part of the surface, as each is solved by itself.
+/// Rows without mass, those of vertices without faces, are left out. Each connected component is solved separately, so
+/// zero appears once for each.
 ///
-/// Method: Lanczos (Spectra) for the inverse of `L + c M`, with one sparse Cholesky factorization; small parts as dense matrices.
-/// An eigenvalue is within about 1e-10 of itself plus the first one that is positive.
+/// Method: Lanczos (Spectra) for the inverse of `L + c M`, with one sparse Cholesky factorization; small parts as dense
+/// matrices. The error of an eigenvalue is about 1e-10 times the sum of itself and the first positive one.
 ///
-/// \param stiffness a positive semidefinite matrix, as of `stiffness_matrix()` or `tufted_Laplacian()`
+/// \param stiffness a positive semidefinite matrix, for instance from `stiffness_matrix()` or `tufted_Laplacian()`
 /// \param mass the mass matrix, lumped or Galerkin
-/// \param number how many are wanted; there are no more than rows with mass
+/// \param number how many to compute; at most as many as there are rows with mass
 /// \pre both matrices have the same size
-/// \exception Numerical_error if the iteration does not converge, or if the matrix is not positive definite after rounding
+/// \exception Numerical_error if the iteration does not converge, or if the matrix is not positive definite after
+///   rounding
 inline std::vector<double> smallest_eigenvalues(const Eigen::SparseMatrix<double>& stiffness,
                                                 const Eigen::SparseMatrix<double>& mass, std::size_t number)
 {
@@ -349,7 +350,7 @@ struct Weight_histogram
   double high = 0;                 ///< where the last interval ends
   std::vector<std::size_t> counts; ///< half-open intervals, from `low` to `high`
   std::size_t below = 0;           ///< weights less than `low`
-  std::size_t above = 0;           ///< weights of at least `high`, infinite ones included
+  std::size_t above = 0;           ///< weights of at least `high`, including infinite ones
 };
 
 /// \ingroup PkgIntrinsicTriangulationsOperators

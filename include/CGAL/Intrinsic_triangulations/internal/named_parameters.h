@@ -45,7 +45,8 @@ enum class Parameter {
 template <Parameter parameter>
 using Parameter_tag = std::integral_constant<Parameter, parameter>;
 
-// A sequence of named parameters that goes on with those of the package or of CGAL, in any order. CGAL's own class knows only CGAL's.
+// A sequence of named parameters that goes on with those of the package or of CGAL, in any order. CGAL's own class
+// knows only CGAL's.
 template <class T, class Tag, class Base = internal_np::No_property>
 struct Named_parameters : internal_np::Named_params_impl<T, Tag, Base>
 {
@@ -185,7 +186,8 @@ auto keeps_ridges(const T& value)
   return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::KEEPS_RIDGES>(value);
 }
 /// \ingroup PkgIntrinsicTriangulationsNamedParameters
-/// \brief how much the length of a path may be changed at each edge that it crosses, as a part of the length of the edge.
+/// \brief how much the length of a path may be changed at each edge that it crosses, as a part of the length of the
+/// edge.
 template <class T>
 auto tolerance(const T& value)
 {

@@ -293,7 +293,7 @@ private:
     else if (word == "solid" && (state_ == SOLID || state_ == OUTSIDE)) {
       if (state_ == SOLID)
         soup_.warnings.push_back("line " + std::to_string(number_) +
-                                 ": a solid begins where the one before has no line endsolid");
+                                 ": a solid begins, but the previous one has no line endsolid");
       state_ = SOLID;
       begin_rest(true);
     } else if (word == "endsolid" && state_ == SOLID) {

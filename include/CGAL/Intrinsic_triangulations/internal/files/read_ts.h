@@ -72,7 +72,7 @@ private:
       return;
     }
     if (is_other_ && (is_triangle || is("tface")))
-      refuse_line(word, "the part is no TSurf by its line GOCAD");
+      refuse_line(word, "the part is not a TSurf according to its line GOCAD");
     if (is_other_)
       return;
     is_begun_ = is_begun_ || is_data;
@@ -96,7 +96,7 @@ private:
   {
     end_part();
     if (!is_ended_ && (is_begun_ || is_other_))
-      refuse(line() + ": a part begins where the one before has no line END");
+      refuse(line() + ": a part begins, but the previous one has no line END");
     is_ended_ = is_begun_ = false;
     vertex_of_number_.clear();
     properties_ = 0;
@@ -106,7 +106,7 @@ private:
     is_other_ = !kind.empty() && !is_keyword(kind, "tsurf");
     if (is_other_)
       soup_.warnings.push_back(line() + ": the part of the kind " + quote(kind) +
-                               " is no surface of triangles (TSurf), and is left out");
+                               " is not a surface of triangles (TSurf), and is left out");
   }
 
   void vertex()

@@ -169,8 +169,8 @@ public:
   // The roundabout of `h`: the first input halfedge at or after `h`, counterclockwise
   // around its source. O(1).
   //
-  // For a halfedge that leaves a vertex inserted on an input edge it is one of the two halfedges of that edge, taken from there
-  // on; for one that leaves a vertex inside an input face there is none.
+  // For a halfedge that leaves a vertex inserted on an input edge it is one of the two halfedges of that edge, taken
+  // from there on; for one that leaves a vertex inside an input face there is none.
   // \pre `is_prepared()`
   Halfedge_index input_halfedge(Halfedge_index h) const
   {
@@ -187,7 +187,8 @@ private:
   // More steps than this are replaced: around most vertices, there are never as many.
   static constexpr std::uint64_t longest_walk = 16;
 
-  // Walks that stay long, as where memory is short, are right as well. Few are long, so that one thread replaces what all have found: there is one table for that.
+  // Walks that stay long, as where memory is short, are right as well. Few are long, so that one thread replaces what
+  // all have found: there is one table for that.
   void shorten_walks(const std::vector<Edge_index>& edges, const Block_runner& run);
   BOOST_NOINLINE void shorten_walks(Halfedge_index h)
   {

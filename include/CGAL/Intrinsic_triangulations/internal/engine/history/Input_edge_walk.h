@@ -106,7 +106,8 @@ inline Input_edge_start start_of_input_edge(const Delta_complex& complex, const 
   const Normal_coordinates& coordinates = correspondence.coordinates();
   const Halfedge_index first = complex.opposite(complex.halfedge(v));
   for (Halfedge_index ki = first;;) {
-    // Counterclockwise from ki: ki itself if it coincides with an input halfedge, then those that cross the opposite side.
+    // Counterclockwise from ki: ki itself if it coincides with an input halfedge, then those that cross the opposite
+    // side.
     Halfedge_index start = correspondence.input_halfedge(ki);
     if (coordinates.is_original(complex.edge(ki))) {
       if (start == input_halfedge)
@@ -140,8 +141,8 @@ inline Face_index uncrossed_input_face(const Delta_complex& complex, const Corre
                                                                               : input.opposite(roundabout));
 }
 
-// The input halfedge that crosses h from the left to the right, so many crossings after the source of h. Both ends of the
-// input edge are looked for, until one is found. Time: twice the number of triangles to the nearer one.
+// The input halfedge that crosses h from the left to the right, so many crossings after the source of h. Both ends of
+// the input edge are looked for, until one is found. Time: twice the number of triangles to the nearer one.
 inline Halfedge_index crossed_input_halfedge(const Delta_complex& complex, const Correspondence& correspondence,
                                              Halfedge_index h, std::int64_t position, const Interruption& interruption)
 {

@@ -35,8 +35,8 @@ namespace internal {
 // plane, that of an input face in it, and numbers of the same plane are united. All faces with united numbers have one
 // oriented normal, so that two of them that share an edge lie on different sides of it.
 //
-// The parts of a straight face that a new vertex makes are straight, too. A vertex may lie on an edge, so that a part has no area, as long as
-// that edge is not flipped.
+// The parts of a straight face that a new vertex makes are straight, too. A vertex may lie on an edge, so that a part
+// has no area, as long as that edge is not flipped.
 //
 // All that is known stays true if what a function is called before does not happen.
 class Straight_faces
@@ -103,7 +103,8 @@ public:
     return false;
   }
 
-  // A flip between these faces is undone: where more would have to be found out, they are not known to be straight. Never throws.
+  // A flip between these faces is undone: where more would have to be found out, they are not known to be straight.
+  // Never throws.
   void flip_back(Face_index f, Face_index g)
   {
     if (!(*this)(f) || !(*this)(g) || united(plane_[f.idx()]) != united(plane_[g.idx()]))
