@@ -40,7 +40,8 @@ public:
     for (std::size_t v = 0; v < vertices_; ++v)
       take_vertex(v);
     for (std::size_t f = 0; f < faces_; ++f)
-      take_face(f);
+      if (!lines_.find_word() || !take_usual_triangle())
+        take_face(f);
     if (bad_faces_ > 0)
       refuse_bad_index();
     if (lines_.find_word())
@@ -202,6 +203,24 @@ private:
                          are_counted(vertices_, "vertex", "vertices") + " (counted from 0)";
     }
     soup_.add_face(corners_.data(), corners_.data() + corners_.size());
+  }
+
+  // Goes over a triangle alone on its line, as nearly all faces are; at any other face it stays.
+  bool take_usual_triangle()
+  {
+    const char* p = lines_.p;
+    std::array<std::uint32_t, 4> numbers;
+    for (std::uint32_t& number : numbers) {
+      p = skip_white(p, lines_.last);
+      if (!take_count(p, lines_.last, number) || !(p == lines_.last || is_white(*p)))
+        return false;
+    }
+    if (numbers[0] != 3 || (std::max)({numbers[1], numbers[2], numbers[3]}) >= vertices_ ||
+        skip_white(p, lines_.last) != lines_.last)
+      return false;
+    lines_.p = lines_.last;
+    soup_.add_face(&numbers[1], &numbers[1] + 3);
+    return true;
   }
 
   // Takes most numbers, or the word for a closer look.
