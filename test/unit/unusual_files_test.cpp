@@ -315,6 +315,7 @@ std::vector<Case> cases()
     {"off", "COFF, floats", [](S& s, E&) { return off_text(s, "COFF\n", " 0.5 0.5 0.5 1"); }},
     {"off", "STOFF", [](S& s, E&) { return off_text(s, "STOFF\n", " 0.5 0.5"); }},
     {"off", "CNOFF", [](S& s, E&) { return off_text(s, "CNOFF\n", " 0 0 1 255 255 255"); }},
+    {"off", "NCSTOFF", [](S& s, E&) { return off_text(s, "NCSTOFF\n", " 0 0 1 255 255 255 255 0.5 0.5"); }},
     {"off", "4OFF", [](S& s, E&) { return off_text(s, "4OFF\n", " 2"); }},
     {"off", "nOFF of dimension 3", [](S& s, E&) { return off_text(s, "nOFF\n3\n"); }},
     {"off", "nOFF of dimension 5",

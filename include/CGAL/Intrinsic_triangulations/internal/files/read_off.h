@@ -45,11 +45,14 @@ public:
     if (bad_faces_ > 0)
       refuse_bad_index();
     if (lines_.find_word())
-      refuse("face", faces_, ": " + quote(lines_.rest()) + " is behind the last face; " + announced() + hint());
+      refuse("face", faces_,
+             ": " + quote(lines_.rest()) + " is behind the last face; " + announced() +
+               ": correct these numbers, or remove what is left over" + hint());
   }
 
 private:
-  // [ST][C][N][4][n]OFF, and the numbers of vertices, faces and edges, the first of which may be in the same word.
+  // [ST][C][N][4][n]OFF, where some programs write the first three in another order, and the numbers of vertices, faces
+  // and edges, the first of which may be in the same word.
   void read_header()
   {
     if (!lines_.find_word())
@@ -61,9 +64,16 @@ private:
       keyword.remove_prefix(is_there ? prefix.size() : 0);
       return is_there;
     };
-    const bool has_textures = take("st");
-    has_colors_ = take("c");
-    const bool has_normals = keyword.substr(0, 4) != "nOFF" && take("n");
+    bool has_textures = false, has_normals = false;
+    for (;;)
+      if (take("st"))
+        has_textures = true;
+      else if (take("c"))
+        has_colors_ = true;
+      else if (keyword.substr(0, 4) != "nOFF" && take("n"))
+        has_normals = true;
+      else
+        break;
     is_homogeneous_ = take("4");
     const bool has_dimension = keyword.substr(0, 4) == "nOFF" && take("n");
     if (!take("off") || !(keyword.empty() || is_digit(keyword[0])))
