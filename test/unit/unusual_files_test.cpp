@@ -217,6 +217,12 @@ std::vector<Case> cases()
        e.error = at(s.stl_facet(s.middle()), "facet", s.middle()) + ": \"face\" where facet or";
        return with_line(stl_text(s), s.stl_facet(s.middle()), "face normal 0 0 1");
      }},
+    {"stl", "one line, facett at first",
+     [](S& s, E& e) {
+       e.error =
+         at(1, "facet", 0) + ": \"endloop\" where facet or endsolid is expected: the line facet normal is missing";
+       return replaced(with_line(stl_text(s), 2, "facett normal 0 0 1"), "\n", " ");
+     }},
     {"stl", "vertx",
      [](S& s, E& e) {
        e.error = at(s.stl_facet(s.middle()) + 3, "facet", s.middle()) + ": \"vertx\" where vertex";
@@ -696,6 +702,11 @@ std::vector<Case> cases()
      [](S& s, E& e) {
        e.error = "line " + std::to_string(s.ts_face(s.middle())) + ", \"TRG\": it is not understood";
        return with_line(ts_text(s), s.ts_face(s.middle()), "TRG 1 2 3");
+     }},
+    {"ts", "TRG before all else",
+     [](S& s, E& e) {
+       e.error = "line 5, \"TRG\": it is not understood";
+       return replaced(ts_text(s), "TFACE\n", "TRG 1 2 3\n");
      }},
     {"ts", "VRTXX",
      [](S& s, E& e) {
