@@ -319,6 +319,14 @@ std::vector<Case> cases()
      }},
     {"off", "NOFF", [](S& s, E&) { return off_text(s, "NOFF\n", " 0 0 1"); }},
     {"off", "COFF, floats", [](S& s, E&) { return off_text(s, "COFF\n", " 0.5 0.5 0.5 1"); }},
+    {"off", "COFF, opacity of one",
+     [](S& s, E&) { return appended(off_text(s, "COFF\n", " 0.5 0.5 0.5"), s.off_vertex(1), " 1"); }},
+    {"off", "COFF, a face as a vertex",
+     [](S& s, E& e) {
+       e.error = at(s.off_face(0), "vertex", s.v()) + ": there are 4 numbers where the vertices before have 6";
+       return with_line(off_text(s, "COFF\n", " 0.5 0.5 0.5"), 2,
+                        std::to_string(s.v() + 1) + " " + std::to_string(s.f() - 1) + " 0");
+     }},
     {"off", "STOFF", [](S& s, E&) { return off_text(s, "STOFF\n", " 0.5 0.5"); }},
     {"off", "CNOFF", [](S& s, E&) { return off_text(s, "CNOFF\n", " 0 0 1 255 255 255"); }},
     {"off", "NCSTOFF", [](S& s, E&) { return off_text(s, "NCSTOFF\n", " 0 0 1 255 255 255 255 0.5 0.5"); }},
