@@ -271,7 +271,7 @@ inline Faces of_stl(const std::string& bytes)
                !(lower(row[facet]) == "facet" && lower(row[facet + 1]) == "normal" &&
                  std::strtod(row[facet + 2].c_str(), nullptr) == std::strtod(row[facet + 2].c_str(), nullptr) &&
                  std::string("0123456789+-.").find(row[facet + 2][0]) != std::string::npos))
-          ++facet;
+          expect(lower(row[facet++]) != "endfacet", "a facet has become a name");
         if (facet + 2 >= row.size())
           break;
         i = facet - 1;

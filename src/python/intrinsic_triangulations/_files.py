@@ -8,6 +8,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from typing import Any, List, NamedTuple, Tuple, Union
 
 import numpy
@@ -65,8 +66,15 @@ def read_mesh(file_name: Union[str, "os.PathLike[str]"]) -> Tuple[numpy.ndarray,
     ------
     InvalidSurfaceError
         If the file cannot be read. The message names the line or the element at fault.
+
+    Warns
+    -----
+    UserWarning
+        What is unusual about the file though it can be read, such as a wrong number of facets in its header.
     """
-    V, corners, first = _core.read_mesh(os.fspath(file_name))
+    V, corners, first, unusual = _core.read_mesh(os.fspath(file_name))
+    for text in unusual:
+        warnings.warn(f"{os.fspath(file_name)}: {text}", stacklevel=2)
     if len(first) == 0:
         return V, corners.reshape(-1, 3)
     return V, [corners[begin:end].tolist() for begin, end in zip(first[:-1], first[1:])]
@@ -104,8 +112,7 @@ def orient(V: Any, F: Any) -> Tuple[numpy.ndarray, List[Repair]]:
     >>> F.tolist(), repairs[0].message
     ([[0, 1, 2], [3, 2, 1]], 'face 1 was turned over')
     """
-    points, faces = _arrays.points_and_faces(V, F)
-    _arrays.finite(points, "V", (None, 3))
+    points, faces = _arrays.finite_points_and_faces(V, F)
     is_bad = (faces[:, 0] == faces[:, 1]) | (faces[:, 1] == faces[:, 2]) | (faces[:, 2] == faces[:, 0])
     if is_bad.any():
         row = int(numpy.argmax(is_bad))
@@ -191,8 +198,8 @@ def repair(V: Any, F: Any) -> RepairedMesh:
     if is_bad.any():
         where = int(numpy.argmax(is_bad))
         row = int(numpy.searchsorted(numpy.cumsum(lengths), where, side="right"))
-        raise InvalidSurfaceError(f"F[{row}] names vertex {int(corners[where])}, but there are only {len(points)}, counted from 0",
-                                  "BAD_INDEX", row, int(is_bad.sum()))
+        raise InvalidSurfaceError(_arrays.bad_index("F", row, "vertex", int(corners[where]), corners, len(points)), "BAD_INDEX", row,
+                                  int(is_bad.sum()))
     first = numpy.concatenate([[0], numpy.cumsum(lengths, dtype=numpy.int64)]).tolist()
     V, F, vertices, faces, repairs = _repair.repair(points, corners.astype(numpy.uint32), first)
     return RepairedMesh(V, F, vertices, faces, [Repair(*entry) for entry in repairs])

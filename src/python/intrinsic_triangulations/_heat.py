@@ -146,7 +146,7 @@ def geodesic_distances(V: Any, F: Any, v_inds: Any, tolerance: float = 0.001) ->
     ----------
     V, F
         As for `MeshHeatMethodDistanceSolver`.
-    v_inds : (k,) array of integers
+    v_inds : integer, or (k,) array of integers
         The sources.
     tolerance : float
         How much the length of a path may be changed at each edge that it crosses, as a part of the length of the edge: at least 0
@@ -165,7 +165,7 @@ def geodesic_distances(V: Any, F: Any, v_inds: Any, tolerance: float = 0.001) ->
     points, faces = _arrays.points_and_faces(V, F)
     if not (isinstance(tolerance, (int, float, numpy.integer, numpy.floating)) and 0 <= tolerance < 1):
         raise ValueError(f"tolerance has to be a number of at least 0 and below 1, not {tolerance!r}")
-    sources = _arrays.indices(v_inds, "v_inds", (None,), len(points))
+    sources = _arrays.indices(v_inds if numpy.ndim(v_inds) else [v_inds], "v_inds", (None,), len(points))
     return _core.geodesic_distances(points, faces, sources, float(tolerance))
 
 

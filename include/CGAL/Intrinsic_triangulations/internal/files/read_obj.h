@@ -138,7 +138,8 @@ private:
     if (!is_other_obj_keyword(keyword))
       refuse(line() + ": " + quote(lines_.rest()) + " is not understood (after " +
              counted(soup_.points.size(), "vertex", "vertices") + " and " +
-             counted(soup_.number_of_faces(), "face", "faces") + ")");
+             counted(soup_.number_of_faces(), "face", "faces") +
+             "): correct it, or put # before it if it has no part of the surface");
     if (has_curved_surfaces_ || !(is("surf") || is("bsp") || is("bzp") || is("cdp")))
       return;
     has_curved_surfaces_ = true;

@@ -529,7 +529,8 @@ public:
     if (find_word())
       refuse_file(path_, surplus_.empty() || lines_.number() == end
                            ? "line " + std::to_string(lines_.number()) + ": " + quote(lines_.take_word()) +
-                               " is behind the " + so_far() + " that the header announces"
+                               " is behind the " + so_far() +
+                               " that the header announces: correct these numbers, or remove what is left over"
                            : surplus_);
   }
 

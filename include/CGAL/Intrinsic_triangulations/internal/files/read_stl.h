@@ -330,6 +330,8 @@ private:
   {
     if (facet_words_ == 0)
       return;
+    if (is_keyword(word, "endfacet") || is_keyword(word, "endloop"))
+      refuse_word(std::string(word)); // of a facet whose first words are misspelt, in a file of one line
     facet_words_ = is_keyword(word, "facet")                           ? 2
                    : facet_words_ == 2 && is_keyword(word, "normal")   ? 3
                    : facet_words_ == 3 && is_number(std::string(word)) ? 4

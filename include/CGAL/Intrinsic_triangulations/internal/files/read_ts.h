@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/files/Text_lines.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/Polygon_soup.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -88,8 +89,17 @@ private:
       count_properties(is("trgl_esizes"));
     else if (const std::string rest = lines_.rest(); word.back() == '{' || (!rest.empty() && rest.back() == '{'))
       brace_line_ = lines_.number();
-    else if (is_begun_ && !is("bstone") && !is("border") && !is("control_node"))
+    else if ((is_begun_ || is_nearly_trgl(word)) && !is("bstone") && !is("border") && !is("control_node"))
       refuse_line(word, "it is not understood (VRTX, PVRTX, ATOM, PATOM, TRGL, TFACE, BSTONE, BORDER or END)");
+  }
+
+  // The header may have any words: this is a triangle that is misspelt, and would be lost.
+  static bool is_nearly_trgl(const std::string_view word)
+  {
+    const std::string letters = in_small_letters(std::string(word)), keyword = "trgl";
+    return letters.size() <= 5 && std::count_if(keyword.begin(), keyword.end(), [&letters](const char c) {
+                                    return letters.find(c) != std::string::npos;
+                                  }) >= 3;
   }
 
   void begin_part()
