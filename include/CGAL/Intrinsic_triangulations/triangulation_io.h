@@ -57,7 +57,7 @@ namespace Intrinsic_triangulations {
 ///
 /// \exception Undecided_error if an edge crosses more than 2<sup>20</sup> input edges: a reader could not lay it out
 /// \exception Cancelled_error if the visitor says so
-/// \exception Integer_overflow_error as `Intrinsic_triangulation::number_of_crossings()`
+/// \exception Integer_overflow_error if an edge crosses more than 2<sup>60</sup>
 /// O(size).
 template <class NamedParameters = parameters::Default_named_parameters>
 void write_triangulation(std::ostream& os, const Intrinsic_triangulation<Filtered_edge_length_traits>& triangulation,

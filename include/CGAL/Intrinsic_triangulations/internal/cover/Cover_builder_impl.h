@@ -18,7 +18,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/Disjoint_sets.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 
 #include <algorithm>
 #include <cmath>

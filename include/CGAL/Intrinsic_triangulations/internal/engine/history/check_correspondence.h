@@ -17,7 +17,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Rotation_system.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/Disjoint_sets.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 
 #include <array>
 #include <cmath>
