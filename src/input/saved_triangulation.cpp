@@ -68,7 +68,7 @@ void load_saved_triangulation(Surface& surface)
   Progress progress(surface.path, "reading");
   std::vector<bool> marks;
   const auto saved = std::make_shared<Saved_triangulation>(Saved_triangulation{
-    IT::read_triangulation(
+    IT::read_triangulation<CGAL::Parallel_if_available_tag>(
       readable_file(surface.path),
       CGAL::parameters::edge_is_constrained_map(Marks{&marks}).visitor([] { return !is_interrupted(); })),
     {}});

@@ -79,8 +79,8 @@ std::unique_ptr<Subdivision> from_state(const py::tuple& state)
   std::vector<IT::Halfedge_index> sides = sides_of_array(state[1].cast<Indices>());
   return without_lock([&] {
     std::istringstream is(file);
-    const Triangulation t =
-      IT::read_triangulation(is, CGAL::parameters::visitor([] { return Signal_watch::goes_on(); }));
+    const Triangulation t = IT::read_triangulation<CGAL::Parallel_if_available_tag>(
+      is, CGAL::parameters::visitor([] { return Signal_watch::goes_on(); }));
     check_sides(t.input(), sides);
     return std::make_unique<Subdivision>(t, std::move(sides));
   });

@@ -116,7 +116,7 @@ std::unique_ptr<Surface> from_state(const py::tuple& state)
   const std::vector<IT::Halfedge_index> sides = sides_of_array(state[1].cast<Indices>());
   return without_lock([&] {
     std::istringstream is(file);
-    Triangulation t = IT::read_triangulation(is, goes_on);
+    Triangulation t = IT::read_triangulation<CGAL::Parallel_if_available_tag>(is, goes_on);
     check_sides(t.input(), sides);
     return std::make_unique<Surface>(std::move(t), sides);
   });
@@ -133,7 +133,8 @@ void save(Surface& surface, const std::string& path)
 std::unique_ptr<Surface> load(const std::string& path)
 {
   return without_lock([&] {
-    return std::make_unique<Surface>(IT::read_triangulation(path, goes_on), std::vector<IT::Halfedge_index>());
+    return std::make_unique<Surface>(IT::read_triangulation<CGAL::Parallel_if_available_tag>(path, goes_on),
+                                     std::vector<IT::Halfedge_index>());
   });
 }
 

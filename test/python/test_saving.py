@@ -100,6 +100,15 @@ def test_another_process():
         assert pool.apply(lengths_of, (t,)).tobytes() == t.lengths.tobytes()
 
 
+def test_workers_of_dask():
+    distributed = pytest.importorskip("distributed", reason="skipped: there is no package distributed (on Debian: apt install python3-distributed)")
+    t = list(triangulations())[2]
+    with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, distributed.Client(cluster) as client:
+        one, two = client.scheduler_info()["workers"]
+        there = client.submit(it.Triangulation.copy, t, workers=[one])
+        assert client.submit(lengths_of, there, workers=[two]).result().tobytes() == t.lengths.tobytes()
+
+
 def test_bytes_are_not_believed(tmp_path):
     t = list(triangulations())[2]
     t.save(tmp_path / "t.idt")

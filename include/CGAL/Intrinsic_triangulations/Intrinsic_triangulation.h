@@ -549,11 +549,25 @@ private:
   }
   // Replaces the triangulation, which is still its input, by one that a file says has come from it.
   // \exception Invalid_surface_error if it has not; then this can only be destroyed
+  template <class ConcurrencyTag>
   void restore(internal::Saved_triangulation saved)
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
-    engine_.restore(saved);
+    const std::size_t number_of_input_faces = connectivity().number_of_faces();
+    // Most faces are those of the input, with the numbers that were just computed.
+    const auto is_known = [&](Face_index f) {
+      if (f.idx() >= number_of_input_faces || faces_[f.idx()].value != saved.areas[f.idx()][0] ||
+          faces_[f.idx()].error != saved.areas[f.idx()][1])
+        return false;
+      const Halfedge_index h = connectivity().halfedge(f);
+      for (Halfedge_index side : {h, connectivity().next(h), connectivity().prev(h)})
+        if (side.idx() >= input().number_of_halfedges() || input().face(side) != f || !is_input_edge(edge(side)) ||
+            input_halfedge(side) != side || edges_[edge(side).idx()] != saved.squared_lengths[edge(side).idx()])
+          return false;
+      return true;
+    };
+    engine_.restore(saved, internal::block_runner<ConcurrencyTag>(), is_known);
     edges_ = std::move(saved.squared_lengths);
     faces_.resize(connectivity().number_of_faces(), internal::default_init);
     bounds_ = internal::Cotangent_bounds(connectivity());

@@ -16,6 +16,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/saving/Saved_file.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 
+#include <CGAL/tags.h>
+
 #include <array>
 #include <cstdint>
 #include <fstream>
@@ -110,6 +112,7 @@ void write_triangulation(std::ostream& os, const Common_subdivision& subdivision
 /// A file is not believed. Connectivity, integers, inserted vertices and numbers are checked against each other and against the input,
 /// by exact layouts, so that what is returned is a triangulation of the input surface whatever the bytes are.
 ///
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`, for the checks
 /// \tparam NamedParameters a sequence of named parameters
 /// \param is a stream that was opened in binary mode. What follows the triangulation is not read
 /// \param np an optional sequence of named parameters among those listed below
@@ -131,7 +134,7 @@ void write_triangulation(std::ostream& os, const Common_subdivision& subdivision
 ///   no surface
 /// \exception Cancelled_error if the visitor says so
 /// Time: O(size + number of crossings). Memory: proportional to what was read, whatever the header says.
-template <class NamedParameters = parameters::Default_named_parameters>
+template <class ConcurrencyTag = Sequential_tag, class NamedParameters = parameters::Default_named_parameters>
 Intrinsic_triangulation<Filtered_edge_length_traits>
 read_triangulation(std::istream& is, const NamedParameters& np = parameters::default_values())
 {
@@ -146,7 +149,7 @@ read_triangulation(std::istream& is, const NamedParameters& np = parameters::def
   {
     const internal::Interruption_scope<Triangulation> scope(result, go_further);
     internal::Whole_triangulation<Filtered_edge_length_traits> whole(result);
-    whole.restore(std::move(file.triangulation));
+    whole.restore<ConcurrencyTag>(std::move(file.triangulation));
     whole.count_as_tested(file.counts[Stage::FILTER]);
     file.counts.decided[std::size_t(Stage::FILTER)] = 0;
     whole.engine().stage_counts() = file.counts;
@@ -176,7 +179,7 @@ void write_triangulation(const std::string& file_name,
 
 /// \ingroup PkgIntrinsicTriangulationsIO
 /// \brief as `read_triangulation()`, for the name of a file, with which messages begin. Nothing may follow the triangulation.
-template <class NamedParameters = parameters::Default_named_parameters>
+template <class ConcurrencyTag = Sequential_tag, class NamedParameters = parameters::Default_named_parameters>
 Intrinsic_triangulation<Filtered_edge_length_traits>
 read_triangulation(const std::string& file_name, const NamedParameters& np = parameters::default_values())
 {
@@ -185,7 +188,7 @@ read_triangulation(const std::string& file_name, const NamedParameters& np = par
     std::ifstream is(file_name, std::ios::binary);
     if (!is)
       throw Invalid_surface_error(Defect::UNREADABLE, 0, 1, "cannot be opened");
-    Intrinsic_triangulation<Filtered_edge_length_traits> result = read_triangulation(is, np);
+    Intrinsic_triangulation<Filtered_edge_length_traits> result = read_triangulation<ConcurrencyTag>(is, np);
     if (is.peek() != std::ifstream::traits_type::eof())
       throw Invalid_surface_error(Defect::UNREADABLE, 0, 1, "there are bytes behind the triangulation");
     return result;

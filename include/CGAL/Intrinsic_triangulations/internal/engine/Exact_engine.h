@@ -136,7 +136,8 @@ public:
   // Its numbers stay there.
   // \pre nothing was flipped, and `saved` has an entry for each of its elements
   // \exception Invalid_surface_error if it is none; then this can only be destroyed
-  void restore(Saved_triangulation& saved);
+  // \param is_known whether the numbers of a face are known to be right
+  void restore(Saved_triangulation& saved, const Block_runner& run, const std::function<bool(Face_index)>& is_known);
   // Whether a face is known to be a triangle in space. Numbers that are rounded depend on that in the last place.
   bool is_known_to_be_straight(Face_index f) const
   {

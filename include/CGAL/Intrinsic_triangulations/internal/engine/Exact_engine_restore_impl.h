@@ -18,9 +18,13 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Metric_frame.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -36,7 +40,8 @@ namespace internal {
 // that are laid out, as they are up to isotopy (see Correspondence_check). Inserted vertices are no part of that isotopy: faces at these
 // must not be inverted.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_engine::restore(Saved_triangulation& saved)
+void Exact_engine::restore(Saved_triangulation& saved, const Block_runner& run,
+                           const std::function<bool(Face_index)>& is_known)
 {
   const Standard_arithmetic arithmetic;
   prepare();
@@ -55,11 +60,18 @@ void Exact_engine::restore(Saved_triangulation& saved)
     for (const Surface_point& location : correspondence_.locations())
       memory.inserted_positions.push_back(positions().rounded(location));
   check();
-  for (Edge_index e : connectivity_.edges())
-    check_line(e);
-  for (Face_index f : connectivity_.faces())
-    if (has_inserted_vertex(f) && sign_of_area(f) == NEGATIVE)
-      throw_not_a_triangulation("face", f.idx(), "is inverted");
+  const auto for_each = [&run](std::size_t n, const auto& f) {
+    run(n, elements_of_block, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i)
+        f(std::uint32_t(i));
+    });
+  };
+  for_each(connectivity_.number_of_edges(), [&](std::uint32_t e) { check_line(Edge_index(e)); });
+  if (!correspondence_.locations().empty())
+    for_each(connectivity_.number_of_faces(), [&](std::uint32_t f) {
+      if (has_inserted_vertex(Face_index(f)) && sign_of_area(Face_index(f)) == NEGATIVE)
+        throw_not_a_triangulation("face", f, "is inverted");
+    });
 
   if (number_of_points != 0) {
     std::vector<Face_index> planes(connectivity_.number_of_faces());
@@ -68,11 +80,15 @@ void Exact_engine::restore(Saved_triangulation& saved)
         planes[f.idx()] = plane(f);
     memory.straight_faces = Straight_faces(number_of_input_faces, number_of_points, planes);
   }
-  const Surface_lease surface = input_surface();
-  for (Face_index f : connectivity_.faces())
-    if (!are_sound(f, saved, *surface))
-      throw_not_a_triangulation("face", f.idx(),
-                                "has an area or sides that differ from the true ones by more than its bound");
+  run(connectivity_.number_of_faces(), elements_of_block, [&](std::size_t first, std::size_t last) {
+    const Surface_lease surface = input_surface();
+    for (std::size_t i = first; i < last; ++i) {
+      const Face_index f(static_cast<std::uint32_t>(i));
+      if (!is_known(f) && !are_sound(f, saved, *surface))
+        throw_not_a_triangulation("face", i,
+                                  "has an area or sides that differ from the true ones by more than its bound");
+    }
+  });
 }
 
 // The invariants of Filtered_edge_length_traits.

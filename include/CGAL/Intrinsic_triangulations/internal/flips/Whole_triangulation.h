@@ -96,7 +96,11 @@ public:
   Removed_elements unsplit_face(Vertex_index v) { return triangulation_.unsplit_face(v); }
   Removed_elements unsplit_edge(Halfedge_index h) { return triangulation_.unsplit_edge(h); }
 
-  void restore(Saved_triangulation saved) { triangulation_.restore(std::move(saved)); }
+  template <class ConcurrencyTag>
+  void restore(Saved_triangulation saved)
+  {
+    triangulation_.template restore<ConcurrencyTag>(std::move(saved));
+  }
 
   template <class Element>
   void recompute(Element x)
