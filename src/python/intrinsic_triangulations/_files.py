@@ -12,6 +12,7 @@ import warnings
 from typing import Any, List, NamedTuple, Tuple, Union
 
 import numpy
+from numpy.typing import ArrayLike
 
 from . import _arrays, _core
 from ._errors import InvalidSurfaceError
@@ -80,7 +81,7 @@ def read_mesh(file_name: Union[str, "os.PathLike[str]"]) -> Tuple[numpy.ndarray,
     return V, [corners[begin:end].tolist() for begin, end in zip(first[:-1], first[1:])]
 
 
-def orient(V: Any, F: Any) -> Tuple[numpy.ndarray, List[Repair]]:
+def orient(V: ArrayLike, F: ArrayLike) -> Tuple[numpy.ndarray, List[Repair]]:
     """The triangles, turned so that any two that share an edge agree.
 
     The first triangle of all that edges join stays as it is. At an edge with more than two triangles, directions alternate, as they do
@@ -145,7 +146,7 @@ def _check_orientation(faces: numpy.ndarray) -> None:
             "agree; repair(V, F) cuts it open", "INCONSISTENT_ORIENTATION", face, int(is_bad.sum()))
 
 
-def repair(V: Any, F: Any) -> RepairedMesh:
+def repair(V: ArrayLike, F: ArrayLike) -> RepairedMesh:
     """An oriented surface of triangles, made of any polygons as far as their connectivity is at fault.
 
     Polygons become triangles, seams are closed, faces oriented, duplicate faces and unused vertices removed. At an edge with more than two

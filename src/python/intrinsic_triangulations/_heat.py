@@ -11,6 +11,7 @@ import math
 from typing import Any
 
 import numpy
+from numpy.typing import ArrayLike
 
 from . import _arrays, _core
 from ._rebuilt import Rebuilt
@@ -51,7 +52,7 @@ class MeshHeatMethodDistanceSolver(Rebuilt):
         If a matrix cannot be factorized.
     """
 
-    def __init__(self, V: Any, F: Any, t_coef: float = 1.0, use_robust: bool = True, *, boundary: str = "neumann",
+    def __init__(self, V: ArrayLike, F: ArrayLike, t_coef: float = 1.0, use_robust: bool = True, *, boundary: str = "neumann",
                  keeps_ridges: bool = True) -> None:
         points, faces = _arrays.points_and_faces(V, F)
         options = _options(t_coef, boundary, keeps_ridges)
@@ -102,7 +103,7 @@ class MeshHeatMethodDistanceSolver(Rebuilt):
         source = _arrays.vertex(v_ind, "v_ind", self._number_of_vertices)
         return self._heat.distances(numpy.array([source], dtype=numpy.uint32))
 
-    def compute_distance_multisource(self, v_inds: Any) -> numpy.ndarray:
+    def compute_distance_multisource(self, v_inds: ArrayLike) -> numpy.ndarray:
         """The distance of each vertex from the nearest of several.
 
         Parameters
@@ -117,7 +118,7 @@ class MeshHeatMethodDistanceSolver(Rebuilt):
         """
         return self._heat.distances(_arrays.indices(v_inds, "v_inds", (None,), self._number_of_vertices))
 
-    def extend_scalar(self, v_inds: Any, values: Any) -> numpy.ndarray:
+    def extend_scalar(self, v_inds: ArrayLike, values: ArrayLike) -> numpy.ndarray:
         """A function with given values at some vertices, and elsewhere about the value at the nearest of them.
 
         Parameters
@@ -136,7 +137,7 @@ class MeshHeatMethodDistanceSolver(Rebuilt):
         return self._heat.extend(vertices, _arrays.finite(values, "values", (len(vertices),)), 0.0)
 
 
-def geodesic_distances(V: Any, F: Any, v_inds: Any, tolerance: float = 0.001) -> numpy.ndarray:
+def geodesic_distances(V: ArrayLike, F: ArrayLike, v_inds: ArrayLike, tolerance: float = 0.001) -> numpy.ndarray:
     """The length of the shortest path on the surface from the nearest of several vertices to each vertex.
 
     On any triangles, by straight ways over the intrinsic Delaunay triangulation. No distance is above the shortest path along edges or
@@ -169,12 +170,12 @@ def geodesic_distances(V: Any, F: Any, v_inds: Any, tolerance: float = 0.001) ->
     return _core.geodesic_distances(points, faces, sources, float(tolerance))
 
 
-def compute_distance(V: Any, F: Any, v_ind: int) -> numpy.ndarray:
+def compute_distance(V: ArrayLike, F: ArrayLike, v_ind: int) -> numpy.ndarray:
     """As `MeshHeatMethodDistanceSolver.compute_distance`, in one call."""
     return MeshHeatMethodDistanceSolver(V, F).compute_distance(v_ind)
 
 
-def compute_distance_multisource(V: Any, F: Any, v_inds: Any) -> numpy.ndarray:
+def compute_distance_multisource(V: ArrayLike, F: ArrayLike, v_inds: ArrayLike) -> numpy.ndarray:
     """As `MeshHeatMethodDistanceSolver.compute_distance_multisource`, in one call."""
     return MeshHeatMethodDistanceSolver(V, F).compute_distance_multisource(v_inds)
 

@@ -11,13 +11,14 @@ from typing import Any
 
 import numpy
 import scipy.sparse
+from numpy.typing import ArrayLike
 
 from . import _arrays
 from ._errors import InvalidSurfaceError
 from ._laplacian import _nonnegative
 
 
-def cotan_laplacian(V: Any, F: Any, denom_eps: float = 0.0) -> scipy.sparse.csr_matrix:
+def cotan_laplacian(V: ArrayLike, F: ArrayLike, denom_eps: float = 0.0) -> scipy.sparse.csr_matrix:
     """As `potpourri3d.cotan_laplacian`: the cotangent Laplacian of the triangles as they are given, without any flip.
 
     For programs that are to run unchanged: unlike that of `laplacian`, it has positive entries off the diagonal wherever the mesh is not
@@ -68,7 +69,7 @@ def cotan_laplacian(V: Any, F: Any, denom_eps: float = 0.0) -> scipy.sparse.csr_
     return (scipy.sparse.diags(numpy.asarray(weights.sum(axis=1)).ravel()) - weights).tocsr()
 
 
-def face_areas(V: Any, F: Any) -> numpy.ndarray:
+def face_areas(V: ArrayLike, F: ArrayLike) -> numpy.ndarray:
     """The areas of the triangles.
 
     Parameters
@@ -92,7 +93,7 @@ def face_areas(V: Any, F: Any) -> numpy.ndarray:
     return _double_areas(*_arrays.finite_points_and_faces(V, F)) / 2
 
 
-def vertex_areas(V: Any, F: Any) -> numpy.ndarray:
+def vertex_areas(V: ArrayLike, F: ArrayLike) -> numpy.ndarray:
     """A third of the area of the triangles around each vertex.
 
     Parameters

@@ -12,6 +12,7 @@ from typing import Any, Optional, Tuple
 
 import numpy
 import scipy.sparse
+from numpy.typing import ArrayLike
 
 from . import _arrays
 
@@ -125,7 +126,7 @@ class CommonSubdivision:
         """(v, n') matrix: from values at the vertices of the triangulation to values at all vertices."""
         return _arrays.sparse(self._subdivision.intrinsic_matrix())
 
-    def from_input(self, values: Any) -> numpy.ndarray:
+    def from_input(self, values: ArrayLike) -> numpy.ndarray:
         """The function that is linear on the faces of the input, at all vertices.
 
         Parameters
@@ -139,7 +140,7 @@ class CommonSubdivision:
         """
         return self.input_matrix @ _values(values, self.input_matrix.shape[1])
 
-    def from_intrinsic(self, values: Any) -> numpy.ndarray:
+    def from_intrinsic(self, values: ArrayLike) -> numpy.ndarray:
         """The function that is linear on the faces of the triangulation, at all vertices.
 
         Parameters
@@ -153,7 +154,7 @@ class CommonSubdivision:
         """
         return self.intrinsic_matrix @ _values(values, self.intrinsic_matrix.shape[1])
 
-    def from_input_corners(self, values: Any) -> numpy.ndarray:
+    def from_input_corners(self, values: ArrayLike) -> numpy.ndarray:
         """Values at the corners of the faces of the input, such as texture coordinates with seams.
 
         Parameters
@@ -206,7 +207,7 @@ class CommonSubdivision:
         first = self.offsets[polygons]
         return numpy.stack([first, first + number_in_polygon + 1, first + number_in_polygon + 2], axis=1), polygons
 
-    def to_intrinsic(self, faces: Any, coordinates: Any) -> Tuple[numpy.ndarray, numpy.ndarray]:
+    def to_intrinsic(self, faces: ArrayLike, coordinates: ArrayLike) -> Tuple[numpy.ndarray, numpy.ndarray]:
         """Points of the input as points of the triangulation.
 
         Parameters
@@ -232,7 +233,7 @@ class CommonSubdivision:
         """
         return self._subdivision.to_intrinsic(*_surface_points(faces, coordinates))
 
-    def to_input(self, faces: Any, coordinates: Any) -> Tuple[numpy.ndarray, numpy.ndarray]:
+    def to_input(self, faces: ArrayLike, coordinates: ArrayLike) -> Tuple[numpy.ndarray, numpy.ndarray]:
         """Points of the triangulation as points of the input; otherwise as `to_intrinsic`."""
         return self._subdivision.to_input(*_surface_points(faces, coordinates))
 
@@ -253,12 +254,12 @@ class CommonSubdivision:
         return _arrays.sparse(one), _arrays.sparse(two), _arrays.sparse(mixed)
 
 
-def _surface_points(faces: Any, coordinates: Any) -> Tuple[numpy.ndarray, numpy.ndarray]:
+def _surface_points(faces: ArrayLike, coordinates: ArrayLike) -> Tuple[numpy.ndarray, numpy.ndarray]:
     of_faces = _arrays.indices(faces, "faces", (None,), None, "face")
     return of_faces, _arrays.doubles(coordinates, "coordinates", (len(of_faces), 3))
 
 
-def _values(values: Any, number: int) -> numpy.ndarray:
+def _values(values: ArrayLike, number: int) -> numpy.ndarray:
     array = _arrays.as_array(values, "values", "iuf", "real numbers")
     if array.ndim not in (1, 2) or array.shape[0] != number:
         raise ValueError(f"values should have shape ({number},) or ({number}, k), but has {array.shape}")

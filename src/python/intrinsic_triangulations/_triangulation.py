@@ -10,10 +10,11 @@ from __future__ import annotations
 import copy
 import math
 import os
-from typing import Any, List, NamedTuple, Optional, Tuple
+from typing import Any, List, NamedTuple, Optional, Tuple, Union
 
 import numpy
 import scipy.sparse
+from numpy.typing import ArrayLike
 
 from . import _arrays, _core
 from ._subdivision import CommonSubdivision
@@ -93,7 +94,7 @@ class Triangulation:
     ([3, 2], 2.0)
     """
 
-    def __init__(self, V: Any, F: Any) -> None:
+    def __init__(self, V: ArrayLike, F: ArrayLike) -> None:
         points, faces = _arrays.points_and_faces(V, F)
         # Kept for positions: a copy, which nobody can change.
         self._points: Optional[numpy.ndarray] = numpy.array(points)
@@ -101,7 +102,7 @@ class Triangulation:
         self._surface = _core.Surface.from_points(points, faces)
 
     @classmethod
-    def from_lengths(cls, F: Any, lengths: Any) -> "Triangulation":
+    def from_lengths(cls, F: ArrayLike, lengths: ArrayLike) -> "Triangulation":
         """A surface given by triangles and the lengths of their sides.
 
         Parameters
@@ -126,7 +127,7 @@ class Triangulation:
         return cls._of(_core.Surface.from_lengths(faces, sides, number))
 
     @classmethod
-    def from_gluing(cls, glued_sides: Any, lengths: Any) -> "Triangulation":
+    def from_gluing(cls, glued_sides: ArrayLike, lengths: ArrayLike) -> "Triangulation":
         """A surface of triangles that are glued in any way, even a triangle to itself.
 
         Parameters
@@ -186,7 +187,7 @@ class Triangulation:
         if self._points is not None:
             self._points.flags.writeable = False
 
-    def save(self, path: Any) -> None:
+    def save(self, path: Union[str, os.PathLike]) -> None:
         """Write the triangulation, with its input and where that lies, to a file from which `load` makes the same triangulation.
 
         `pickle` keeps a triangulation in the same bytes. The file is a binary PLY file of the input with further elements.
@@ -217,7 +218,7 @@ class Triangulation:
         self._surface.save(os.fspath(path))
 
     @classmethod
-    def load(cls, path: Any) -> "Triangulation":
+    def load(cls, path: Union[str, os.PathLike]) -> "Triangulation":
         """Read a triangulation that `save` or the command has written.
 
         Everything in the file is checked, exactly: what is returned is a triangulation of the input in the file, whatever that holds.
@@ -297,7 +298,7 @@ class Triangulation:
         """(m, 3) array: the angle at each corner of each face, in radians, as in `faces`."""
         return self._surface.corner_angles()
 
-    def flip_to_delaunay(self, max_flips: Optional[int] = None, constrained: Any = None) -> FlipReport:
+    def flip_to_delaunay(self, max_flips: Optional[int] = None, constrained: Optional[ArrayLike] = None) -> FlipReport:
         """Flip edges until the triangulation is Delaunay.
 
         Parameters
@@ -314,7 +315,7 @@ class Triangulation:
         maximum = 2**64 - 1 if max_flips is None else _arrays.integer(max_flips, "max_flips")
         return FlipReport(*self._surface.flip_to_delaunay(self._constrained(constrained), maximum))
 
-    def verify(self, constrained: Any = None) -> VerificationReport:
+    def verify(self, constrained: Optional[ArrayLike] = None) -> VerificationReport:
         """Decide of every edge, exactly and from the input alone, whether it is Delaunay.
 
         Parameters
@@ -329,7 +330,7 @@ class Triangulation:
         return VerificationReport(*self._surface.verify(self._constrained(constrained)))
 
     def refine(self, minimum_angle: float = 25, maximum_circumradius: float = math.inf, maximum_edge_length: float = math.inf,
-               constrained: Any = None, max_insertions: Optional[int] = None, minimum_size: float = 0) -> RefinementReport:
+               constrained: Optional[ArrayLike] = None, max_insertions: Optional[int] = None, minimum_size: float = 0) -> RefinementReport:
         """Flip edges, and insert vertices until no face is too thin or too large. The surface does not change.
 
         Parameters
@@ -400,7 +401,7 @@ class Triangulation:
         return self._surface.sharp_edges(self._points, _arrays.number(degrees, "degrees"),
                                          _arrays.number(minimum_size, "minimum_size")).astype(bool)
 
-    def edges_between(self, pairs: Any) -> numpy.ndarray:
+    def edges_between(self, pairs: ArrayLike) -> numpy.ndarray:
         """Which edges join two vertices of a list, to be constrained in `refine`.
 
         Parameters

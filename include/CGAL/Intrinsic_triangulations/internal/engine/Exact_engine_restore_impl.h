@@ -60,34 +60,44 @@ void Exact_engine::restore(Saved_triangulation& saved, const Block_runner& run,
     for (const Surface_point& location : correspondence_.locations())
       memory.inserted_positions.push_back(positions().rounded(location));
   check();
-  const auto for_each = [&run](std::size_t n, const auto& f) {
-    run(n, elements_of_block, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i)
-        f(std::uint32_t(i));
-    });
-  };
-  for_each(connectivity_.number_of_edges(), [&](std::uint32_t e) { check_line(Edge_index(e)); });
-  if (!correspondence_.locations().empty())
-    for_each(connectivity_.number_of_faces(), [&](std::uint32_t f) {
-      if (has_inserted_vertex(Face_index(f)) && sign_of_area(Face_index(f)) == NEGATIVE)
-        throw_not_a_triangulation("face", f, "is inverted");
-    });
-
-  if (number_of_points != 0) {
-    std::vector<Face_index> planes(connectivity_.number_of_faces());
-    for (Face_index f : connectivity_.faces())
-      if (saved.is_straight[f.idx()])
-        planes[f.idx()] = plane(f);
-    memory.straight_faces = Straight_faces(number_of_input_faces, number_of_points, planes);
-  }
-  run(connectivity_.number_of_faces(), elements_of_block, [&](std::size_t first, std::size_t last) {
-    const Surface_lease surface = input_surface();
-    for (std::size_t i = first; i < last; ++i) {
-      const Face_index f(static_cast<std::uint32_t>(i));
-      if (!is_known(f) && !are_sound(f, saved, *surface))
-        throw_not_a_triangulation("face", i,
-                                  "has an area or sides that differ from the true ones by more than its bound");
+  // In portions, so that what is kept of crossings takes no more memory than what was read.
+  const auto for_each = [&](std::size_t n, const auto& number_of_crossings, const auto& f) {
+    constexpr std::int64_t most_kept = std::int64_t(1) << 22;
+    for (std::size_t begin = 0, end = 0; begin < n; begin = end) {
+      for (std::int64_t sum = 0; end < n && sum < most_kept; ++end)
+        sum += number_of_crossings(std::uint32_t(end));
+      run(end - begin, elements_of_block, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = begin + first; i < begin + last; ++i)
+          f(std::uint32_t(i));
+      });
+      correspondence_.forget_crossings();
     }
+  };
+  const Normal_coordinates& coordinates = correspondence_.coordinates();
+  const auto at_edge = [&](std::uint32_t e) { return coordinates.number_of_crossings(Edge_index(e)); };
+  const auto at_face = [&](std::uint32_t f) {
+    const Halfedge_index h = connectivity_.halfedge(Face_index(f));
+    std::int64_t sum = 0;
+    for (Halfedge_index side : {h, connectivity_.next(h), connectivity_.prev(h)})
+      sum += coordinates.number_of_crossings(connectivity_.edge(side));
+    return sum;
+  };
+  for_each(connectivity_.number_of_edges(), at_edge, [&](std::uint32_t e) { check_line(Edge_index(e)); });
+  const bool has_inserted = !correspondence_.locations().empty();
+  std::vector<Face_index> planes(connectivity_.number_of_faces());
+  for_each(connectivity_.number_of_faces(), at_face, [&](std::uint32_t i) {
+    const Face_index f(i);
+    if (has_inserted && has_inserted_vertex(f) && sign_of_area(f) == NEGATIVE)
+      throw_not_a_triangulation("face", i, "is inverted");
+    if (number_of_points != 0 && saved.is_straight[i])
+      planes[i] = plane(f);
+  });
+  memory.straight_faces = Straight_faces(number_of_input_faces, number_of_points, planes);
+  for_each(connectivity_.number_of_faces(), at_face, [&](std::uint32_t i) {
+    const Face_index f(i);
+    if (!is_known(f) && !are_sound(f, saved, *input_surface()))
+      throw_not_a_triangulation("face", i,
+                                "has an area or sides that differ from the true ones by more than its bound");
   });
 }
 

@@ -150,6 +150,7 @@ public:
   bool is_inserted(Vertex_index v) const { return v.idx() >= input_.number_of_vertices(); }
   // The number of inserted vertices.
   std::size_t number_of_inserted_vertices() const { return locations_.size(); }
+  void forget_crossings() { crossings_.clear(); }
   // What edges cross, as far as it was found before.
   const Kept_crossings& kept_crossings() const { return crossings_; }
   // Those of all inserted vertices.
