@@ -62,7 +62,7 @@ private:
   std::vector<IT::Halfedge_index> input_sides_;
 };
 
-py::tuple state(const Subdivision& s)
+py::tuple state_of_subdivision(const Subdivision& s)
 {
   std::string file = without_lock([&] {
     std::ostringstream os;
@@ -72,7 +72,7 @@ py::tuple state(const Subdivision& s)
   return py::make_tuple(py::bytes(file), sides_to_array(s.input_sides()));
 }
 
-std::unique_ptr<Subdivision> from_state(const py::tuple& state)
+std::unique_ptr<Subdivision> subdivision_of_state(const py::tuple& state)
 {
   require(state.size() == 2, "this is no state of a subdivision");
   const std::string file = state[0].cast<std::string>();
@@ -222,7 +222,7 @@ void add_subdivision(py::module_& module)
 {
   module.def("subdivision", &subdivision_of);
   py::class_<Subdivision>(module, "Subdivision")
-    .def(py::pickle(&state, &from_state))
+    .def(py::pickle(&state_of_subdivision, &subdivision_of_state))
     .def("number_of_input_vertices", [](const Subdivision& s) { return s.overlay().number_of_input_vertices(); })
     .def("number_of_original_vertices", [](const Subdivision& s) { return s.overlay().number_of_original_vertices(); })
     .def("number_of_vertices", [](const Subdivision& s) { return s.overlay().number_of_vertices(); })

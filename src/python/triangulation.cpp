@@ -99,7 +99,7 @@ std::unique_ptr<Surface> from_gluing(const Indices& first, const Indices& second
 
 const auto goes_on = CGAL::parameters::visitor([] { return Signal_watch::goes_on(); });
 
-py::tuple state(Surface& surface)
+py::tuple state_of_surface(Surface& surface)
 {
   std::string file = surface.use([](const Triangulation& t) {
     std::ostringstream os;
@@ -109,7 +109,7 @@ py::tuple state(Surface& surface)
   return py::make_tuple(py::bytes(file), sides_to_array(surface.input_sides()));
 }
 
-std::unique_ptr<Surface> from_state(const py::tuple& state)
+std::unique_ptr<Surface> surface_of_state(const py::tuple& state)
 {
   require(state.size() == 2, "this is no state of a surface");
   const std::string file = state[0].cast<std::string>();
@@ -410,7 +410,7 @@ void add_triangulation(py::module_& module)
     .def_static("load", &load, py::arg("path"))
     .def("save", &save, py::arg("path"))
     .def("input_points", &input_points)
-    .def(py::pickle(&state, &from_state))
+    .def(py::pickle(&state_of_surface, &surface_of_state))
     .def("copy",
          [](const Surface& surface) { return without_lock([&] { return std::make_unique<Surface>(surface); }); })
     .def("number_of_vertices", count(&IT::Delta_complex::number_of_vertices))
