@@ -36,7 +36,8 @@ CLI::Option* add_repair_option(CLI::App& command, bool& is_repaired);
 
 // Writes a message to the standard error and says which status it stands for; to be
 // called in a handler.
-// \param input what was worked on; messages that do not begin with it are about it all the same, as the library knows no files
+// \param input what was worked on; messages that do not begin with it are about it all the same, as the library knows
+//   no files
 Exit_status report_current_exception(const std::string& input = std::string());
 
 // Does the same for each input until the command is interrupted. An input that fails

@@ -222,7 +222,8 @@ void find_distances(const Distance_options& options, const Any_surface& surface,
   result.surface.distances.resize(n); // without the vertices that a refinement inserted
 }
 
-// The first axis of the tangent plane of each source, carried to the vertices that are nearest to it; and for one source the logarithmic map.
+// The first axis of the tangent plane of each source, carried to the vertices that are nearest to it; and for one
+// source the logarithmic map.
 void find_vectors(const Distance_options& options, const Triangulation& triangulation,
                   const std::vector<std::array<double, 3>>& points, Distance_result& result)
 {

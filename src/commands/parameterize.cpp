@@ -174,7 +174,8 @@ Json json_value(const Parameterize_options& options, const Result& result)
   return json;
 }
 
-// The options to try if these fail; empty if there are none. Followed again and again, this ends with the map that has the least demands.
+// The options to try if these fail; empty if there are none. Followed again and again, this ends with the map that has
+// the least demands.
 std::string alternative(const Parameterize_options& options)
 {
   if (options.method == "circle-pattern")
