@@ -82,7 +82,7 @@ def bad_index(name: str, row: int, of_what: str, bad: int, array: numpy.ndarray,
     """what is said of an array of indices with a bad one in a row."""
     message = f"{name}[{row}] names {of_what} {bad}, but "
     message += "indices are not negative" if bad < 0 else f"there are only {number}, counted from 0"
-    if array.size > 1 and array.min() == 1 and array.max() == number:
+    if name == "F" and array.min() == 1 and array.max() == number:
         message += "; the indices seem to count from 1: subtract 1 from each"
     return message
 

@@ -139,7 +139,7 @@ private:
     const std::size_t colors = take_colors("vertex", v);
     if (v == 0)
       colors_ = colors;
-    else if (colors != colors_ && !(has_colors_ && (std::min)(colors, colors_) > 2)) // RGB or RGBA
+    else if (colors != colors_ && !(has_colors_ && (colors == 0 || colors > 2))) // some may have none, RGB or RGBA
       refuse("vertex", v,
              ": there " + are_counted(numbers_per_vertex_ + colors, "number", "numbers") +
                " where the vertices before have " + std::to_string(numbers_per_vertex_ + colors_) + "; " + announced());
