@@ -4,6 +4,7 @@
 #include "commands/Result_files.h"
 
 #include "commands/command_line.h"
+#include "commands/commands.h"
 #include "input/flat_vertices.h"
 #include "input/repair.h"
 #include "output/Output_file.h"
@@ -17,6 +18,7 @@
 #include <nlohmann/json.hpp>
 
 #include <optional>
+#include <utility>
 
 namespace idt {
 
@@ -57,6 +59,7 @@ void Result_files::add_options(CLI::App& command, CLI::Option* repair)
     ->type_name("EXT")
     ->capture_default_str()
     ->needs(overlay_option);
+  add_view_option(command, view);
   command
     .add_option("--repair-map", repair_map,
                 "write where the vertices and faces of the repaired surface come from, as CSV: "
@@ -81,21 +84,23 @@ void Result_files::check_paths(const std::vector<std::string>& inputs) const
 void Result_files::check_surface(const Surface& surface) const
 {
   using CGAL::Intrinsic_triangulations::Invalid_surface_error;
-  if (!overlay.empty() && !surface.has_points())
+  check_view(view, surface.connectivity.number_of_faces());
+  if (!(overlay.empty() && view.empty()) && !surface.has_points())
     throw Invalid_surface_error(Invalid_surface_error::Defect::UNREADABLE, 0, 1,
-                                surface.path +
-                                  ": --overlay needs a surface in space, and this one has edge lengths alone" +
+                                surface.path + (overlay.empty() ? ": a page" : ": --overlay") +
+                                  " needs a surface in space, and this one has edge lengths alone" +
                                   (surface.mollification ? ", since --mollify has changed them" : ""));
 }
 
 void Result_files::add_to(Requested_results& wanted) const
 {
-  wanted.lengths = !edges.empty();
-  wanted.numbers = !edges.empty() || !Laplacian.empty() || !mass.empty();
-  wanted.overlay = !crossings.empty() || !overlay.empty();
+  wanted.lengths = !edges.empty() || !view.empty();
+  wanted.numbers = !edges.empty() || !Laplacian.empty() || !mass.empty() || !view.empty();
+  wanted.input_numbers = !view.empty();
+  wanted.overlay = !crossings.empty() || !overlay.empty() || !view.empty();
 }
 
-void Result_files::write(Triangulation_result& result) const
+void Result_files::write(Triangulation_result& result, std::vector<View_field> fields) const
 {
   const Progress progress(result.surface.path, "writing");
   const auto write_one = [&result](const char* option, const std::string& path, const auto& write) {
@@ -117,6 +122,16 @@ void Result_files::write(Triangulation_result& result) const
       write_overlay(os, *result.outcome.subdivision, result.surface.points, *format_of_overlay(),
                     has_overlay_triangles);
     });
+    if (!view.empty()) {
+      const Stopwatch stopwatch;
+      const Outcome& outcome = result.outcome;
+      View page = make_view(result.surface.path,
+                            result.options.refinement ? "refined triangulation" : "intrinsic Delaunay triangulation",
+                            *outcome.subdivision, result.surface.points, outcome.input_numbers, outcome.numbers);
+      page.fields = std::move(fields);
+      write_view(view, page);
+      result.file_seconds.emplace_back("view", stopwatch.seconds());
+    }
   }
   write_json(stats, statistics(result));
 }
