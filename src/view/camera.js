@@ -5,10 +5,12 @@
 
 "use strict";
 
+const half_angle = 15 * Math.PI / 180; // of the smaller of width and height
+
 class Orbit_camera {
   // \param on_change is called after each change
   constructor(element, radius, on_change) {
-    this.camera = new THREE.PerspectiveCamera(30, 1, 0.01, 100);
+    this.camera = new THREE.PerspectiveCamera();
     this.element = element;
     this.radius = radius; // of the surface, around the origin
     this.on_change = on_change;
@@ -30,7 +32,7 @@ class Orbit_camera {
 
   show_all() {
     this.center = new THREE.Vector3();
-    this.distance = 1.15 * this.radius / Math.sin(Math.PI * 15 / 180);
+    this.distance = 1.02 * this.radius / Math.sin(half_angle);
     this.update();
   }
 
@@ -47,7 +49,17 @@ class Orbit_camera {
 
   get is_dragged() { return this.pointers.size > 0; }
   // The size of a pixel at the point that is looked at.
-  get pixel() { return 2 * this.distance * Math.tan(Math.PI * 15 / 180) / this.element.clientHeight; }
+  get pixel() {
+    return 2 * this.distance * Math.tan(half_angle) / Math.min(this.element.clientWidth / this.views, this.element.clientHeight);
+  }
+
+  // \param aspect width by height
+  camera_for(aspect) {
+    this.camera.aspect = aspect;
+    this.camera.fov = 2 * Math.atan(Math.tan(half_angle) / Math.min(1, aspect)) * 180 / Math.PI;
+    this.camera.updateProjectionMatrix();
+    return this.camera;
+  }
 
   begin(event) {
     this.flight = null;
@@ -106,7 +118,7 @@ class Orbit_camera {
     const flight = this.flight = {
       begin: performance.now(), center: this.center.clone(), turn: this.turn.clone(), distance: this.distance,
     };
-    const distance = Math.max(2e-5 * this.radius, 3 * size / Math.sin(Math.PI * 15 / 180));
+    const distance = Math.max(2e-5 * this.radius, 2 * size / Math.sin(half_angle));
     const step = () => {
       if (this.flight !== flight)
         return;

@@ -68,7 +68,7 @@ function describe(element) {
 }
 
 function mark_element(picture, element) {
-  const triangles = [], segments = [];
+  const segments = [];
   if (element && element.edges)
     element.edges.forEach((e, t) => e >= 0 && segments.push(...segments_of(t, e)));
   if (element && element.faces) { // the outline of the last one, which is of the result
@@ -76,7 +76,7 @@ function mark_element(picture, element) {
     for (let s = 3 * element.faces[t]; s < 3 * element.faces[t] + 3; ++s)
       segments.push(...segments_of(t, triangulations[t].sides[s]));
   }
-  picture.mark(triangles, segments, element && element.vertex !== undefined ? [element.vertex] : []);
+  picture.mark(segments, element && element.vertex !== undefined ? [element.vertex] : []);
 }
 
 // The element that a text names, as element_at() does: "v 12", "e 5", "f 3", the latter two of the input with "input" in front.
@@ -111,10 +111,14 @@ function fly_to(picture, element) {
   const box = new THREE.Box3(), normal = new THREE.Vector3(), normals = picture.surface.geometry.getAttribute("direction").array;
   for (const triangle of triangles)
     normal.add(new THREE.Vector3().fromArray(normals, 9 * triangle));
-  const ends = element.edges ? segments_of(t, numbers[t]).flatMap(s => [s, next(s)]) : triangles.flatMap(i => [3 * i, 3 * i + 1, 3 * i + 2]);
-  for (const c of ends)
-    box.expandByPoint(place(surface.corners[c]));
-  const center = element.vertex !== undefined ? place(element.vertex) : box.getCenter(new THREE.Vector3());
+  // The largest part is in the middle of the picture: its ends, or its corners.
+  const parts = element.edges ? segments_of(t, numbers[t]).map(s => [s, next(s)]) : triangles.map(i => [3 * i, 3 * i + 1, 3 * i + 2]);
+  const places = parts.map(part => part.map(c => place(surface.corners[c])));
+  places.flat().forEach(p => box.expandByPoint(p));
+  const size_of = ([p, q, r]) => (r ? q.clone().sub(p).cross(r.clone().sub(p)).length() : p.distanceTo(q));
+  const largest = places.reduce((best, part) => (size_of(part) > size_of(best) ? part : best));
+  const center = element.vertex !== undefined ? place(element.vertex)
+    : largest.reduce((sum, p) => sum.add(p), new THREE.Vector3()).divideScalar(largest.length);
   const size = Math.max(box.getSize(new THREE.Vector3()).length(), 1e-4 * page.radius);
   picture.control.fly(center, normal.length() > 0 ? normal.normalize() : new THREE.Vector3(0, 0, 1), size);
 }

@@ -28,16 +28,15 @@ function make_line(segments, colour, width) {
       corner.set([side, end], 12 * i + 2 * j);
     });
   });
-  const uniforms = { colour: { value: colour }, width: { value: width }, size: { value: null } };
-  return make_mesh({ position: [position, 3], other: [other, 3], corner: [corner, 2] },
-    make_material(line_vertex_shader, plain_fragment_shader, uniforms));
+  return make_mesh({ position: [position, 3], other: [other, 3], corner: [corner, 2] }, make_material(line_vertex_shader, plain_fragment_shader,
+    { colour: { value: colour }, width: { value: width }, size: { value: null } }));
 }
 
 function make_points(places, colour, width) {
   const position = new Float32Array(3 * places.length);
   places.forEach((p, i) => p.toArray(position, 3 * i));
-  return make_mesh({ position: [position, 3] },
-    make_material(point_vertex_shader, point_fragment_shader, { colour: { value: colour }, width: { value: width } }), THREE.Points);
+  return make_mesh({ position: [position, 3] }, make_material(point_vertex_shader, point_fragment_shader,
+    { colour: { value: colour }, width: { value: width }, size: { value: null } }), THREE.Points);
 }
 
 // Per corner of each triangle: nothing is shared, so that a triangle can have colours of its own.
@@ -111,7 +110,7 @@ class Picture {
     for (let i = 3; i < path.length; i += 3)
       segments.push([new THREE.Vector3().fromArray(path, i - 3), new THREE.Vector3().fromArray(path, i)]);
     if (segments.length > 0)
-      this.scene.add(this.path = make_line(segments, path_colour, 4));
+      this.scene.add(this.path = make_line(segments, path_colour, 5));
     this.control = new Orbit_camera(canvas, page.radius, () => this.request());
     new ResizeObserver(() => this.request()).observe(canvas);
   }
@@ -131,10 +130,7 @@ class Picture {
 
   set_camera(view) {
     this.control.views = this.is_split ? 2 : 1;
-    const camera = this.control.camera;
-    camera.aspect = view.w / view.h;
-    camera.updateProjectionMatrix();
-    return camera;
+    return this.control.camera_for(view.w / view.h);
   }
 
   draw() {
@@ -212,22 +208,16 @@ class Picture {
     this.request();
   }
 
-  // Marks elements of the surface: triangles, segments as sides of triangles, and vertices.
-  mark(triangles, segments, vertices) {
+  // Marks segments, given as sides of triangles, and vertices.
+  mark(segments, vertices) {
     for (const mark of [...this.marks.children]) {
       mark.geometry.dispose();
       mark.material.dispose();
       this.marks.remove(mark);
     }
     const end = s => place(surface.corners[s]);
-    if (triangles.length > 0) {
-      const position = new Float32Array(9 * triangles.length);
-      triangles.forEach((t, i) => [0, 1, 2].forEach(j => end(3 * t + j).toArray(position, 9 * i + 3 * j)));
-      const material = make_material(point_vertex_shader, plain_fragment_shader, { colour: { value: highlight_colour }, width: { value: 1 } });
-      this.marks.add(make_mesh({ position: [position, 3] }, material));
-    }
     if (segments.length > 0)
-      this.marks.add(make_line(segments.map(s => [end(s), end(next(s))]), highlight_colour, 5));
+      this.marks.add(make_line(segments.map(s => [end(s), end(next(s))]), highlight_colour, 7));
     if (vertices.length > 0)
       this.marks.add(make_points(vertices.map(place), highlight_colour, 12));
     this.request();

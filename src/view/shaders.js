@@ -58,7 +58,7 @@ void main() {
   if (mode > 1.5 && isoline_step > 0.0 && shade >= -1.0) {
     float x = (shade - isoline_offset) / isoline_step, slope = max(fwidth(x), 1e-9);
     float away_from_line = abs(fract(x + 0.5) - 0.5) / slope;
-    colour = mix(colour, 0.25 * colour, clamp(half_width + 0.7 - away_from_line, 0.0, 1.0) * clamp(0.5 / slope - 1.0, 0.0, 1.0));
+    colour = mix(colour, 0.4 * colour, clamp(half_width + 0.7 - away_from_line, 0.0, 1.0) * clamp(0.5 / slope - 1.0, 0.0, 1.0));
   }
   vec3 slopes = max(fwidth(corner), vec3(1e-9)), distance_to_side = corner / slopes;
   float size = 1.0 / min(slopes.x, min(slopes.y, slopes.z)); // of the triangle, in pixels
@@ -83,27 +83,32 @@ void main() {
 }`;
 const number_fragment_shader = "flat varying vec4 number; void main() { gl_FragColor = number; }";
 
-// A line of a width in pixels: each segment is a rectangle, a little in front of the surface.
-const line_vertex_shader = `
+// Where something of a width in pixels is drawn: as much nearer to the eye, so that the surface does not hide it.
+const front = `
+uniform vec2 size;            // half of that of the picture in pixels
+uniform float width;
+vec4 in_front(vec3 place) {
+  vec4 seen = modelViewMatrix * vec4(place, 1.0);
+  seen.xyz *= 1.0 - 1.5 * width / (projectionMatrix[1][1] * size.y);
+  return projectionMatrix * seen;
+}`;
+
+// A line: each segment is a rectangle.
+const line_vertex_shader = front + `
 attribute vec3 other;
 attribute vec2 corner;        // which side of the segment, and which end
-uniform vec2 size;            // of the picture in pixels
-uniform float width;
 void main() {
-  vec4 a = projectionMatrix * modelViewMatrix * vec4(position, 1.0), b = projectionMatrix * modelViewMatrix * vec4(other, 1.0);
+  vec4 a = in_front(position), b = in_front(other);
   vec2 along = (b.xy / b.w - a.xy / a.w) * size * corner.y;
   along = length(along) > 1e-6 ? normalize(along) : vec2(1.0, 0.0);
-  a.xy += (vec2(-along.y, along.x) * corner.x - along * corner.y * 0.5) * width / size * a.w;
-  a.z -= 0.0008 * a.w;
+  a.xy += (vec2(-along.y, along.x) * corner.x - along * corner.y * 0.5) * width / 2.0 / size * a.w;
   gl_Position = a;
 }`;
 const plain_fragment_shader = "uniform vec3 colour; void main() { gl_FragColor = vec4(colour, 1.0); }";
 
-const point_vertex_shader = `
-uniform float width;
+const point_vertex_shader = front + `
 void main() {
-  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-  gl_Position.z -= 0.001 * gl_Position.w;
+  gl_Position = in_front(position);
   gl_PointSize = width;
 }`;
 const point_fragment_shader = `
