@@ -60,8 +60,9 @@ void check(const Triangulate_options& options)
   const std::vector<std::string> outputs = options.files.paths();
   if (options.inputs.size() > 1 &&
       std::any_of(outputs.begin(), outputs.end(), [](const std::string& s) { return !s.empty(); }))
-    throw Usage_error("--stats, --edges, --crossings, --overlay, --laplacian, --mass, --repair-map and --view take one input: "
-                      "several would go to the same file");
+    throw Usage_error(
+      "--stats, --edges, --crossings, --overlay, --laplacian, --mass, --repair-map and --view take one input: "
+      "several would go to the same file");
   options.files.check_paths(options.inputs);
 }
 

@@ -118,7 +118,7 @@ class Orbit_camera {
     const flight = this.flight = {
       begin: performance.now(), center: this.center.clone(), turn: this.turn.clone(), distance: this.distance,
     };
-    const distance = Math.max(2e-5 * this.radius, 2 * size / Math.sin(half_angle));
+    const distance = Math.max(2e-5 * this.radius, 1.1 * size / Math.sin(half_angle));
     const step = () => {
       if (this.flight !== flight)
         return;

@@ -38,10 +38,10 @@ function colour_faces(triangulation) {
   return colours;
 }
 
-// A step of one, two or five units of some decimal place, so that there are about 15 in the range.
+// A step of one, two or five units of some decimal place, so that there are 8 to 20 in the range.
 function nice_step(range) {
-  const unit = 10 ** Math.floor(Math.log10(range / 15));
-  return unit * [1, 2, 5, 10].find(x => x * unit >= range / 15 * 0.999);
+  const unit = 10 ** Math.floor(Math.log10(range / 20));
+  return unit * [1, 2, 5, 10].find(x => x * unit >= range / 20 * 0.999);
 }
 
 // The functions that can colour the surface: each has numbers for both triangulations, of the vertices of `surface` or of faces.

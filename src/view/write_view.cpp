@@ -89,7 +89,7 @@ void write_array(std::ostream& os, const std::string& name, const std::vector<Nu
   os << "</script>\n";
 }
 
-// The box of the points: its middle, half of its diagonal.
+// The box of the points: its middle, half of its longest side, and how far points are from the middle.
 struct Box
 {
   explicit Box(const std::vector<std::array<double, 3>>& points)
@@ -104,7 +104,11 @@ struct Box
     const double size = (std::max)({half[0], half[1], half[2]});
     if (size > 0)
       scale = size;
-    radius = std::hypot(half[0] / scale, half[1] / scale, half[2] / scale);
+    for (const auto& p : points)
+      radius = (std::max)(
+        radius, std::hypot((p[0] - center[0]) / scale, (p[1] - center[1]) / scale, (p[2] - center[2]) / scale));
+    if (radius == 0)
+      radius = 1;
   }
 
   // Coordinates from -1 to 1.
@@ -119,7 +123,7 @@ struct Box
   }
 
   std::array<double, 3> center{};
-  double scale = 1, radius = 1;
+  double scale = 1, radius = 0;
 };
 
 Json description(const View& view, const Box& box)
