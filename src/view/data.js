@@ -105,9 +105,9 @@ function triangles_of(t, f) {
   return triangles;
 }
 
-// The sides of triangles along an edge, once each.
-function segments_of(t, e) {
-  const side = triangulations[t].edge_sides[2 * e], f = Math.floor(side / 3), segments = [];
+// The sides of triangles along an edge, in the face on one side of it, 0 or 1.
+function segments_of(t, e, which = 0) {
+  const side = triangulations[t].edge_sides[2 * e + which], f = Math.floor(side / 3), segments = [];
   for (const triangle of triangles_of(t, f))
     for (let s = 3 * triangle; s < 3 * triangle + 3; ++s)
       if ((surface.sides[s] >> 2 * t & 3) === side % 3 + 1)

@@ -102,7 +102,7 @@ function fly_to(picture, element) {
   if (element.faces)
     triangles = triangles_of(t, numbers[t]);
   else if (element.edges)
-    triangles = segments_of(t, numbers[t]).map(s => Math.floor(s / 3));
+    triangles = [0, 1].flatMap(which => segments_of(t, numbers[t], which)).map(s => Math.floor(s / 3));
   else
     for (let c = surface.corners.indexOf(element.vertex); c >= 0; c = surface.corners.indexOf(element.vertex, c + 1))
       triangles.push(Math.floor(c / 3));
