@@ -50,19 +50,24 @@ function find_fields() {
     const numbers = field.of.map((_, t) => read_array("field-" + i + "-" + t, Float32Array));
     return { name: field.name, unit: field.unit, of_faces: field.of[0] === "faces", numbers: triangulations.map((_, t) => numbers[t] || numbers[0]) };
   });
-  fields.push({
-    name: "smallest angle of the face", unit: "degrees", of_faces: true,
-    numbers: triangulations.map(t => Float32Array.from({ length: t.number_of_faces }, (_, f) => t.smallest_angle(f))),
+  const angles = triangulations.map(t => {
+    const numbers = new Float32Array(t.number_of_faces);
+    for (let f = 0; f < numbers.length; ++f)
+      numbers[f] = t.smallest_angle(f);
+    return numbers;
   });
+  fields.push({ name: "smallest angle of the face", unit: "degrees", of_faces: true, numbers: angles });
   for (const field of fields) {
     field.lowest = Infinity;
     field.highest = -Infinity;
     for (const numbers of field.numbers)
-      for (const x of numbers)
-        if (isFinite(x)) {
-          field.lowest = Math.min(field.lowest, x);
-          field.highest = Math.max(field.highest, x);
-        }
+      for (let i = 0; i < numbers.length; ++i) {
+        const x = numbers[i];
+        if (x < field.lowest && x > -Infinity)
+          field.lowest = x;
+        if (x > field.highest && x < Infinity)
+          field.highest = x;
+      }
   }
   return fields.filter(field => field.lowest <= field.highest);
 }

@@ -49,12 +49,8 @@ class Triangulation {
   corners_of(f) { return [...this.corners.subarray(3 * f, 3 * f + 3)]; }
   // The cotangents are rounded: what is left of two that cancel is zero.
   weight(e) {
-    let sum = 0, size = 0;
-    for (const s of this.sides_of(e)) {
-      sum += this.cotangents[s];
-      size += Math.abs(this.cotangents[s]);
-    }
-    return Math.abs(sum) < 2e-7 * size ? 0 : sum;
+    const a = this.cotangents[this.edge_sides[2 * e]], b = this.counts[e] > 1 ? this.cotangents[this.edge_sides[2 * e + 1]] : 0;
+    return Math.abs(a + b) < 2e-7 * (Math.abs(a) + Math.abs(b)) ? 0 : a + b;
   }
   // In degrees; not a number in a face without area.
   opposite_angle(s) { return Math.atan2(1, this.cotangents[s]) * 180 / Math.PI; }
@@ -63,7 +59,10 @@ class Triangulation {
     const s = 3 * f, length = this.lengths[this.sides[s]];
     return length * length / (2 * (this.cotangents[s + 1] + this.cotangents[s + 2]));
   }
-  smallest_angle(f) { return Math.min(...[0, 1, 2].map(i => this.opposite_angle(3 * f + i))); }
+  smallest_angle(f) {
+    const c = this.cotangents;
+    return Math.atan2(1, Math.max(c[3 * f], c[3 * f + 1], c[3 * f + 2])) * 180 / Math.PI;
+  }
   // Sides that begin at v.
   sides_from(v) {
     const result = [];

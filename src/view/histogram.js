@@ -9,21 +9,23 @@
 function count_intervals(numbers, low, high, n) {
   const counts = new Array(n).fill(0);
   let total = 0;
-  for (const x of numbers)
+  for (let i = 0; i < numbers.length; ++i) {
+    const x = numbers[i];
     if (!Number.isNaN(x)) {
       ++counts[Math.min(n - 1, Math.max(0, Math.floor((x - low) / (high - low) * n)))];
       ++total;
     }
+  }
   return counts.map(count => count / Math.max(1, total));
 }
 
 // \param all numbers of each triangulation
 function draw_histogram(element, all, low, high, n, ticks) {
   const parts = all.map(numbers => count_intervals(numbers, low, high, n)), top = Math.max(...parts.flat());
-  const w = 288, h = 90, x = i => (i * w) / n, y = part => h * (1 - part / top) + 1;
-  const bars = parts[0].map((part, i) => `<rect class="before" x="${x(i)}" y="${y(part)}" width="${w / n - 0.5}" height="${h + 1 - y(part)}"/>`);
+  const w = 288, h = 102, above = 12, x = i => (i * w) / n, y = part => above + (h - above) * (1 - part / top);
+  const bars = parts[0].map((part, i) => `<rect class="before" x="${x(i)}" y="${y(part)}" width="${w / n - 0.5}" height="${h - y(part)}"/>`);
   const outline = parts.length < 2 ? "" :
-    `<path class="after" d="M0 ${h + 1}${parts[1].map((part, i) => `V${y(part).toFixed(1)}H${x(i + 1).toFixed(1)}`).join("")}V${h + 1}"/>`;
+    `<path class="after" d="M0 ${h}${parts[1].map((part, i) => `V${y(part).toFixed(1)}H${x(i + 1).toFixed(1)}`).join("")}V${h}"/>`;
   const texts = ticks.map(([value, text]) => {
     const at = (value - low) / (high - low) * w;
     return `<text x="${at}" y="${h + 13}" text-anchor="${at < 9 ? "start" : at > w - 9 ? "end" : "middle"}">${text}</text>`;
@@ -32,15 +34,16 @@ function draw_histogram(element, all, low, high, n, ticks) {
     bars.join("") + outline + texts.join("") + "</svg>";
 }
 
-function all_angles(t) { return Float32Array.from(t.cotangents, c => Math.atan2(1, c) * 180 / Math.PI); }
+function all_angles(t) { return t.cotangents.map(c => Math.atan2(1, c) * 180 / Math.PI); }
 
 // Border edges have one angle, and say nothing.
 function inner_weights(t) {
-  const weights = [];
+  const weights = new Float32Array(t.number_of_edges);
+  let n = 0;
   for (let e = 0; e < t.number_of_edges; ++e)
     if (t.counts[e] > 1)
-      weights.push(t.weight(e));
-  return weights;
+      weights[n++] = t.weight(e);
+  return weights.subarray(0, n);
 }
 
 function draw_histograms(angle_element, weight_element) {

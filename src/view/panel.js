@@ -29,7 +29,7 @@ function start_page() {
       ++numbers[label];
     }
   }
-  const kinds = triangulations.length < 2 ? ["", "edges"] : ["", "of the input alone", "of the triangulation alone", "of both"];
+  const kinds = triangulations.length < 2 ? ["", "edges"] : ["", "input alone", "triangulation alone", "both"];
   for (let label = 1; label <= 3; ++label) {
     const box = by_id("edges-" + label);
     box.parentElement.lastElementChild.textContent = " " + kinds[label] + ": " + numbers[label].toLocaleString("en");

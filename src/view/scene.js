@@ -46,17 +46,17 @@ function make_surface_arrays() {
   for (let c = 0; c < n; ++c)
     for (let i = 0; i < 3; ++i)
       position[3 * c + i] = places[3 * corners[c] + i];
-  const face_normals = make_face_normals(), colours = triangulations.map(colour_faces);
+  const face_normals = make_face_normals(), colours = triangulations.map(colour_faces), last = colours.length - 1;
   for (let t = 0; t < surface.number_of_triangles; ++t) {
-    const input = surface.faces[0][t], both = surface.faces.map((faces, k) => colours[k][faces[t]]);
+    const input = surface.faces[0][t], input_colour = colours[0][input], result_colour = colours[last][surface.faces[last][t]];
     // Side i is opposite to the corner before it.
     const labels = label_of_side(3 * t + 1) | label_of_side(3 * t + 2) << 2 | label_of_side(3 * t) << 4;
     for (let i = 0; i < 3; ++i) {
       const c = 3 * t + i;
       for (let k = 0; k < 3; ++k)
         direction[3 * c + k] = face_normals[3 * input + k];
-      info[4 * c] = both[0];
-      info[4 * c + 1] = both[both.length - 1];
+      info[4 * c] = input_colour;
+      info[4 * c + 1] = result_colour;
       info[4 * c + 2] = labels;
       info[4 * c + 3] = i;
     }
@@ -105,7 +105,7 @@ class Picture {
     for (let v = page.vertices[0]; v < result.number_of_vertices; ++v)
       inserted.push(place(v));
     if (inserted.length > 0)
-      this.scene.add(this.points = make_points(inserted, [1, 1, 1], 5));
+      this.scene.add(this.points = make_points(inserted, [1, 1, 1], 4));
     const path = read_array("path", Float32Array), segments = [];
     for (let i = 3; i < path.length; i += 3)
       segments.push([new THREE.Vector3().fromArray(path, i - 3), new THREE.Vector3().fromArray(path, i)]);
