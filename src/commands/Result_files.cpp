@@ -4,6 +4,7 @@
 #include "commands/Result_files.h"
 
 #include "commands/command_line.h"
+#include "commands/commands.h"
 #include "input/flat_vertices.h"
 #include "input/repair.h"
 #include "input/saved_triangulation.h"
@@ -18,6 +19,7 @@
 #include <nlohmann/json.hpp>
 
 #include <optional>
+#include <utility>
 
 namespace idt {
 
@@ -58,6 +60,7 @@ void Result_files::add_options(CLI::App& command, CLI::Option* repair)
     ->type_name("EXT")
     ->capture_default_str()
     ->needs(overlay_option);
+  add_view_option(command, view);
   command
     .add_option("--save", save,
                 "write the triangulation itself, with its input and where that lies: a file that each subcommand takes "
@@ -90,22 +93,24 @@ void Result_files::check_paths(const std::vector<std::string>& inputs) const
 void Result_files::check_surface(const Surface& surface) const
 {
   using CGAL::Intrinsic_triangulations::Invalid_surface_error;
-  if (!overlay.empty() && !surface.has_points())
+  check_view(view, surface.connectivity.number_of_faces());
+  if (!(overlay.empty() && view.empty()) && !surface.has_points())
     throw Invalid_surface_error(Invalid_surface_error::Defect::UNREADABLE, 0, 1,
-                                surface.path +
-                                  ": --overlay needs a surface in space, but this one has only edge lengths" +
+                                surface.path + (overlay.empty() ? ": a page" : ": --overlay") +
+                                  " needs a surface in space, but this one has only edge lengths" +
                                   (surface.mollification ? ", because --mollify changed them" : ""));
 }
 
 void Result_files::add_to(Requested_results& wanted) const
 {
-  wanted.lengths = !edges.empty();
-  wanted.numbers = !edges.empty() || !Laplacian.empty() || !mass.empty();
   wanted.saved = !save.empty();
-  wanted.overlay = !crossings.empty() || !overlay.empty();
+  wanted.lengths = !edges.empty() || !view.empty();
+  wanted.numbers = !edges.empty() || !Laplacian.empty() || !mass.empty() || !view.empty();
+  wanted.input_numbers = !view.empty();
+  wanted.overlay = !crossings.empty() || !overlay.empty() || !view.empty();
 }
 
-void Result_files::write(Triangulation_result& result) const
+void Result_files::write(Triangulation_result& result, std::vector<View_field> fields) const
 {
   const Progress progress(result.surface.path, "writing");
   const auto write_one = [&result](const char* option, const std::string& path, const auto& write) {
@@ -129,6 +134,16 @@ void Result_files::write(Triangulation_result& result) const
       write_overlay(os, *result.outcome.subdivision, result.surface.points, *format_of_overlay(),
                     has_overlay_triangles);
     });
+    if (!view.empty()) {
+      const Stopwatch stopwatch;
+      const Outcome& outcome = result.outcome;
+      View page = make_view(result.surface.path,
+                            result.options.refinement ? "refined triangulation" : "intrinsic Delaunay triangulation",
+                            *outcome.subdivision, result.surface.points, outcome.input_numbers, outcome.numbers);
+      page.fields = std::move(fields);
+      write_view(view, page);
+      result.file_seconds.emplace_back("view", stopwatch.seconds());
+    }
   }
   write_json(stats, statistics(result));
 }

@@ -31,6 +31,12 @@ CLI::Option* add_repair_option(CLI::App& command, bool& is_repaired)
     "faces or several fans meet, close seams, remove duplicate faces and unused vertices; everything is reported");
 }
 
+void add_view_option(CLI::App& command, std::string& path)
+{
+  command.add_option("--view", path, "write a page that shows the result in a browser, as `idt view` does")
+    ->type_name("F.html");
+}
+
 Exit_status report_current_exception(const std::string& input)
 {
   const std::string prefix = input.empty() ? std::string() : input + ": ";

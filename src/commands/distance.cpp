@@ -19,11 +19,13 @@
 #include "system/Progress.h"
 #include "system/Stopwatch.h"
 #include "system/text.h"
+#include "view/View.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Heat_method.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/Vector_heat_method.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
@@ -60,7 +62,7 @@ struct Distance_options
 {
   std::string input;
   std::vector<std::uint64_t> sources;
-  std::string output_path, overlay_path, stats_path;
+  std::string output_path, overlay_path, stats_path, view_path;
   std::string cover = "tufted", boundary, format = "csv", method;
   std::optional<double> time_coefficient;
   bool is_refined = false, is_repaired = false, has_vectors = false, is_compared = false;
@@ -82,7 +84,8 @@ struct Distance_result
   std::size_t number_of_bounded_distances = 0;
   bool is_complete = true;
   std::optional<std::array<double, 2>> errors;       // the mean and the largest one, as parts of the exact distance
-  std::optional<IT::Common_subdivision> subdivision; // for the overlay
+  std::optional<IT::Common_subdivision> subdivision; // for the overlay and the view
+  IT::Element_numbers input_numbers, numbers;        // for the view
   Named_values overlay_distances{"distance", {}};
   double read_seconds = 0, triangulation_seconds = 0, distance_seconds = 0;
   std::vector<std::string> warnings;
@@ -133,7 +136,8 @@ void check(const Distance_options& options)
   const std::string type = std::filesystem::path(name_with_format(path, options.format)).extension().string();
   if (!path.empty() && type != ".csv" && type != ".ply" && type != ".vtp")
     throw Usage_error(path + ": distances are written as a file whose name ends in .csv, .ply or .vtp");
-  check_output_paths({path, options.overlay_path, options.stats_path}, {options.input});
+  check_output_paths({path, options.overlay_path, options.stats_path, options.view_path}, {options.input});
+  check_view(options.view_path);
 }
 
 auto library_options(const Distance_options& options)
@@ -279,6 +283,7 @@ void find_on_cover(const Distance_options& options, Distance_result& result)
     find_on_cover(options, IT::make_tufted_cover(complex, lengths), progress, stopwatch, result);
   } else {
     Triangle_soup soup = read_triangle_soup(options.input);
+    check_view(options.view_path, soup.triangles.size());
     set_number_of_vertices(options, soup.points.size(), result);
     result.read_seconds = stopwatch.restart();
     Progress progress(options.input, "covering");
@@ -300,6 +305,12 @@ void find_on_surface(const Distance_options& options, Distance_result& result)
   result.read_seconds = stopwatch.restart();
   Progress progress(options.input, "triangulating");
   auto triangulation = first_triangulation<Triangulation::Traits>(surface);
+  const bool has_view = !options.view_path.empty();
+  if (has_view) {
+    check_view(options.view_path, complex.number_of_faces());
+    result.input_numbers =
+      IT::element_numbers(surface.saved ? make_triangulation<Triangulation::Traits>(surface) : triangulation);
+  }
   const IT::Flip_report report = IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(Flip_watch{progress}));
   result.flips = report.flips;
   if (options.is_refined) {
@@ -311,7 +322,9 @@ void find_on_surface(const Distance_options& options, Distance_result& result)
       triangulation.connectivity().number_of_vertices() - complex.number_of_vertices();
   }
   result.triangulation_seconds = stopwatch.restart();
-  if (!options.overlay_path.empty()) {
+  if (has_view)
+    result.numbers = IT::element_numbers(triangulation);
+  if (has_view || !options.overlay_path.empty()) {
     progress.begin("overlay");
     result.subdivision.emplace(triangulation);
   }
@@ -384,6 +397,21 @@ void write_report(std::ostream& os, const Distance_options& options, const Dista
   os << "\n  time              " << seconds_text(result.triangulation_seconds + result.distance_seconds) << '\n';
 }
 
+View view_of(const Distance_options& options, const Distance_result& result)
+{
+  const Surface_with_distances& surface = result.surface;
+  View view =
+    result.subdivision
+      ? make_view(options.input, options.is_refined ? "refined triangulation" : "intrinsic Delaunay triangulation",
+                  *result.subdivision, surface.points, result.input_numbers, result.numbers)
+      : make_view(options.input, surface.points, surface.triangles);
+  view.fields.push_back({"distance",
+                         "in the unit of the input",
+                         false,
+                         {result.subdivision ? result.overlay_distances.values : surface.distances}});
+  return view;
+}
+
 Exit_status run_distance(const Distance_options& options)
 {
   check(options);
@@ -409,8 +437,9 @@ Exit_status run_distance(const Distance_options& options)
     const std::string type = std::filesystem::path(name_with_format(output, options.format)).extension().string();
     if (result.surface.points.empty() && result.surface.number_of_vertices > 0 && !type.empty() && type != ".csv")
       throw Usage_error(output + ": " + path + " has only lengths, no points: write a .csv file");
-    if (result.surface.points.empty() && result.subdivision)
-      throw Usage_error(options.overlay_path + ": " + path + " has only lengths, no points");
+    if (result.surface.points.empty() && !(options.overlay_path.empty() && options.view_path.empty()))
+      throw Usage_error((options.overlay_path.empty() ? options.view_path : options.overlay_path) + ": " + path +
+                        " has only lengths, no points");
     write_file(options.overlay_path, [&](std::ostream& os) {
       write_overlay(os, *result.subdivision, result.surface.points, *options.overlay_format(), false,
                     {result.overlay_distances});
@@ -423,6 +452,8 @@ Exit_status run_distance(const Distance_options& options)
       else
         write_distances_vtp(os, result.surface);
     });
+    if (!options.view_path.empty())
+      write_view(options.view_path, view_of(options, result));
     write_json(options.stats_path, statistics(options, result));
     write_report(std::cout, options, result);
     flush_standard_output();
@@ -487,6 +518,7 @@ void add_distance_command(CLI::App& app, Selected_command& selected)
   command.add_flag("--vectors", options->has_vectors,
                    "also write the first axis of the source, parallel-transported to each vertex, and for one source "
                    "its logarithmic map");
+  add_view_option(command, options->view_path);
   add_repair_option(command, options->is_repaired);
   command.add_option("--stats", options->stats_path, "write the report as a JSON object")->type_name("F.json");
   command.callback([options, &selected] { selected = [options] { return run_distance(*options); }; });

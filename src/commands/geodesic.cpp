@@ -15,10 +15,13 @@
 #include "system/Progress.h"
 #include "system/Stopwatch.h"
 #include "system/text.h"
+#include "view/View.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
 #include <CGAL/Intrinsic_triangulations/Point_location.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
@@ -55,7 +58,7 @@ struct Geodesic_options
   bool is_closed = false, is_shortest = false;
   std::optional<double> direction, length;
   std::uint64_t maximum_number_of_faces = 1000000;
-  std::string output_path, cut_path, stats_path, format = "csv";
+  std::string output_path, cut_path, stats_path, view_path, format = "csv";
   bool is_repaired = false;
 
   // What tells the format of the curve.
@@ -133,7 +136,8 @@ void check(const Geodesic_options& options)
   if (!options.output_path.empty() && type != ".obj" && type != ".csv" && type != ".ply" && type != ".vtp")
     throw Usage_error(options.output_path +
                       ": a curve is written as a file whose name ends in .obj, .csv, .ply or .vtp");
-  check_output_paths({options.output_path, options.cut_path, options.stats_path}, {options.input});
+  check_output_paths({options.output_path, options.cut_path, options.stats_path, options.view_path}, {options.input});
+  check_view(options.view_path);
 }
 
 bool goes_on() { return !is_interrupted(); }
@@ -385,11 +389,25 @@ Exit_status run_geodesic(const Geodesic_options& options)
       throw Usage_error(options.output_path + ": " + path + " has only lengths, no points: write a .csv file");
     if (!surface.has_points() && !options.cut_path.empty())
       throw Usage_error(options.cut_path + ": " + path + " has only lengths, no points");
+    if (!surface.has_points() && !options.view_path.empty())
+      throw Usage_error(options.view_path + ": " + path + " has only lengths, no points");
+    check_view(options.view_path, surface.connectivity.number_of_faces());
     const Stopwatch stopwatch;
+    std::optional<View> view;
     const Curve curve = [&] {
       const Progress progress(path, "looking for the line");
       auto triangulation = make_triangulation<Triangulation::Traits>(surface);
-      return options.direction ? trace(options, triangulation) : find_path(options, surface, triangulation);
+      const bool has_view = !options.view_path.empty();
+      const IT::Element_numbers input_numbers = has_view ? IT::element_numbers(triangulation) : IT::Element_numbers();
+      Curve curve = options.direction ? trace(options, triangulation) : find_path(options, surface, triangulation);
+      if (has_view)
+        view = make_view(path,
+                         options.direction     ? "the same, for a line crosses edges"
+                         : options.is_shortest ? "triangulation with the line as edges, after Delaunay flips"
+                                               : "triangulation with the line as edges",
+                         IT::Common_subdivision(triangulation), surface.points, input_numbers,
+                         IT::element_numbers(triangulation));
+      return curve;
     }();
     const double seconds = stopwatch.seconds();
     Points points;
@@ -410,6 +428,10 @@ Exit_status run_geodesic(const Geodesic_options& options)
       const IT::Cut_surface cut = IT::cut_along_path(surface.connectivity, surface.points, curve.points);
       write_mesh(os, cut.points, cut.triangles, *find_mesh_format(options.cut_path));
     });
+    if (view) {
+      view->path = points;
+      write_view(options.view_path, *view);
+    }
     write_json(options.stats_path, json_value(options, surface, curve, seconds));
     write_report(std::cout, options, curve, seconds);
     flush_standard_output();
@@ -465,6 +487,7 @@ void add_geodesic_command(CLI::App& app, Selected_command& selected)
     ->type_name("EXT")
     ->capture_default_str();
   command.add_option("--stats", options->stats_path, "write the report as a JSON object")->type_name("F.json");
+  add_view_option(command, options->view_path);
   add_repair_option(command, options->is_repaired);
   command.callback([options, &selected] { selected = [options] { return run_geodesic(*options); }; });
 }

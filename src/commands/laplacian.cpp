@@ -16,12 +16,15 @@
 #include "system/Progress.h"
 #include "system/Stopwatch.h"
 #include "system/text.h"
+#include "view/View.h"
 
 #include <CGAL/Intrinsic_triangulations/eigenvalues.h>
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <cstdint>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -36,7 +39,7 @@ using Json = nlohmann::ordered_json;
 struct Laplacian_options
 {
   std::string input;
-  std::string stiffness_path, mass_path, stats_path;
+  std::string stiffness_path, mass_path, stats_path, view_path;
   std::string mass_type = "lumped";
   std::string cover = "tufted";
   std::string coincident_vertices = "merge";
@@ -44,7 +47,7 @@ struct Laplacian_options
   double mollification = 0;
   std::size_t number_of_eigenvalues = 0;
 
-  std::vector<std::string> output_paths() const { return {stiffness_path, mass_path, stats_path}; }
+  std::vector<std::string> output_paths() const { return {stiffness_path, mass_path, stats_path, view_path}; }
 };
 
 struct Laplacian_result
@@ -52,6 +55,8 @@ struct Laplacian_result
   IT::Tufted_Laplacian Laplacian;
   std::size_t number_of_faces = 0, triangulated_faces = 0, small_faces = 0; // of the file
   std::vector<double> eigenvalues;
+  Triangle_soup soup; // for the view: points and triangles alone
+  std::vector<View_field> fields;
   std::vector<std::string> warnings;
   double read_seconds = 0, seconds = 0;
 
@@ -90,7 +95,8 @@ void find_operator(const Laplacian_options& options, Laplacian_result& result)
     Progress progress(options.input, "building matrices");
     result.Laplacian = IT::tufted_Laplacian(complex, lengths, library_options(options, Flip_watch{progress}));
   } else {
-    const Triangle_soup soup = read_triangle_soup(options.input);
+    Triangle_soup soup = read_triangle_soup(options.input);
+    check_view(options.view_path, soup.triangles.size());
     result.number_of_faces = soup.number_of_faces;
     result.triangulated_faces = soup.triangulated_faces;
     result.small_faces = soup.small_faces;
@@ -99,8 +105,31 @@ void find_operator(const Laplacian_options& options, Laplacian_result& result)
     Progress progress(options.input, "building matrices");
     result.Laplacian =
       IT::tufted_Laplacian(soup.points, soup.triangles, library_options(options, Flip_watch{progress}));
+    if (!options.view_path.empty())
+      result.soup = std::move(soup);
   }
   result.seconds = stopwatch.seconds();
+}
+
+// The functions are for the view. A vertex that was merged has the value of the one that stands for it.
+void find_eigenvalues(const Laplacian_options& options, Laplacian_result& result)
+{
+  const Progress progress(options.input, "factoring, and finding eigenvalues");
+  const auto& [stiffness, mass, representative, report, flips, minimum_weight] = result.Laplacian;
+  if (options.view_path.empty()) {
+    result.eigenvalues = IT::smallest_eigenvalues(stiffness, mass, options.number_of_eigenvalues);
+    return;
+  }
+  const IT::Eigenfunctions found = IT::smallest_eigenfunctions(stiffness, mass, options.number_of_eigenvalues);
+  result.eigenvalues = found.eigenvalues;
+  for (std::size_t i = 0; i < found.eigenvalues.size(); ++i) {
+    std::vector<double> values;
+    for (std::uint32_t v : representative)
+      values.push_back(found.functions(Eigen::Index(v), Eigen::Index(i)));
+    const double rounded = std::abs(found.eigenvalues[i]) < 1e-9 * found.eigenvalues.back() ? 0 : found.eigenvalues[i];
+    result.fields.push_back(
+      {"eigenfunction " + std::to_string(i) + ", eigenvalue " + in_short(rounded), "", false, {std::move(values)}});
+  }
 }
 
 Json mollification_json(const Laplacian_options& options, const IT::Mollification_report& report)
@@ -173,14 +202,14 @@ void write_report(std::ostream& os, const Laplacian_options& options, const Lapl
 Exit_status run_Laplacian(const Laplacian_options& options)
 {
   check_output_paths(options.output_paths(), {options.input});
+  check_view(options.view_path);
+  if (!options.view_path.empty() && is_gluing_file(options.input))
+    throw Usage_error("--view: " + options.input + " has only lengths, no points");
   return for_each_input({options.input}, [&](const std::string&) {
     Laplacian_result result;
     find_operator(options, result);
-    if (options.number_of_eigenvalues > 0) {
-      const Progress progress(options.input, "factoring, and finding eigenvalues");
-      result.eigenvalues =
-        IT::smallest_eigenvalues(result.Laplacian.stiffness, result.Laplacian.mass, options.number_of_eigenvalues);
-    }
+    if (options.number_of_eigenvalues > 0)
+      find_eigenvalues(options, result);
     write_file(options.stiffness_path, [&](std::ostream& os) {
       write_symmetric_matrix(os, "Laplace-Beltrami operator: -(cot + cot)/2 off the diagonal, row sums zero",
                              result.Laplacian.stiffness);
@@ -192,6 +221,11 @@ Exit_status run_Laplacian(const Laplacian_options& options)
                                : "mass of linear finite elements",
                              result.Laplacian.mass);
     });
+    if (!options.view_path.empty()) {
+      View view = make_view(options.input, result.soup.points, result.soup.triangles);
+      view.fields = std::move(result.fields);
+      write_view(options.view_path, view);
+    }
     write_json(options.stats_path, statistics(options, result));
     write_report(std::cout, options, result);
     flush_standard_output();
@@ -249,6 +283,7 @@ void add_Laplacian_command(CLI::App& app, Selected_command& selected)
   command.add_option("--eigenvalues", options->number_of_eigenvalues, "print the K smallest eigenvalues")
     ->type_name("K")
     ->check(CLI::Range(1, 10000));
+  add_view_option(command, options->view_path);
   command.add_option("--stats", options->stats_path, "write the report as a JSON object")->type_name("F.json");
   command.callback([options, &selected] { selected = [options] { return run_Laplacian(*options); }; });
 }

@@ -61,7 +61,7 @@ void check(const Triangulate_options& options)
   if (options.inputs.size() > 1 &&
       std::any_of(outputs.begin(), outputs.end(), [](const std::string& s) { return !s.empty(); }))
     throw Usage_error(
-      "--stats, --edges, --crossings, --overlay, --laplacian, --mass, --save and --repair-map take one input: "
+      "--stats, --edges, --crossings, --overlay, --laplacian, --mass, --save, --repair-map and --view take one input: "
       "several would be written to the same file");
   options.files.check_paths(options.inputs);
   if (!options.files.save.empty() && options.number_type != name(Number_type::FILTERED))

@@ -356,7 +356,10 @@ Outcome run_with(const Job& job)
     triangulation.keep_input(input_metric(job.surface));
   if (triangulation.keeps_input())
     triangulation.set_interruption(job.go_on_deciding);
-  find_input_numbers(triangulation, wanted, outcome);
+  if (job.surface.saved && (wanted.weights || wanted.input_numbers))
+    find_input_numbers(make_triangulation<Traits>(job.surface), wanted, outcome);
+  else
+    find_input_numbers(triangulation, wanted, outcome);
   if (triangulation.keeps_input())
     triangulation.set_tie_proof(job.options.tie_proof);
 
