@@ -7,8 +7,10 @@
 #include "commands/command_line.h"
 #include "commands/commands.h"
 
+#include "input/Surface.h"
 #include "input/Triangle_soup.h"
 #include "input/gluing_file.h"
+#include "input/saved_triangulation.h"
 #include "output/Output_file.h"
 #include "output/write_json.h"
 #include "output/write_symmetric_matrix.h"
@@ -18,7 +20,9 @@
 #include "system/text.h"
 #include "view/View.h"
 
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/eigenvalues.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 
 #include <nlohmann/json.hpp>
@@ -28,6 +32,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 namespace idt {
@@ -77,8 +82,29 @@ auto library_options(const Laplacian_options& options, const Visitor& visitor)
     .visitor(visitor);
 }
 
+// Of a triangulation that was saved, as it is.
+void find_operator_of_saved(const Laplacian_options& options, Laplacian_result& result)
+{
+  Stopwatch stopwatch;
+  const Surface surface = load_surface(options.input);
+  const auto& triangulation = surface.saved->triangulation;
+  result.number_of_faces = triangulation.connectivity().number_of_faces();
+  result.read_seconds = stopwatch.restart();
+  const Progress progress(options.input, "building matrices");
+  IT::Tufted_Laplacian& Laplacian = result.Laplacian;
+  Laplacian.stiffness = IT::stiffness_matrix(triangulation, IT::Stiffness_factor::HALF);
+  Laplacian.mass =
+    options.mass_type == "lumped" ? IT::lumped_mass_matrix(triangulation) : IT::Galerkin_mass_matrix(triangulation);
+  Laplacian.representative.resize(triangulation.connectivity().number_of_vertices());
+  std::iota(Laplacian.representative.begin(), Laplacian.representative.end(), 0);
+  Laplacian.minimum_weight = IT::summarize_cotangent_weights(triangulation).smallest.value_or(0) / 2;
+  result.seconds = stopwatch.seconds();
+}
+
 void find_operator(const Laplacian_options& options, Laplacian_result& result)
 {
+  if (is_saved_triangulation(options.input))
+    return find_operator_of_saved(options, result);
   Stopwatch stopwatch;
   if (is_gluing_file(options.input)) {
     IT::Delta_complex complex;
@@ -205,6 +231,8 @@ Exit_status run_Laplacian(const Laplacian_options& options)
   check_view(options.view_path);
   if (!options.view_path.empty() && is_gluing_file(options.input))
     throw Usage_error("--view: " + options.input + " has only lengths, no points");
+  if (!options.view_path.empty() && is_saved_triangulation(options.input))
+    throw Usage_error("--view: idt view shows " + options.input);
   return for_each_input({options.input}, [&](const std::string&) {
     Laplacian_result result;
     find_operator(options, result);
