@@ -138,7 +138,9 @@ void Result_files::write(Triangulation_result& result, std::vector<View_field> f
       const Stopwatch stopwatch;
       const Outcome& outcome = result.outcome;
       View page = make_view(result.surface.path,
-                            result.options.refinement ? "refined triangulation" : "intrinsic Delaunay triangulation",
+                            result.options.refinement                            ? "refined triangulation"
+                            : result.options.keeps_saved && result.surface.saved ? "saved triangulation"
+                                                                                 : "intrinsic Delaunay triangulation",
                             *outcome.subdivision, result.surface.points, outcome.input_numbers, outcome.numbers);
       page.fields = std::move(fields);
       write_view(view, page);

@@ -36,6 +36,7 @@ Exit_status view_file(const std::string& path, const View_options& options)
   if (!options.values.empty())
     columns = read_vertex_values(options.values, surface.connectivity.number_of_vertices());
   Run_options run_options;
+  run_options.keeps_saved = true;
   options.files.add_to(run_options.wanted);
   Triangulation_result result = triangulate(std::move(surface), run_options);
   std::vector<View_field> fields;
@@ -76,7 +77,7 @@ void add_view_command(CLI::App& app, Selected_command& selected)
     "The page is one file, which needs no other and no network. It shows edges of the input alone (black), of the\n"
     "triangulation alone (red) and of both (white), angles and weights before and after, and the numbers of what\n"
     "the mouse points at. The option --view of other subcommands writes it with their results.\n");
-  command.add_option("INPUT", options->input, "as for `idt triangulate`")->required();
+  command.add_option("INPUT", options->input, "as for `idt triangulate`; a saved triangulation is shown as it is")->required();
   command.add_option("-o,--output", options->files.view, "the page")->type_name("F.html")->required();
   command
     .add_option("--values", options->values,

@@ -92,6 +92,7 @@ struct Run_options
   int precision = 128; // bits at least, for MPFR alone
   std::optional<std::uint64_t> maximum_number_of_flips;
   CGAL::Intrinsic_triangulations::Tie_proof tie_proof = CGAL::Intrinsic_triangulations::Tie_proof::PROBABLE_IF_COSTLY;
+  bool keeps_saved = false;                     // a triangulation that was saved is not flipped any more
   std::optional<Refinement_options> refinement; // with FILTERED alone
   Requested_results wanted;
 };

@@ -363,7 +363,8 @@ Outcome run_with(const Job& job)
   if (triangulation.keeps_input())
     triangulation.set_tie_proof(job.options.tie_proof);
 
-  flip(triangulation, job, outcome);
+  if (!(job.options.keeps_saved && job.surface.saved))
+    flip(triangulation, job, outcome);
   if constexpr (Traits::Uses_exact_geometry::value) {
     if (job.options.refinement)
       refine(triangulation, job, outcome);

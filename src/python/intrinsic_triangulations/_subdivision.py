@@ -207,6 +207,21 @@ class CommonSubdivision:
         first = self.offsets[polygons]
         return numpy.stack([first, first + number_in_polygon + 1, first + number_in_polygon + 2], axis=1), polygons
 
+    def mesh(self) -> Tuple[numpy.ndarray, numpy.ndarray, numpy.ndarray, numpy.ndarray]:
+        """What a viewer needs: plain arrays of a mesh in space that shows both triangulations.
+
+        Returns
+        -------
+        points : (v, 3) array
+            `positions`.
+        triangles : (t, 3) array of int64
+            The vertices of each triangle, for `polyscope.register_surface_mesh`, `pyvista.PolyData.from_regular_faces` and the like.
+        input_faces, intrinsic_faces : (t,) arrays of int64
+            The faces in which each triangle lies.
+        """
+        corners, polygons = self.triangles()
+        return self.positions, self.corners[corners], self.input_faces[polygons], self.intrinsic_faces[polygons]
+
     def to_intrinsic(self, faces: ArrayLike, coordinates: ArrayLike) -> Tuple[numpy.ndarray, numpy.ndarray]:
         """Points of the input as points of the triangulation.
 

@@ -187,6 +187,38 @@ class Triangulation:
         if self._points is not None:
             self._points.flags.writeable = False
 
+    def show(self, values: Any = None) -> Any:
+        """A page that shows the input and this triangulation: a notebook shows it, elsewhere a browser opens it.
+
+        The command `idt view` writes it, which has to be installed.
+
+        Parameters
+        ----------
+        values : (n,) array, or a dictionary of them by their names, or None
+            Numbers at the vertices of the input, which colour the surface.
+
+        Returns
+        -------
+        Page
+            It can be saved.
+
+        Raises
+        ------
+        ValueError
+            If the surface is given by lengths alone.
+        Error
+            If the command is not found; the environment variable IDT_COMMAND can name it.
+        """
+        from ._view import page_of
+        page = page_of(self, values)
+        try:
+            is_notebook = get_ipython().has_trait("kernel")  # type: ignore[name-defined]
+        except NameError:
+            is_notebook = False
+        if not is_notebook:
+            page.open()
+        return page
+
     def save(self, path: Union[str, os.PathLike]) -> None:
         """Write the triangulation, with its input and where that lies, to a file from which `load` makes the same triangulation.
 
