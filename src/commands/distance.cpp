@@ -11,6 +11,7 @@
 #include "input/gluing_file.h"
 #include "input/mesh_file.h"
 #include "input/saved_triangulation.h"
+#include "input/standard_input.h"
 #include "number_types/make_triangulation.h"
 #include "output/Output_file.h"
 #include "output/write_distances.h"
@@ -419,7 +420,7 @@ Exit_status run_distance(const Distance_options& options)
   return for_each_input({options.input}, [&](const std::string& path) {
     Distance_result result;
     try {
-      if (options.cover == "tufted" && !is_saved_triangulation(options.input))
+      if (options.cover == "tufted" && !is_saved_triangulation(readable_file(options.input)))
         find_on_cover(options, result);
       else
         find_on_surface(options, result);

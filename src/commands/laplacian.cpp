@@ -11,6 +11,7 @@
 #include "input/Triangle_soup.h"
 #include "input/gluing_file.h"
 #include "input/saved_triangulation.h"
+#include "input/standard_input.h"
 #include "output/Output_file.h"
 #include "output/write_json.h"
 #include "output/write_symmetric_matrix.h"
@@ -95,7 +96,8 @@ void find_operator_of_saved(const Laplacian_options& options, Laplacian_result& 
   Laplacian.stiffness = IT::stiffness_matrix(triangulation, IT::Stiffness_factor::HALF);
   Laplacian.mass =
     options.mass_type == "lumped" ? IT::lumped_mass_matrix(triangulation) : IT::Galerkin_mass_matrix(triangulation);
-  Laplacian.representative.resize(triangulation.connectivity().number_of_vertices());
+  Laplacian.report.number_of_vertices = triangulation.connectivity().number_of_vertices();
+  Laplacian.representative.resize(Laplacian.report.number_of_vertices);
   std::iota(Laplacian.representative.begin(), Laplacian.representative.end(), 0);
   Laplacian.minimum_weight = IT::summarize_cotangent_weights(triangulation).smallest.value_or(0) / 2;
   result.seconds = stopwatch.seconds();
@@ -103,7 +105,7 @@ void find_operator_of_saved(const Laplacian_options& options, Laplacian_result& 
 
 void find_operator(const Laplacian_options& options, Laplacian_result& result)
 {
-  if (is_saved_triangulation(options.input))
+  if (is_saved_triangulation(readable_file(options.input)))
     return find_operator_of_saved(options, result);
   Stopwatch stopwatch;
   if (is_gluing_file(options.input)) {

@@ -77,7 +77,8 @@ void add_view_command(CLI::App& app, Selected_command& selected)
     "The page is one file, which needs no other and no network. It shows edges of the input alone (black), of the\n"
     "triangulation alone (red) and of both (white), angles and weights before and after, and the numbers of what\n"
     "the mouse points at. The option --view of other subcommands writes it with their results.\n");
-  command.add_option("INPUT", options->input, "as for `idt triangulate`; a saved triangulation is shown as it is")->required();
+  command.add_option("INPUT", options->input, "as for `idt triangulate`; a saved triangulation is shown as it is")
+    ->required();
   command.add_option("-o,--output", options->files.view, "the page")->type_name("F.html")->required();
   command
     .add_option("--values", options->values,

@@ -11,6 +11,7 @@
 #include "input/read_surface.h"
 #include "input/repair.h"
 #include "input/saved_triangulation.h"
+#include "input/standard_input.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
@@ -126,7 +127,7 @@ Surface load_surface(const std::string& path, const Load_options& options)
   surface.path = path;
   if (is_gluing_file(path) && options.is_repaired)
     throw Usage_error(path + ": --repair is for meshes; there is nothing to repair in a gluing");
-  const bool is_saved = is_saved_triangulation(path);
+  const bool is_saved = is_saved_triangulation(readable_file(path));
   if (is_saved && (options.is_repaired || mollification))
     throw Usage_error(path + ": --repair and --mollify are for meshes; a saved triangulation has a surface already");
   if (is_saved)

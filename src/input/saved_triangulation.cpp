@@ -16,6 +16,7 @@
 #include <boost/property_map/vector_property_map.hpp>
 
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <utility>
 
@@ -57,10 +58,7 @@ void set_metric(const IT::Input_metric& metric, Surface& surface)
 
 } // namespace
 
-bool is_saved_triangulation(const std::string& path)
-{
-  return path.size() > 4 && path.compare(path.size() - 4, 4, ".idt") == 0;
-}
+bool is_saved_triangulation(const std::string& path) { return std::filesystem::path(path).extension() == ".idt"; }
 
 void load_saved_triangulation(Surface& surface)
 {
