@@ -234,6 +234,15 @@ IT::Delaunay_verification verify(const Triangulation& triangulation, const Job& 
   return IT::verify_Delaunay<Concurrency_tag>(triangulation);
 }
 
+// The first sides of the faces of the input, as they were read.
+inline std::vector<IT::Halfedge_index> first_sides(const Surface& surface)
+{
+  std::vector<IT::Halfedge_index> result;
+  for (IT::Face_index f : surface.connectivity.faces())
+    result.push_back(surface.connectivity.halfedge(f));
+  return result;
+}
+
 // With the edges that a refinement had to keep.
 template <class Triangulation>
 void save(const Triangulation& triangulation, const Job& job, Outcome& outcome)
@@ -244,9 +253,10 @@ void save(const Triangulation& triangulation, const Job& job, Outcome& outcome)
       IT::Progress_function([&job](double) { return !job.go_on_deciding || job.go_on_deciding(); }));
     if (job.options.refinement && !job.options.refinement->is_constrained.empty()) {
       const std::vector<bool> is_constrained = constrained_parts(triangulation, job.options.refinement->is_constrained);
-      IT::write_triangulation(os, triangulation, parameters.edge_is_constrained_map(Edge_flags{&is_constrained}));
+      IT::write_triangulation(os, triangulation, first_sides(job.surface),
+                              parameters.edge_is_constrained_map(Edge_flags{&is_constrained}));
     } else {
-      IT::write_triangulation(os, triangulation, parameters);
+      IT::write_triangulation(os, triangulation, first_sides(job.surface), parameters);
     }
     outcome.saved = std::move(os).str();
   }

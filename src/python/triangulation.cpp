@@ -22,6 +22,7 @@
 #include <pybind11/stl.h>
 
 #include <cmath>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -125,7 +126,10 @@ std::unique_ptr<Surface> surface_of_state(const py::tuple& state)
 void save(Surface& surface, const std::string& path)
 {
   surface.use([&](const Triangulation& t) {
-    IT::write_triangulation(path, t, goes_on);
+    std::ofstream os(path, std::ios::binary);
+    IT::write_triangulation(os, t, surface.input_sides(), goes_on);
+    if (!os.flush())
+      throw IT::Error(path + ": cannot be written");
     return true;
   });
 }

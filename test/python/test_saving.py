@@ -18,7 +18,7 @@ def same(t, u):
     assert t.faces.tolist() == u.faces.tolist()
     for name in ("lengths", "weights", "areas", "angles"):
         assert getattr(t, name).tobytes() == getattr(u, name).tobytes(), name
-    for a, b in zip(t.inserted_vertices(), u.inserted_vertices()):
+    for a, b in zip(t.inserted_vertices, u.inserted_vertices):
         assert a.tobytes() == b.tobytes()
 
 

@@ -33,6 +33,35 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsIO
+/// \brief as `write_triangulation()`, with the corners of the input faces in the order in which they were given: flips may have turned
+/// `input().halfedge(f)`.
+/// \param first_sides for each face of the input the halfedge from its first corner to its second; empty for `input().halfedge(f)`
+/// \pre `input().face(first_sides[f]) == f`
+template <class NamedParameters = parameters::Default_named_parameters>
+void write_triangulation(std::ostream& os, const Intrinsic_triangulation<Filtered_edge_length_traits>& triangulation,
+                         const std::vector<Halfedge_index>& first_sides,
+                         const NamedParameters& np = parameters::default_values())
+{
+  const Delta_complex& input = triangulation.input();
+  using parameters::get_parameter;
+  std::vector<bool> is_constrained;
+  if constexpr (internal::has_edge_constraints<NamedParameters>) {
+    const auto map = internal::edge_constraints_of(np);
+    for (Edge_index e : triangulation.connectivity().edges())
+      is_constrained.push_back(get(map, e));
+  }
+  const internal::Stored_numbers numbers{
+    [&](Face_index f) { return first_sides.empty() ? input.halfedge(f) : first_sides[f.idx()]; },
+    [&](Edge_index e) { return triangulation.edge_data(e); },
+    [&](Face_index f) {
+      const Bounded_area& area = triangulation.face_data(f);
+      return std::array<double, 2>{area.value, area.error};
+    }};
+  internal::write_saved_file(os, internal::engine(triangulation), triangulation.stage_counts(), numbers, is_constrained,
+                             internal::go_further_function_of(np));
+}
+
+/// \ingroup PkgIntrinsicTriangulationsIO
 ///
 /// \brief writes a triangulation and its input, from which `read_triangulation()` makes the same triangulation.
 ///
@@ -65,20 +94,7 @@ template <class NamedParameters = parameters::Default_named_parameters>
 void write_triangulation(std::ostream& os, const Intrinsic_triangulation<Filtered_edge_length_traits>& triangulation,
                          const NamedParameters& np = parameters::default_values())
 {
-  using parameters::get_parameter;
-  std::vector<bool> is_constrained;
-  if constexpr (internal::has_edge_constraints<NamedParameters>) {
-    const auto map = internal::edge_constraints_of(np);
-    for (Edge_index e : triangulation.connectivity().edges())
-      is_constrained.push_back(get(map, e));
-  }
-  const internal::Stored_numbers numbers{[&](Edge_index e) { return triangulation.edge_data(e); },
-                                         [&](Face_index f) {
-                                           const Bounded_area& area = triangulation.face_data(f);
-                                           return std::array<double, 2>{area.value, area.error};
-                                         }};
-  internal::write_saved_file(os, internal::engine(triangulation), triangulation.stage_counts(), numbers, is_constrained,
-                             internal::go_further_function_of(np));
+  write_triangulation(os, triangulation, std::vector<Halfedge_index>(), np);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsIO
@@ -91,6 +107,7 @@ void write_triangulation(std::ostream& os, const Common_subdivision& subdivision
   const Delta_complex& complex = engine.connectivity();
   // Numbers without bounds: the first decisions replace them.
   const internal::Stored_numbers numbers{
+    [&](Face_index f) { return engine.correspondence().input().halfedge(f); },
     [&](Edge_index e) {
       const Halfedge_index h = complex.halfedge(e);
       return engine.corner(complex.is_border(h) ? complex.opposite(h) : h).s_opposite.hi();

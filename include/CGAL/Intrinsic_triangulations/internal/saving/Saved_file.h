@@ -37,9 +37,10 @@ struct Saved_file
 // Asked for each block of bytes.
 using Go_further = std::function<bool()>;
 
-// What the traits keep, as `Saved_triangulation` has it.
+// What the traits keep, as `Saved_triangulation` has it, and for each input face the halfedge that is listed first.
 struct Stored_numbers
 {
+  std::function<Halfedge_index(Face_index)> first_side;
   std::function<double(Edge_index)> squared_length;
   std::function<std::array<double, 2>(Face_index)> area;
 };

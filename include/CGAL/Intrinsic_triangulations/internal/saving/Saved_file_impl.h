@@ -56,7 +56,7 @@ public:
     bytes_.put(header(!is_constrained.empty()).text());
     put_vertices(input, true);
     for_each(input.faces(), [&](Face_index f) {
-      const std::array<Halfedge_index, 3> h = sides(input, f);
+      const std::array<Halfedge_index, 3> h = sides(input, numbers.first_side(f));
       bytes_.put(std::uint8_t(3), input.source(h[0]).idx(), input.source(h[1]).idx(), input.source(h[2]).idx(),
                  h[0].idx(), h[1].idx(), h[2].idx());
     });
@@ -65,7 +65,7 @@ public:
     for (const Surface_point& p : correspondence_.locations())
       bytes_.put(p.halfedge.idx(), p.coordinates[0], p.coordinates[1], p.coordinates[2]);
     for_each(complex.faces(), [&](Face_index f) {
-      const std::array<Halfedge_index, 3> h = sides(complex, f);
+      const std::array<Halfedge_index, 3> h = sides(complex, complex.halfedge(f));
       const std::array<double, 2> area = numbers.area(f);
       bytes_.put(h[0].idx(), h[1].idx(), h[2].idx(), area[0], area[1],
                  std::uint8_t(engine_.is_known_to_be_straight(f)));
@@ -122,9 +122,8 @@ private:
     }
   }
 
-  static std::array<Halfedge_index, 3> sides(const Delta_complex& complex, Face_index f)
+  static std::array<Halfedge_index, 3> sides(const Delta_complex& complex, Halfedge_index h)
   {
-    const Halfedge_index h = complex.halfedge(f);
     return {h, complex.next(h), complex.prev(h)};
   }
 
