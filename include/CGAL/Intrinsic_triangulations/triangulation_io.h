@@ -35,6 +35,7 @@ namespace Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsIO
 /// \brief as `write_triangulation()`, with the corners of the input faces in the order in which they were given: flips may have turned
 /// `input().halfedge(f)`.
+/// \param os, triangulation, np as there
 /// \param first_sides for each face of the input the halfedge from its first corner to its second; empty for `input().halfedge(f)`
 /// \pre `input().face(first_sides[f]) == f`
 template <class NamedParameters = parameters::Default_named_parameters>

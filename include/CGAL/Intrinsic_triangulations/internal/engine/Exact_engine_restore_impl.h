@@ -105,7 +105,7 @@ void Exact_engine::restore(Saved_triangulation& saved, const Block_runner& run,
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 bool Exact_engine::are_sound(Face_index f, const Saved_triangulation& saved, Input_surface& surface) const
 {
-  const auto [area, bound] = saved.areas[f.idx()];
+  const double area = saved.areas[f.idx()][0], bound = saved.areas[f.idx()][1];
   if (bound == std::numeric_limits<double>::infinity())
     return true; // nobody relies on these numbers
   const Halfedge_index h = connectivity_.halfedge(f);
