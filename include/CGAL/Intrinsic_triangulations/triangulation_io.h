@@ -160,8 +160,10 @@ read_triangulation(std::istream& is, const NamedParameters& np = parameters::def
   using parameters::get_parameter;
   const std::function<bool()> go_further = internal::go_further_function_of(np);
   internal::Saved_file file = internal::read_saved_file(is, go_further);
-  Triangulation result = !file.points.empty() ? Triangulation(std::move(file.input), std::move(file.points))
-                         : !file.lengths.empty()
+  using internal::Metric_kind;
+  Triangulation result = file.metric_kind == Metric_kind::POINTS
+                           ? Triangulation(std::move(file.input), std::move(file.points))
+                         : file.metric_kind == Metric_kind::LENGTHS
                            ? Triangulation::from_lengths(std::move(file.input), std::move(file.lengths))
                            : Triangulation::from_metric(std::move(file.input), std::move(file.metric));
   {

@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Saved_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/for_each_halfedge_around.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
@@ -19,6 +20,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,9 +39,77 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
+// At an inserted vertex, and at its neighbours. What is wrong is wrong by full turns.
+inline void check_angle_sum(const Exact_engine& engine, Vertex_index v)
+{
+  const Correspondence& correspondence = engine.correspondence();
+  const Delta_complex &complex = engine.connectivity(), &input = correspondence.input();
+  bool is_concerned = correspondence.is_inserted(v), is_on_border = false;
+  for_each_halfedge_around(complex, v, [&](Halfedge_index h) {
+    is_concerned = is_concerned || correspondence.is_inserted(complex.source(h));
+    is_on_border = is_on_border || complex.is_border(h);
+  });
+  if (!is_concerned)
+    return;
+  double sum = 0, expected = 0;
+  for_each_halfedge_around(complex, v, [&](Halfedge_index h) {
+    if (!complex.is_border(h))
+      sum += engine.angle(complex.prev(h)); // between h and the next one
+  });
+  if (correspondence.is_inserted(v))
+    expected = is_on_border ? CGAL_PI : 2 * CGAL_PI;
+  else
+    for_each_halfedge_around(input, v, [&](Halfedge_index h) {
+      if (!input.is_border(input.opposite(h)))
+        expected += engine.input_angle(input.opposite(h));
+    });
+  if (!(std::abs(sum - expected) < 1))
+    throw_not_a_triangulation("vertex", v.idx(), "has angles that sum to more or less than those of the surface there");
+}
+
+// Where a bound is infinite or so wide that it says nothing, no decision relies on the numbers; they are what queries return all the same. What is not near to
+// the truth, as a long run of flips of thin faces can leave it, is replaced by it.
+// \param corner_of finds some corner of a face, and the side opposite to it
+template <class CornerOf>
+void mend_unbounded(const Delta_complex& complex, Saved_triangulation& saved, const CornerOf& corner_of)
+{
+  constexpr double near = 0x1p-10;
+  const auto is_bounded = [&](Face_index f) {
+    const Halfedge_index h = complex.halfedge(f);
+    double sum = 0;
+    for (Halfedge_index side : {h, complex.next(h), complex.prev(h)})
+      sum += saved.squared_lengths[complex.edge(side).idx()];
+    const double bound = saved.areas[f.idx()][1];
+    return bound <= near * sum && bound < std::numeric_limits<double>::infinity(); // which does not hold for NaN
+  };
+  std::vector<bool> are_bounded;
+  for (Face_index f : complex.faces())
+    are_bounded.push_back(is_bounded(f));
+  for (Face_index f : complex.faces()) {
+    if (are_bounded[f.idx()])
+      continue;
+    const auto [side, corner] = corner_of(f);
+    double sum = 0;
+    const auto mend_side = [&](Halfedge_index h, const Bounded_double_double& s) {
+      sum += s.hi();
+      const Halfedge_index g = complex.opposite(h);
+      double& stored = saved.squared_lengths[complex.edge(h).idx()];
+      if ((complex.is_border(g) || !are_bounded[complex.face(g).idx()]) &&
+          !(std::abs(stored - s.hi()) <= near * s.hi()))
+        stored = s.hi();
+    };
+    mend_side(side, corner.s_opposite);
+    mend_side(complex.next(side), corner.s_second);
+    mend_side(complex.prev(side), corner.s_first);
+    if (double& area = saved.areas[f.idx()][0]; !(std::abs(area - corner.four_areas.hi()) <= near * sum))
+      area = corner.four_areas.hi();
+  }
+}
+
 // The edges of the triangulation are lines through the input triangles that the integers name: then the faces between them are the triangles
 // that are laid out, as they are up to isotopy (see Correspondence_check). Inserted vertices are no part of that isotopy: faces at these
-// must not be inverted.
+// must not be inverted, and the angles at these and their neighbours sum to what the surface has there: angles that exclude less can be
+// wound around a vertex twice.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_engine::restore(Saved_triangulation& saved, const Block_runner& run,
                            const std::function<bool(Face_index)>& is_known)
@@ -93,6 +164,15 @@ void Exact_engine::restore(Saved_triangulation& saved, const Block_runner& run,
       planes[i] = plane(f);
   });
   memory.straight_faces = Straight_faces(number_of_input_faces, number_of_points, planes);
+  if (has_inserted)
+    for_each(
+      connectivity_.number_of_vertices(), [](std::uint32_t) { return 1; },
+      [&](std::uint32_t v) { check_angle_sum(*this, Vertex_index(v)); });
+  mend_unbounded(connectivity_, saved, [&](Face_index f) {
+    const Surface_lease surface = input_surface();
+    Double_double_metric metric(*surface);
+    return quickest_corner(f, Unfolding<Double_double_metric>(connectivity_, correspondence_, metric));
+  });
   for_each(connectivity_.number_of_faces(), at_face, [&](std::uint32_t i) {
     const Face_index f(i);
     if (!is_known(f) && !are_sound(f, saved, *input_surface()))
@@ -107,7 +187,7 @@ bool Exact_engine::are_sound(Face_index f, const Saved_triangulation& saved, Inp
 {
   const double area = saved.areas[f.idx()][0], bound = saved.areas[f.idx()][1];
   if (bound == std::numeric_limits<double>::infinity())
-    return true; // nobody relies on these numbers
+    return true; // no decision relies on these numbers
   const Halfedge_index h = connectivity_.halfedge(f);
   bool are_finite = std::isfinite(area) && bound >= 0;
   for (Halfedge_index side : {h, connectivity_.next(h), connectivity_.prev(h)})

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Saved_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/saving/Saved_header.h>
 #include <CGAL/Intrinsic_triangulations/reports.h>
 
 #include <array>
@@ -24,10 +25,11 @@ namespace internal {
 
 struct Saved_file
 {
+  Metric_kind metric_kind = Metric_kind::POINTS;
   Delta_complex input;
-  Input_metric::Point_vector points; // empty, as one of the others, unless the input is given by them
-  std::vector<double> lengths;
-  Input_metric metric; // of squared lengths
+  Input_metric::Point_vector points; // or
+  std::vector<double> lengths;       // or
+  Input_metric metric;               // of squared lengths
   Saved_triangulation triangulation;
   std::vector<bool> is_constrained; // for each edge of the triangulation, or empty
   Stage_counts counts;

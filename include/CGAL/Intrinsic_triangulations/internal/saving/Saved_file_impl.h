@@ -88,9 +88,9 @@ private:
   {
     const Delta_complex &input = correspondence_.input(), &complex = engine_.connectivity();
     Saved_header result;
-    result.metric = engine_.metric().rational_lengths()   ? Metric_kind::SQUARED_LENGTHS
-                    : !engine_.metric().lengths().empty() ? Metric_kind::LENGTHS
-                                                          : Metric_kind::POINTS;
+    result.metric = engine_.metric().rational_lengths()  ? Metric_kind::SQUARED_LENGTHS
+                    : !engine_.metric().points().empty() ? Metric_kind::POINTS
+                                                         : Metric_kind::LENGTHS;
     result.tie_proof = engine_.tie_proof();
     result.has_constraints = has_constraints;
     result.vertices = input.number_of_vertices();
@@ -168,6 +168,7 @@ public:
     check_numbers();
     Saved_file result;
     result.tie_proof = header_.tie_proof;
+    result.metric_kind = header_.metric;
 
     Large_vector<std::uint32_t> vertices;
     const bool has_points = header_.metric == Metric_kind::POINTS;
@@ -254,7 +255,9 @@ private:
     is_good = is_good && (slash == text.size() || text.find_first_not_of('0', slash + 1) != std::string::npos);
     if (!is_good)
       throw_not_a_triangulation("input edge", edge, "has a squared length that is no fraction");
-    return Rational(text);
+    Rational result(text);
+    mpq_canonicalize(result.backend().data()); // which "4/6" is not
+    return result;
   }
 
   void read_triangulation(Saved_file& result)

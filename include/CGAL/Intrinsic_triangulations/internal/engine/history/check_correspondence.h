@@ -19,6 +19,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -66,6 +67,7 @@ public:
 
   void operator()()
   {
+    check_places();
     check_counts();
     for (Halfedge_index h : complex_.halfedges())
       check_name(complex_.source(h), correspondence_.input_halfedge(h));
@@ -85,6 +87,37 @@ private:
   [[noreturn]] static void fail(const char* kind, std::size_t element, const std::string& what)
   {
     throw_not_a_triangulation(kind, element, what);
+  }
+
+  // No two vertices in one place inside of an input face; those on edges are compared with their neighbours there.
+  void check_places() const
+  {
+    struct Place
+    {
+      std::uint32_t face;
+      std::array<double, 3> coordinates;
+      std::size_t vertex;
+    };
+    std::vector<Place> places;
+    for (std::size_t i = 0; i < correspondence_.locations().size(); ++i) {
+      const Surface_point& p = correspondence_.locations()[i];
+      const Face_index f = input_.face(p.halfedge);
+      if (p.dimension() == 2)
+        places.push_back({f.idx(), coordinates_from(input_, p, input_.halfedge(f)), i + input_.number_of_vertices()});
+    }
+    // By the ratios of coordinates, which are positive: that is a total order.
+    const auto compare = [](const Place& p, const Place& q) {
+      if (p.face != q.face)
+        return p.face < q.face ? NEGATIVE : POSITIVE;
+      const std::array<double, 3>& a = p.coordinates;
+      const std::array<double, 3>& b = q.coordinates;
+      const Sign first = compare_products(a[0], b[1], b[0], a[1]);
+      return first != ZERO ? first : compare_products(a[1], b[2], b[1], a[2]);
+    };
+    std::sort(places.begin(), places.end(), [&](const Place& p, const Place& q) { return compare(p, q) == NEGATIVE; });
+    for (std::size_t i = 1; i < places.size(); ++i)
+      if (compare(places[i - 1], places[i]) == ZERO)
+        fail("vertex", places[i].vertex, "lies where vertex " + std::to_string(places[i - 1].vertex) + " does");
   }
 
   void check_counts() const
