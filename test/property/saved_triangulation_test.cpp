@@ -25,10 +25,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <random>
 #include <sstream>
 #include <string>
@@ -261,6 +264,85 @@ TEST(SavedTriangulation, HeaderThatPromisesTooMuch)
   const std::string intrinsic = "element intrinsic_vertex 12\n";
   file.replace(file.find(intrinsic), intrinsic.size(), "element intrinsic_vertex 4000000000\n");
   EXPECT_THROW(read(file), IT::Invalid_surface_error);
+}
+
+// Rows of a file, from behind the header on.
+struct Rows
+{
+  Rows(std::string bytes, const Triangulation& t) : file(std::move(bytes))
+  {
+    const IT::Delta_complex &input = t.input(), &complex = t.connectivity();
+    inserted = file.find("end_header") + 11 + 28 * std::size_t(input.number_of_vertices()) +
+               25 * std::size_t(input.number_of_faces()) + 4 * std::size_t(complex.number_of_vertices());
+    faces = inserted + 28 * std::size_t(complex.number_of_vertices() - input.number_of_vertices());
+    edges = faces + 29 * std::size_t(complex.number_of_faces());
+  }
+  void put(std::size_t at, double x) { std::memcpy(&file[at], &x, sizeof(x)); } // on machines with the least byte first
+
+  std::string file;
+  std::size_t inserted, faces, edges;
+};
+
+// What no bound vouches for is near to the truth all the same.
+TEST(SavedTriangulation, NumbersWithoutBounds)
+{
+  Triangulation t = triangulation_of(samples::torus(6, 5));
+  IT::flip_to_Delaunay(t);
+  for (double wrong : {std::nan(""), -1., 0., 1e300, std::numeric_limits<double>::infinity()}) {
+    Rows rows(written(t), t);
+    for (IT::Face_index f : t.connectivity().faces()) {
+      rows.put(rows.faces + 29 * f.idx() + 12, wrong);
+      rows.put(rows.faces + 29 * f.idx() + 20, std::numeric_limits<double>::infinity());
+    }
+    for (IT::Edge_index e : t.connectivity().edges())
+      rows.put(rows.edges + 20 * e.idx(), wrong);
+    const Triangulation u = read(rows.file);
+    for (IT::Edge_index e : t.connectivity().edges())
+      EXPECT_NEAR(u.squared_length(e), t.length(e) * t.length(e), 1e-3 * t.squared_length(e));
+    // With a bound that they break, they are refused.
+    for (IT::Face_index f : t.connectivity().faces())
+      rows.put(rows.faces + 29 * f.idx() + 20, 1e-12);
+    EXPECT_THROW(read(rows.file), IT::Invalid_surface_error);
+  }
+}
+
+TEST(SavedTriangulation, InsertedVerticesInWrongPlaces)
+{
+  Triangulation t(IT::make_Delta_complex_from_triangles(3, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}}),
+                  std::vector<std::array<double, 3>>{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}});
+  const IT::Halfedge_index side = t.connectivity().halfedge(IT::Face_index(0));
+  for (const std::array<double, 3>& place : {std::array<double, 3>{6, 1, 1}, {1, 6, 1}, {1, 1, 6}, {2, 2, 2}})
+    IT::insert_vertex(t, {side, place});
+  const Rows rows(written(t), t);
+  read(rows.file);
+  // Each moved to another, and to where it leaves its star.
+  for (std::size_t i = 0; i < 4; ++i)
+    for (const std::array<double, 3>& place :
+         {std::array<double, 3>{6, 1, 1}, {1, 6, 1}, {1, 1, 6}, {2, 2, 2}, {70, 1, 1}, {1, 1, 70}}) {
+      Rows changed = rows;
+      for (std::size_t c = 0; c < 3; ++c)
+        changed.put(rows.inserted + 28 * i + 4 + 8 * c, place[c]);
+      if (changed.file == rows.file)
+        continue;
+      try {
+        const Triangulation u = read(changed.file);
+        double area = 0;
+        for (double a : IT::face_areas(u))
+          area += a;
+        EXPECT_NEAR(area, 32, 1e-9);
+        Triangulation copy = u;
+        IT::flip_to_Delaunay(copy);
+      } catch (const IT::Invalid_surface_error&) {
+      }
+    }
+}
+
+TEST(SavedTriangulation, WithoutFaces)
+{
+  const IT::Delta_complex points(IT::Delta_complex::Halfedge_vector(), IT::Delta_complex::Descriptor_vector(3),
+                                 IT::Delta_complex::Descriptor_vector());
+  const Triangulation t = Triangulation::from_lengths(points, std::vector<double>());
+  EXPECT_EQ(read(written(t)).connectivity().number_of_vertices(), 3u);
 }
 
 TEST(SavedTriangulation, OtherProgramsReadTheInput)
