@@ -29,12 +29,13 @@ int main(int argc, char** argv)
     app.allow_windows_style_options(false); // a name may begin with a slash
     app.footer("Exit status: 0 done; 1 a result could not be written; 2 the command line is wrong;\n"
                "3 an input is unusable; 4 undecided, not flippable, out of budget or cancelled\n"
-               "(what was found so far is still written, if that takes less than a second).\n"
+               "(the result so far is still written, if that takes less than a second).\n"
                "An output file with the name - is the standard output; the report then goes to the standard error.\n");
     app.require_subcommand(1);
     idt::Selected_command selected;
     idt::add_triangulate_command(app, selected);
     idt::add_refine_command(app, selected);
+    idt::add_view_command(app, selected);
     idt::add_compare_command(app, selected);
     idt::add_parameterize_command(app, selected);
     idt::add_geodesic_command(app, selected);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The faces that a file holds, by the simplest reading of each format: nothing of the package's readers is used. What is no file of the
-// format is found by rows that do not fit, and by what is left over.
+// The faces that a file holds, by the simplest reading of each format: nothing of the package's readers is used. What
+// is no file of the format is found by rows that do not fit, and by what is left over.
 
 #ifndef IDT_TEST_FACES_OF_FILE_H
 #define IDT_TEST_FACES_OF_FILE_H
@@ -271,7 +271,7 @@ inline Faces of_stl(const std::string& bytes)
                !(lower(row[facet]) == "facet" && lower(row[facet + 1]) == "normal" &&
                  std::strtod(row[facet + 2].c_str(), nullptr) == std::strtod(row[facet + 2].c_str(), nullptr) &&
                  std::string("0123456789+-.").find(row[facet + 2][0]) != std::string::npos))
-          ++facet;
+          expect(lower(row[facet++]) != "endfacet", "a facet has become a name");
         if (facet + 2 >= row.size())
           break;
         i = facet - 1;

@@ -1,11 +1,11 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What triangles do to a solution: a Poisson problem with a known one, by linear finite elements over the input, over its intrinsic
-// Delaunay triangulation, and over that after refinement. Prints a table.
+// What triangles do to a solution: a Poisson problem with a known one, by linear finite elements over the input, over
+// its intrinsic Delaunay triangulation, and over that after refinement. Prints a table.
 //
-// The surfaces are isometric to a part of the plane, where u = cos(2x) exp(y) solves -Laplacian(u) = 3 u. Its values are given on the
-// border, and 3 u as a function that is linear on each triangle.
+// The surfaces are isometric to a part of the plane, where u = cos(2x) exp(y) solves -Laplacian(u) = 3 u. Its values
+// are given on the border, and 3 u as a function that is linear on each triangle.
 
 #include "samples/sample_surfaces.h"
 
@@ -48,8 +48,8 @@ double solution(const Point_2& p) { return std::cos(2 * p.x()) * std::exp(p.y())
 
 Point_2 gradient(const Point_2& p) { return Point_2(-2 * std::sin(2 * p.x()), std::cos(2 * p.x())) * std::exp(p.y()); }
 
-// The square in rows of triangles with angles close to 180 degrees; with flatter and flatter ones, linear elements do not converge
-// (I. Babuška, A. K. Aziz, "On the angle condition in the finite element method", 1976).
+// The square in rows of triangles with angles close to 180 degrees; with flatter and flatter ones, linear elements do
+// not converge (I. Babuška, A. K. Aziz, "On the angle condition in the finite element method", 1976).
 Flat_surface flat_triangles(std::uint32_t columns, std::uint32_t rows)
 {
   Flat_surface result;

@@ -5,7 +5,8 @@
 //
 //   twists
 //
-// For each surface the median time of 101 calls of intrinsic_Delaunay_triangulation(), from the gluing in memory to the finished triangulation.
+// For each surface the median time of 101 calls of intrinsic_Delaunay_triangulation(), from the gluing in memory to the
+// finished triangulation.
 
 #include "samples/sample_exact_gluings.h"
 

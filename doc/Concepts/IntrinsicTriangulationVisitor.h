@@ -25,19 +25,19 @@ time, while other threads change the triangulation: they must not read it then.
 class IntrinsicTriangulationVisitor
 {
 public:
-  /// is called now and then. `flip_to_Delaunay()` calls it before each Delaunay test and before each flip, with `Parallel_tag` at least once
-  /// for each thousand tests of a thread; other algorithms say what they fill in.
+  /// is called now and then. `flip_to_Delaunay()` calls it before each Delaunay test and before each flip, with
+  /// `Parallel_tag` at least once for each thousand tests of a thread; other algorithms say what they fill in.
   ///
-  /// During an exact decision that takes long, it is called again with the same numbers, up to a hundred times a second, and
-  /// can end the decision. So it must not ask the triangulation for lengths, angles or areas.
+  /// During an exact decision that takes long, it is called again with the same numbers, up to a hundred times a
+  /// second, and can end the decision. So it must not ask the triangulation for lengths, angles or areas.
   bool go_further(const CGAL::Intrinsic_triangulations::Progress& progress);
 
-  /// is called after each flip of `flip_to_Delaunay()` and of `Geodesic_path_network`, when connectivity and metric have changed; the edge
-  /// has the descriptor that it had before.
+  /// is called after each flip of `flip_to_Delaunay()` and of `Geodesic_path_network`, when connectivity and metric
+  /// have changed; the edge has the descriptor that it had before.
   void after_flip(CGAL::Intrinsic_triangulations::Edge_index e);
 
-  /// is called after each test of `flip_to_Delaunay()`, with the answer, a `Boolean` of the traits. With it, each edge is tested by itself, and
-  /// the algorithm runs on one thread.
+  /// is called after each test of `flip_to_Delaunay()`, with the answer, a `Boolean` of the traits. With it, each edge
+  /// is tested by itself, and the algorithm runs on one thread.
   void after_test(CGAL::Intrinsic_triangulations::Edge_index e, Boolean is_Delaunay);
 
   /// is called before each face that `refine_Delaunay()` refines, with what is left to do.

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A smooth field on a mesh that is no manifold: a box with an open compartment, whose walls meet three and four at an edge.
-// Heat enters at one corner and leaves at another; the field in between is harmonic.
+// A smooth field on a mesh that is no manifold: a box with an open compartment, whose walls meet three and four at an
+// edge. Heat enters at one corner and leaves at another; the field in between is harmonic.
 
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 

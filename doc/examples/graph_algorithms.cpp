@@ -26,8 +26,8 @@ namespace IT = CGAL::Intrinsic_triangulations;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 
-// The distance of each vertex from one of them, along edges. The weights are those of get(boost::edge_weight, graph): for
-// the graphs of CGAL, the lengths.
+// The distance of each vertex from one of them, along edges. The weights are those of get(boost::edge_weight, graph):
+// for the graphs of CGAL, the lengths.
 template <class Graph>
 std::vector<double> distances(const Graph& graph, std::size_t from)
 {

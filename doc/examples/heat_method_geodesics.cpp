@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Geodesic distance by heat on the intrinsic Delaunay triangulation, and brought back to the input. The surface is a flat torus
-// of needles, given by lengths alone, on which the distance is known.
+// Geodesic distance by heat on the intrinsic Delaunay triangulation, and brought back to the input. The surface is a
+// flat torus of needles, given by lengths alone, on which the distance is known.
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Stationary heat in a bracket as a CAD program exports it: one end is kept cold, heat flows in at the other one, the rest of the border is
-// insulated. Its triangles are long and thin, and a sliver runs along the bend.
+// Stationary heat in a bracket as a CAD program exports it: one end is kept cold, heat flows in at the other one, the
+// rest of the border is insulated. Its triangles are long and thin, and a sliver runs along the bend.
 //
 //   heat_on_a_part [FILE.vtk]      # for ParaView
 
@@ -152,7 +152,8 @@ int main(int argc, char** argv)
   }
   const Eigen::VectorXd temperature = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(load);
 
-  // Laid flat, the bracket is a strip: the temperature is the distance from the cold end, and linear elements find it but for rounding.
+  // Laid flat, the bracket is a strip: the temperature is the distance from the cold end, and linear elements find it
+  // but for rounding.
   double error = 0;
   for (IT::Vertex_index v : complex.vertices()) {
     const auto p = place(t, points, v);

@@ -48,7 +48,8 @@ Eigen::MatrixXd positions(const Mesh& mesh)
 
 double area(const Mesh& mesh) { return IT::extrinsic_Laplacian(mesh).mass.sum(); }
 
-// One step: the harmonic map of the surface with the given operator, with the boundary in place. Returns whether there is one.
+// One step: the harmonic map of the surface with the given operator, with the boundary in place. Returns whether there
+// is one.
 bool step(Mesh& mesh, const IT::Laplace_Beltrami_operator& Laplacian)
 {
   std::vector<Eigen::Triplet<double>> entries;

@@ -39,7 +39,8 @@ namespace {
 constexpr int number_of_strips = 6, number_along = 60, slant = 20;
 const double slope = 0.6; // of the strips in space
 
-// A square sheet of paper with sides of length 1, folded like an accordion. The triangles of each strip are long, thin and slanted.
+// A square sheet of paper with sides of length 1, folded like an accordion. The triangles of each strip are long, thin
+// and slanted.
 Mesh folded_sheet()
 {
   Mesh mesh;

@@ -16,8 +16,8 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 int main()
 {
-  // The lattice of (1, 0) and (n, 1): two triangles with the sides (1, 0), (n, 1) and (n + 1, 1). Their squared lengths have
-  // 25 digits, which doubles would round to those of no triangle.
+  // The lattice of (1, 0) and (n, 1): two triangles with the sides (1, 0), (n, 1) and (n + 1, 1). Their squared lengths
+  // have 25 digits, which doubles would round to those of no triangle.
   const IT::Integer n("1000000000000");
   const std::vector<std::array<std::size_t, 2>> glued_sides = {{0, 3}, {1, 4}, {2, 5}};
   IT::Exact_gluing torus;

@@ -4,8 +4,10 @@
 #include "commands/Result_files.h"
 
 #include "commands/command_line.h"
+#include "commands/commands.h"
 #include "input/flat_vertices.h"
 #include "input/repair.h"
+#include "input/saved_triangulation.h"
 #include "output/Output_file.h"
 #include "output/write_json.h"
 #include "output/write_overlay.h"
@@ -17,18 +19,19 @@
 #include <nlohmann/json.hpp>
 
 #include <optional>
+#include <utility>
 
 namespace idt {
 
 void Result_files::add_options(CLI::App& command, CLI::Option* repair)
 {
   command.add_flag("--verbose", is_verbose,
-                   "report also how edges were decided, where the input lies in the result, and what took how long");
-  command.add_option("--stats", stats, "write what the verbose report says as a JSON object")->type_name("F.json");
+                   "also report how edges were decided, where the input lies in the result, and the time of each step");
+  command.add_option("--stats", stats, "write the verbose report as a JSON object")->type_name("F.json");
   command
     .add_option("--edges", edges,
-                "write the intrinsic edges as CSV: source,target,length,cotan_weight,crossings,"
-                "original; no weight where it is infinite, beside a face of zero area")
+                "write the intrinsic edges as CSV: source,target,length,cotan_weight,crossings,original; the weight is "
+                "empty where it is infinite, beside a face of zero area")
     ->type_name("F.csv");
   command
     .add_option("--laplacian", Laplacian,
@@ -39,8 +42,8 @@ void Result_files::add_options(CLI::App& command, CLI::Option* repair)
     ->type_name("F.mtx");
   command
     .add_option("--crossings", crossings,
-                "write what each intrinsic edge crosses, in order, as CSV: source,target,edge,"
-                "position,input_source,input_target,t,u")
+                "write the crossings of each intrinsic edge, in order, as CSV: "
+                "source,target,edge,position,input_source,input_target,t,u")
     ->type_name("F.csv");
   CLI::Option* const overlay_option =
     command
@@ -50,13 +53,20 @@ void Result_files::add_options(CLI::App& command, CLI::Option* repair)
       ->type_name("F.(ply|off|obj|vtp)");
   command
     .add_flag("--overlay-triangles", has_overlay_triangles,
-              "cut the polygons of --overlay into triangles, for programs that take no others")
+              "cut the polygons of --overlay into triangles, for programs that accept only triangles")
     ->needs(overlay_option);
-  set_words(command.add_option("--overlay-format", overlay_format, "the format of --overlay -, on the standard output"),
+  set_words(command.add_option("--overlay-format", overlay_format, "the format of --overlay - on the standard output"),
             {"ply", "off", "obj", "vtp", "stl", "ts"})
     ->type_name("EXT")
     ->capture_default_str()
     ->needs(overlay_option);
+  add_view_option(command, view);
+  command
+    .add_option("--save", save,
+                "write the triangulation itself, with its input and where that lies: a file that each subcommand takes "
+                "as INPUT, to go "
+                "on from there")
+    ->type_name("F.idt");
   command
     .add_option("--repair-map", repair_map,
                 "write where the vertices and faces of the repaired surface come from, as CSV: "
@@ -68,6 +78,8 @@ void Result_files::add_options(CLI::App& command, CLI::Option* repair)
 void Result_files::check_paths(const std::vector<std::string>& inputs) const
 {
   check_output_paths(paths(), inputs);
+  if (!save.empty() && !is_saved_triangulation(name_with_format(save, "idt")))
+    throw Usage_error("--save: " + save + " does not end in .idt, by which the file is known as a triangulation");
   if (overlay.empty())
     return;
   const std::optional<Mesh_format> format = format_of_overlay();
@@ -81,21 +93,24 @@ void Result_files::check_paths(const std::vector<std::string>& inputs) const
 void Result_files::check_surface(const Surface& surface) const
 {
   using CGAL::Intrinsic_triangulations::Invalid_surface_error;
-  if (!overlay.empty() && !surface.has_points())
+  check_view(view, surface.connectivity.number_of_faces());
+  if (!(overlay.empty() && view.empty()) && !surface.has_points())
     throw Invalid_surface_error(Invalid_surface_error::Defect::UNREADABLE, 0, 1,
-                                surface.path +
-                                  ": --overlay needs a surface in space, and this one has edge lengths alone" +
-                                  (surface.mollification ? ", since --mollify has changed them" : ""));
+                                surface.path + (overlay.empty() ? ": a page" : ": --overlay") +
+                                  " needs a surface in space, but this one has only edge lengths" +
+                                  (surface.mollification ? ", because --mollify changed them" : ""));
 }
 
 void Result_files::add_to(Requested_results& wanted) const
 {
-  wanted.lengths = !edges.empty();
-  wanted.numbers = !edges.empty() || !Laplacian.empty() || !mass.empty();
-  wanted.overlay = !crossings.empty() || !overlay.empty();
+  wanted.saved = !save.empty();
+  wanted.lengths = !edges.empty() || !view.empty();
+  wanted.numbers = !edges.empty() || !Laplacian.empty() || !mass.empty() || !view.empty();
+  wanted.input_numbers = !view.empty();
+  wanted.overlay = !crossings.empty() || !overlay.empty() || !view.empty();
 }
 
-void Result_files::write(Triangulation_result& result) const
+void Result_files::write(Triangulation_result& result, std::vector<View_field> fields) const
 {
   const Progress progress(result.surface.path, "writing");
   const auto write_one = [&result](const char* option, const std::string& path, const auto& write) {
@@ -111,12 +126,26 @@ void Result_files::write(Triangulation_result& result) const
   write_one("edges", edges, [&](std::ostream& os) { write_edges(os, result); });
   write_one("laplacian", Laplacian, [&](std::ostream& os) { write_Laplacian(os, result); });
   write_one("mass", mass, [&](std::ostream& os) { write_mass(os, result); });
+  if (!result.outcome.saved.empty())
+    write_one("save", save, [&](std::ostream& os) { os << result.outcome.saved; });
   if (result.outcome.subdivision) {
     write_one("crossings", crossings, [&](std::ostream& os) { write_crossings(os, result); });
     write_one("overlay", overlay, [&](std::ostream& os) {
       write_overlay(os, *result.outcome.subdivision, result.surface.points, *format_of_overlay(),
                     has_overlay_triangles);
     });
+    if (!view.empty()) {
+      const Stopwatch stopwatch;
+      const Outcome& outcome = result.outcome;
+      View page = make_view(result.surface.path,
+                            result.options.refinement                            ? "refined triangulation"
+                            : result.options.keeps_saved && result.surface.saved ? "saved triangulation"
+                                                                                 : "intrinsic Delaunay triangulation",
+                            *outcome.subdivision, result.surface.points, outcome.input_numbers, outcome.numbers);
+      page.fields = std::move(fields);
+      write_view(view, page);
+      result.file_seconds.emplace_back("view", stopwatch.seconds());
+    }
   }
   write_json(stats, statistics(result));
 }

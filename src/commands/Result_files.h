@@ -9,6 +9,7 @@
 #include "input/mesh_file.h"
 #include "output/Output_file.h"
 #include "output/Triangulation_result.h"
+#include "view/View.h"
 
 #include <CLI/CLI.hpp>
 
@@ -21,7 +22,7 @@ namespace idt {
 // Their paths as options of the command line; what has an empty path is not written.
 struct Result_files
 {
-  std::string stats, edges, Laplacian, mass, crossings, overlay, points, repair_map, vertex_map;
+  std::string stats, edges, Laplacian, mass, crossings, overlay, points, repair_map, vertex_map, save, view;
   std::string overlay_format = "ply"; // on the standard output
   bool has_overlay_triangles = false;
   bool is_verbose = false; // of the report
@@ -31,20 +32,23 @@ struct Result_files
 
   std::vector<std::string> paths() const
   {
-    return {stats, edges, Laplacian, mass, crossings, overlay, points, repair_map, vertex_map};
+    return {stats, edges, Laplacian, mass, crossings, overlay, points, repair_map, vertex_map, save, view};
   }
 
   // \exception Usage_error if a file would replace another, or an input, or has no format for an overlay
   void check_paths(const std::vector<std::string>& inputs) const;
 
   // \exception Invalid_surface_error if the overlay of the surface has no place in space
+  // \exception Usage_error as check_view()
   void check_surface(const Surface& surface) const;
 
   // What has to be found out for the files.
   void add_to(Requested_results& wanted) const;
 
+  // \param fields what colours the surface in the view
   // \exception Output_error as write_file()
-  void write(Triangulation_result& result) const;
+  // \exception Usage_error as make_view()
+  void write(Triangulation_result& result, std::vector<View_field> fields = {}) const;
 
 private:
   std::optional<Mesh_format> format_of_overlay() const

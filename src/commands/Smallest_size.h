@@ -15,8 +15,9 @@
 
 namespace idt {
 
-// Begins with 0. Sides below 2^-14 of the longest side of the box are what CAD programs leave by mistake if they need many vertices:
-// then refinement begins anew with 2^-20 of the box, 2^-17 and 2^-14 in turn. Places that need few vertices are refined, whatever their size.
+// Begins with 0. Sides below 2^-14 of the longest side of the box are what CAD programs leave by mistake if they need
+// many vertices: then refinement begins anew with 2^-20 of the box, 2^-17 and 2^-14 in turn. Places that need few
+// vertices are refined, whatever their size.
 class Smallest_size
 {
 public:

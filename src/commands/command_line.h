@@ -20,20 +20,22 @@ namespace idt {
 void check_values(const CLI::App& app, const std::vector<std::string>& arguments);
 
 // Parses.
-// \exception CLI::ParseError that names a wrong word rather than what is missing beside it, and what it may be meant for
+// \exception CLI::ParseError that names a wrong word rather than what is missing beside it, and what it may be meant
+//   for
 void parse(CLI::App& app, int argc, const char* const* argv);
 
 // Whether a result goes to the standard output: an option of the command that was parsed has the value "-".
 bool writes_to_standard_output(const CLI::App& command);
 
-// Lets an option have one of these words alone; a message names the nearest. --help lists them if `are_listed`, completion always.
+// Lets an option have one of these words alone; a message names the nearest. --help lists them if `are_listed`,
+// completion always.
 CLI::Option* set_words(CLI::Option* option, const std::vector<std::string>& words, bool are_listed = true);
 
 // The words that an option can have, none if it can have others.
 std::vector<std::string> words_of(const CLI::Option& option);
 
-// To be passed to transform(): accepts what fits into 64 bits without a sign. CLI11 reads a leading zero as the mark of an octal
-// number, and makes the largest number of one that is larger.
+// To be passed to transform(): accepts what fits into 64 bits without a sign. CLI11 reads a leading zero as the mark of
+// an octal number, and makes the largest number of one that is larger.
 CLI::Validator whole_number();
 
 } // namespace idt

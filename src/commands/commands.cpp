@@ -25,10 +25,16 @@ Exit_status say(const std::string& message, Exit_status status)
 
 CLI::Option* add_repair_option(CLI::App& command, bool& is_repaired)
 {
-  return command.add_flag("--repair", is_repaired,
-                          "first make a surface of a mesh that is none: triangulate polygons, orient "
-                          "faces, cut where more than two faces or several fans meet, close seams, "
-                          "remove duplicate faces and unused vertices; all that is done is reported");
+  return command.add_flag(
+    "--repair", is_repaired,
+    "first turn a mesh that is not a surface into one: triangulate polygons, orient faces, cut where more than two "
+    "faces or several fans meet, close seams, remove duplicate faces and unused vertices; everything is reported");
+}
+
+void add_view_option(CLI::App& command, std::string& path)
+{
+  command.add_option("--view", path, "write a page that shows the result in a browser, as `idt view` does")
+    ->type_name("F.html");
 }
 
 Exit_status report_current_exception(const std::string& input)

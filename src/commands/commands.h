@@ -21,6 +21,7 @@ namespace idt {
 using Selected_command = std::function<Exit_status()>;
 
 void add_triangulate_command(CLI::App& app, Selected_command& selected);
+void add_view_command(CLI::App& app, Selected_command& selected);
 void add_refine_command(CLI::App& app, Selected_command& selected);
 void add_compare_command(CLI::App& app, Selected_command& selected);
 void add_parameterize_command(CLI::App& app, Selected_command& selected);
@@ -34,9 +35,13 @@ void add_describe_command(CLI::App& app, Selected_command& selected);
 // Declares the option that has an input repaired before anything else.
 CLI::Option* add_repair_option(CLI::App& command, bool& is_repaired);
 
+// Declares the option that has a page written which shows the result.
+void add_view_option(CLI::App& command, std::string& path);
+
 // Writes a message to the standard error and says which status it stands for; to be
 // called in a handler.
-// \param input what was worked on; messages that do not begin with it are about it all the same, as the library knows no files
+// \param input what was worked on; messages that do not begin with it are about it all the same, as the library knows
+//   no files
 Exit_status report_current_exception(const std::string& input = std::string());
 
 // Does the same for each input until the command is interrupted. An input that fails

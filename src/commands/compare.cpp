@@ -125,8 +125,8 @@ Exit_status run_compare(Compare_options options)
 }
 
 const char* const columns_help =
-  "Each number type starts from the same surface. What it makes of it is compared with the\n"
-  "surface that the doubles of the input define, by exact decisions and exact lengths:\n"
+  "Each number type starts from the same surface. Its result is compared with the surface\n"
+  "that the doubles of the input define, by exact decisions and exact lengths:\n"
   "  status        done; not flippable, inconsistent or undecided if some edges defied the\n"
   "                number type; flip budget, time limit, overflow or crashed if it did not\n"
   "                end; refused if the number type cannot hold the surface\n"
@@ -160,20 +160,21 @@ void add_compare_command(CLI::App& app, Selected_command& selected)
     ->delimiter(',')
     ->allow_extra_args(false)
     ->capture_default_str();
-  command.add_option("--precisions", options->precisions, "bits at least, for each run of mpfr")
+  command.add_option("--precisions", options->precisions, "minimum precision in bits, for each run of mpfr")
     ->type_name("BITS,BITS,...")
     ->delimiter(',')
     ->allow_extra_args(false)
     ->check(CLI::Range(2, 1000000))
     ->capture_default_str();
   command
-    .add_option("--time-limit", options->comparison.time_limit,
-                "seconds after which a number type has not ended on a surface; the exact checks "
-                "of its result have as long again, each")
+    .add_option(
+      "--time-limit", options->comparison.time_limit,
+      "time limit in seconds for a number type on a surface; each exact check of its result has the same limit")
     ->type_name("S")
     ->capture_default_str();
   command
-    .add_option("--repetitions", options->comparison.repetitions, "runs at least, of which the time is the median")
+    .add_option("--repetitions", options->comparison.repetitions,
+                "minimum number of runs, whose median time is reported")
     ->type_name("N")
     ->check(CLI::Range(1, 1000))
     ->capture_default_str();

@@ -10,6 +10,8 @@
 #include "input/Triangle_soup.h"
 #include "input/gluing_file.h"
 #include "input/mesh_file.h"
+#include "input/saved_triangulation.h"
+#include "input/standard_input.h"
 #include "number_types/make_triangulation.h"
 #include "output/Output_file.h"
 #include "output/write_distances.h"
@@ -19,11 +21,13 @@
 #include "system/Progress.h"
 #include "system/Stopwatch.h"
 #include "system/text.h"
+#include "view/View.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Heat_method.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/Vector_heat_method.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
@@ -60,7 +64,7 @@ struct Distance_options
 {
   std::string input;
   std::vector<std::uint64_t> sources;
-  std::string output_path, overlay_path, stats_path;
+  std::string output_path, overlay_path, stats_path, view_path;
   std::string cover = "tufted", boundary, format = "csv", method;
   std::optional<double> time_coefficient;
   bool is_refined = false, is_repaired = false, has_vectors = false, is_compared = false;
@@ -82,7 +86,8 @@ struct Distance_result
   std::size_t number_of_bounded_distances = 0;
   bool is_complete = true;
   std::optional<std::array<double, 2>> errors;       // the mean and the largest one, as parts of the exact distance
-  std::optional<IT::Common_subdivision> subdivision; // for the overlay
+  std::optional<IT::Common_subdivision> subdivision; // for the overlay and the view
+  IT::Element_numbers input_numbers, numbers;        // for the view
   Named_values overlay_distances{"distance", {}};
   double read_seconds = 0, triangulation_seconds = 0, distance_seconds = 0;
   std::vector<std::string> warnings;
@@ -120,20 +125,21 @@ void check(const Distance_options& options)
   if (options.cover == "tufted" && options.has_vectors)
     throw Usage_error("--vectors needs --cover none: a vertex of the tufted cover has no tangent plane");
   if (options.cover == "tufted" && !options.overlay_path.empty())
-    throw Usage_error("--overlay needs --cover none: the tufted cover is no triangulation of the input");
+    throw Usage_error("--overlay needs --cover none: the tufted cover is not a triangulation of the input");
   const std::optional<Mesh_format> overlay_format = options.overlay_format();
   if (!options.overlay_path.empty() && overlay_format != Mesh_format::PLY && overlay_format != Mesh_format::VTP)
     throw Usage_error(options.overlay_path +
                       ": the overlay with distances is written as a file whose name ends in .ply or .vtp");
   if (options.has_vectors && options.output_path.empty())
-    throw Usage_error("--vectors needs -o, the file that they are written to");
+    throw Usage_error("--vectors needs -o, the file to write them to");
   if (options.time_coefficient && !(*options.time_coefficient > 0 && std::isfinite(*options.time_coefficient)))
     throw Usage_error("--time: T is a positive number");
   const std::string& path = options.output_path;
   const std::string type = std::filesystem::path(name_with_format(path, options.format)).extension().string();
   if (!path.empty() && type != ".csv" && type != ".ply" && type != ".vtp")
     throw Usage_error(path + ": distances are written as a file whose name ends in .csv, .ply or .vtp");
-  check_output_paths({path, options.overlay_path, options.stats_path}, {options.input});
+  check_output_paths({path, options.overlay_path, options.stats_path, options.view_path}, {options.input});
+  check_view(options.view_path);
 }
 
 auto library_options(const Distance_options& options)
@@ -222,7 +228,8 @@ void find_distances(const Distance_options& options, const Any_surface& surface,
   result.surface.distances.resize(n); // without the vertices that a refinement inserted
 }
 
-// The first axis of the tangent plane of each source, carried to the vertices that are nearest to it; and for one source the logarithmic map.
+// The first axis of the tangent plane of each source, carried to the vertices that are nearest to it; and for one
+// source the logarithmic map.
 void find_vectors(const Distance_options& options, const Triangulation& triangulation,
                   const std::vector<std::array<double, 3>>& points, Distance_result& result)
 {
@@ -278,6 +285,7 @@ void find_on_cover(const Distance_options& options, Distance_result& result)
     find_on_cover(options, IT::make_tufted_cover(complex, lengths), progress, stopwatch, result);
   } else {
     Triangle_soup soup = read_triangle_soup(options.input);
+    check_view(options.view_path, soup.triangles.size());
     set_number_of_vertices(options, soup.points.size(), result);
     result.read_seconds = stopwatch.restart();
     Progress progress(options.input, "covering");
@@ -298,7 +306,13 @@ void find_on_surface(const Distance_options& options, Distance_result& result)
   set_number_of_vertices(options, complex.number_of_vertices(), result);
   result.read_seconds = stopwatch.restart();
   Progress progress(options.input, "triangulating");
-  auto triangulation = make_triangulation<Triangulation::Traits>(surface);
+  auto triangulation = first_triangulation<Triangulation::Traits>(surface);
+  const bool has_view = !options.view_path.empty();
+  if (has_view) {
+    check_view(options.view_path, complex.number_of_faces());
+    result.input_numbers =
+      IT::element_numbers(surface.saved ? make_triangulation<Triangulation::Traits>(surface) : triangulation);
+  }
   const IT::Flip_report report = IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(Flip_watch{progress}));
   result.flips = report.flips;
   if (options.is_refined) {
@@ -310,7 +324,9 @@ void find_on_surface(const Distance_options& options, Distance_result& result)
       triangulation.connectivity().number_of_vertices() - complex.number_of_vertices();
   }
   result.triangulation_seconds = stopwatch.restart();
-  if (!options.overlay_path.empty()) {
+  if (has_view)
+    result.numbers = IT::element_numbers(triangulation);
+  if (has_view || !options.overlay_path.empty()) {
     progress.begin("overlay");
     result.subdivision.emplace(triangulation);
   }
@@ -360,14 +376,14 @@ Json statistics(const Distance_options& options, const Distance_result& result)
 std::string accuracy(const Distance_options& options, const Distance_result& result)
 {
   if (!result.is_complete)
-    return "some distances may be too large, up to those along edges: too many straight ways had to be followed";
+    return "some distances may be too large, up to those along edges: there were too many straight ways to follow";
   if (result.errors)
     return "mean error " + in_short(100 * (*result.errors)[0]) + " %, largest " + in_short(100 * (*result.errors)[1]) +
            " %";
   if (result.is_far_from_right())
-    return "far from right: see the warning";
+    return "poor: see the warning";
   if (options.is_by_heat())
-    return "that of the heat method; --compare-exact tells";
+    return "that of the heat method; --compare-exact measures it";
   return options.method == "exact" ? "exact up to rounding" : "errors of about 0.1 %, seldom more than 1 %";
 }
 
@@ -383,13 +399,28 @@ void write_report(std::ostream& os, const Distance_options& options, const Dista
   os << "\n  time              " << seconds_text(result.triangulation_seconds + result.distance_seconds) << '\n';
 }
 
+View view_of(const Distance_options& options, const Distance_result& result)
+{
+  const Surface_with_distances& surface = result.surface;
+  View view =
+    result.subdivision
+      ? make_view(options.input, options.is_refined ? "refined triangulation" : "intrinsic Delaunay triangulation",
+                  *result.subdivision, surface.points, result.input_numbers, result.numbers)
+      : make_view(options.input, surface.points, surface.triangles);
+  view.fields.push_back({"distance",
+                         "in the unit of the input",
+                         false,
+                         {result.subdivision ? result.overlay_distances.values : surface.distances}});
+  return view;
+}
+
 Exit_status run_distance(const Distance_options& options)
 {
   check(options);
   return for_each_input({options.input}, [&](const std::string& path) {
     Distance_result result;
     try {
-      if (options.cover == "tufted")
+      if (options.cover == "tufted" && !is_saved_triangulation(readable_file(options.input)))
         find_on_cover(options, result);
       else
         find_on_surface(options, result);
@@ -401,16 +432,16 @@ Exit_status run_distance(const Distance_options& options)
       result.warnings.push_back("heat gave " + std::to_string(result.number_of_bounded_distances) + " of " +
                                 std::to_string(result.surface.number_of_vertices) +
                                 " distances which are shorter than straight lines or longer than paths along edges, by "
-                                "more than 5 %: others are far from right, "
-                                "too; leave --method heat away");
+                                "more than 5 %: others are inaccurate, too; omit --method heat");
       std::cerr << "idt: " << path << ": " << result.warnings.back() << std::endl;
     }
     const std::string& output = options.output_path;
     const std::string type = std::filesystem::path(name_with_format(output, options.format)).extension().string();
     if (result.surface.points.empty() && result.surface.number_of_vertices > 0 && !type.empty() && type != ".csv")
-      throw Usage_error(output + ": " + path + " has lengths alone, no points: write a .csv file");
-    if (result.surface.points.empty() && result.subdivision)
-      throw Usage_error(options.overlay_path + ": " + path + " has lengths alone, no points");
+      throw Usage_error(output + ": " + path + " has only lengths, no points: write a .csv file");
+    if (result.surface.points.empty() && !(options.overlay_path.empty() && options.view_path.empty()))
+      throw Usage_error((options.overlay_path.empty() ? options.view_path : options.overlay_path) + ": " + path +
+                        " has only lengths, no points");
     write_file(options.overlay_path, [&](std::ostream& os) {
       write_overlay(os, *result.subdivision, result.surface.points, *options.overlay_format(), false,
                     {result.overlay_distances});
@@ -423,6 +454,8 @@ Exit_status run_distance(const Distance_options& options)
       else
         write_distances_vtp(os, result.surface);
     });
+    if (!options.view_path.empty())
+      write_view(options.view_path, view_of(options, result));
     write_json(options.stats_path, statistics(options, result));
     write_report(std::cout, options, result);
     flush_standard_output();
@@ -435,9 +468,9 @@ Exit_status run_distance(const Distance_options& options)
 void add_distance_command(CLI::App& app, Selected_command& selected)
 {
   const auto options = std::make_shared<Distance_options>();
-  CLI::App& command = *app.add_subcommand("distance", "Find the distance of all vertices from some of them");
+  CLI::App& command = *app.add_subcommand("distance", "Find the distances of all vertices from some of them");
   command.footer(
-    "Distances are the lengths of shortest paths on an intrinsic Delaunay triangulation, or those of the heat\n"
+    "Distances are lengths of shortest paths on an intrinsic Delaunay triangulation, or computed by the heat\n"
     "method. They are zero at the sources, and infinite where no source is connected. Vertices are counted from\n"
     "zero.\n");
   command
@@ -458,42 +491,38 @@ void add_distance_command(CLI::App& app, Selected_command& selected)
                 "write the overlay of input and triangulation, as `idt triangulate` does, with the distance at each of "
                 "its vertices")
     ->type_name("F.(ply|vtp)");
-  set_words(
-    command.add_option("--format", options->format, "the format of -o -, or --overlay -, on the standard output"),
-    {"csv", "ply", "vtp"})
+  set_words(command.add_option("--format", options->format, "the format of -o - or --overlay - on the standard output"),
+            {"csv", "ply", "vtp"})
     ->type_name("EXT")
     ->capture_default_str();
-  set_words(command.add_option(
-              "--cover", options->cover,
-              "tufted: on a closed surface over any triangles; none: on the triangles themselves, which have to be an "
-              "oriented surface"),
+  set_words(command.add_option("--cover", options->cover,
+                               "tufted: on a closed surface over any triangles; none: on the triangles themselves, "
+                               "which must form an oriented surface"),
             {"tufted", "none"})
     ->capture_default_str();
+  set_words(command.add_option(
+              "--method", options->method,
+              "approximate: follow straight ways over the faces, nearly equal ones together; exact: follow each of "
+              "them; heat: the heat method. The default is approximate, or heat with --boundary or --time"),
+            {"approximate", "exact", "heat"});
+  command.add_flag("--compare-exact", options->is_compared,
+                   "report the mean and the largest error compared with the exact distances");
   set_words(
     command.add_option(
-      "--method", options->method,
-      "approximate: straight ways are followed over the faces, those that are nearly the same together; exact: all of "
-      "them; heat: by the spread of heat. approximate by default, and heat with --boundary or --time"),
-    {"approximate", "exact", "heat"});
-  command.add_flag("--compare-exact", options->is_compared,
-                   "report the mean and the largest error, against the exact distances");
-  set_words(command.add_option("--boundary", options->boundary,
-                               "what heat does at the border: neumann, none leaves, as by default; dirichlet, it is "
-                               "cold there; average, the mean "
-                               "of both"),
-            {"neumann", "dirichlet", "average"});
-  command.add_flag("--refine", options->is_refined, "insert vertices first until no angle is below 25 degrees");
+      "--boundary", options->boundary,
+      "heat at the border: neumann, none leaves (default); dirichlet, the border is cold; average, the mean of both"),
+    {"neumann", "dirichlet", "average"});
+  command.add_flag("--refine", options->is_refined, "first insert vertices until no angle is below 25 degrees");
   command
     .add_option("--time", options->time_coefficient,
-                "for how long heat spreads, in units of the squared mean length of the edges: the larger, the "
-                "smoother; 1 by default")
+                "how long heat spreads, in units of the squared mean edge length: larger is smoother; 1 by default")
     ->type_name("T");
   command.add_flag("--vectors", options->has_vectors,
-                   "also write the first axis of the source, carried parallelly to each vertex, and for one source its "
-                   "logarithmic map");
+                   "also write the first axis of the source, parallel-transported to each vertex, and for one source "
+                   "its logarithmic map");
+  add_view_option(command, options->view_path);
   add_repair_option(command, options->is_repaired);
-  command.add_option("--stats", options->stats_path, "write what the report says as a JSON object")
-    ->type_name("F.json");
+  command.add_option("--stats", options->stats_path, "write the report as a JSON object")->type_name("F.json");
   command.callback([options, &selected] { selected = [options] { return run_distance(*options); }; });
 }
 

@@ -15,10 +15,13 @@
 #include "system/Progress.h"
 #include "system/Stopwatch.h"
 #include "system/text.h"
+#include "view/View.h"
 
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
 #include <CGAL/Intrinsic_triangulations/Point_location.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
@@ -55,7 +58,7 @@ struct Geodesic_options
   bool is_closed = false, is_shortest = false;
   std::optional<double> direction, length;
   std::uint64_t maximum_number_of_faces = 1000000;
-  std::string output_path, cut_path, stats_path, format = "csv";
+  std::string output_path, cut_path, stats_path, view_path, format = "csv";
   bool is_repaired = false;
 
   // What tells the format of the curve.
@@ -116,7 +119,7 @@ void check(const Geodesic_options& options)
       "a path needs --to, a closed one --via or --to with --closed, and a line --direction and --length");
   if (options.is_closed && options.via.size() + (options.to.empty() ? 0 : 1) < 2)
     throw Usage_error(
-      "--closed needs two of --via and --to beside --from: the curve begins as the one through these vertices");
+      "--closed needs two of --via and --to besides --from: the curve initially runs through these vertices");
   if (options.direction &&
       (!std::isfinite(*options.direction) || !std::isfinite(*options.length) || *options.length < 0))
     throw Usage_error("--direction and --length have to be finite, and the length not negative");
@@ -133,7 +136,8 @@ void check(const Geodesic_options& options)
   if (!options.output_path.empty() && type != ".obj" && type != ".csv" && type != ".ply" && type != ".vtp")
     throw Usage_error(options.output_path +
                       ": a curve is written as a file whose name ends in .obj, .csv, .ply or .vtp");
-  check_output_paths({options.output_path, options.cut_path, options.stats_path}, {options.input});
+  check_output_paths({options.output_path, options.cut_path, options.stats_path, options.view_path}, {options.input});
+  check_view(options.view_path);
 }
 
 bool goes_on() { return !is_interrupted(); }
@@ -170,7 +174,7 @@ IT::Vertex_index vertex(const Surface& surface, Triangulation& triangulation, co
   if (stop.vertex)
     return vertex(triangulation, *stop.vertex);
   if (!surface.has_points())
-    throw Usage_error(surface.path + " has lengths alone, no points: begin and end at vertices");
+    throw Usage_error(surface.path + " has only lengths, no points: begin and end at vertices");
   return IT::vertex_at_point(triangulation, IT::locate(surface.connectivity, surface.points, stop.point));
 }
 
@@ -382,14 +386,28 @@ Exit_status run_geodesic(const Geodesic_options& options)
     const Surface surface = load_surface(path, {std::nullopt, options.is_repaired});
     const std::string type = options.extension();
     if (!surface.has_points() && !type.empty() && type != ".csv")
-      throw Usage_error(options.output_path + ": " + path + " has lengths alone, no points: write a .csv file");
+      throw Usage_error(options.output_path + ": " + path + " has only lengths, no points: write a .csv file");
     if (!surface.has_points() && !options.cut_path.empty())
-      throw Usage_error(options.cut_path + ": " + path + " has lengths alone, no points");
+      throw Usage_error(options.cut_path + ": " + path + " has only lengths, no points");
+    if (!surface.has_points() && !options.view_path.empty())
+      throw Usage_error(options.view_path + ": " + path + " has only lengths, no points");
+    check_view(options.view_path, surface.connectivity.number_of_faces());
     const Stopwatch stopwatch;
+    std::optional<View> view;
     const Curve curve = [&] {
       const Progress progress(path, "looking for the line");
       auto triangulation = make_triangulation<Triangulation::Traits>(surface);
-      return options.direction ? trace(options, triangulation) : find_path(options, surface, triangulation);
+      const bool has_view = !options.view_path.empty();
+      const IT::Element_numbers input_numbers = has_view ? IT::element_numbers(triangulation) : IT::Element_numbers();
+      Curve curve = options.direction ? trace(options, triangulation) : find_path(options, surface, triangulation);
+      if (has_view)
+        view = make_view(path,
+                         options.direction     ? "the same, for a line crosses edges"
+                         : options.is_shortest ? "triangulation with the line as edges, after Delaunay flips"
+                                               : "triangulation with the line as edges",
+                         IT::Common_subdivision(triangulation), surface.points, input_numbers,
+                         IT::element_numbers(triangulation));
+      return curve;
     }();
     const double seconds = stopwatch.seconds();
     Points points;
@@ -410,6 +428,10 @@ Exit_status run_geodesic(const Geodesic_options& options)
       const IT::Cut_surface cut = IT::cut_along_path(surface.connectivity, surface.points, curve.points);
       write_mesh(os, cut.points, cut.triangles, *find_mesh_format(options.cut_path));
     });
+    if (view) {
+      view->path = points;
+      write_view(options.view_path, *view);
+    }
     write_json(options.stats_path, json_value(options, surface, curve, seconds));
     write_report(std::cout, options, curve, seconds);
     flush_standard_output();
@@ -426,31 +448,30 @@ void add_geodesic_command(CLI::App& app, Selected_command& selected)
   const auto options = std::make_shared<Geodesic_options>();
   CLI::App& command = *app.add_subcommand("geodesic", "Find straight lines on a surface");
   command.footer(
-    "A path or a closed curve begins along edges and is shortened by flips until it is proven to be\n"
+    "A path or a closed curve begins along edges, and flips shorten it until it is proven to be\n"
     "locally shortest. A line is followed over the faces, with exact decisions. Vertices are counted from\n"
     "zero. The exit status is 4 if a curve could not be made locally shortest, or shortest with --shortest, or a\n"
-    "line came to --maximum-faces.\n");
+    "line reached --maximum-faces.\n");
   command.add_option("INPUT", options->input, "as for `idt triangulate`")->required();
   command
-    .add_option("--from", options->from,
-                "where it begins: a vertex, or the point of the surface that is nearest to a point in space")
+    .add_option("--from", options->from, "the start: a vertex, or the point of the surface nearest to a point in space")
     ->type_name("V|X,Y,Z")
     ->required();
-  command.add_option("--to", options->to, "where a path ends")->type_name("V|X,Y,Z");
+  command.add_option("--to", options->to, "the end of a path")->type_name("V|X,Y,Z");
   command
-    .add_option(
-      "--via", options->via,
-      "a vertex or point in between; can be repeated. A path goes on to pass through it, a closed curve only begins so")
+    .add_option("--via", options->via,
+                "a vertex or point in between; can be repeated. A path keeps passing through it, a closed curve only "
+                "begins there")
     ->type_name("V|X,Y,Z")
     ->expected(1)
     ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command.add_flag("--closed", options->is_closed, "a closed curve: from the last vertex back to the first");
   command.add_flag("--shortest", options->is_shortest,
-                   "the shortest path of all, from stop to stop, and its exact length up to rounding beside it");
+                   "the shortest path of all, from stop to stop, and its exact length up to rounding");
   command.add_option("--direction", options->direction,
-                     "a line instead: in this direction, an angle on the surface in radians, counterclockwise from the "
+                     "a line instead, in this direction: an angle on the surface in radians, counterclockwise from the "
                      "neighbour with the smallest number, or from the border");
-  command.add_option("--length", options->length, "how long the line is");
+  command.add_option("--length", options->length, "the length of the line");
   command.add_option("--maximum-faces", options->maximum_number_of_faces, "end the line after N faces")
     ->type_name("N")
     ->transform(whole_number())
@@ -461,12 +482,12 @@ void add_geodesic_command(CLI::App& app, Selected_command& selected)
     ->type_name("F.(obj|csv|ply|vtp)");
   command.add_option("--cut", options->cut_path, "write the surface, cut open along the curve")
     ->type_name("F.(off|obj|ply|ts|vtp)");
-  set_words(command.add_option("--format", options->format, "the format of -o -, on the standard output"),
+  set_words(command.add_option("--format", options->format, "the format of -o - on the standard output"),
             {"csv", "obj", "ply", "vtp"})
     ->type_name("EXT")
     ->capture_default_str();
-  command.add_option("--stats", options->stats_path, "write what the report says as a JSON object")
-    ->type_name("F.json");
+  command.add_option("--stats", options->stats_path, "write the report as a JSON object")->type_name("F.json");
+  add_view_option(command, options->view_path);
   add_repair_option(command, options->is_repaired);
   command.callback([options, &selected] { selected = [options] { return run_geodesic(*options); }; });
 }

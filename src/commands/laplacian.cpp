@@ -7,8 +7,11 @@
 #include "commands/command_line.h"
 #include "commands/commands.h"
 
+#include "input/Surface.h"
 #include "input/Triangle_soup.h"
 #include "input/gluing_file.h"
+#include "input/saved_triangulation.h"
+#include "input/standard_input.h"
 #include "output/Output_file.h"
 #include "output/write_json.h"
 #include "output/write_symmetric_matrix.h"
@@ -16,15 +19,21 @@
 #include "system/Progress.h"
 #include "system/Stopwatch.h"
 #include "system/text.h"
+#include "view/View.h"
 
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/eigenvalues.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <cstdint>
 #include <iostream>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 namespace idt {
@@ -36,7 +45,7 @@ using Json = nlohmann::ordered_json;
 struct Laplacian_options
 {
   std::string input;
-  std::string stiffness_path, mass_path, stats_path;
+  std::string stiffness_path, mass_path, stats_path, view_path;
   std::string mass_type = "lumped";
   std::string cover = "tufted";
   std::string coincident_vertices = "merge";
@@ -44,7 +53,7 @@ struct Laplacian_options
   double mollification = 0;
   std::size_t number_of_eigenvalues = 0;
 
-  std::vector<std::string> output_paths() const { return {stiffness_path, mass_path, stats_path}; }
+  std::vector<std::string> output_paths() const { return {stiffness_path, mass_path, stats_path, view_path}; }
 };
 
 struct Laplacian_result
@@ -52,6 +61,8 @@ struct Laplacian_result
   IT::Tufted_Laplacian Laplacian;
   std::size_t number_of_faces = 0, triangulated_faces = 0, small_faces = 0; // of the file
   std::vector<double> eigenvalues;
+  Triangle_soup soup; // for the view: points and triangles alone
+  std::vector<View_field> fields;
   std::vector<std::string> warnings;
   double read_seconds = 0, seconds = 0;
 
@@ -72,8 +83,30 @@ auto library_options(const Laplacian_options& options, const Visitor& visitor)
     .visitor(visitor);
 }
 
+// Of a triangulation that was saved, as it is.
+void find_operator_of_saved(const Laplacian_options& options, Laplacian_result& result)
+{
+  Stopwatch stopwatch;
+  const Surface surface = load_surface(options.input);
+  const auto& triangulation = surface.saved->triangulation;
+  result.number_of_faces = triangulation.connectivity().number_of_faces();
+  result.read_seconds = stopwatch.restart();
+  const Progress progress(options.input, "building matrices");
+  IT::Tufted_Laplacian& Laplacian = result.Laplacian;
+  Laplacian.stiffness = IT::stiffness_matrix(triangulation, IT::Stiffness_factor::HALF);
+  Laplacian.mass =
+    options.mass_type == "lumped" ? IT::lumped_mass_matrix(triangulation) : IT::Galerkin_mass_matrix(triangulation);
+  Laplacian.report.number_of_vertices = triangulation.connectivity().number_of_vertices();
+  Laplacian.representative.resize(Laplacian.report.number_of_vertices);
+  std::iota(Laplacian.representative.begin(), Laplacian.representative.end(), 0);
+  Laplacian.minimum_weight = IT::summarize_cotangent_weights(triangulation).smallest.value_or(0) / 2;
+  result.seconds = stopwatch.seconds();
+}
+
 void find_operator(const Laplacian_options& options, Laplacian_result& result)
 {
+  if (is_saved_triangulation(readable_file(options.input)))
+    return find_operator_of_saved(options, result);
   Stopwatch stopwatch;
   if (is_gluing_file(options.input)) {
     IT::Delta_complex complex;
@@ -90,7 +123,8 @@ void find_operator(const Laplacian_options& options, Laplacian_result& result)
     Progress progress(options.input, "building matrices");
     result.Laplacian = IT::tufted_Laplacian(complex, lengths, library_options(options, Flip_watch{progress}));
   } else {
-    const Triangle_soup soup = read_triangle_soup(options.input);
+    Triangle_soup soup = read_triangle_soup(options.input);
+    check_view(options.view_path, soup.triangles.size());
     result.number_of_faces = soup.number_of_faces;
     result.triangulated_faces = soup.triangulated_faces;
     result.small_faces = soup.small_faces;
@@ -99,8 +133,31 @@ void find_operator(const Laplacian_options& options, Laplacian_result& result)
     Progress progress(options.input, "building matrices");
     result.Laplacian =
       IT::tufted_Laplacian(soup.points, soup.triangles, library_options(options, Flip_watch{progress}));
+    if (!options.view_path.empty())
+      result.soup = std::move(soup);
   }
   result.seconds = stopwatch.seconds();
+}
+
+// The functions are for the view. A vertex that was merged has the value of the one that stands for it.
+void find_eigenvalues(const Laplacian_options& options, Laplacian_result& result)
+{
+  const Progress progress(options.input, "factoring, and finding eigenvalues");
+  const auto& [stiffness, mass, representative, report, flips, minimum_weight] = result.Laplacian;
+  if (options.view_path.empty()) {
+    result.eigenvalues = IT::smallest_eigenvalues(stiffness, mass, options.number_of_eigenvalues);
+    return;
+  }
+  const IT::Eigenfunctions found = IT::smallest_eigenfunctions(stiffness, mass, options.number_of_eigenvalues);
+  result.eigenvalues = found.eigenvalues;
+  for (std::size_t i = 0; i < found.eigenvalues.size(); ++i) {
+    std::vector<double> values;
+    for (std::uint32_t v : representative)
+      values.push_back(found.functions(Eigen::Index(v), Eigen::Index(i)));
+    const double rounded = std::abs(found.eigenvalues[i]) < 1e-9 * found.eigenvalues.back() ? 0 : found.eigenvalues[i];
+    result.fields.push_back(
+      {"eigenfunction " + std::to_string(i) + ", eigenvalue " + in_short(rounded), "", false, {std::move(values)}});
+  }
 }
 
 Json mollification_json(const Laplacian_options& options, const IT::Mollification_report& report)
@@ -155,7 +212,7 @@ void write_report(std::ostream& os, const Laplacian_options& options, const Lapl
   line(report.repeated_corner_faces, "face", "faces", "with a vertex as two corners");
   line(report.collapsed_faces, "face", "faces", "whose corners were merged");
   line(report.zero_length_faces, "face", "faces", "with a side of length zero");
-  line(report.faces_without_area, "face", "faces", "connected with nothing that has an area");
+  line(report.faces_without_area, "face", "faces", "connected only with faces of zero area");
   if (report.merged_vertices > 0)
     os << "\n  merged            " << counted(report.merged_vertices, "vertex", "vertices")
        << " with another at the same place: rows of zeros";
@@ -173,14 +230,16 @@ void write_report(std::ostream& os, const Laplacian_options& options, const Lapl
 Exit_status run_Laplacian(const Laplacian_options& options)
 {
   check_output_paths(options.output_paths(), {options.input});
+  check_view(options.view_path);
+  if (!options.view_path.empty() && is_gluing_file(options.input))
+    throw Usage_error("--view: " + options.input + " has only lengths, no points");
+  if (!options.view_path.empty() && is_saved_triangulation(options.input))
+    throw Usage_error("--view: idt view shows " + options.input);
   return for_each_input({options.input}, [&](const std::string&) {
     Laplacian_result result;
     find_operator(options, result);
-    if (options.number_of_eigenvalues > 0) {
-      const Progress progress(options.input, "factoring, and finding eigenvalues");
-      result.eigenvalues =
-        IT::smallest_eigenvalues(result.Laplacian.stiffness, result.Laplacian.mass, options.number_of_eigenvalues);
-    }
+    if (options.number_of_eigenvalues > 0)
+      find_eigenvalues(options, result);
     write_file(options.stiffness_path, [&](std::ostream& os) {
       write_symmetric_matrix(os, "Laplace-Beltrami operator: -(cot + cot)/2 off the diagonal, row sums zero",
                              result.Laplacian.stiffness);
@@ -192,6 +251,11 @@ Exit_status run_Laplacian(const Laplacian_options& options)
                                : "mass of linear finite elements",
                              result.Laplacian.mass);
     });
+    if (!options.view_path.empty()) {
+      View view = make_view(options.input, result.soup.points, result.soup.triangles);
+      view.fields = std::move(result.fields);
+      write_view(options.view_path, view);
+    }
     write_json(options.stats_path, statistics(options, result));
     write_report(std::cout, options, result);
     flush_standard_output();
@@ -221,24 +285,24 @@ void add_Laplacian_command(CLI::App& app, Selected_command& selected)
       "of the vertices")
     ->type_name("L.mtx");
   command.add_option("--mass", options->mass_path, "write the mass matrix")->type_name("M.mtx");
+  set_words(command.add_option(
+              "--mass-type", options->mass_type,
+              "lumped: a third of the area around each vertex; galerkin: the mass matrix of linear finite elements"),
+            {"lumped", "galerkin"})
+    ->capture_default_str();
   set_words(
-    command.add_option("--mass-type", options->mass_type,
-                       "lumped: a third of the area around each vertex; galerkin: that of linear finite elements"),
-    {"lumped", "galerkin"})
+    command.add_option("--cover", options->cover,
+                       "tufted: two copies of each face, glued around each edge, where the surface is not closed; "
+                       "none: the faces themselves, which must form an orientable surface, with a fixed border"),
+    {"tufted", "none"})
     ->capture_default_str();
   set_words(
     command.add_option(
-      "--cover", options->cover,
-      "tufted: two copies of each face, glued around each edge, where the surface is not closed; none: the faces "
-      "themselves, which have to be an orientable surface, with a fixed border"),
-    {"tufted", "none"})
+      "--coincident-vertices", options->coincident_vertices,
+      "what to do if an edge joins two vertices at the same place: report an error, merge them, or drop its faces"),
+    {"error", "merge", "drop"})
     ->capture_default_str();
-  set_words(command.add_option(
-              "--coincident-vertices", options->coincident_vertices,
-              "what to do where an edge joins two vertices at the same place: an error, merge them, or drop its faces"),
-            {"error", "merge", "drop"})
-    ->capture_default_str();
-  command.add_flag("--weld", options->is_welded, "merge all vertices at the same place first");
+  command.add_flag("--weld", options->is_welded, "first merge all vertices at the same place");
   command
     .add_option(
       "--mollify", options->mollification,
@@ -249,8 +313,8 @@ void add_Laplacian_command(CLI::App& app, Selected_command& selected)
   command.add_option("--eigenvalues", options->number_of_eigenvalues, "print the K smallest eigenvalues")
     ->type_name("K")
     ->check(CLI::Range(1, 10000));
-  command.add_option("--stats", options->stats_path, "write what the report says as a JSON object")
-    ->type_name("F.json");
+  add_view_option(command, options->view_path);
+  command.add_option("--stats", options->stats_path, "write the report as a JSON object")->type_name("F.json");
   command.callback([options, &selected] { selected = [options] { return run_Laplacian(*options); }; });
 }
 

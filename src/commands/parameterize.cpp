@@ -16,6 +16,7 @@
 #include "system/text.h"
 #include "commands/triangulate.h"
 #include "output/write_textured_mesh.h"
+#include "view/View.h"
 
 #include <CGAL/Intrinsic_triangulations/circle_pattern_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
@@ -46,6 +47,7 @@ struct Parameterize_options
   std::string uv_input_path;
   std::string distortion_path;
   std::string json_path;
+  std::string view_path;
   bool is_repaired = false;
 };
 
@@ -75,7 +77,7 @@ void check(Parameterize_options& options)
   } else if (options.boundary.empty()) {
     options.boundary = "disk";
   }
-  std::vector<std::string> outputs{options.json_path, options.distortion_path};
+  std::vector<std::string> outputs{options.json_path, options.distortion_path, options.view_path};
   for (const std::string& obj_path : {options.uv_path, options.uv_input_path})
     if (!obj_path.empty() && find_mesh_format(obj_path) != Mesh_format::OBJ)
       throw Usage_error(obj_path + ": the map is written as an OBJ file, whose name ends in .obj");
@@ -85,6 +87,7 @@ void check(Parameterize_options& options)
       for (const std::string& path : textured_mesh_paths(obj_path))
         outputs.push_back(path);
   check_output_paths(outputs, {options.input});
+  check_view(options.view_path);
 }
 
 // \param progress is asked as often as the method allows: a single linear system is solved in one go
@@ -174,7 +177,8 @@ Json json_value(const Parameterize_options& options, const Result& result)
   return json;
 }
 
-// The options to try if these fail; empty if there are none. Followed again and again, this ends with the map that has the least demands.
+// The options to try if these fail; empty if there are none. Followed again and again, this ends with the map that has
+// the least demands.
 std::string alternative(const Parameterize_options& options)
 {
   if (options.method == "circle-pattern")
@@ -202,8 +206,8 @@ std::string warning(const Parameterize_options& options, const Result& result)
          ", " + std::to_string(j) + " and " + std::to_string(k) + " at (" + in_full(result.uv[i][0]) + ", " +
          in_full(result.uv[i][1]) + "); " +
          (other.empty() // no weight is negative and the boundary is convex: the exact map has none
-            ? "they are so small that the last place of coordinates does not tell their corners apart: cut the surface "
-              "open along its length there, or map a part of it"
+            ? "they are too small for the last place of coordinates to distinguish their corners: cut the surface open "
+              "along its length there, or map a part of it"
             : "try " + other);
 }
 
@@ -247,8 +251,8 @@ void write_files(const Parameterize_options& options, const Result& result)
 {
   const Surface& surface = result.triangulation.surface;
   const Outcome& outcome = result.triangulation.outcome;
-  if (!(options.uv_path.empty() && options.uv_input_path.empty()) && !surface.has_points())
-    throw Usage_error("--uv and --uv-input need points: " + surface.path + " has lengths alone");
+  if (!(options.uv_path.empty() && options.uv_input_path.empty() && options.view_path.empty()) && !surface.has_points())
+    throw Usage_error("--uv, --uv-input and --view need points: " + surface.path + " has only lengths");
   if (!options.uv_path.empty())
     write_textured_mesh(options.uv_path, make_map_over_intrinsic(surface, *outcome.subdivision, result.uv));
   if (!options.uv_input_path.empty())
@@ -257,6 +261,13 @@ void write_files(const Parameterize_options& options, const Result& result)
     Output_file file(options.distortion_path);
     write_distortion(file.stream(), result);
     file.commit();
+  }
+  if (!options.view_path.empty()) {
+    View view = make_view(surface.path, "intrinsic Delaunay triangulation", *outcome.subdivision, surface.points,
+                          outcome.input_numbers, outcome.numbers);
+    view.fields.push_back(
+      {"distortion of the map", "", true, {result.on_input.distortion, result.on_intrinsic.distortion}});
+    write_view(options.view_path, view);
   }
   if (!options.json_path.empty())
     write_json(options.json_path, json_value(options, result));
@@ -271,7 +282,7 @@ Exit_status run_parameterize(Parameterize_options options)
   run_options.wanted.weights = run_options.wanted.lengths = run_options.wanted.numbers =
     run_options.wanted.input_numbers = true;
   run_options.wanted.crossings = run_options.wanted.overlay =
-    !options.uv_path.empty() || !options.distortion_path.empty();
+    !options.uv_path.empty() || !options.distortion_path.empty() || !options.view_path.empty();
   const Exit_status status = for_each_input({options.input}, [&](const std::string& path) {
     result.triangulation = triangulate(load_surface(path, {std::nullopt, options.is_repaired}), run_options);
     const Exit_status status = exit_status(result.triangulation.outcome);
@@ -325,7 +336,7 @@ void add_parameterize_command(CLI::App& app, Selected_command& selected)
                  "singular values: 1 where a triangle keeps its shape.\n");
   command.add_option("INPUT", options->input, "as for `idt triangulate`")->required();
   set_words(command.add_option("--laplacian", options->Laplacian,
-                               "the triangulation whose cotangents, or whose circles, are taken"),
+                               "the triangulation whose cotangents, or whose circles, are used"),
             {"intrinsic", "extrinsic"})
     ->capture_default_str();
   set_words(command.add_option("--boundary", options->boundary,
@@ -338,8 +349,8 @@ void add_parameterize_command(CLI::App& app, Selected_command& selected)
     ->capture_default_str();
   command
     .add_option("--uv", options->uv_path,
-                "write the surface with the texture coordinates that are linear on the intrinsic "
-                "triangles, as the overlay; beside it F.mtl and F.png with a checkerboard")
+                "write the surface, as the overlay, with texture coordinates that are linear on the intrinsic "
+                "triangles; and F.mtl and F.png with a checkerboard")
     ->type_name("F.obj");
   command.add_option("--uv-input", options->uv_input_path, "the same, linear on the input triangles")
     ->type_name("F.obj");
@@ -348,7 +359,8 @@ void add_parameterize_command(CLI::App& app, Selected_command& selected)
                 "write the distortion of both on each face of the overlay: "
                 "input_face,intrinsic_face,over_input,over_intrinsic")
     ->type_name("F.csv");
-  command.add_option("--json", options->json_path, "write what the report says as a JSON object")->type_name("F.json");
+  add_view_option(command, options->view_path);
+  command.add_option("--json", options->json_path, "write the report as a JSON object")->type_name("F.json");
   add_repair_option(command, options->is_repaired);
   command.callback([options, &selected] { selected = [options] { return run_parameterize(*options); }; });
 }

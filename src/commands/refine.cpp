@@ -11,12 +11,14 @@
 #include "input/constraints.h"
 #include "input/flat_vertices.h"
 #include "input/mesh_file.h"
+#include "input/saved_triangulation.h"
 #include "output/Output_file.h"
 #include "system/text.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/sharp_edges.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <iostream>
@@ -73,7 +75,7 @@ void constrain_sharp_edges(const Surface& surface, double degrees, Refinement_op
   if (!surface.has_points())
     throw Invalid_surface_error(Invalid_surface_error::Defect::UNREADABLE, 0, 1,
                                 surface.path +
-                                  ": --constrain-angle needs a surface in space, and this one has edge lengths alone");
+                                  ": --constrain-angle needs a surface in space, but this one has only edge lengths");
   const std::vector<bool> is_sharp = CGAL::Intrinsic_triangulations::sharp_edges(
     surface.connectivity, surface.points, degrees, refinement.criteria.minimum_size);
   refinement.is_constrained.resize(is_sharp.size());
@@ -94,8 +96,16 @@ Triangulation_result refine_surface(Surface surface, Run_options run_options, co
   Smallest_size chosen(surface);
   Budget_warning warning(surface.path, budget(surface, options));
   Refinement_options& refinement = *run_options.refinement;
-  const std::vector<bool> is_constrained =
-    options.constraints.empty() ? std::vector<bool>() : read_constraints(options.constraints, surface);
+  std::vector<bool> is_constrained = surface.saved ? surface.saved->is_constrained : std::vector<bool>();
+  if (!options.constraints.empty()) {
+    const std::size_t number_of_points = surface.points.size();
+    const std::vector<bool> read = read_constraints(options.constraints, surface);
+    if (surface.saved && surface.points.size() != number_of_points)
+      throw Usage_error("--constraints: " + options.constraints +
+                        " has lines through faces, which need new vertices in the input: refine the mesh instead");
+    is_constrained.resize(read.size());
+    std::transform(read.begin(), read.end(), is_constrained.begin(), is_constrained.begin(), std::logical_or<>());
+  }
   refinement.gives_up = [&](const CGAL::Intrinsic_triangulations::Refinement_progress& progress,
                             const std::function<Short_side()>& where) {
     if (options.minimum_size || !chosen.covers(progress.size)) {
@@ -125,7 +135,7 @@ Exit_status refine_file(const std::string& path, const Refine_options& options)
   const double deviation = options.removes_flat_vertices ? remove_flat_vertices(surface, options.flat_tolerance) : 0;
   options.files.check_surface(surface);
   if (!options.flattened.empty() && !surface.has_points())
-    throw Usage_error(path + ": --flatten needs a surface in space, and this one has edge lengths alone");
+    throw Usage_error(path + ": --flatten needs a surface in space, but this one has only edge lengths");
   Run_options run_options;
   run_options.refinement = options.refinement;
   options.files.add_to(run_options.wanted);
@@ -166,84 +176,79 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
   const auto options = std::make_shared<Refine_options>();
   CLI::App& command =
     *app.add_subcommand("refine", "Insert vertices until no triangle is too thin or too large, by Delaunay refinement");
-  command.footer("No length of the surface changes: vertices are added to it, after its own, and the\n"
-                 "triangulation is intrinsic Delaunay but for constrained edges. Where the input leaves no\n"
+  command.footer("No length of the surface changes. New vertices follow those of the input, and the\n"
+                 "triangulation is intrinsic Delaunay except for constrained edges. Where the input leaves no\n"
                  "choice, a face stays below the bound; --stats and the report count such faces by reason:\n"
                  "cone, a vertex with a small angle sum; small input angle, between edges that stay;\n"
                  "unrepresentable, doubles are too coarse for the point; too small, below --minimum-size;\n"
-                 "budget, there was no time or no point left. The status is 4 for the last of these alone.\n");
+                 "budget, time or the number of points ran out. The status is 4 only for the last of these.\n");
   command.add_option("INPUT", options->input, "as for `idt triangulate`")->required();
   command
     .add_option("--minimum-angle", options->refinement.criteria.minimum_angle,
-                "no angle is to be smaller, in degrees; at most 30")
+                "the smallest angle allowed, in degrees; at most 30")
     ->type_name("A")
     ->capture_default_str();
   command
     .add_option("--maximum-circumradius", options->refinement.criteria.maximum_circumradius,
-                "no circumradius is to be larger (default: unlimited)")
+                "the largest circumradius allowed (default: unlimited)")
     ->type_name("R");
   command
     .add_option("--maximum-edge-length", options->refinement.criteria.maximum_edge_length,
-                "no edge is to be longer (default: unlimited)")
+                "the largest edge length allowed (default: unlimited)")
     ->type_name("L");
   command
     .add_option("--minimum-size", options->minimum_size,
-                "insert no vertex for a face with a side shorter than S: so refinement ends soon where sheets and "
-                "slivers are thinner than what "
-                "matters (default: 0, or up to 2^-14 of the box where smaller sides need many vertices)")
+                "insert no vertex for a face with a side shorter than S, so that refinement ends early at irrelevantly "
+                "thin sheets and slivers (default: 0, or up to 2^-14 of the box if smaller sides need many vertices)")
     ->type_name("S");
   command
     .add_option("--maximum-points", options->refinement.maximum_number_of_points,
-                "give up after that many new vertices (default: 1,000,000 and 10 for each vertex)")
+                "give up after this many new vertices (default: 1,000,000 and 10 for each vertex)")
     ->type_name("N")
     ->transform(whole_number());
   command
-    .add_option(
-      "--constrain-angle", options->constrained_angle,
-      "keep the edges whose two faces have normals that differ by more than D degrees: they are split, and not flipped")
+    .add_option("--constrain-angle", options->constrained_angle,
+                "keep the edges whose two faces have normals that differ by more than D degrees: they may be split, "
+                "but not flipped")
     ->type_name("D");
-  CLI::Option* const constraints = command
-                                     .add_option("--constraints", options->constraints,
-                                                 "keep these edges as well: pairs of vertices, one pair a line, or a "
-                                                 "line on the surface as `idt geodesic` writes it as CSV, "
-                                                 "along which faces are cut first")
-                                     ->type_name("F.csv");
+  CLI::Option* const constraints =
+    command
+      .add_option("--constraints", options->constraints,
+                  "also keep these edges: pairs of vertices, one pair per line, or a CSV file of `idt geodesic` with a "
+                  "line on the surface, along which faces are cut first")
+      ->type_name("F.csv");
   command
     .add_option("--kept-edges", options->kept_edges,
                 "write the edges of --constrain-angle and --constraints: pairs of vertices, which --constraints reads, "
                 "or lines in space")
     ->type_name("F.(csv|vtp)");
-  CLI::Option* const flat = command.add_flag(
-    "--remove-flat-vertices", options->removes_flat_vertices,
-    "first remove the vertices in flat sides and on straight edges, exactly: the surface stays the same, and its "
-    "vertices and faces get other numbers");
+  CLI::Option* const flat = command.add_flag("--remove-flat-vertices", options->removes_flat_vertices,
+                                             "first remove the vertices in flat sides and on straight edges, exactly: "
+                                             "the surface stays the same, but its vertices and faces are renumbered");
   command
     .add_option("--flat-tolerance", options->flat_tolerance,
-                "remove vertices that are off by little as well, such as those of a part that was turned: no point of "
-                "the surface moves by more than D")
+                "also remove vertices that are slightly off, such as those of a rotated part: no point of the surface "
+                "moves by more than D")
     ->type_name("D")
     ->needs(flat);
   command
     .add_option("--vertex-map", options->files.vertex_map,
-                "write which vertices of the input are left, as CSV: vertex,input")
+                "write which vertices of the input remain, as CSV: vertex,input")
     ->type_name("F.csv")
     ->needs(flat);
   CLI::Option* const repair = add_repair_option(command, options->is_repaired);
-  command.add_flag(
-    "--verify", options->is_verified,
-    "afterwards decide every interior edge that is not constrained once more, exactly and from the input alone; "
-    "status 4 if one is not Delaunay");
+  command.add_flag("--verify", options->is_verified,
+                   "afterwards decide every interior edge that is not constrained again, exactly and from the input "
+                   "alone; status 4 if one is not Delaunay");
   command
     .add_option("--points", options->files.points,
-                "write where the new vertices lie as CSV: vertex,input_face,b0,b1,b2,x,y,z; the barycentric "
-                "coordinates are exact once "
-                "they are divided by their sum, the place in space is rounded")
+                "write the positions of the new vertices as CSV: vertex,input_face,b0,b1,b2,x,y,z; the barycentric "
+                "coordinates are exact once they are divided by their sum, the position in space is rounded")
     ->type_name("F.csv");
   command
     .add_option("--flatten", options->flattened,
-                "write the result as a mesh of straight triangles, for other solvers: another surface, and the report "
-                "says how far away; "
-                "--overlay and --laplacian have the same surface")
+                "write the result as a mesh of straight triangles, for other solvers: that is another surface, and the "
+                "report gives its distance; --overlay and --laplacian keep the surface")
     ->type_name("F.(vtp|ply|off|obj|stl)");
   options->files.add_options(command, repair);
   command.get_option("--repair-map")->excludes(flat);

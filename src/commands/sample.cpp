@@ -68,7 +68,7 @@ std::string path_with_extension(const Sample_options& options, const std::string
   if (path.extension() != extension)
     throw Usage_error(options.path + ": the sample " + options.name + " is written as " +
                       (extension == ".gluing" ? extension : mesh_extensions(false)) +
-                      "; use that, or leave the extension away");
+                      "; use that, or omit the extension");
   return options.path;
 }
 
@@ -122,11 +122,10 @@ void add_sample_command(CLI::App& app, Selected_command& selected)
   command
     .add_option("-o,--output", options->path,
                 "write to this file and print its name; " + mesh_extensions(false) +
-                  " tells the format, "
-                  "and without an extension .off is added, or "
-                  ".gluing for a surface that has lengths alone (default: the standard output)")
+                  " determines the format; without an extension, .off is added, or .gluing for a surface with lengths "
+                  "only (default: the standard output)")
     ->type_name("F");
-  command.add_flag("--list", options->lists_names, "print the names, one to a line");
+  command.add_flag("--list", options->lists_names, "print the names, one per line");
   command.callback([options, &selected] { selected = [options] { return run_sample(*options); }; });
 }
 

@@ -189,7 +189,7 @@ void find_condition(const Triangulation_result& result, Row& row)
       summarize(result.surface, outcome.connectivity, outcome.numbers.cotangent_weights, *outcome.weights_after);
   } catch (const IT::Error& error) {
     std::cerr << "idt: " << result.surface.path << ": no condition number: " << error.what()
-              << "; --without-condition leaves it out" << std::endl;
+              << "; --without-condition omits it" << std::endl;
   }
 }
 
@@ -251,13 +251,13 @@ void add_table_command(CLI::App& app, Selected_command& selected)
                  "of the intrinsic Laplacian over that of the extrinsic one, both for the inner\n"
                  "vertices and without zero eigenvalues; crossings: in all; min angle: the smallest angle\n"
                  "of the result, in degrees; time: to build the triangulation and to flip. `-` stands\n"
-                 "for what is not known. Below a model of the\n"
+                 "for an unknown value. Below a model of the\n"
                  "paper (cathead, bunnyhead, beautiful_freak, hygeia, planck, bunny, camel, horse,\n"
                  "feline, with as many vertices as there) are its figures.\n");
   command.add_option("INPUT", options->inputs, "as for `idt triangulate`")->required();
   add_repair_option(command, options->is_repaired);
   command.add_flag("--without-condition", options->without_condition,
-                   "leave out the condition numbers, which take longer than all the rest");
+                   "omit the condition numbers, which take longer than everything else");
   command.add_option("--json", options->json_path, "write the rows as a JSON array of objects")->type_name("F.json");
   command.callback([options, &selected] { selected = [options] { return run_table(*options); }; });
 }

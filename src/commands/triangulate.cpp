@@ -60,9 +60,13 @@ void check(const Triangulate_options& options)
   const std::vector<std::string> outputs = options.files.paths();
   if (options.inputs.size() > 1 &&
       std::any_of(outputs.begin(), outputs.end(), [](const std::string& s) { return !s.empty(); }))
-    throw Usage_error("--stats, --edges, --crossings, --overlay, --laplacian, --mass and --repair-map take one input: "
-                      "several would go to the same file");
+    throw Usage_error(
+      "--stats, --edges, --crossings, --overlay, --laplacian, --mass, --save, --repair-map and --view take one input: "
+      "several would be written to the same file");
   options.files.check_paths(options.inputs);
+  if (!options.files.save.empty() && options.number_type != name(Number_type::FILTERED))
+    throw Usage_error("--save: only the number type " + std::string(name(Number_type::FILTERED)) +
+                      " makes triangulations that can be saved");
 }
 
 Exit_status triangulate_file(const std::string& path, const Triangulate_options& options,
@@ -109,7 +113,7 @@ Exit_status run_in_subprocess(const std::string& path, const Run_options& run_op
     throw CGAL::Intrinsic_triangulations::Cancelled_error(path + ": cancelled");
   if (!end)
     throw CGAL::Intrinsic_triangulations::Undecided_error(path + ": as " + name(run_options.number_type) +
-                                                          ": the number type cannot go on with these numbers; " +
+                                                          ": the number type cannot continue with these numbers; " +
                                                           name(Number_type::FILTERED) + " can");
   is_first = is_first && *end < has_report;
   return static_cast<Exit_status>(*end % has_report);
@@ -184,35 +188,36 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
   const auto options = std::make_shared<Triangulate_options>();
   CLI::App& command =
     *app.add_subcommand("triangulate", "Flip edges until the triangulation of each surface is intrinsic Delaunay");
-  command.footer(number_type_help() + "\nSeveral inputs are worked on one after the other; the status is that of the\n"
-                                      "first that failed. An output file appears when it is complete. Ctrl-C ends the\n"
-                                      "flips and writes what there is, and everything within a second; a second one\n"
-                                      "ends everything at once.\n");
+  command.footer(number_type_help() +
+                 "\n"
+                 "Several inputs are processed one after the other; the status is that of the\n"
+                 "first failure. An output file appears when it is complete. Ctrl-C stops the flips,\n"
+                 "writes the current result, and ends the command within a second; a second Ctrl-C\n"
+                 "ends it at once.\n");
   command
     .add_option("INPUT", options->inputs,
                 "meshes of triangles (OFF, OBJ, PLY, STL, TS), or .gluing files of triangles "
                 "with lengths; - is the standard input")
     ->required();
-  set_words(command.add_option("--number-type", options->number_type, "what to compute with; see below"),
+  set_words(command.add_option("--number-type", options->number_type, "the number type of the computation; see below"),
             number_type_names(), false)
     ->type_name("NT")
     ->capture_default_str();
-  command.add_option("--precision", options->precision, "bits of a number at least, for mpfr")
+  command.add_option("--precision", options->precision, "minimum precision in bits, for mpfr")
     ->type_name("BITS")
     ->check(CLI::Range(2, 1000000))
     ->capture_default_str();
   command
     .add_option("--maximum-flips", options->maximum_number_of_flips,
-                "give up after that many flips (default: unlimited for an exact number type, "
-                "else the larger of 10,000,000 and 100 times the number of edges)")
+                "give up after this many flips (default: unlimited for an exact number type, else the larger of "
+                "10,000,000 and 100 times the number of edges)")
     ->type_name("N")
     ->transform(whole_number());
-  set_words(
-    command.add_option_function<std::string>(
-      "--tie-proof", [options](const std::string& word) { options->are_ties_proven = word == "proven"; },
-      "what the exact decisions of filtered and of --verify accept as a tie: probable (an error below 2^-128 where "
-      "a proof would be costly), or proven (then a tie without a proof ends the run)"),
-    {"probable", "proven"})
+  set_words(command.add_option_function<std::string>(
+              "--tie-proof", [options](const std::string& word) { options->are_ties_proven = word == "proven"; },
+              "what the exact decisions of filtered and of --verify accept as a tie: probable (an error probability "
+              "below 2^-128 if a proof would be costly), or proven (a tie without a proof then ends the run)"),
+            {"probable", "proven"})
     ->default_str("probable");
   CLI::Option* const mollify = command
                                  .add_option("--mollify", options->mollification,
@@ -225,12 +230,12 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
     ->needs(mollify);
   CLI::Option* const repair = add_repair_option(command, options->is_repaired);
   command.add_flag("--verify", options->is_verified,
-                   "afterwards decide every interior edge once more, exactly and from the input "
-                   "alone, whatever the number type; status 4 if one is not Delaunay");
-  command.add_flag("--fast-forward", options->is_fast,
-                   "of a gluing, first make the flips within tubes of two triangles, any number of them at once; "
-                   "overlay and crossings are those "
-                   "with the gluing that this leaves, only --edges counts crossings with the one that was given");
+                   "afterwards decide every interior edge again, exactly and from the input alone, for any number "
+                   "type; status 4 if one is not Delaunay");
+  command.add_flag(
+    "--fast-forward", options->is_fast,
+    "for a gluing, first make the flips within tubes of two triangles, any number of them at once; overlay and "
+    "crossings refer to the resulting gluing, only --edges counts crossings with the given one");
   options->files.add_options(command, repair);
   command.callback([options, &selected] { selected = [options] { return run_triangulate(*options); }; });
 }

@@ -10,6 +10,8 @@
 #include "input/gluing_file.h"
 #include "input/read_surface.h"
 #include "input/repair.h"
+#include "input/saved_triangulation.h"
+#include "input/standard_input.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
@@ -125,7 +127,12 @@ Surface load_surface(const std::string& path, const Load_options& options)
   surface.path = path;
   if (is_gluing_file(path) && options.is_repaired)
     throw Usage_error(path + ": --repair is for meshes; there is nothing to repair in a gluing");
-  if (is_gluing_file(path))
+  const bool is_saved = is_saved_triangulation(readable_file(path));
+  if (is_saved && (options.is_repaired || mollification))
+    throw Usage_error(path + ": --repair and --mollify are for meshes; a saved triangulation has a surface already");
+  if (is_saved)
+    load_saved_triangulation(surface);
+  else if (is_gluing_file(path))
     load_gluing(surface);
   else
     load_mesh(surface, options.is_repaired);
@@ -152,9 +159,11 @@ Surface load_surface(const std::string& path, const Load_options& options)
 
 void untwist(Surface& surface)
 {
+  if (surface.saved)
+    throw Usage_error(surface.path + ": --fast-forward is for gluings; this triangulation was made of one already");
   if (surface.has_points())
     throw Usage_error(surface.path +
-                      ": --fast-forward is for gluings; no edge can wind around a surface in space very often");
+                      ": --fast-forward is for gluings; no edge of a surface in space winds around it very often");
   const Stopwatch stopwatch;
   try {
     if (surface.squared_lengths.empty())

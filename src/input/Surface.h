@@ -51,6 +51,8 @@ struct Repair_report
   std::vector<std::size_t> input_vertices, input_faces;
 };
 
+struct Saved_triangulation;
+
 struct Surface
 {
   std::string path;
@@ -60,6 +62,8 @@ struct Surface
   std::vector<double> lengths;
   // Their squares, if these are known better than the lengths, which are rounded roots then.
   std::vector<CGAL::Intrinsic_triangulations::Rational> squared_lengths;
+  // The triangulation of a file that holds one, whose input this is.
+  std::shared_ptr<const Saved_triangulation> saved;
   // What was done to the surface of the file, if it was untwisted.
   std::optional<CGAL::Intrinsic_triangulations::Untwisting> untwisting;
   std::optional<CGAL::Intrinsic_triangulations::Mollification_report> mollification;
@@ -76,7 +80,7 @@ struct Surface
   bool has_points() const { return lengths.empty(); }
 };
 
-// Reads a surface from a mesh file, or from a `.gluing` file of triangles and lengths.
+// Reads a surface from a mesh file, from a `.gluing` file of triangles and lengths, or from a `.idt` file of a saved triangulation.
 //
 // Vertices that no face names and faces of zero area are accepted and noted.
 // Mollification that changes a length replaces the points by lengths.

@@ -207,7 +207,7 @@ std::vector<bool> read_constraints(const std::string& path, Surface& surface)
   if (!surface.has_points())
     throw IT::Invalid_surface_error(IT::Invalid_surface_error::Defect::UNREADABLE, 0, 1,
                                     surface.path +
-                                      ": --constraints needs a surface in space, and this one has edge lengths alone");
+                                      ": --constraints needs a surface in space, but this one has only edge lengths");
   return Constraint_reader(path, surface)();
 }
 

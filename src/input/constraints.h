@@ -14,10 +14,12 @@
 
 namespace idt {
 
-// Reads which edges are constrained: pairs of vertices, one pair a line, or a line on the surface as `idt geodesic` writes it as CSV. Where that
-// crosses a face, the surface is cut along it: it gets vertices on its edges, after its own, whose places are rounded.
+// Reads which edges are constrained: pairs of vertices, one pair a line, or a line on the surface as `idt geodesic`
+// writes it as CSV. Where that crosses a face, the surface is cut along it: it gets vertices on its edges, after its
+// own, whose places are rounded.
 // \return a flag for each edge of the surface
-// \exception Invalid_surface_error if the file cannot be read, or does not fit the surface; the message names file and line
+// \exception Invalid_surface_error if the file cannot be read, or does not fit the surface; the message names file and
+//   line
 std::vector<bool> read_constraints(const std::string& path, Surface& surface);
 
 // Writes the edges that have a flag: to .csv pairs of vertices that read_constraints() reads, to .vtp lines in space.

@@ -20,9 +20,12 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 double remove_flat_vertices(Surface& surface, std::optional<double> tolerance)
 {
+  if (surface.saved)
+    throw Usage_error(surface.path +
+                      ": --remove-flat-vertices is for meshes, as a saved triangulation keeps its input");
   if (!surface.has_points())
     throw Usage_error(surface.path +
-                      ": --remove-flat-vertices needs a surface in space, and this one has edge lengths alone");
+                      ": --remove-flat-vertices needs a surface in space, but this one has only edge lengths");
   Progress progress(surface.path, "removing flat vertices");
   const std::size_t number_before = surface.points.size();
   IT::Flat_vertex_removal removal;

@@ -25,7 +25,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 // \exception Invalid_surface_error if the extension of the name does not tell a format that can be read
 void check_name(const std::string& path)
 {
-  static const std::string known = "known are .off, .obj, .ply, .stl, .ts, .gluing"
+  static const std::string known = "known are .off, .obj, .ply, .stl, .ts, .gluing, .idt"
 #ifdef IDT_READS_VTP
                                    ", .vtp"
 #endif

@@ -86,7 +86,7 @@ private:
     while (text >> word && word[0] == '#')
       std::getline(text, word);
     if (word == "ply")
-      return ".ply";
+      return begin.find("\ncomment intrinsic triangulation") != std::string::npos ? ".idt" : ".ply";
     if (word == "INTRINSIC_GLUING")
       return ".gluing";
     if (word == "GOCAD")

@@ -17,15 +17,15 @@ struct Entry
 
 // In the order of the enumeration.
 const Entry entries[] = {
-  {"filtered", "double with an error bound, exact where that does not suffice"},
+  {"filtered", "double with error bounds, and exact if these do not suffice"},
   {"double", "machine numbers: fast; ties and near ties are decided by rounding"},
   {"float", "the same in single precision"},
   {"long-double", "the same in extended precision"},
   {"float128", "the same in quadruple precision, by software"},
-  {"interval", "intervals of doubles: an edge is decided rightly or not at all"},
-  {"mpfr", "floating point with as many bits as --precision says"},
+  {"interval", "intervals of doubles: an edge is decided correctly or not at all"},
+  {"mpfr", "floating point with --precision bits"},
   {"core", "exact real numbers: slow, and very slow near ties"},
-  {"half-angle-double", "lengths and half-angle tangents in double, as the paper has it"},
+  {"half-angle-double", "lengths and half-angle tangents in double, as in the paper"},
   {"half-angle-core", "the same in exact real numbers: for small surfaces"},
 };
 

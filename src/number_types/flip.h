@@ -23,6 +23,7 @@
 #include <limits>
 #include <optional>
 #include <type_traits>
+#include <vector>
 
 namespace idt {
 
@@ -70,8 +71,8 @@ private:
   std::uint64_t tests_ = 0, flips_ = 0, asked_flips_ = 0;
 };
 
-// Checks each test against the exact geometry of the same edge. A test that is left undecided is not wrong, and what cannot be proven
-// wrong is not counted.
+// Checks each test against the exact geometry of the same edge. A test that is left undecided is not wrong, and what
+// cannot be proven wrong is not counted.
 template <class Traits>
 class Decision_counter : public Asking_visitor<Traits>
 {
@@ -104,9 +105,10 @@ IT::Flip_report flip_with(IT::Intrinsic_triangulation<Traits>& triangulation, co
       : IT::default_maximum_number_of_flips(triangulation.connectivity().number_of_edges()));
   const auto parameters = CGAL::parameters::visitor(std::ref(visitor)).maximum_number(budget);
   if constexpr (Traits::Uses_exact_geometry::value)
-    if (job.options.refinement)
-      return IT::flip_to_Delaunay(
-        triangulation, parameters.edge_is_constrained_map(Edge_flags{&job.options.refinement->is_constrained}));
+    if (job.options.refinement) {
+      const std::vector<bool> is_constrained = first_constraints(triangulation, job);
+      return IT::flip_to_Delaunay(triangulation, parameters.edge_is_constrained_map(Edge_flags{&is_constrained}));
+    }
   return IT::flip_to_Delaunay(triangulation, parameters);
 }
 

@@ -7,9 +7,12 @@
 #define IDT_NUMBER_TYPES_MAKE_TRIANGULATION_H
 
 #include "input/Surface.h"
+#include "input/saved_triangulation.h"
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
+
+#include <type_traits>
 
 namespace idt {
 
@@ -27,6 +30,16 @@ IT::Intrinsic_triangulation<Traits> make_triangulation(const Surface& surface, c
   if (!surface.has_points())
     return Triangulation::from_lengths(surface.connectivity, surface.lengths, traits);
   return Triangulation(surface.connectivity, surface.points, traits);
+}
+
+// The triangulation to begin with: the one that was saved, if the traits are those that can be.
+template <class Traits>
+IT::Intrinsic_triangulation<Traits> first_triangulation(const Surface& surface, const Traits& traits = Traits())
+{
+  if constexpr (std::is_same<Traits, IT::Filtered_edge_length_traits>::value)
+    if (surface.saved)
+      return surface.saved->triangulation;
+  return make_triangulation(surface, traits);
 }
 
 } // namespace idt

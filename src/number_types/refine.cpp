@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -131,11 +132,12 @@ void refine(Filtered_triangulation& triangulation, const Job& job, Outcome& outc
   const Stopwatch stopwatch;
   outcome.refinement.emplace();
   Refinement_summary& summary = *outcome.refinement;
+  const std::vector<bool> is_constrained = first_constraints(triangulation, job);
   const auto parameters = CGAL::parameters::minimum_angle(options.criteria.minimum_angle)
                             .maximum_circumradius(options.criteria.maximum_circumradius)
                             .maximum_edge_length(options.criteria.maximum_edge_length)
                             .minimum_size(options.criteria.minimum_size)
-                            .edge_is_constrained_map(Edge_flags{&options.is_constrained})
+                            .edge_is_constrained_map(Edge_flags{&is_constrained})
                             .visitor(std::ref(visitor));
   try {
     summary.report =
@@ -177,6 +179,35 @@ std::vector<bool> constrained_parts(const Filtered_triangulation& triangulation,
     if (triangulation.is_input_edge(e))
       result[e.idx()] =
         is_constrained[triangulation.input().edge(triangulation.input_halfedge(complex.halfedge(e))).idx()];
+  return result;
+}
+
+std::vector<bool> first_constraints(const Filtered_triangulation& triangulation, const Job& job)
+{
+  const std::vector<bool>& is_constrained = job.options.refinement->is_constrained;
+  if (!job.surface.saved || is_constrained.empty())
+    return is_constrained;
+  const IT::Delta_complex &input = triangulation.input(), &complex = triangulation.connectivity();
+  const std::vector<bool> result = constrained_parts(triangulation, is_constrained);
+  std::vector<std::int64_t> missing_parts(is_constrained.begin(), is_constrained.end());
+  for (const IT::Surface_point& point : inserted_points(triangulation))
+    if (point.dimension() == 1) {
+      IT::Halfedge_index side = point.halfedge; // opposite to the corner with the coordinate zero
+      if (point.coordinates[0] == 0)
+        side = input.next(side);
+      else if (point.coordinates[1] == 0)
+        side = input.prev(side);
+      missing_parts[input.edge(side).idx()] += is_constrained[input.edge(side).idx()];
+    }
+  for (IT::Edge_index e : complex.edges())
+    if (result[e.idx()])
+      --missing_parts[input.edge(triangulation.input_halfedge(complex.halfedge(e))).idx()];
+  const auto missing = std::find_if(missing_parts.begin(), missing_parts.end(), [](std::int64_t n) { return n != 0; });
+  if (missing != missing_parts.end())
+    throw IT::Invalid_surface_error(
+      IT::Invalid_surface_error::Defect::UNREADABLE, std::size_t(missing - missing_parts.begin()), 1,
+      job.surface.path + ": edge " + std::to_string(missing - missing_parts.begin()) +
+        " of the input is to be kept, but was flipped before the triangulation was saved: refine the input instead");
   return result;
 }
 

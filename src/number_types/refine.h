@@ -39,6 +39,10 @@ void refine(Filtered_triangulation& triangulation, const Job& job, Outcome& outc
 std::vector<bool> constrained_parts(const Filtered_triangulation& triangulation,
                                     const std::vector<bool>& is_constrained);
 
+// The same before the refinement, where the triangulation is its input but for flips, or was saved.
+// \exception Invalid_surface_error if one of these edges was flipped before the triangulation was saved
+std::vector<bool> first_constraints(const Filtered_triangulation& triangulation, const Job& job);
+
 } // namespace idt
 
 #endif // IDT_NUMBER_TYPES_REFINE_H

@@ -89,7 +89,7 @@ Outcome run(const Job& job)
     throw Invalid_surface_error(
       error.defect(), error.element(), error.count(),
       where + error.what() +
-        (is_mollifiable ? "; the option --mollify of triangulate makes edges longer until it holds" : ""));
+        (is_mollifiable ? "; the option --mollify of triangulate lengthens edges until it holds" : ""));
   } catch (const CGAL::Intrinsic_triangulations::Undecided_error& error) {
     throw CGAL::Intrinsic_triangulations::Undecided_error(where + error.what());
   } catch (const CGAL::Uncertain_conversion_exception&) {

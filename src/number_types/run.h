@@ -44,6 +44,7 @@ struct Requested_results
   bool wrong_decisions = false; // compares each test with the exact one
   bool overlay = false;         // of input and result, with the positions of the crossings
   bool shapes = false;          // of the faces of the result
+  bool saved = false;           // the triangulation as a file, with FILTERED alone
 
   static Requested_results nothing()
   {
@@ -53,7 +54,7 @@ struct Requested_results
   }
   bool needs_input() const
   {
-    return crossings || tessellation || verification || exact_lengths || wrong_decisions || overlay || shapes;
+    return crossings || tessellation || verification || exact_lengths || wrong_decisions || overlay || shapes || saved;
   }
 };
 
@@ -79,7 +80,8 @@ struct Refinement_options
   Refinement_criteria criteria;
   std::optional<std::uint64_t> maximum_number_of_points;
   std::vector<bool> is_constrained; // for each input edge: whether no flip may remove it
-  // Is asked before each face that is refined, and may ask where that is: if it says yes, the run ends, and nothing else is found out.
+  // Is asked before each face that is refined, and may ask where that is: if it says yes, the run ends, and nothing
+  // else is found out.
   std::function<bool(const CGAL::Intrinsic_triangulations::Refinement_progress&, const std::function<Short_side()>&)>
     gives_up;
 };
@@ -90,6 +92,7 @@ struct Run_options
   int precision = 128; // bits at least, for MPFR alone
   std::optional<std::uint64_t> maximum_number_of_flips;
   CGAL::Intrinsic_triangulations::Tie_proof tie_proof = CGAL::Intrinsic_triangulations::Tie_proof::PROBABLE_IF_COSTLY;
+  bool keeps_saved = false;                     // a triangulation that was saved is not flipped any more
   std::optional<Refinement_options> refinement; // with FILTERED alone
   Requested_results wanted;
 };
@@ -140,7 +143,8 @@ struct Refinement_summary
   std::vector<CGAL::Intrinsic_triangulations::Surface_point> points; // on the input, of the new vertices in order
   // Of the faces that were left as too small, or for the budget, the one with the shortest side.
   std::optional<Short_side> smallest_left;
-  // A smallest size with which a tenth of the budget would suffice for what it has left, as areas tell; 0 if that is not known.
+  // A smallest size with which a tenth of the budget would suffice for what it has left, as areas tell; 0 if that is
+  // not known.
   double sufficient_size = 0;
   double seconds = 0;
 };
@@ -179,6 +183,7 @@ struct Outcome
   std::optional<Refinement_summary> refinement;
   std::optional<Shape_summary> shapes;
   std::optional<CGAL::Intrinsic_triangulations::Delaunay_verification> verification;
+  std::string saved; // the bytes of a file, or none
   std::optional<std::uint64_t> wrong_decisions;
   double build_seconds = 0;
   double flip_seconds = 0;

@@ -19,6 +19,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/triangulation_io.h>
 
 #include <CGAL/number_type_config.h>
 #include <CGAL/number_utils.h>
@@ -31,6 +32,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -197,7 +199,7 @@ std::optional<Shape_summary> summarize_shapes(const Triangulation& triangulation
   if (refinement)
     for (const IT::Unrefined_face& f : refinement->report.unrefined)
       is_listed[f.face.idx()] = true;
-  // More digits than are looked at.
+  // More digits than needed.
   const std::vector<double> angles = IT::opposite_angles<Concurrency_tag>(triangulation, 0x1p-24);
   Shape_summary summary;
   summary.minimum_angle = 180;
@@ -232,6 +234,34 @@ IT::Delaunay_verification verify(const Triangulation& triangulation, const Job& 
   return IT::verify_Delaunay<Concurrency_tag>(triangulation);
 }
 
+// The first sides of the faces of the input, as they were read.
+inline std::vector<IT::Halfedge_index> first_sides(const Surface& surface)
+{
+  std::vector<IT::Halfedge_index> result;
+  for (IT::Face_index f : surface.connectivity.faces())
+    result.push_back(surface.connectivity.halfedge(f));
+  return result;
+}
+
+// With the edges that a refinement had to keep.
+template <class Triangulation>
+void save(const Triangulation& triangulation, const Job& job, Outcome& outcome)
+{
+  if constexpr (Triangulation::uses_exact_geometry) {
+    std::ostringstream os;
+    const auto parameters = CGAL::parameters::visitor(
+      IT::Progress_function([&job](double) { return !job.go_on_deciding || job.go_on_deciding(); }));
+    if (job.options.refinement && !job.options.refinement->is_constrained.empty()) {
+      const std::vector<bool> is_constrained = constrained_parts(triangulation, job.options.refinement->is_constrained);
+      IT::write_triangulation(os, triangulation, first_sides(job.surface),
+                              parameters.edge_is_constrained_map(Edge_flags{&is_constrained}));
+    } else {
+      IT::write_triangulation(os, triangulation, first_sides(job.surface), parameters);
+    }
+    outcome.saved = std::move(os).str();
+  }
+}
+
 // Notes what kept something from being found out.
 inline void note_failure(const IT::Error& error, const std::string& text, Outcome& outcome)
 {
@@ -262,6 +292,8 @@ void relate_to_input(const Triangulation& triangulation, const Job& job, Outcome
       outcome.shapes = summarize_shapes(triangulation, outcome.refinement);
     if (wanted.exact_lengths)
       outcome.exact_lengths = IT::exact_edge_lengths(triangulation);
+    if (wanted.saved)
+      save(triangulation, job, outcome);
   } catch (const IT::Invalid_surface_error&) {
     throw;
   } catch (const IT::Error& error) {
@@ -326,7 +358,7 @@ Outcome run_with(const Job& job)
   if (job.surface.untwisting)
     outcome.original_crossings = job.surface.untwisting->crossings;
   const Stopwatch stopwatch;
-  auto triangulation = make_triangulation<Traits>(job.surface);
+  auto triangulation = first_triangulation<Traits>(job.surface);
   require_usable_faces(triangulation);
   outcome.build_seconds = stopwatch.seconds();
 
@@ -334,11 +366,15 @@ Outcome run_with(const Job& job)
     triangulation.keep_input(input_metric(job.surface));
   if (triangulation.keeps_input())
     triangulation.set_interruption(job.go_on_deciding);
-  find_input_numbers(triangulation, wanted, outcome);
+  if (job.surface.saved && (wanted.weights || wanted.input_numbers))
+    find_input_numbers(make_triangulation<Traits>(job.surface), wanted, outcome);
+  else
+    find_input_numbers(triangulation, wanted, outcome);
   if (triangulation.keeps_input())
     triangulation.set_tie_proof(job.options.tie_proof);
 
-  flip(triangulation, job, outcome);
+  if (!(job.options.keeps_saved && job.surface.saved))
+    flip(triangulation, job, outcome);
   if constexpr (Traits::Uses_exact_geometry::value) {
     if (job.options.refinement)
       refine(triangulation, job, outcome);

@@ -97,12 +97,12 @@ Output_file::Output_file(const std::string& path) : path_(path), target_(path)
     if (error_number != 0)
       fail(error_number);
   }
-  // To open a pipe that nobody reads from would wait for ever. What is open until the stream is, keeps the
-  // reader of any other from seeing an end.
+  // To open a pipe that nobody reads from would wait forever. What is open until the stream is, keeps the reader of any
+  // other from seeing an end.
   const int pipe = fs::is_fifo(status) ? open_pipe_with_reader(path) : -1;
   if (fs::is_fifo(status) && pipe < 0) {
     if (errno == ENXIO)
-      throw Output_error(path_ + ": cannot be written: this is a pipe from which no program reads");
+      throw Output_error(path_ + ": cannot be written: no program reads from this pipe");
     fail(errno);
   }
   errno = 0;

@@ -17,9 +17,9 @@
 
 namespace idt {
 
-// Writes to a temporary name in the same folder and renames it in commit(); without a
-// commit() the destructor removes it, and so does an interruption that ends the process. A target that is there and is no regular file,
-// such as a device or a pipe, is written to directly, and so is the standard output.
+// Writes to a temporary name in the same folder and renames it in commit(); without a commit() the destructor removes
+// it, and so does an interruption that ends the process. A target that is there and is no regular file, such as a
+// device or a pipe, is written to directly, and so is the standard output.
 class Output_file
 {
 public:
@@ -65,7 +65,8 @@ inline std::string name_with_format(const std::string& path, const std::string& 
   return path == "-" ? "-." + format : path;
 }
 
-// From now on, what is written to std::cout goes nowhere, or to the standard error if the standard output is taken by a result.
+// From now on, what is written to std::cout goes nowhere, or to the standard error if the standard output is taken by a
+// result.
 void route_reports(bool is_quiet, bool is_output_taken);
 
 // Refuses output files that would replace each other or an input.

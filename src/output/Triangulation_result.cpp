@@ -157,7 +157,7 @@ std::string describe_status(const Triangulation_result& result)
     return describe_refinement(outcome) + (outcome.verification ? "Delaunay, verified" : "Delaunay");
   case IT::Flip_status::INCONSISTENT:
     // Either diagonal of a tie is right, whatever rounding makes of it.
-    return std::string(outcome.verification ? "verified Delaunay, but only by luck: " : "not Delaunay: ") +
+    return std::string(outcome.verification ? "verified Delaunay, but only by chance: " : "not Delaunay: ") +
            "near a tie the rounded decisions contradict each other: " +
            first_of(report.inconsistent, outcome.connectivity) +
            " failed the test again after the flip; try --number-type " + name(Number_type::FILTERED);

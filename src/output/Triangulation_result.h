@@ -73,7 +73,7 @@ std::string describe_verification(const Outcome& outcome);
 // The text that people read: what they want to know, or all that is known.
 void write_report(std::ostream& os, const Triangulation_result& result, bool is_verbose);
 
-// The object that programs read; what is not known is null.
+// The object for programs; unknown values are null.
 nlohmann::ordered_json statistics(const Triangulation_result& result);
 
 // The intrinsic edges as comma-separated values:

@@ -22,7 +22,8 @@ std::string face_text(const IT::Delta_complex& complex, IT::Face_index f)
          std::to_string(complex.source(next).idx()) + ", " + std::to_string(complex.target(next).idx()) + ")";
 }
 
-// Border edges are not flipped: at such an edge, the face of the input has no area if the one that is there now has none.
+// Border edges are not flipped: at such an edge, the face of the input has no area if the one that is there now has
+// none.
 std::string message(const Surface& surface, const IT::Delta_complex& complex, const std::vector<double>& weights)
 {
   const auto is_finite = [&](IT::Halfedge_index h) { return std::isfinite(weights[complex.edge(h).idx()]); };
@@ -36,15 +37,15 @@ std::string message(const Surface& surface, const IT::Delta_complex& complex, co
       if (complex.is_border(complex.edge(h)) && complex.edge(h).idx() < input.number_of_edges()) {
         const IT::Halfedge_index side = input.halfedge(complex.edge(h));
         return face_text(input, input.face(input.is_border(side) ? input.opposite(side) : side)) +
-               " has no area and lies on the border, where no flip removes it, so that its cotangents are infinite: "
+               " has zero area and lies on the border, where no flip removes it, so its cotangents are infinite: "
                "remove it from the mesh";
       }
     inner = i;
   }
   if (inner.is_valid() && &complex == &input)
-    return face_text(input, input.face(inner)) + " has no area, so that its cotangents are infinite: the flips of the "
+    return face_text(input, input.face(inner)) + " has zero area, so its cotangents are infinite: the flips of the "
                                                  "intrinsic Delaunay triangulation remove it";
-  return "the triangulation has a face without area, so that its cotangents are infinite: it is not Delaunay";
+  return "the triangulation has a face of zero area, so its cotangents are infinite: it is not Delaunay";
 }
 
 } // namespace

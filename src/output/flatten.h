@@ -20,8 +20,8 @@ struct Flattened_surface
   std::vector<std::array<double, 3>> points;           // of all vertices of the intrinsic triangulation
   std::vector<std::array<std::uint32_t, 3>> triangles; // its faces with three different corners, in order
   std::size_t number_of_other_faces = 0;               // which are left out
-  // Each point of the surface has a place in the straight triangle of its face. It is at most as far from there as this, and one vertex of the
-  // overlay is: both are linear on each face of the overlay.
+  // Each point of the surface has a place in the straight triangle of its face. It is at most as far from there as
+  // this, and one vertex of the overlay is: both are linear on each face of the overlay.
   double deviation = 0;
 };
 

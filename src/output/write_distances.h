@@ -25,13 +25,15 @@ struct Surface_with_distances
   std::vector<Named_values> vectors; // what else there is at each vertex
 };
 
-// A row `vertex,distance` for each vertex, and a column for each coordinate of the vectors: `NAME_x` and so on; `inf` where a number is infinite.
+// A row `vertex,distance` for each vertex, and a column for each coordinate of the vectors: `NAME_x` and so on; `inf`
+// where a number is infinite.
 void write_distances_csv(std::ostream& os, const Surface_with_distances& surface);
 
 // Bytes, with a vertex property `distance`, and one for each coordinate of the vectors.
 void write_distances_ply(std::ostream& os, const Surface_with_distances& surface);
 
-// Text, with a point array `distance`, and one for each kind of vectors; finite() says what stands for infinite numbers.
+// Text, with a point array `distance`, and one for each kind of vectors; finite() says what stands for infinite
+// numbers.
 void write_distances_vtp(std::ostream& os, const Surface_with_distances& surface);
 
 } // namespace idt

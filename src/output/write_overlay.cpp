@@ -27,8 +27,8 @@ enum class Vertex_kind : std::uint8_t {
   INSERTED
 };
 
-// Vertices of the file are vertices of the overlay. Its faces are the faces of the overlay, or the triangles of the first
-// face, then of the second, and so on; its edges are the segments.
+// Vertices of the file are vertices of the overlay. Its faces are the faces of the overlay, or the triangles of the
+// first face, then of the second, and so on; its edges are the segments.
 class Overlay_writer
 {
 public:

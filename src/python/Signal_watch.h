@@ -22,8 +22,8 @@ namespace idt_python {
 namespace py = pybind11;
 namespace IT = CGAL::Intrinsic_triangulations;
 
-// While it lives, `goes_on()` in its thread says whether Python has got no signal that ends the call. The signal handlers are
-// asked twenty times a second, so that short calls do not pay for it.
+// While it lives, `goes_on()` in its thread says whether Python has got no signal that ends the call. The signal
+// handlers are asked twenty times a second, so that short calls do not pay for it.
 class Signal_watch
 {
 public:
@@ -76,8 +76,8 @@ private:
   std::optional<py::error_already_set> error_;
 };
 
-// Calls a function without Python's lock, which may be released already. \pre the function touches nothing of Python, and
-// returns something
+// Calls a function without Python's lock, which may be released already. \pre the function touches nothing of Python,
+// and returns something
 template <class Function>
 auto without_lock(const Function& function)
 {

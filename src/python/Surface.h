@@ -34,6 +34,16 @@ public:
       input_sides_.push_back(complex.halfedge(f));
     triangulation_.set_interruption(&Signal_watch::goes_on);
   }
+  // A triangulation with a history. \param input_sides as `input_sides()`; none for those that the triangulation remembers
+  Surface(Triangulation triangulation, std::vector<IT::Halfedge_index> input_sides)
+    : triangulation_(std::move(triangulation)), input_sides_(std::move(input_sides))
+  {
+    const IT::Delta_complex& input = triangulation_.input();
+    if (input_sides_.empty())
+      for (IT::Face_index f : input.faces())
+        input_sides_.push_back(input.halfedge(f));
+    triangulation_.set_interruption(&Signal_watch::goes_on);
+  }
   Surface(const Surface& other) : Surface(other, std::lock_guard<std::mutex>(other.mutex_)) {}
   Surface& operator=(const Surface&) = delete;
 
@@ -48,7 +58,8 @@ public:
     });
   }
 
-  // The first side of each input face, as it was given: the library remembers faces and sides, but not which is the first.
+  // The first side of each input face, as it was given: the library remembers faces and sides, but not which is the
+  // first.
   const std::vector<IT::Halfedge_index>& input_sides() const { return input_sides_; }
 
 private:

@@ -10,6 +10,8 @@
 #include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 
+#include <pybind11/stl.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -20,7 +22,7 @@ namespace idt_python {
 
 namespace {
 
-// Points, corners of all faces, and where those of each begin; no beginnings if all are triangles.
+// Points, corners of all faces, and where those of each begin; no beginnings if all are triangles; and warnings.
 py::tuple read_mesh(const std::string& file_name)
 {
   IT::Polygon_soup soup =
@@ -34,7 +36,7 @@ py::tuple read_mesh(const std::string& file_name)
     corners.insert(corners.end(), soup.polygon(f).begin(), soup.polygon(f).end());
   std::vector<std::int64_t> first_corner(soup.first_corner.begin(), soup.first_corner.end());
   return py::make_tuple(to_array(std::move(coordinates), 3), to_array(std::move(corners)),
-                        to_array(std::move(first_corner)));
+                        to_array(std::move(first_corner)), py::cast(soup.warnings));
 }
 
 // Which triangles are turned so that they agree.

@@ -123,7 +123,8 @@ public:
     return table.to_arrays();
   }
 
-  // Cut open along a path that is given by faces and coordinates: points, triangles, their faces, and where new vertices lie.
+  // Cut open along a path that is given by faces and coordinates: points, triangles, their faces, and where new
+  // vertices lie.
   py::tuple cut_along_path(const std::vector<std::uint32_t>& faces,
                            const std::vector<std::array<double, 3>>& coordinates)
   {

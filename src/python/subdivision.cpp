@@ -12,9 +12,13 @@
 #include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
 #include <CGAL/Intrinsic_triangulations/transfer_matrices.h>
+#include <CGAL/Intrinsic_triangulations/triangulation_io.h>
 
 #include <memory>
+#include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace idt_python {
 
@@ -34,6 +38,7 @@ public:
   const IT::Common_subdivision& get() const { return subdivision_; }
   const IT::Overlay& overlay() const { return subdivision_.overlay(); }
   const IT::Point_location& location() const { return location_; }
+  const std::vector<IT::Halfedge_index>& input_sides() const { return input_sides_; }
   IT::Halfedge_index input_side(IT::Face_index f) const { return input_sides_[f.idx()]; }
   IT::Halfedge_index intrinsic_side(IT::Face_index f) const { return subdivision_.intrinsic().halfedge(f); }
 
@@ -56,6 +61,30 @@ private:
   IT::Point_location location_; // refers to the subdivision
   std::vector<IT::Halfedge_index> input_sides_;
 };
+
+py::tuple state_of_subdivision(const Subdivision& s)
+{
+  std::string file = without_lock([&] {
+    std::ostringstream os;
+    IT::write_triangulation(os, s.get(), CGAL::parameters::visitor([] { return Signal_watch::goes_on(); }));
+    return std::move(os).str();
+  });
+  return py::make_tuple(py::bytes(file), sides_to_array(s.input_sides()));
+}
+
+std::unique_ptr<Subdivision> subdivision_of_state(const py::tuple& state)
+{
+  require(state.size() == 2, "this is no state of a subdivision");
+  const std::string file = state[0].cast<std::string>();
+  std::vector<IT::Halfedge_index> sides = sides_of_array(state[1].cast<Indices>());
+  return without_lock([&] {
+    std::istringstream is(file);
+    const Triangulation t = IT::read_triangulation<CGAL::Parallel_if_available_tag>(
+      is, CGAL::parameters::visitor([] { return Signal_watch::goes_on(); }));
+    check_sides(t.input(), sides);
+    return std::make_unique<Subdivision>(t, std::move(sides));
+  });
+}
 
 std::unique_ptr<Subdivision> subdivision_of(Surface& surface)
 {
@@ -193,6 +222,7 @@ void add_subdivision(py::module_& module)
 {
   module.def("subdivision", &subdivision_of);
   py::class_<Subdivision>(module, "Subdivision")
+    .def(py::pickle(&state_of_subdivision, &subdivision_of_state))
     .def("number_of_input_vertices", [](const Subdivision& s) { return s.overlay().number_of_input_vertices(); })
     .def("number_of_original_vertices", [](const Subdivision& s) { return s.overlay().number_of_original_vertices(); })
     .def("number_of_vertices", [](const Subdivision& s) { return s.overlay().number_of_vertices(); })

@@ -39,6 +39,30 @@ private:
   std::vector<double> coordinates_;
 };
 
+// The first sides of faces as numbers, for another process, and back.
+inline py::array sides_to_array(const std::vector<IT::Halfedge_index>& sides)
+{
+  std::vector<std::uint32_t> numbers;
+  for (IT::Halfedge_index h : sides)
+    numbers.push_back(h.idx());
+  return to_array(std::move(numbers));
+}
+inline std::vector<IT::Halfedge_index> sides_of_array(const Indices& numbers)
+{
+  std::vector<IT::Halfedge_index> sides;
+  for (std::uint32_t h : copied(numbers))
+    sides.push_back(IT::Halfedge_index(h));
+  return sides;
+}
+inline void check_sides(const IT::Delta_complex& input, const std::vector<IT::Halfedge_index>& sides)
+{
+  bool are_good = sides.size() == input.number_of_faces();
+  for (std::uint32_t f = 0; are_good && f < sides.size(); ++f)
+    are_good = sides[f].idx() < input.number_of_halfedges() && input.face(sides[f]) == IT::Face_index(f);
+  if (!are_good)
+    throw IT::Invalid_argument_error("the state of a surface has sides that are none of its faces");
+}
+
 } // namespace idt_python
 
 #endif // INTRINSIC_TRIANGULATIONS_PYTHON_SURFACE_POINTS_H

@@ -14,15 +14,21 @@
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/sharp_edges.h>
+#include <CGAL/Intrinsic_triangulations/triangulation_io.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <CGAL/Named_function_parameters.h>
 
 #include <pybind11/stl.h>
 
+#include <cmath>
+#include <fstream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace idt_python {
 
@@ -88,6 +94,65 @@ std::unique_ptr<Surface> from_gluing(const Indices& first, const Indices& second
   for (std::size_t i = 0; i < one.size(); ++i)
     pairs.push_back({one[i], two[i]});
   return without_lock([&] { return from_lengths_of(IT::make_Delta_complex_from_gluing(sides.size(), pairs), sides); });
+}
+
+// ------------------------------------------------------------- files and other processes
+
+const auto goes_on = CGAL::parameters::visitor([] { return Signal_watch::goes_on(); });
+
+py::tuple state_of_surface(Surface& surface)
+{
+  std::string file = surface.use([](const Triangulation& t) {
+    std::ostringstream os;
+    IT::write_triangulation(os, t, goes_on);
+    return std::move(os).str();
+  });
+  return py::make_tuple(py::bytes(file), sides_to_array(surface.input_sides()));
+}
+
+std::unique_ptr<Surface> surface_of_state(const py::tuple& state)
+{
+  require(state.size() == 2, "this is no state of a surface");
+  const std::string file = state[0].cast<std::string>();
+  const std::vector<IT::Halfedge_index> sides = sides_of_array(state[1].cast<Indices>());
+  return without_lock([&] {
+    std::istringstream is(file);
+    Triangulation t = IT::read_triangulation<CGAL::Parallel_if_available_tag>(is, goes_on);
+    check_sides(t.input(), sides);
+    return std::make_unique<Surface>(std::move(t), sides);
+  });
+}
+
+void save(Surface& surface, const std::string& path)
+{
+  surface.use([&](const Triangulation& t) {
+    std::ofstream os(path, std::ios::binary);
+    IT::write_triangulation(os, t, surface.input_sides(), goes_on);
+    if (!os.flush())
+      throw IT::Error(path + ": cannot be written");
+    return true;
+  });
+}
+
+std::unique_ptr<Surface> load(const std::string& path)
+{
+  return without_lock([&] {
+    return std::make_unique<Surface>(IT::read_triangulation<CGAL::Parallel_if_available_tag>(path, goes_on),
+                                     std::vector<IT::Halfedge_index>());
+  });
+}
+
+// The points of the input, or none if it is given by lengths.
+py::array input_points(Surface& surface)
+{
+  return to_array(surface.use([](const Triangulation& t) {
+    std::vector<double> result;
+    for (const auto& p : t.input_metric().points())
+      for (double x : p)
+        result.push_back(std::ldexp(x, t.input_metric().unit_exponent()));
+    return result;
+  }),
+                  3);
 }
 
 // ------------------------------------------------------------- connectivity
@@ -346,6 +411,10 @@ void add_triangulation(py::module_& module)
                 py::arg("number_of_vertices"))
     .def_static("from_gluing", &from_gluing, py::arg("first").noconvert(), py::arg("second").noconvert(),
                 py::arg("lengths").noconvert())
+    .def_static("load", &load, py::arg("path"))
+    .def("save", &save, py::arg("path"))
+    .def("input_points", &input_points)
+    .def(py::pickle(&state_of_surface, &surface_of_state))
     .def("copy",
          [](const Surface& surface) { return without_lock([&] { return std::make_unique<Surface>(surface); }); })
     .def("number_of_vertices", count(&IT::Delta_complex::number_of_vertices))

@@ -38,7 +38,8 @@ inline IT::Exact_gluing exact_gluing(std::size_t number_of_faces,
   return gluing;
 }
 
-// The flat torus of the lattice of two vectors u and v, with one vertex, as the triangles with the sides u, v and u + v.
+// The flat torus of the lattice of two vectors u and v, with one vertex, as the triangles with the sides u, v and u +
+// v.
 //
 // Euler characteristic 0; 1 vertex, 3 edges, 2 faces.
 // \param u, v vectors that are linearly independent
@@ -56,7 +57,8 @@ inline IT::Exact_gluing sheared_one_vertex_torus(const IT::Integer& shear)
   return lattice_torus({IT::Integer(1), IT::Integer(0)}, {shear, IT::Integer(1)});
 }
 
-// The lattice of (F, F') and (F', F'') with three consecutive Fibonacci numbers, whose reduction takes as many twists as possible for their size.
+// The lattice of (F, F') and (F', F'') with three consecutive Fibonacci numbers, whose reduction takes as many twists
+// as possible for their size.
 // \param n the index of the first, at least 2
 inline IT::Exact_gluing Fibonacci_torus(std::size_t n)
 {
@@ -108,7 +110,8 @@ struct Tubed_triangles
   IT::Exact_gluing gluing() const { return exact_gluing(number_of_faces, glued_sides, squared_side_lengths); }
 };
 
-// Two equilateral triangles, glued along a side, and twice along a tube of length one, which is sheared: a surface of genus 2.
+// Two equilateral triangles, glued along a side, and twice along a tube of length one, which is sheared: a surface of
+// genus 2.
 //
 // Euler characteristic -2; 1 vertex, 9 edges, 6 faces.
 inline IT::Exact_gluing sheared_genus_two(const IT::Integer& first_shear, const IT::Integer& second_shear)

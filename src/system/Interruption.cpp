@@ -55,7 +55,7 @@ void note_interruption()
 // Ends the process, unless it ends by itself. \param request the second of a kind, or 0 if time is up
 void end_process(Watch& w, int request)
 {
-  // Opening a file can take for ever, where a server is down.
+  // Opening a file can take forever if a server is down.
   const bool is_locked = w.mutex.try_lock_for(std::chrono::milliseconds(100));
   if (is_locked && w.is_over) {
     w.mutex.unlock();

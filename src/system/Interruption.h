@@ -18,7 +18,8 @@ namespace idt {
 // way, what is Unfinished is undone. Broken pipes and file size limits become write errors.
 void install_signal_handlers();
 
-// The same in a copy of this process, which has no thread but one, and does not own what is unfinished here. It ends silently.
+// The same in a copy of this process, which has no thread but one, and does not own what is unfinished here. It ends
+// silently.
 void install_signal_handlers_in_copy();
 
 // The process is about to end by itself: nothing ends it sooner any more, unless its end takes long.

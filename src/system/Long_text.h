@@ -79,9 +79,10 @@ private:
   std::string text_;
 };
 
-// Writes what belongs to the elements from 0 to n, in their order. Several threads work on it; until it is written, no more than a
-// few blocks of elements are in memory.
-// \param format is called as format(text, first, last) for blocks of elements, by any thread, and adds them to an empty text
+// Writes what belongs to the elements from 0 to n, in their order. Several threads work on it; until it is written, no
+// more than a few blocks of elements are in memory.
+// \param format is called as format(text, first, last) for blocks of elements, by any thread, and adds them to an empty
+//   text
 void write_blocks(std::ostream& os, std::size_t n,
                   const std::function<void(Long_text&, std::size_t, std::size_t)>& format);
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Work that may take for ever without asking whether to go on, or end the process that does it.
+// Work that may take forever without asking whether to continue, or end its process.
 
 #ifndef IDT_CHILD_PROCESS_H
 #define IDT_CHILD_PROCESS_H

@@ -12,12 +12,13 @@
 
 namespace idt {
 
-// Has the standard streams take bytes as they are, and occupies the descriptors of those that are closed, lest a file that
-// is opened later is taken for one of them; writing to them fails as it should.
+// Has the standard streams take bytes as they are, and occupies the descriptors of those that are closed, lest a file
+// that is opened later is taken for one of them; writing to them fails as it should.
 void prepare_standard_streams();
 
 // Reads what comes from the standard input, at most `size` bytes.
-// \return their number; 0 at the end; -1 and errno is EAGAIN if nothing came for a moment, so that the caller can ask whether to go on
+// \return their number; 0 at the end; -1 and errno is EAGAIN if nothing came for a moment, so that the caller can ask
+//   whether to go on
 long read_standard_input(char* bytes, unsigned size);
 
 bool is_error_output_a_terminal();
@@ -42,15 +43,16 @@ void close_descriptor(int descriptor);
 // A new folder for this process alone; empty if there can be none.
 std::string make_temporary_folder();
 
-// Has each request for an end, by Ctrl-C or another program, call a function that is allowed to do what signal handlers are, and
-// then wake wait_for_request(). Requests that the parent of this process ignores stay ignored. Broken pipes and limits of the size of
-// files become errors of writing.
+// Has each request for an end, by Ctrl-C or another program, call a function that is allowed to do what signal handlers
+// are, and then wake wait_for_request(). Requests that the parent of this process ignores stay ignored. Broken pipes
+// and limits of the size of files become errors of writing.
 // \param is_once whether the second request of a kind ends the process
 void catch_requests(void (*function)(), bool is_once);
 
 // To be called before, and again in a copy of this process. \return false if nobody can wait for requests
 bool prepare_to_wait_for_requests();
-// Returns the kind of the next request, which is positive, or 0 if there is none in time. \param milliseconds negative: waits for ever
+// Returns the kind of the next request, which is positive, or 0 if there is none in time. \param milliseconds negative:
+// waits forever
 int wait_for_request(long milliseconds);
 // As a request of this kind ends a process that does not catch it.
 [[noreturn]] void end_by_request(int kind);

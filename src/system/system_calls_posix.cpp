@@ -51,7 +51,8 @@ int process_number() { return static_cast<int>(::getpid()); }
 
 std::uint64_t peak_memory_bytes()
 {
-  // What getrusage() tells on Linux includes the program that this one replaced in its process, that is a copy of whatever started it.
+  // What getrusage() tells on Linux includes the program that this one replaced in its process, that is a copy of
+  // whatever started it.
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;)
     if (std::uint64_t kibibytes = 0; word == "VmHWM:" && status >> kibibytes)

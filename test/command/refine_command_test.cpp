@@ -353,7 +353,8 @@ TEST_F(Refine_command, stops_at_the_budget)
   EXPECT_EQ(json["verification"]["not_delaunay"], 0);
 }
 
-// Straight triangles: a roof without its ridge is another surface. The distance is that of the middle of the ridge from an edge below it.
+// Straight triangles: a roof without its ridge is another surface. The distance is that of the middle of the ridge from
+// an edge below it.
 TEST_F(Refine_command, flattens)
 {
   write("roof.off", "OFF\n4 2 0\n0 -1 0\n2 0 1\n0 1 0\n-2 0 1\n3 0 1 3\n3 1 2 3\n"); // a long ridge, which is flipped

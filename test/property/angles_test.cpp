@@ -219,7 +219,8 @@ Vector in_plane(const samples::Indexed_triangles& surface, Vertex_index v, Verte
   return Vector(q[0] - p[0], q[1] - p[1]);
 }
 
-// Where the surface is flat, vectors are differences of coordinates, turned so that the first axis is that of the input.
+// Where the surface is flat, vectors are differences of coordinates, turned so that the first axis is that of the
+// input.
 TEST(Halfedge_vectors, at_flat_vertices_are_those_of_the_plane)
 {
   const samples::Indexed_triangles surface = sheared_sheet(5, 2.25, 1);

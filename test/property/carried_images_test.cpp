@@ -128,8 +128,8 @@ TEST(Carried_images, are_zero_at_ties_alone)
   EXPECT_GT(ties, 1000u);
 }
 
-// The bound on the error knows how long the numbers of this surface are: with that for any doubles, images would not
-// be believed where an edge crosses more than some 2,000 input edges, and each tie would need a proof in rational numbers.
+// The bound on the error knows how long the numbers of this surface are: with that for any doubles, images would not be
+// believed where an edge crosses more than some 2,000 input edges, and each tie would need a proof in rational numbers.
 TEST(Carried_images, are_believed_where_thousands_of_edges_are_crossed)
 {
   const samples::Indexed_triangles pillow = samples::pillow(1000);

@@ -76,8 +76,8 @@ TEST(Exact_stages, ties_of_an_integer_grid_are_decided_in_the_plane)
   expect_agreement(t);
 }
 
-// A face beside each edge that is flipped is known to have area, so that the new edge has length: the exact geometry, for which all
-// flips are repeated, is not asked.
+// A face beside each edge that is flipped is known to have area, so that the new edge has length: the exact geometry,
+// for which all flips are repeated, is not asked.
 TEST(Exact_stages, long_chains_of_flips_in_a_plane_need_no_correspondence)
 {
   Triangulation t = make_Delaunay(samples::sheared_grid(60, 60, 20.3));

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Compares the package with the reference on mesh files and sample surfaces, a line for each; or prints what other builds of this
-// program have to print as well.
+// Compares the package with the reference on mesh files and sample surfaces, a line for each; or prints what other
+// builds of this program have to print as well.
 
 #include "reference/compare_with_reference.h"
 

@@ -134,7 +134,8 @@ TEST(Exactness, PrismsWhoseFansAreAllTies)
     }
 }
 
-// A bump on a grid, whose heights fall to far below the last place of the other coordinates: nearly all edges are nearly ties.
+// A bump on a grid, whose heights fall to far below the last place of the other coordinates: nearly all edges are
+// nearly ties.
 TEST(Exactness, BumpsOnGrids)
 {
   const std::uint32_t n = 14;

@@ -1,10 +1,11 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Every operation is interrupted at each question that it asks, and at each of its allocations. Then the triangulation is checked
-// exactly, and the operation goes on.
+// Every operation is interrupted at each question that it asks, and at each of its allocations. Then the triangulation
+// is checked exactly, and the operation goes on.
 //
-// Memory of GMP and MPFR is left alone: these end the program if there is none. So is that of CGAL::Mpzf, which frees what it has not got.
+// Memory of GMP and MPFR is left alone: these end the program if there is none. So is that of CGAL::Mpzf, which frees
+// what it has not got.
 
 #include "samples/sample_exact_gluings.h"
 #include "samples/sample_surfaces.h"
@@ -116,8 +117,8 @@ protected:
     RecordProperty("failures", failures_);
   }
 
-  // Interrupts `run(state)` at each point, or, if there are more, at about `most` of each kind. `check(state, whole)` is called after each, with the state
-  // after a run that was not interrupted.
+  // Interrupts `run(state)` at each point, or, if there are more, at about `most` of each kind. `check(state, whole)`
+  // is called after each, with the state after a run that was not interrupted.
   template <class Make, class Run, class Check>
   void sweep(const std::string& name, const Make& make, const Run& run, const Check& check)
   {
@@ -196,8 +197,8 @@ void expect_input(const Triangulation& t, const IT::Delta_complex& input)
   }
 }
 
-// Connectivity and integers are those of a triangulation of the surface; what is stored is as near to the exact numbers as it says, and
-// what it implies is right.
+// Connectivity and integers are those of a triangulation of the surface; what is stored is as near to the exact numbers
+// as it says, and what it implies is right.
 void expect_valid(Triangulation& t, const IT::Delta_complex& input)
 {
   t.set_interruption({});

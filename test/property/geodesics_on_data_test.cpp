@@ -81,8 +81,8 @@ public:
     return sum;
   }
 
-  // By how much the smaller angle beside an inner point is less than π. Coordinates that are rounded by some units of the largest
-  // one turn what is short: by as much as that it is reduced.
+  // By how much the smaller angle beside an inner point is less than π. Coordinates that are rounded by some units of
+  // the largest one turn what is short: by as much as that it is reduced.
   long double bend(const std::vector<IT::Surface_point>& line, std::size_t i) const
   {
     const Vector p = at(line[i]), to = at(line[i + 1]) - p, from = at(line[i - 1]) - p;
@@ -103,7 +103,8 @@ private:
   }
   Vector at(IT::Vertex_index v) const { return {points_[v.idx()][0], points_[v.idx()][1], points_[v.idx()][2]}; }
 
-  // The angle on one side: of the part of each face there, from the one that the line enters to the one that it came through.
+  // The angle on one side: of the part of each face there, from the one that the line enters to the one that it came
+  // through.
   long double side(const std::vector<IT::Surface_point>& line, std::size_t i, const Vector& to, const Vector& from,
                    bool is_left) const
   {
@@ -113,7 +114,8 @@ private:
     IT::Halfedge_index h = point.halfedge; // a side of the face that ends at the point or contains it
     while (!ends(h, point))
       h = input_.next(h);
-    // `h` is the side to the right of whoever looks into the face from the point, the next one or the same edge that to the left.
+    // `h` is the side to the right of whoever looks into the face from the point, the next one or the same edge that to
+    // the left.
     long double sum = 0;
     Vector edge = to;
     for (std::size_t turn = 0; turn <= input_.number_of_halfedges(); ++turn) {

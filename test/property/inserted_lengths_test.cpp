@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lengths of edges between inserted vertices, against a layout with 500 digits that is written apart: in the plane, triangle by
-// triangle, from the points in space and the barycentric coordinates.
+// Lengths of edges between inserted vertices, against a layout with 500 digits that is written apart: in the plane,
+// triangle by triangle, from the points in space and the barycentric coordinates.
 
 #include "evaluation_data.h"
 #include "samples/sample_surfaces.h"
@@ -50,8 +50,8 @@ public:
       points_(points)
   {}
 
-  // Of a path from a vertex to another one through the faces beside the input edges that it crosses, given as halfedges of the faces
-  // before them. If there are none, the path lies in the face of `face`.
+  // Of a path from a vertex to another one through the faces beside the input edges that it crosses, given as halfedges
+  // of the faces before them. If there are none, the path lies in the face of `face`.
   Number distance(IT::Vertex_index from, IT::Vertex_index to, const std::vector<IT::Halfedge_index>& crossed,
                   IT::Halfedge_index face) const
   {

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The common subdivision of a surface and a triangulation with inserted vertices: places, areas, transfer, point location.
+// The common subdivision of a surface and a triangulation with inserted vertices: places, areas, transfer, point
+// location.
 
 #include "insert_random_vertices.h"
 #include "samples/sample_surfaces.h"

@@ -184,7 +184,8 @@ TEST(Long_strips, what_edges_cross_is_kept_where_faces_are_glued_to_themselves)
   EXPECT_GT(kept, 300u);
 }
 
-// The squared lengths and areas that flips and insertions leave are as good as their bounds say, however they were carried.
+// The squared lengths and areas that flips and insertions leave are as good as their bounds say, however they were
+// carried.
 TEST(Long_strips, numbers_that_are_carried_keep_their_bounds)
 {
   Triangulation t = triangulation_of(fan_box(40, 320));
@@ -228,7 +229,8 @@ TEST(Long_strips, lines_across_parallel_folds_are_proven_to_be_straight)
   EXPECT_NEAR(network.length(across), std::hypot(length, 1), 1e-14);
 }
 
-// Two edges are left at a vertex, so that the sum of two corners is that of all angles: nearly π, but for the last vertex.
+// Two edges are left at a vertex, so that the sum of two corners is that of all angles: nearly π, but for the last
+// vertex.
 TEST(Long_strips, all_angles_at_a_vertex_are_not_taken_for_none)
 {
   for (double height : {0x1p-10, -0x1p-10, 0x1p-130, -0x1p-130}) {

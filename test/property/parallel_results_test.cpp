@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Several threads: integers, verifications, overlays, positions, weights and matrices are those of one thread, bit for bit.
-// Most surfaces have some blocks of 2^14 elements.
+// Several threads: integers, verifications, overlays, positions, weights and matrices are those of one thread, bit for
+// bit. Most surfaces have some blocks of 2^14 elements.
 
 #include "samples/sample_gluings.h"
 #include "samples/sample_surfaces.h"

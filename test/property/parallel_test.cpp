@@ -149,7 +149,8 @@ TEST(Parallel, boundary_and_many_flips)
 
 TEST(Parallel, ties) { expect_same_with_any_number_of_threads(samples::random_diagonal_grid(200, 150, 1, 7)); }
 
-// Queries before, and flips and insertions before these: as many tests and flips in blocks, and none of them followed one by one.
+// Queries before, and flips and insertions before these: as many tests and flips in blocks, and none of them followed
+// one by one.
 TEST(Parallel, after_queries_as_without)
 {
   const samples::Indexed_triangles surface = samples::bad_torus(200, 150);
@@ -181,7 +182,8 @@ TEST(Parallel, after_queries_as_without)
   }
 }
 
-// Stairs of unit squares, with a diagonal each that is a tie: nothing is flipped, and the stages after the filter decide all.
+// Stairs of unit squares, with a diagonal each that is a tie: nothing is flipped, and the stages after the filter
+// decide all.
 samples::Indexed_triangles stairs(std::size_t columns, std::size_t rows)
 {
   samples::Indexed_triangles result = samples::random_diagonal_grid(columns, rows);

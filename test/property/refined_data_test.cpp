@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Refinement of real meshes: no angle is below the bound but in listed faces, whose reasons an independent reading of the lengths confirms.
+// Refinement of real meshes: no angle is below the bound but in listed faces, whose reasons an independent reading of
+// the lengths confirms.
 
 #include "evaluation_data.h"
 #include "refined_surface.h"
@@ -63,8 +64,9 @@ public:
 
   double angle_at_source(IT::Halfedge_index h) const { return IT::angle(t_, complex_.next(h)); }
 
-  // Whether the border turns at a corner of the input by less than 60 degrees, and the small angle at the source of h, a halfedge of a face, is
-  // there, or opposite to an edge between two points of the border at the same distance from there.
+  // Whether the border turns at a corner of the input by less than 60 degrees, and the small angle at the source of h,
+  // a halfedge of a face, is there, or opposite to an edge between two points of the border at the same distance from
+  // there.
   bool is_small_input_angle(IT::Halfedge_index h) const
   {
     if (complex_.is_border(complex_.edge(h)) && complex_.is_border(complex_.edge(complex_.prev(h))))

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Refinement of surfaces that are made to be difficult: it ends, nothing is rounded, and what is below the bound is listed.
+// Refinement of surfaces that are made to be difficult: it ends, nothing is rounded, and what is below the bound is
+// listed.
 
 #include "refined_surface.h"
 #include "samples/sample_surfaces.h"
@@ -118,7 +119,8 @@ TEST(Refined_families, caps_down_to_the_precision_of_double)
     refine(triangulation_of(samples::cap(bulge)));
 }
 
-// Vertices 2 and 4 lie on the edge from 0 to 1, in two faces without area that stay at the border, or if that edge is constrained.
+// Vertices 2 and 4 lie on the edge from 0 to 1, in two faces without area that stay at the border, or if that edge is
+// constrained.
 TEST(Refined_families, faces_without_area)
 {
   samples::Indexed_triangles surface;

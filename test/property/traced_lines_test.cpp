@@ -49,8 +49,8 @@ std::complex<double> in_plane(const Triangulation& t, const IT::Surface_point& p
   return b[1] * ij + b[2] * std::complex<double>(x, 2 * t.area(c.face(h)) / ij);
 }
 
-// The distances of the points of a line from its start, by the lengths of the triangulation. Checks that each part runs through the face
-// that it is said to run through.
+// The distances of the points of a line from its start, by the lengths of the triangulation. Checks that each part runs
+// through the face that it is said to run through.
 std::vector<double> distances(const Triangulation& t, const IT::Traced_geodesic& line)
 {
   const IT::Delta_complex& c = t.connectivity();
@@ -134,7 +134,8 @@ std::size_t expect_the_same_line(const Triangulation& t, const IT::Point_locatio
   return in_faces.points.size();
 }
 
-// Starts inside of faces, on edges and at vertices of the input, at vertices of the triangulation, and on its edges as well as doubles allow.
+// Starts inside of faces, on edges and at vertices of the input, at vertices of the triangulation, and on its edges as
+// well as doubles allow.
 IT::Surface_direction random_start(const Triangulation& t, const IT::Point_location& location, std::mt19937& random)
 {
   const IT::Delta_complex& input = t.input();

@@ -72,7 +72,8 @@ std::vector<Rational> untwisted(Exact_gluing gluing)
   return sorted(std::move(squares));
 }
 
-// What two Delaunay triangulations of a surface have in common: the edges that are no ties, by how often they cross the input, and their lengths.
+// What two Delaunay triangulations of a surface have in common: the edges that are no ties, by how often they cross the
+// input, and their lengths.
 using Edges = std::vector<std::tuple<Integer, double>>;
 
 Edges edges_of(const IT::Gluing_triangulation<IT::Filtered_edge_length_traits>& result)
@@ -97,7 +98,8 @@ void expect_same(const Edges& a, const Edges& b)
   }
 }
 
-// Compares the two ways, and the counts with those of the integers that know where the crossings are. Returns the number of flips.
+// Compares the two ways, and the counts with those of the integers that know where the crossings are. Returns the
+// number of flips.
 Integer compare(const Exact_gluing& gluing)
 {
   const auto plain = IT::intrinsic_Delaunay_triangulation(gluing), fast = fast_triangulation(gluing);
@@ -183,13 +185,15 @@ TEST(Untwist, finds_the_Delaunay_triangulation_of_sheared_surfaces)
   EXPECT_EQ(torus.report.status, IT::Flip_status::DELAUNAY);
   EXPECT_EQ(torus.report.flips, 0u);
   EXPECT_TRUE(IT::verify_Delaunay(torus.triangulation).is_Delaunay());
-  // The input edges (1, 0), (n, 1) and (n + 1, 1) cross (1, 0), (0, 1) and (±1, 1), which edges of the square torus are.
+  // The input edges (1, 0), (n, 1) and (n + 1, 1) cross (1, 0), (0, 1) and (±1, 1), which edges of the square torus
+  // are.
   std::vector<Integer> counts;
   for (Edge_index e : torus.triangulation.connectivity().edges())
     counts.push_back(torus.untwisting.crossings.crossings(e));
   std::sort(counts.begin(), counts.end());
   EXPECT_EQ(counts[0], -1);
-  // The segment (0, 1) is crossed |det((n, 1), (0, 1))| − 1 and |det((n + 1, 1), (0, 1))| − 1 times, and once less by (1, 0) than its determinant.
+  // The segment (0, 1) is crossed |det((n, 1), (0, 1))| − 1 and |det((n + 1, 1), (0, 1))| − 1 times, and once less by
+  // (1, 0) than its determinant.
   EXPECT_EQ(counts[2], (trillion - 1) + trillion);
 
   const auto plain = IT::intrinsic_Delaunay_triangulation(samples::sheared_genus_two(0, 0));

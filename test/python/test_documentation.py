@@ -36,6 +36,15 @@ def test_the_examples_of_the_manual():
             assert line == comment.split(":")[0].strip()
 
 
+@pytest.mark.parametrize("page, number", [("README.md", 4), ("doc/recipes.md", 2)])
+def test_the_lines_of_other_pages(page, number):
+    """They are about a mesh of V and F."""
+    with open(os.path.join(os.path.dirname(MANUAL), "..", page), encoding="utf-8") as file:
+        lines = re.findall(r"^ *((?:\w+(?:, \w+)* = )?(?:it|t)\.\w+\(.*?\)) *(?:#.*)?$", file.read(), re.MULTILINE)
+    assert len(lines) == number
+    exec("\n".join(lines), {"it": it, "V": [[0, 0, 0], [4, 0, 0], [2, 1, 0], [2, 0, 1]], "F": [[0, 1, 2], [1, 0, 3]]})
+
+
 def test_the_version_is_that_of_the_project():
     """CMakeLists.txt is where it is written."""
     with open(os.path.join(os.path.dirname(MANUAL), "..", "CMakeLists.txt"), encoding="utf-8") as file:

@@ -4,6 +4,7 @@
 # Meshes from files, and their repair: each error leads to a function that ends in a triangulation.
 
 import itertools
+import re
 
 import numpy
 import pytest
@@ -96,6 +97,13 @@ def test_polygons_of_a_file(tmp_path):
     assert error.value.defect == "UNREADABLE"
 
 
+def test_what_is_unusual_about_a_file(tmp_path):
+    path = tmp_path / "facet.stl"
+    path.write_text("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n")
+    with pytest.warns(UserWarning, match=r"facet.stl: the file ends without a line endsolid"):
+        assert len(it.read_mesh(path)[1]) == 1
+
+
 @pytest.mark.parametrize("bad", [[[0, 1, 9]], [[0, 1, -1]], [[0, 1, 2], [0, 1, 2, 3, 4]]])
 def test_indices_out_of_range(bad):
     with pytest.raises(it.InvalidSurfaceError, match=rf"F\[{len(bad) - 1}\] names vertex"):
@@ -111,3 +119,84 @@ def test_what_is_no_face(F):
         pass
     with pytest.raises(ValueError):
         it.repair([[0, 0, numpy.nan], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+
+
+KITE = [[0.0, 0, 0], [4, 0, 0], [2, 1, 0], [2, -1, 0]], [[0, 1, 2], [1, 0, 3]]
+BAD = {
+    "a polygon": ([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], numpy.array([[0, 1, 2, 3]])),
+    "polygons": (KITE[0], [[0, 1, 2], [1, 0, 3], [0, 3, 1, 2]]),
+    "a face of two corners": (KITE[0], KITE[1] + [[0, 1]]),
+    "a vertex twice": (KITE[0], KITE[1] + [[0, 0, 1]]),
+    "a face twice": (KITE[0], KITE[1] + [[0, 1, 2]]),
+    "three faces at an edge": (KITE[0] + [[2, 0, 1]], KITE[1] + [[0, 1, 4]]),
+    "three faces at an edge, one turned over": (KITE[0] + [[2, 0, 1]], [KITE[1][0], [0, 1, 3], [0, 1, 4]]),
+    "a face turned over": (KITE[0], [KITE[1][0], [0, 1, 3]]),
+    "two fans": (KITE[0] + [[-1, 0, 0], [-1, 1, 0]], KITE[1] + [[0, 4, 5]]),
+    "an edge without length": (KITE[0] + [[0, 0, 0]], [[4, 1, 2], [1, 0, 3], [0, 1, 4]]),
+    "a face without area": ([[0, 0, 0], [1, 0, 0], [2, 0, 0], [1, -1, 0]], [[0, 1, 2], [1, 0, 3], [2, 1, 3]]),
+    "NaN": ([[numpy.nan, 0, 0]] + KITE[0][1:], KITE[1]),
+    "NaN without faces": (KITE[0] + [[0, numpy.inf, 0]], KITE[1]),
+    "indices from 1": (KITE[0], (numpy.array(KITE[1]) + 1)),
+    "masked entries": (numpy.ma.masked_array(KITE[0], mask=[[1, 0, 0]] + [[0, 0, 0]] * 3), KITE[1]),
+    "large integers": (numpy.array(KITE[0], dtype=numpy.int64) * 2**60 + 1, KITE[1]),
+    "large": (numpy.array(KITE[0]) * 1e200, KITE[1]),
+    "small": (numpy.array(KITE[0]) * 1e-200, KITE[1]),
+    "large and small": ([[0, 0, 0], [1e200, 0, 0], [0, 1e200, 0], [1e-200, 0, 0], [0, -1e-200, 0]], [[0, 1, 2], [0, 3, 1], [0, 4, 3]]),
+}
+FUNCTIONS = {
+    "Triangulation": lambda V, F: it.Triangulation(V, F).flip_to_delaunay(),
+    "refine": lambda V, F: it.Triangulation(V, F).refine(minimum_angle=25, minimum_size=1e-3),
+    "repair": it.repair,
+    "orient": it.orient,
+    "laplacian": it.laplacian,
+    "cotan_laplacian": it.cotan_laplacian,
+    "face_areas": it.face_areas,
+    "vertex_areas": it.vertex_areas,
+    "geodesic_distances": lambda V, F: it.geodesic_distances(V, F, 1),
+    "geodesic_path": lambda V, F: it.geodesic_path(V, F, 0, 1),
+    "compute_distance": lambda V, F: it.compute_distance(V, F, 1),
+    "MeshVectorHeatSolver": it.MeshVectorHeatSolver,
+    "GeodesicTracer": it.GeodesicTracer,
+    "EdgeFlipGeodesicSolver": it.EdgeFlipGeodesicSolver,
+}
+
+
+def without_face(V, F, face):
+    return V, [f for i, f in enumerate(F) if i != int(face)]
+
+
+# What is said, and what it is to do so. Of several that are said, the first in this order.
+ADVICE = [
+    (r"orient\(V, F\) does it", lambda V, F, match: (V, it.orient(V, F)[0])),
+    (r"repair\(V, F\)", lambda V, F, match: it.repair(V, F)[:2]),
+    (r"is not finite|not a finite number|give every vertex finite coordinates",
+     lambda V, F, match: (numpy.where(numpy.isfinite(V), V, 0.0), F)),
+    (r"subtract 1 from each", lambda V, F, match: (V, numpy.array(F) - 1)),
+    (r"leave them out, or fill them", lambda V, F, match: (V.filled(0.0), F)),
+    (r"round it first", lambda V, F, match: (V.astype(float), F)),
+    (r"round it to zero, or remove the outliers", lambda V, F, match: (numpy.where(numpy.abs(V) < 1e-100, 0.0, V), F)),
+    (r"face (\d+).*scale the surface, or remove the face if that does not help",
+     lambda V, F, match: (numpy.array(V) / numpy.max(numpy.abs(V)), F) if not 0.1 < numpy.max(numpy.abs(V)) < 10
+     else without_face(V, F, match.group(1))),
+    (r"scale the surface", lambda V, F, match: (numpy.array(V) / numpy.max(numpy.abs(V)), F)),
+]
+
+
+@pytest.mark.parametrize("function", FUNCTIONS)
+@pytest.mark.parametrize("what", BAD)
+def test_advice_ends_in_a_result(what, function):
+    call, mesh, messages = FUNCTIONS[function], BAD[what], []
+    while True:
+        try:
+            call(*mesh)
+            return
+        except (ValueError, ArithmeticError) as error:
+            assert str(error) not in messages or "remove the face" in str(error), f"in a circle: {messages}"
+            messages.append(str(error))
+        assert len(messages) < 6, messages
+        if "laplacian(V, F) takes it" in messages[-1]:
+            call = it.laplacian
+            continue
+        rules = [(re.search(pattern, messages[-1]), action) for pattern, action in ADVICE]
+        assert any(match for match, _ in rules), f"nothing to do: {messages}"
+        mesh = next(action(*mesh, match) for match, action in rules if match)

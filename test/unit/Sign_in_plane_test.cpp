@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The in-circle test of points of one plane, some of them weighted means of others, against the determinant in rational numbers.
+// The in-circle test of points of one plane, some of them weighted means of others, against the determinant in rational
+// numbers.
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Sign_in_plane.h>

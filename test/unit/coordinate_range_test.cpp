@@ -177,7 +177,8 @@ TEST(Coordinate_range, Names_the_vertex_whose_coordinate_is_lost)
   EXPECT_NE(IT::message(report).find("vertex 1 at (9.99989e-321, 0, 0)"), std::string::npos) << IT::message(report);
 }
 
-// Four times an area may be subnormal in the unit of the stored numbers, or in that of the input, and has few bits then.
+// Four times an area may be subnormal in the unit of the stored numbers, or in that of the input, and has few bits
+// then.
 TEST(Coordinate_range, Of_numbers_of_a_face_far_smaller_than_the_surface)
 {
   struct Small_face
@@ -206,7 +207,8 @@ TEST(Coordinate_range, Of_numbers_of_a_face_far_smaller_than_the_surface)
   }
 }
 
-// A square one of whose corners is moved by the smallest number is no tie: beside the others, its coordinate underflows when it is scaled.
+// A square one of whose corners is moved by the smallest number is no tie: beside the others, its coordinate underflows
+// when it is scaled.
 TEST(Coordinate_range, Of_decisions_that_the_smallest_number_makes)
 {
   const double q = 0x1p25;

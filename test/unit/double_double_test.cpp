@@ -22,8 +22,8 @@ using CGAL::Intrinsic_triangulations::internal::Double_double;
 using CGAL::Intrinsic_triangulations::internal::Double_with_bound;
 using Rational = CGAL::Intrinsic_triangulations::internal::Rational;
 
-// Numbers of few bits and of all bits, whose lower part is next to half a unit in the last place of the upper one as often as not:
-// there a sum has to be normalized twice.
+// Numbers of few bits and of all bits, whose lower part is next to half a unit in the last place of the upper one as
+// often as not: there a sum has to be normalized twice.
 class Operands
 {
 public:

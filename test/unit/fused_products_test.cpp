@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Error-free transformations of products, where the compiler may fuse. Compiled for a processor with fused multiply-adds.
+// Error-free transformations of products, where the compiler may fuse. Compiled for a processor with fused
+// multiply-adds.
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_double_double.h>
@@ -79,7 +80,8 @@ TEST_F(Fused_products, products_of_parts_are_exact)
   });
 }
 
-// GCC makes fused operations of the differences from a multiple that nothing else needs: the head would be the whole number.
+// GCC makes fused operations of the differences from a multiple that nothing else needs: the head would be the whole
+// number.
 TEST_F(Fused_products, parts_have_half_of_the_digits)
 {
   for_random_numbers([](double a, double, double, double) {

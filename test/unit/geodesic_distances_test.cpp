@@ -54,8 +54,8 @@ double arc(const Mesh& mesh, Vertex v, std::size_t w)
                1., std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(Vertex(Vertex::size_type(w))))) / 2));
 }
 
-// What a program does that uses the class, with both. In its mode Intrinsic_Delaunay, CGAL's class returns a mesh and sources of other types
-// than those of the program.
+// What a program does that uses the class, with both. In its mode Intrinsic_Delaunay, CGAL's class returns a mesh and
+// sources of other types than those of the program.
 template <class Distances>
 std::vector<std::vector<double>> run(Mesh& mesh)
 {

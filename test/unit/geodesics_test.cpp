@@ -89,7 +89,8 @@ samples::Indexed_triangles cone(std::uint32_t columns, std::uint32_t rings, doub
   return result;
 }
 
-// The surface of a plate of unit cubes, three deep, with holes in a row: of genus `holes`. All its angles are right or straight ones.
+// The surface of a plate of unit cubes, three deep, with holes in a row: of genus `holes`. All its angles are right or
+// straight ones.
 samples::Indexed_triangles plate(int holes)
 {
   using Point = std::array<int, 3>;
@@ -646,7 +647,8 @@ TEST(GeodesicNetwork, PathsThatCrossInAVertexStayThere)
   std::vector<IT::Halfedge_index> column;
   for (std::uint32_t y = 0; y < 6; ++y)
     column.push_back(halfedge_between(complex, 7 * y + 3, 7 * y + 10));
-  // Through (3, 2): from (2, 2) to (4, 3), on the other side of the column; or to (3, 1) and (2, 1), which is on the same side.
+  // Through (3, 2): from (2, 2) to (4, 3), on the other side of the column; or to (3, 1) and (2, 1), which is on the
+  // same side.
   const std::vector<IT::Halfedge_index> crossing{halfedge_between(complex, 16, 17), halfedge_between(complex, 17, 25)},
     touching{halfedge_between(complex, 16, 17), halfedge_between(complex, 17, 10), halfedge_between(complex, 10, 9)};
   for (int kind = 0; kind < 3; ++kind) {

@@ -189,7 +189,7 @@ TEST_F(Hostile_files, vertices_of_ts_have_names)
     {"a.ts", head + "TFACE\nVRTX 1 0 0\n", "line 3 (vertex 0): there are 2 numbers where 3 are needed"},
     {"a.ts", head + "TFACE\nATOM 1 7\n", "line 3 (vertex 0): the part has no vertex 7 before", Defect::BAD_INDEX},
     {"a.ts", head + "TFACE\n" + v1 + v2 + v3 + "TRGL 1 2 3\n" + head,
-     "line 7: a part begins where the one before has no"}};
+     "line 7: a part begins, but the previous one has no"}};
   for (const Bad_text& bad : table) {
     SCOPED_TRACE(bad.content);
     refused(bad.name, bad.content, bad.message, bad.defect);
@@ -274,7 +274,7 @@ TEST_F(Hostile_files, what_is_no_mesh)
     refused(name, "\x1f\x8b\x08\x01 and so on", "the file is compressed: unpack it first");
     refused(name, "PK\3\4 and so on", "the file is compressed");
     refused(name, "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 9\n", "get it with git lfs pull");
-    refused(name, "\n<!DOCTYPE html>\n<html></html>\n", "the file is a page of the web");
+    refused(name, "\n<!DOCTYPE html>\n<html></html>\n", "the file is a web page");
   }
 }
 

@@ -151,7 +151,8 @@ TEST(Insert_vertex, does_not_change_the_metric)
   }
 }
 
-// Vertices 2 and 4 lie on the edge from 0 to 1, in faces 3 and 4, which have no area and stay where that edge is on the border.
+// Vertices 2 and 4 lie on the edge from 0 to 1, in faces 3 and 4, which have no area and stay where that edge is on the
+// border.
 samples::Indexed_triangles triangle_over_flat_faces(bool is_closed_below)
 {
   samples::Indexed_triangles result;
@@ -184,7 +185,7 @@ TEST(Insert_vertex, faces_without_area)
       insert(face, {1, 1, 1});
       ADD_FAILURE() << "a vertex in a face without area";
     } catch (const IT::Invalid_point_error& error) {
-      EXPECT_NE(std::string(error.what()).find("face " + std::to_string(face) + " of the input, which has no area"),
+      EXPECT_NE(std::string(error.what()).find("face " + std::to_string(face) + " of the input, which has zero area"),
                 std::string::npos)
         << error.what();
     }

@@ -241,7 +241,8 @@ TEST(Overlay_to_surface_mesh, refuses_a_wrong_number_of_points)
   EXPECT_THROW(IT::overlay_to_surface_mesh(IT::Common_subdivision(t), more), IT::Invalid_surface_error);
 }
 
-// A chart for each input face, with its own coordinates at each corner: on the diagonals, too, the corners are those of the face.
+// A chart for each input face, with its own coordinates at each corner: on the diagonals, too, the corners are those of
+// the face.
 TEST(Triangulate_overlay_faces, keeps_the_properties_of_corners_and_faces)
 {
   const samples::Indexed_triangles sample = samples::helical_tube();

@@ -201,7 +201,7 @@ TEST_F(Read_surface, forms_that_are_read)
     write("comments.off", "# one\nOFF # two\n\n3 1 0\n\n0 0 0 # three\n1 0 0\n\n#four\n0 1 0\n3 0 1 2"),
     write("windows.off", "OFF\r\n3 1 0\r\n0 0 0\r\n1 0 0\r\n0 1 0\r\n3 0 1 2\r\n"),
     write("colors.off", "COFF\n3 1 0\n0 0 0 9 9 9 9\n1 0 0 9 9 9 9\n0 1 0 9 9 9 9\n3 0 1 2\n"),
-    write("some_colors.off", "COFF\n3 1 0\n0 0 0 9 9 9\n1 0 0\n0 1 0 9\n3 0 1 2 7\n"),
+    write("some_colors.off", "COFF\n3 1 0\n0 0 0 9 9 9\n1 0 0\n0 1 0 9 9 9 9\n3 0 1 2 7\n"),
     write("indexed_colors.off", "COFF\n3 1 0\n0 0 0 500000000\n1 0 0 -500000000\n0 1 0 1e300\n3 0 1 2\n"),
     write("textures.off", "STCNOFF\n3 1 0\n0 0 0 0 0 1 5 5\n1 0 0 0 0 1 5 5\n0 1 0 0 0 1 5 5\n3 0 1 2\n"),
     write("colors_of_faces.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 0.5 0.5 0.5\n"),
@@ -480,7 +480,7 @@ TEST_F(Read_surface, broken_ply)
   refused("a.ply", header("int", "uchar int") + "0 0 0.5\n" + points + "3 0 1 2\n",
           "line 10, element vertex 0: \"0.5\" is not an integer, which is needed for z");
   refused("a.ply", header("list uchar float", "uchar int"), "by the header the vertices have no coordinate x");
-  refused("a.ply", header("float", "uchar float"), "has the type float, which is none of integers");
+  refused("a.ply", header("float", "uchar float"), "has the type float, which is not a list of integers");
   refused("a.ply", header("double", "uchar int") + "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n",
           "line 11, element vertex 1: the coordinate \"nan\" is not finite", Defect::NOT_FINITE);
   refused("a.ply", header("double", "uchar int") + points + "3 0 x 2\n",

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/element_numbers.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
@@ -77,6 +78,14 @@ TEST(Refine_Delaunay, leaves_no_thin_triangle)
   }
 }
 
+// Whoever makes them, the same flips are reported.
+TEST(Refine_Delaunay, counts_all_flips)
+{
+  Triangulation triangulation = triangulation_of(samples::pillow(60)), other = triangulation;
+  const std::uint64_t flips = IT::flip_to_Delaunay(other).flips;
+  EXPECT_GT(flips, 1000u);
+  EXPECT_EQ(IT::refine_Delaunay(triangulation).flips, flips + IT::refine_Delaunay(other).flips);
+}
 TEST(Refine_Delaunay, makes_large_triangles_small)
 {
   Triangulation triangulation =
@@ -258,8 +267,8 @@ TEST(Refine_Delaunay, asks_while_edges_are_flipped_at_first)
   }
 }
 
-// A vertex that is far away makes needles whose corners there are smaller than what doubles resolve. A line that is followed in
-// doubles then goes round and round.
+// A vertex that is far away makes needles whose corners there are smaller than what doubles resolve. A line that is
+// followed in doubles then goes round and round.
 TEST(Refine_Delaunay, ends_at_the_tips_of_needles)
 {
   samples::Indexed_triangles surface;

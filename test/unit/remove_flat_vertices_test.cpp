@@ -89,7 +89,8 @@ Point normal(const Surface& s, IT::Face_index f)
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
-// The plane of a face: its normal in lowest terms, and the product of that with a point. \pre the coordinates are integers
+// The plane of a face: its normal in lowest terms, and the product of that with a point. \pre the coordinates are
+// integers
 std::array<std::int64_t, 4> plane(const Surface& s, IT::Face_index f)
 {
   const Point n = normal(s, f), p = s.points[s.complex.source(s.complex.halfedge(f)).idx()];
@@ -104,7 +105,8 @@ std::array<std::int64_t, 4> plane(const Surface& s, IT::Face_index f)
   return result;
 }
 
-// The area in each plane with its side, in units of the normal. Faces that are turned over or stick out would change it.
+// The area in each plane with its side, in units of the normal. Faces that are turned over or stick out would change
+// it.
 std::map<std::array<std::int64_t, 4>, std::int64_t> areas(const Surface& s)
 {
   std::map<std::array<std::int64_t, 4>, std::int64_t> result;
@@ -406,7 +408,8 @@ TEST(Remove_nearly_flat_vertices, leaves_the_corners_of_a_block_that_was_turned)
   }
 }
 
-// Heights at random on a block: the more of them are allowed, the fewer vertices are left, and no point is farther away than was said.
+// Heights at random on a block: the more of them are allowed, the fewer vertices are left, and no point is farther away
+// than was said.
 TEST(Remove_nearly_flat_vertices, keeps_the_distance)
 {
   std::mt19937 random(3);

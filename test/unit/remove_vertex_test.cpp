@@ -143,8 +143,8 @@ TEST(Remove_vertex, on_a_line_across_a_fold)
   EXPECT_DOUBLE_EQ(triangulation.length(removed.edge_after(line)), std::sqrt(8.));
 }
 
-// What is decided from positions in space, with flips and splits before it, is what the unfolding alone decides: on surfaces with flat
-// parts, where faces stay straight or become so again, and with ties everywhere.
+// What is decided from positions in space, with flips and splits before it, is what the unfolding alone decides: on
+// surfaces with flat parts, where faces stay straight or become so again, and with ties everywhere.
 TEST(Remove_vertex, flat_parts_are_decided_as_by_unfolding)
 {
   std::mt19937 random(7);
@@ -257,8 +257,8 @@ TEST(Remove_vertex, joins_the_parts_of_border_and_constrained_edges)
   }
 }
 
-// A vertex on the diagonal of a square is left by four edges that form two straight lines. Either may be joined: the diagonal, or the
-// line that crosses it.
+// A vertex on the diagonal of a square is left by four edges that form two straight lines. Either may be joined: the
+// diagonal, or the line that crosses it.
 TEST(Remove_vertex, in_the_middle_of_a_square)
 {
   std::mt19937 random(6);

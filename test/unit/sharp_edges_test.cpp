@@ -43,8 +43,8 @@ Sharp_edges sharp_edges(const Points& points, const Triangles& triangles, double
   return result;
 }
 
-// A horizontal and a vertical side of a part, each a strip of n squares 1 wide, and between them a strip of slivers of this width that
-// stands at a random angle, as far as its coordinates let it.
+// A horizontal and a vertical side of a part, each a strip of n squares 1 wide, and between them a strip of slivers of
+// this width that stands at a random angle, as far as its coordinates let it.
 void make_seam(std::uint32_t n, double width, Points& points, Triangles& triangles)
 {
   points.clear();

@@ -14,7 +14,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <random>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -37,6 +39,38 @@ TEST(Smallest_eigenvalues, sphere)
     for (std::size_t i = 1; i < 16; ++i) {
       const double expected = i < 4 ? 2 : i < 9 ? 6 : 12; // l (l + 1), 2 l + 1 times
       EXPECT_NEAR(found[i], expected, 0.01 * expected) << i;
+    }
+  }
+}
+
+// Two spheres, one smaller: each function belongs to its eigenvalue, and is zero on the other sphere.
+TEST(Smallest_eigenvalues, functions)
+{
+  const samples::Indexed_triangles sphere = samples::latitude_longitude_sphere(24, 12);
+  auto points = sphere.points;
+  auto triangles = sphere.triangles;
+  const std::size_t n = points.size();
+  for (std::size_t v = 0; v < n; ++v)
+    points.push_back({points[v][0] / 2 + 5, points[v][1] / 2, points[v][2] / 2});
+  for (const auto& triangle : sphere.triangles) {
+    triangles.push_back(triangle);
+    for (auto& v : triangles.back())
+      v += static_cast<std::decay_t<decltype(v)>>(n);
+  }
+  const IT::Tufted_Laplacian L = IT::tufted_Laplacian(points, triangles);
+  for (std::size_t k : {std::size_t(6), 2 * n}) { // by iteration, and by dense matrices
+    const IT::Eigenfunctions found = IT::smallest_eigenfunctions(L.stiffness, L.mass, k);
+    ASSERT_EQ(found.eigenvalues.size(), k);
+    EXPECT_EQ(found.eigenvalues, IT::smallest_eigenvalues(L.stiffness, L.mass, k));
+    for (Eigen::Index i = 0; i < Eigen::Index(k); ++i) {
+      const Eigen::VectorXd u = found.functions.col(i);
+      const double lambda = found.eigenvalues[std::size_t(i)];
+      EXPECT_LT((L.stiffness * u - lambda * (L.mass * u)).norm(), 1e-6 * (1 + lambda)) << i;
+      EXPECT_NEAR(u.dot(L.mass * u), 1, 1e-8);
+      EXPECT_EQ((std::min)(u.head(Eigen::Index(n)).norm(), u.tail(Eigen::Index(n)).norm()), 0);
+      EXPECT_EQ(u.maxCoeff(), u.cwiseAbs().maxCoeff());
+      for (Eigen::Index j = 0; j < i && j < 6; ++j)
+        EXPECT_NEAR(u.dot(L.mass * found.functions.col(j)), 0, 1e-7);
     }
   }
 }
@@ -74,8 +108,8 @@ void make_half_disks(int number, int rings, Points& points, Triangles& triangles
   }
 }
 
-// Functions that are the same on all sheets are those of a half-disk with a free diameter; those whose sum vanishes have the
-// diameter fixed, and there are two for each. Both are Bessel functions of the disk.
+// Functions that are the same on all sheets are those of a half-disk with a free diameter; those whose sum vanishes
+// have the diameter fixed, and there are two for each. Both are Bessel functions of the disk.
 TEST(Smallest_eigenvalues, three_half_disks_on_one_edge)
 {
   Points points;

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Double-doubles, and doubles, of triangles in space with one bound for all their errors, against numbers of 100 digits.
+// Double-doubles, and doubles, of triangles in space with one bound for all their errors, against numbers of 100
+// digits.
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Double_metric.h>

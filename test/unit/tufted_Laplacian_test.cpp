@@ -154,8 +154,8 @@ TEST(Tufted_Laplacian, closed_oriented_surfaces_have_the_same_bits_as_the_intrin
   }
 }
 
-// All faces once more, in the other orientation: the sheets outside are two copies of the surface, and between the two sheets
-// of each face there is a double of this face alone.
+// All faces once more, in the other orientation: the sheets outside are two copies of the surface, and between the two
+// sheets of each face there is a double of this face alone.
 TEST(Tufted_Laplacian, all_faces_twice)
 {
   const samples::Indexed_triangles surface = samples::bumpy_sphere(10, 6);

@@ -126,8 +126,8 @@ TEST(Faces_around_edge, neither_rotation_nor_direction_nor_numbers_matter_in_a_h
   // Three triangles in one half-plane, one without area.
   const Points points = {{0, 0, 0}, {0, 0, 8}, {3, 0, 2}, {5, 0, 5}, {1, 0, 5}, {-7, 1, 3}, {0, 0, 3}, {2, -5, 1}};
   const std::vector<std::uint32_t> third = {2, 3, 4, 5, 6, 7};
-  // At 4 and 3, beyond the middle, the nearer one first; 6 joins the half-plane of 5, which reaches farthest, and is behind it, as the
-  // place is before the middle.
+  // At 4 and 3, beyond the middle, the nearer one first; 6 joins the half-plane of 5, which reaches farthest, and is
+  // behind it, as the place is before the middle.
   const std::vector<std::uint32_t> expected = {2, 4, 3, 5, 6, 7};
   EXPECT_EQ(order_around_edge(points, third), expected);
   std::mt19937 random(2);

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A table of unusual and damaged files, each small and large: read with all faces, perhaps with a warning, or refused at the right place.
+// A table of unusual and damaged files, each small and large: read with all faces, perhaps with a warning, or refused
+// at the right place.
 
 #include "Surface_file_test.h"
 #include "faces_of_file.h"
@@ -217,6 +218,12 @@ std::vector<Case> cases()
        e.error = at(s.stl_facet(s.middle()), "facet", s.middle()) + ": \"face\" where facet or";
        return with_line(stl_text(s), s.stl_facet(s.middle()), "face normal 0 0 1");
      }},
+    {"stl", "one line, facett at first",
+     [](S& s, E& e) {
+       e.error =
+         at(1, "facet", 0) + ": \"endloop\" where facet or endsolid is expected: the line facet normal is missing";
+       return replaced(with_line(stl_text(s), 2, "facett normal 0 0 1"), "\n", " ");
+     }},
     {"stl", "vertx",
      [](S& s, E& e) {
        e.error = at(s.stl_facet(s.middle()) + 3, "facet", s.middle()) + ": \"vertx\" where vertex";
@@ -313,8 +320,17 @@ std::vector<Case> cases()
      }},
     {"off", "NOFF", [](S& s, E&) { return off_text(s, "NOFF\n", " 0 0 1"); }},
     {"off", "COFF, floats", [](S& s, E&) { return off_text(s, "COFF\n", " 0.5 0.5 0.5 1"); }},
+    {"off", "COFF, opacity of one",
+     [](S& s, E&) { return appended(off_text(s, "COFF\n", " 0.5 0.5 0.5"), s.off_vertex(1), " 1"); }},
+    {"off", "COFF, a face as a vertex",
+     [](S& s, E& e) {
+       e.error = at(s.off_face(0), "vertex", s.v()) + ": there are 4 numbers where the vertices before have 6";
+       return with_line(off_text(s, "COFF\n", " 0.5 0.5 0.5"), 2,
+                        std::to_string(s.v() + 1) + " " + std::to_string(s.f() - 1) + " 0");
+     }},
     {"off", "STOFF", [](S& s, E&) { return off_text(s, "STOFF\n", " 0.5 0.5"); }},
     {"off", "CNOFF", [](S& s, E&) { return off_text(s, "CNOFF\n", " 0 0 1 255 255 255"); }},
+    {"off", "NCSTOFF", [](S& s, E&) { return off_text(s, "NCSTOFF\n", " 0 0 1 255 255 255 255 0.5 0.5"); }},
     {"off", "4OFF", [](S& s, E&) { return off_text(s, "4OFF\n", " 2"); }},
     {"off", "nOFF of dimension 3", [](S& s, E&) { return off_text(s, "nOFF\n3\n"); }},
     {"off", "nOFF of dimension 5",
@@ -683,7 +699,7 @@ std::vector<Case> cases()
      }},
     {"ts", "another object before it",
      [](S& s, E& e) {
-       e.warning = "line 1: the part of the kind \"PLine\" is no surface";
+       e.warning = "line 1: the part of the kind \"PLine\" is not a surface";
        return "GOCAD PLine 1\nILINE\nVRTX 1 0 0 0\nVRTX 2 1 1 1\nSEG 1 2\nEND\n" + ts_text(s);
      }},
     {"ts", "two parts",
@@ -695,6 +711,11 @@ std::vector<Case> cases()
      [](S& s, E& e) {
        e.error = "line " + std::to_string(s.ts_face(s.middle())) + ", \"TRG\": it is not understood";
        return with_line(ts_text(s), s.ts_face(s.middle()), "TRG 1 2 3");
+     }},
+    {"ts", "TRG before all else",
+     [](S& s, E& e) {
+       e.error = "line 5, \"TRG\": it is not understood";
+       return replaced(ts_text(s), "TFACE\n", "TRG 1 2 3\n");
      }},
     {"ts", "VRTXX",
      [](S& s, E& e) {

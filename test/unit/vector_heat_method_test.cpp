@@ -58,7 +58,8 @@ Triangulation Delaunay(const samples::Indexed_triangles& surface)
   return result;
 }
 
-// Rings of vertices around an apex at the origin, and one triangle after the other between them; flat inside for an angle of 2π.
+// Rings of vertices around an apex at the origin, and one triangle after the other between them; flat inside for an
+// angle of 2π.
 Triangulation cone(double angle, std::size_t sides, std::size_t rings, double radius = 1)
 {
   const auto vertex = [&](std::size_t ring, std::size_t i) {
@@ -325,7 +326,8 @@ TEST(Log_map, of_a_sphere_is_as_near_as_the_triangles_allow)
   EXPECT_LT(errors.largest, 0.05);
 }
 
-// With a time that is the squared length of an edge times a constant, ways along edges would be preferred however fine the triangles are.
+// With a time that is the squared length of an edge times a constant, ways along edges would be preferred however fine
+// the triangles are.
 TEST(Log_map, gets_nearer_under_refinement_whatever_the_directions_of_edges)
 {
   double before = 1;

@@ -38,7 +38,8 @@ namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsOverlay
 ///
-/// \brief the positions of the crossings of an overlay along both of their edges, and of inserted vertices in the input.
+/// \brief the positions of the crossings of an overlay along both of their edges, and of inserted vertices in the
+/// input.
 ///
 /// A position is the fraction of the edge that lies before the crossing, in the direction of
 /// halfedge `2e`. It is computed from the unfolding over the input triangles, by edge and never by
@@ -53,7 +54,7 @@ public:
   /// \cond SKIP_IN_MANUAL
   // Computes all positions, in O(size of the overlay) arithmetic operations. With threads, the visitor is asked only at
   // the beginning. Throws Undecided_error if an edge is not a straight line over the input triangles, as an inexact
-  // number type has flipped a hinge that is not convex, and Cancelled_error if the visitor says so.
+  // number type has flipped a hinge that is not convex, and Cancelled_error if the visitor asks for it.
   template <class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>
   Overlay_positions(const internal::Exact_engine& engine, const Overlay& overlay,
                     const NamedParameters& np = parameters::default_values(), ConcurrencyTag = ConcurrencyTag())
@@ -214,27 +215,27 @@ private:
 /// \brief the common subdivision of the input and the intrinsic triangulation: their overlay, the positions of its
 /// crossings, and both triangulations.
 ///
-/// Whatever transfers data or points between the two triangulations takes this one object. It does not refer to the
-/// triangulation from which it was built: later flips do not change it. To look at the combinatorics alone, build an
+/// All functions that transfer data or points between the two triangulations take this object. It does not refer to the
+/// triangulation from which it was built: later flips do not change it. For the combinatorics alone, build an
 /// `Overlay`.
 ///
-/// All const member functions may be called by several threads at once.
+/// Several threads may call const member functions at once.
 ///
-/// Memory: that of an `Overlay`, of `Overlay_positions`, of the two connectivities and of the integers.
+/// Memory: an `Overlay`, `Overlay_positions`, the two connectivities and the integers.
 class Common_subdivision
 {
 public:
   /// \brief builds the common subdivision of a triangulation and its input.
   ///
   /// O(size of the overlay) arithmetic operations.
-  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the result is the same,
-  ///   and the visitor is asked only a few times
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the result is
+  ///   the same, and the visitor is asked only a few times
   /// \param triangulation the triangulation
   /// \param np an optional sequence of named parameters
   ///
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{visitor}
-  ///     \cgalParamDescription{is told of the progress, and can cancel}
+  ///     \cgalParamDescription{reports progress, and can cancel}
   ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
   ///     \cgalParamDefault{`Default_visitor`}
   ///   \cgalParamNEnd
@@ -243,7 +244,7 @@ public:
   /// \pre `triangulation.keeps_input()`
   /// \exception Integer_overflow_error if there are 2^31 segments or more
   /// \exception Undecided_error as the constructor of `Overlay_positions`
-  /// \exception Cancelled_error if the visitor says so
+  /// \exception Cancelled_error if the visitor asks for it
   template <class Traits, class NamedParameters = parameters::Default_named_parameters,
             class ConcurrencyTag = Sequential_tag>
   explicit Common_subdivision(const Intrinsic_triangulation<Traits>& triangulation,
@@ -253,7 +254,7 @@ public:
                          internal::progress_function_of(np), ConcurrencyTag())
   {}
 
-  /// \brief as above, from a triangulation that is given up: nothing of it is copied, and its stored numbers are freed before the
+  /// \brief as above, moving from the triangulation: nothing is copied, and its stored numbers are freed before the
   /// overlay is built.
   /// \tparam ConcurrencyTag as above
   template <class Traits, class NamedParameters = parameters::Default_named_parameters,
@@ -269,7 +270,7 @@ public:
   const Overlay& overlay() const { return overlay_; }
   /// returns the positions of the crossings.
   const Overlay_positions& positions() const { return positions_; }
-  /// returns the input triangulation: that of the `Intrinsic_triangulation`.
+  /// returns the input triangulation of the `Intrinsic_triangulation`.
   const Delta_complex& input() const { return engine_.correspondence().input(); }
   /// returns the intrinsic triangulation.
   const Delta_complex& intrinsic() const { return engine_.connectivity(); }
@@ -277,7 +278,8 @@ public:
   /// \brief returns the point in space of a vertex of the overlay, on an input edge or inside an input face.
   ///
   /// \param v a vertex of the overlay
-  /// \param points a random access range with the points of the vertices of the input, each with three coordinates `p[i]`
+  /// \param points a random access range with the points of the vertices of the input, each with three coordinates
+  ///   `p[i]`
   /// \return the coordinates, each within a few units in the last place of the largest one at the corners of the face
   template <class PointRange>
   std::array<double, 3> point(Overlay::Vertex v, const PointRange& points) const
@@ -352,7 +354,8 @@ private:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsOverlay
-/// \brief returns the triangles of a convex polygon, such as a face of the overlay, so that the smallest has the largest area.
+/// \brief returns the triangles of a convex polygon, such as a face of the overlay, so that the smallest has the
+/// largest area.
 /// \param corners the polygon, counterclockwise; three at least
 /// \return three indices of corners for each triangle, counterclockwise. O(n³)
 inline std::vector<std::array<std::size_t, 3>>

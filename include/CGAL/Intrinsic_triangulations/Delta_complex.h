@@ -68,10 +68,10 @@ struct Hinge_halfedges
 {
   Halfedge_index ij; ///< halfedge `2e` of the edge
   Halfedge_index jk; ///< the next one, to the corner k on its left
-  Halfedge_index ki; ///< the one before
+  Halfedge_index ki; ///< the previous one
   Halfedge_index ji; ///< halfedge `2e + 1`
   Halfedge_index il; ///< the next one, to the corner l on the right
-  Halfedge_index lj; ///< the one before
+  Halfedge_index lj; ///< the previous one
 };
 
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
@@ -108,7 +108,7 @@ public:
     size_type face;   ///< `Face_index::null_index()` for a border halfedge
   };
 
-  /// the records of all halfedges, in a vector that need not be initialized before it is filled
+  /// the records of all halfedges, in a vector that can be filled without prior initialization
   using Halfedge_vector = Large_vector<Halfedge>;
   /// a halfedge for each vertex or for each face
   using Descriptor_vector = Large_vector<Halfedge_index>;
@@ -194,8 +194,8 @@ public:
   bool is_self_glued(Edge_index e) const { return face(halfedge(e)) == face(opposite(halfedge(e))); }
   /// returns whether `e` joins a vertex to itself.
   bool is_loop(Edge_index e) const { return target(halfedge(e)) == source(halfedge(e)); }
-  /// returns whether `e` lies between two different faces, so that the connectivity can be
-  /// flipped. Whether the flipped edge is a straight line depends on the metric.
+  /// returns whether `e` lies between two different faces, so that its flip exists combinatorially. Whether the flipped
+  /// edge is a straight line depends on the metric.
   bool is_flippable(Edge_index e) const { return !is_border(e) && !is_self_glued(e); }
   /// returns the halfedges around `e`. \pre `e` is not on the border
   Hinge_halfedges hinge(Edge_index e) const
@@ -300,9 +300,9 @@ public:
   /// \brief splits the edge of `h` and the one or two faces beside it by a new vertex on the edge.
   ///
   /// With `h` from i to j, k the third corner to its left and l to its right, `h` leads from i to the new vertex v
-  /// afterwards. The edge vj is appended, then vk if `h` has a face, and then vl if its opposite has one;
-  /// `halfedge(e)` of each leaves v. The face of `h` becomes (i, v, k), that of its opposite (v, i, l); the faces (v, j, k)
-  /// and (j, v, l), as far as they exist, are appended in this order. No descriptor changes. O(1) amortized.
+  /// afterwards. The edge vj is appended, then vk if `h` has a face, and then vl if its opposite has one; `halfedge(e)`
+  /// of each leaves v. The face of `h` becomes (i, v, k), that of its opposite (v, i, l); those of the faces (v, j, k)
+  /// and (j, v, l) that exist are appended in this order. No descriptor changes. O(1) amortized.
   ///
   /// \return the new vertex
   /// \exception Integer_overflow_error as `split_face()`
@@ -315,14 +315,16 @@ public:
   /// \pre `v` has three different faces, of three edges to other vertices
   Removed_elements unsplit_face(Vertex_index v);
 
-  /// \brief undoes a split of an edge: removes the vertex that `h` points to, and joins `h` with the edge that continues
-  /// it, and the faces on either side.
+  /// \brief undoes a split of an edge: removes the vertex that `h` points to, and joins `h` with the edge that
+  /// continues it, and the faces on either side.
   ///
   /// Descriptors move as in `unsplit_face()`; those of `h` and of the faces beside it are not removed. Never throws.
-  /// \pre the vertex has one edge on each side of `h` that has a face; its edges lead to other vertices, its faces are different
+  /// \pre the vertex has one edge on each side of `h` that has a face; its edges lead to other vertices, its faces are
+  ///   different
   Removed_elements unsplit_edge(Halfedge_index h);
 
-  /// \brief returns the halfedge that continues `h` beyond its target, with one edge between them on each side that has a face.
+  /// \brief returns the halfedge that continues `h` beyond its target, with one edge between them on each side that has
+  /// a face.
   /// \pre as `unsplit_edge()`
   Halfedge_index continuation(Halfedge_index h) const { return is_border(h) ? next(h) : next(opposite(next(h))); }
 

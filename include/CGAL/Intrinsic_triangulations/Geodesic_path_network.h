@@ -39,21 +39,23 @@ namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 ///
-/// \brief paths and closed curves along the edges of an intrinsic triangulation, which flips make shorter until they are
+/// \brief paths and closed curves along the edges of an intrinsic triangulation, which flips shorten until they are
 /// locally shortest.
 ///
 /// Where the angle on one side of an inner vertex is less than π, edges in between are flipped until the way round the
-/// vertex is shorter. Whether it is less is decided exactly, and an angle of exactly π is straight; so a path
-/// that is called a geodesic is one. Paths may use the same edges, in any direction. They move independently of each other, but edges of the
-/// network are never flipped: a path that can only be shortened across another, which does not move away, is blocked.
-/// Paths stay on their side of constrained edges and of the border: an angle with such an edge inside counts as straight.
+/// vertex is shorter. This comparison is exact, and an angle of exactly π is straight; so a path that is reported as a
+/// geodesic is one. Paths may use the same edges, in any direction. They move independently of each other, but edges of
+/// the network are never flipped: a path that can only be shortened across another, which does not move away, is
+/// blocked. Paths stay on their side of constrained edges and of the border: an angle with such an edge inside counts
+/// as straight.
 ///
-/// The triangulation is flipped, but stays a triangulation of the same surface; while a network lives, nobody else should flip it.
+/// The triangulation is flipped, but stays a triangulation of the same surface. Do not flip it by other means while the
+/// network exists.
 ///
 /// \tparam Traits traits with exact geometry, such as `Filtered_edge_length_traits`
 ///
-/// Source: N. Sharp, K. Crane, "You can find geodesic paths in triangle meshes by just flipping edges" (2020). The exact
-/// decisions, the proof of termination (doc/termination.md) and the treatment of loops are ours.
+/// Source: N. Sharp, K. Crane, "You can find geodesic paths in triangle meshes by just flipping edges" (2020). The
+/// exact decisions, the proof of termination (doc/termination.md) and the treatment of loops are ours.
 template <class Traits>
 class Geodesic_path_network
 {
@@ -64,8 +66,8 @@ public:
   using Triangulation = Intrinsic_triangulation<Traits>;
 
   /// \brief constructs a network without paths.
-  /// \param triangulation is flipped by `shorten()` and has to live as long as the network
-  /// \param is_constrained says of an edge whether paths must not cross it; nothing is constrained without it
+  /// \param triangulation is flipped by `shorten()` and must outlive the network
+  /// \param is_constrained tells whether paths must not cross an edge; without it, no edge is constrained
   explicit Geodesic_path_network(Triangulation& triangulation, std::function<bool(Edge_index)> is_constrained = {})
     : triangulation_(triangulation), geometry_(triangulation), is_constrained_(std::move(is_constrained)),
       paths_(complex()), is_fixed_(complex().number_of_vertices(), false)
@@ -76,7 +78,7 @@ public:
   /// \endcond
 
   /// \brief adds a path with fixed ends.
-  /// \param halfedges a range of halfedges, each of which begins where the one before ends
+  /// \param halfedges a range of halfedges, each of which begins where the previous one ends
   /// \return the number of the path: 0, 1, 2, ...
   /// \exception Invalid_argument_error if there is no such halfedge, or one begins elsewhere
   template <class HalfedgeRange>
@@ -95,7 +97,7 @@ public:
     return add(std::vector<Halfedge_index>(std::begin(halfedges), std::end(halfedges)), true);
   }
 
-  /// fixes a vertex: paths that pass through it go on to do so.
+  /// fixes a vertex: paths through it keep passing through it.
   void fix(Vertex_index v) { is_fixed_[v.idx()] = true; }
 
   /// \brief shortens all paths until they are locally shortest.
@@ -104,7 +106,7 @@ public:
   ///
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{visitor}
-  ///     \cgalParamDescription{is told of each flip and can cancel; pass `std::ref()` to keep its state}
+  ///     \cgalParamDescription{is called after each flip and can cancel; pass `std::ref()` to keep its state}
   ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
   ///     \cgalParamDefault{`Default_visitor`}
   ///   \cgalParamNEnd
@@ -115,10 +117,10 @@ public:
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   ///
-  /// \return what happened. Triangulation and paths are valid whatever the status, and no path is longer than before. All this is so after
-  /// an exception, too; the paths are unfinished then
+  /// \return the report. With any status, triangulation and paths are valid, and no path is longer than before. This
+  /// also holds after an exception, which leaves the paths unfinished
   /// \exception Undecided_error as `sign_of_cotangent_weight()`
-  /// \exception Cancelled_error if the visitor says so
+  /// \exception Cancelled_error if the visitor asks for it
   template <class NamedParameters = parameters::Default_named_parameters>
   Geodesic_report shorten(const NamedParameters& np = parameters::default_values())
   {
@@ -173,8 +175,8 @@ public:
       sum += triangulation_.length(complex().edge(h));
     return sum;
   }
-  /// \brief decides whether path `p` is locally shortest: whether at each inner vertex that is not fixed, the angle on either side
-  /// is at least π, or contains the border or a constrained edge. A curve that was shrunk to a point is.
+  /// \brief decides whether path `p` is locally shortest: whether at each inner vertex that is not fixed, the angle on
+  /// either side is at least π, or contains the border or a constrained edge. A curve that was shrunk to a point is.
   /// \exception Undecided_error as `sign_of_cotangent_weight()`
   bool is_geodesic(std::size_t p)
   {
@@ -399,9 +401,10 @@ private:
     return true;
   }
 
-  // A loop of one edge bends at its vertex, but a step there would move both of its ends at once. If the triangle on that side is glued to
-  // itself, the loop goes round a single vertex. Otherwise it is led round the third corner of the triangle, which makes it
-  // longer, then taken off its vertex and shortened as any path; all that is undone unless the result is certainly shorter.
+  // A loop of one edge bends at its vertex, but a step there would move both of its ends at once. If the triangle on
+  // that side is glued to itself, the loop goes round a single vertex. Otherwise it is led round the third corner of
+  // the triangle, which makes it longer, then taken off its vertex and shortened as any path; all that is undone unless
+  // the result is certainly shorter.
   bool straighten_loop(Segment_index s, bool is_on_left, Queue& queue)
   {
     const std::uint32_t p = paths_[s].path;
@@ -441,7 +444,8 @@ private:
     return is_shorter;
   }
 
-  // Replaces a loop by the outer side of a wedge, and shortens the path as far as it goes without leading a loop round a corner.
+  // Replaces a loop by the outer side of a wedge, and shortens the path as far as it goes without leading a loop round
+  // a corner.
   // \return whether that was done
   bool leads_round(Segment_index s, const internal::Wedge& wedge, bool is_on_left)
   {
@@ -470,7 +474,8 @@ private:
     paths_.restore_loop(s, loop);
   }
 
-  // In double-doubles: loops beside a band that is nearly a cylinder have nearly the same length. In the unit of the metric.
+  // In double-doubles: loops beside a band that is nearly a cylinder have nearly the same length. In the unit of the
+  // metric.
   internal::Bounded_double_double precise_length(std::size_t p) const
   {
     internal::Bounded_double_double sum;

@@ -22,8 +22,7 @@ namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
 ///
-/// \brief the metric of a triangulation as edge lengths alone, with exactly the formulas of
-/// the paper.
+/// \brief the metric of a triangulation as edge lengths alone, with the formulas of the paper.
 ///
 /// Each edge stores its length. Every test computes two tangents of half angles, every
 /// flip two more: six square roots for a test and a flip. With an exact number type, the
@@ -43,7 +42,7 @@ public:
   using FT = internal::Number_type_with_roots<FT_>;
   /// length
   using Edge_data = FT;
-  /// nothing is kept for a face
+  /// nothing is stored for a face
   struct Face_data
   {};
   /// `bool`, or `CGAL::Uncertain<bool>` for an interval type

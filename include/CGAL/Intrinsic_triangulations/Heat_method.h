@@ -85,32 +85,33 @@ Heat_options heat_options_of(const NamedParameters& np)
 ///     heat.add_source(v);
 ///     std::vector<double> distances = heat.distances();
 ///
-/// Heat spreads from the sources for a short time. Away from them its gradient has the direction of that of the distance, and the
-/// distance is the function whose gradient fits this direction best, raised where it is less than those of the vertices around
-/// allow. It is exactly zero at each source, however
-/// many there are, positive elsewhere, never above the shortest path along edges, and where the surface lies in space never below the
-/// straight line. In parts of the surface that no source is connected with, and at vertices without faces, it is
-/// infinite.
+/// Heat spreads from the sources for a short time. Away from them its gradient has the direction of the gradient of the
+/// distance. The distance is the function whose gradient fits this direction best, raised to the smallest value that is
+/// consistent with its neighbors. It is exactly zero at each source, however many there are, and positive elsewhere. It
+/// never exceeds the shortest path along edges and, for a surface in space, is never shorter than the straight line. It
+/// is infinite in parts of the surface without a source and at vertices without faces.
 ///
-/// The matrices are factorized once. A set of sources then costs two solutions of linear systems, and more than one source in a
-/// part of the surface a third, and one for each new source. Beyond 32 sources one factorization more is cheaper.
+/// The matrices are factorized once. A set of sources then costs two solutions of linear systems. Several sources in
+/// one component cost a third one, and one more for each new source. Beyond 32 sources, one more factorization is
+/// cheaper.
 ///
-/// Distances are those of the method, not exact geodesic ones: the chapter on distances of the manual says how far they are from
-/// these. Faces without area count for nothing.
+/// These are not exact geodesic distances: the chapter on distances in the manual gives the errors. Faces of zero area
+/// count for nothing.
 ///
-/// \tparam LinearSolver factorizes symmetric positive definite matrices; with a constructor and a member function `factorize()`
-///   from an `Eigen::SparseMatrix<double>`, and `solve()` from and to an `Eigen::VectorXd`. By default the
-///   sparse Cholesky factorization of Eigen, or that of CHOLMOD if `CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD` is defined
+/// \tparam LinearSolver factorizes symmetric positive definite matrices; with a constructor and a member function
+///   `factorize()` from an `Eigen::SparseMatrix<double>`, and `solve()` from and to an `Eigen::VectorXd`. By default
+///   the sparse Cholesky factorization of Eigen, or that of CHOLMOD if `CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD` is
+///   defined
 ///
 /// Source: K. Crane, C. Weischedel, M. Wardetzky, "Geodesics in heat", 2013.
 template <class LinearSolver = internal::Sparse_Cholesky<>>
 class Heat_method
 {
 public:
-  /// \brief factorizes the matrix of the heat.
+  /// \brief factorizes the matrix of the heat equation.
   ///
-  /// The triangulation is not needed any more afterwards. It should be Delaunay, and the angles opposite to border edges should not
-  /// be obtuse: otherwise heat can be negative, and distances far from right. The tufted cover has neither problem.
+  /// The triangulation is not needed afterwards. It should be Delaunay, and the angles opposite to border edges should
+  /// not be obtuse: otherwise heat can be negative, and distances far from right. The tufted cover has neither problem.
   /// \param triangulation the triangulation
   /// \param np an optional sequence of named parameters
   ///
@@ -121,20 +122,22 @@ public:
   ///     \cgalParamDefault{`Heat_boundary::NEUMANN`}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{time_coefficient}
-  ///     \cgalParamDescription{the time for which heat spreads, in units of the squared mean length of the edges: the larger, the smoother}
+  ///     \cgalParamDescription{the time for which heat spreads, in units of the squared mean length of the edges: the
+  ///       larger, the smoother}
   ///     \cgalParamType{`double`}
   ///     \cgalParamDefault{1}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{keeps_ridges}
-  ///     \cgalParamDescription{whether distances that are less than those of the vertices around allow are raised. Without that the
-  ///       method rounds off ridges, where fronts from several sides meet: it is smoother there, and too small}
+  ///     \cgalParamDescription{whether to raise a distance to the smallest value that is consistent with its neighbors.
+  ///       Otherwise the method rounds off ridges, where fronts from several sides meet: the distance is smoother
+  ///       there, and too small}
   ///     \cgalParamType{`bool`}
   ///     \cgalParamDefault{`true`}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{visitor}
-  ///     \cgalParamDescription{is asked before each matrix is factorized or linear system is solved, by the constructor and by all functions,
-  ///       which throw `Cancelled_error` if it says no. A factorization that has begun is finished: with a million faces, it takes some ten
-  ///       seconds}
+  ///     \cgalParamDescription{is asked before each matrix is factorized or linear system is solved, by the constructor
+  ///       and by all functions, which throw `Cancelled_error` if it says no. A factorization that has begun is
+  ///       finished: with a million faces, it takes some ten seconds}
   ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
   ///     \cgalParamDefault{`Default_visitor`}
   ///   \cgalParamNEnd
@@ -143,7 +146,7 @@ public:
   /// \exception Invalid_argument_error if the time coefficient is not positive and finite
   /// \exception Invalid_surface_error if a length or weight is beyond the range of `double`
   /// \exception Numerical_error if a matrix cannot be factorized
-  /// \exception Cancelled_error if the visitor says so
+  /// \exception Cancelled_error if the visitor asks for it
   template <class Traits, class NamedParameters = parameters::Default_named_parameters>
   explicit Heat_method(const Intrinsic_triangulation<Traits>& triangulation,
                        const NamedParameters& np = parameters::default_values())
@@ -152,8 +155,7 @@ public:
         [&] { return internal::Distance_bounds(triangulation, internal::Row_of_vertex(triangulation.connectivity())); })
   {}
 
-  /// \brief as above, for any triangles. The vertices are those of the input, and
-  /// so is the distance of one that was merged with another.
+  /// \brief as above, for any triangles. The vertices are those of the input; merged vertices have the same distance.
   ///
   /// A closed cover has no border, so all boundary conditions are the same there.
   /// \pre the cover was made Delaunay by `flip_to_Delaunay(cover.triangulation)`
@@ -169,7 +171,8 @@ public:
   /// \name Sources
   /// @{
 
-  /// makes `v` a source; returns whether it was none. \exception Invalid_argument_error if there is no such vertex
+  /// makes `v` a source; returns true if it was not yet a source. \exception Invalid_argument_error if there is no such
+  /// vertex
   bool add_source(Vertex_index v)
   {
     const bool is_new = vertex_sources_.insert({v, row_of(v)}).second;
@@ -178,11 +181,11 @@ public:
   }
   /// \brief makes a point of a face a source.
   ///
-  /// Heat starts at the corners of the face, in the proportion of the coordinates; and the corners have the distance that they have in
+  /// Heat starts at the corners of the face, in proportion to the coordinates, and the corners get their distances in
   /// the plane of the face.
-  /// \param triangulation the one that was given to the constructor
+  /// \param triangulation the argument of the constructor
   /// \param point a point in a face of it; see `Point_location` for a point of the input
-  /// \exception Invalid_point_error if this is no point of a face with an area
+  /// \exception Invalid_point_error if this is not a point of a face with positive area
   template <class Traits>
   void add_source(const Intrinsic_triangulation<Traits>& triangulation, const Surface_point& point)
   {
@@ -192,7 +195,7 @@ public:
     point_sources_.push_back(corners);
     is_changed_ = true;
   }
-  /// makes `v` no source any more; returns whether it was one.
+  /// removes the source `v`; returns true if it was a source.
   bool remove_source(Vertex_index v)
   {
     const bool was_source = vertex_sources_.erase(v) > 0;
@@ -214,7 +217,7 @@ public:
   ///
   /// The result is kept until the sources change.
   /// \exception Numerical_error if a linear system cannot be solved
-  /// \exception Cancelled_error if the visitor says so. The next call begins anew
+  /// \exception Cancelled_error if the visitor asks for it. The next call starts again
   const std::vector<double>& distances()
   {
     if (is_changed_)
@@ -223,9 +226,10 @@ public:
     return distances_;
   }
 
-  /// \brief returns a function with given values at some vertices, and elsewhere about the value at the nearest of these.
+  /// \brief returns a function with given values at some vertices, and elsewhere approximately the value at the nearest
+  /// of these.
   ///
-  /// The sources play no part. \param values pairs of a vertex and its value
+  /// The sources have no influence. \param values pairs of a vertex and its value
   /// \param elsewhere the value where none of the vertices can be reached
   /// Source: N. Sharp, Y. Soliman, K. Crane, "The vector heat method", 2019, section 4.
   std::vector<double> extend(const std::vector<std::pair<Vertex_index, double>>& values, double elsewhere = 0) const
@@ -245,15 +249,16 @@ public:
     return result;
   }
 
-  /// returns how many matrices were factorized until now.
+  /// returns the number of factorizations so far.
   std::size_t number_of_factorizations() const
   {
     return diffusion_->number_of_factorizations() + (cold_border_ ? cold_border_->number_of_factorizations() : 0) +
            (poisson_ ? poisson_->number_of_factorizations() : 0);
   }
-  /// \brief returns how many of the last `distances()` were changed by more than five percent by the bounds of all distances.
+  /// \brief returns how many of the last `distances()` had to be changed by more than five percent to satisfy the
+  /// bounds.
   ///
-  /// Where there are more than a few of them, heat is far from right: `geodesic_distances()` is not.
+  /// If there are more than a few, the heat method is inaccurate on this surface: use `geodesic_distances()`.
   std::size_t number_of_bounded_distances() const { return number_of_bounded_distances_; }
   /// returns the mean length of the edges, in the unit of the input: how fine the triangulation is.
   double mean_edge_length() const { return std::ldexp(surface_->mean_length, surface_->exponent); }
@@ -354,9 +359,10 @@ private:
     return result;
   }
 
-  // Heat of the sources: 1, and less at corners of a source inside a face, as it decreases with the distance. The rate is that on a
-  // row of edges of mean length, where cosh(rate) = 1 + 1 / (2 t): for short times heat on a mesh decreases far less than on a
-  // smooth surface, where the rate is 1 / sqrt(t), and corners with too little of it would draw heat from their neighbors.
+  // Heat of the sources: 1, and less at corners of a source inside a face, as it decreases with the distance. The rate
+  // is that on a row of edges of mean length, where cosh(rate) = 1 + 1 / (2 t): for short times heat on a mesh
+  // decreases far less than on a smooth surface, where the rate is 1 / sqrt(t), and corners with too little of it would
+  // draw heat from their neighbors.
   internal::Pins heat_of_sources(const internal::Pins& pins) const
   {
     double nearest = std::numeric_limits<double>::infinity();

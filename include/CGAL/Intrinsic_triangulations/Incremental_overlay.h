@@ -33,10 +33,11 @@ namespace Intrinsic_triangulations {
 /// `Overlay` is cheaper, since most intermediate crossings later disappear. Use this class
 /// if you need the overlay after every flip.
 ///
-/// It is told of flips, not of vertices that are inserted or removed. After those, construct it anew from the
-/// connectivity of the triangulation: this is then its `input()`. `Overlay` relates inserted vertices to the first input.
+/// It follows flips, but not the insertion and removal of vertices. After these, construct it again from the
+/// connectivity of the triangulation, which is then its `input()`. `Overlay` relates inserted vertices to the first
+/// input.
 ///
-/// Memory: 32 bytes a segment, and that of two `Delta_complex`.
+/// Memory: 32 bytes a segment, and two `Delta_complex`.
 ///
 /// \cgalModels `IntrinsicTriangulationVisitor`, to be passed as `std::ref(overlay)`
 ///

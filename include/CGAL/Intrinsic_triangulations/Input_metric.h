@@ -23,8 +23,8 @@ namespace Intrinsic_triangulations {
 using Rational = internal::Rational;
 
 /// \ingroup PkgIntrinsicTriangulationsMetric
-/// \brief constructs a metric from the exact squared length of each edge, as those between points with rational
-/// coordinates are. O(size).
+/// \brief constructs a metric from the exact squared length of each edge, for instance between points with rational
+/// coordinates. O(size).
 /// \exception Invalid_surface_error if a length leaves the range of `double`
 Input_metric metric_from_squared_lengths(std::vector<Rational> squared_lengths);
 

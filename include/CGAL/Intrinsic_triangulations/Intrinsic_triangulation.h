@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Saved_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Removed_elements.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
@@ -57,8 +58,8 @@ struct Engine_access;
 /// large or so small that products of squared lengths would over- or underflow; every
 /// number that is returned is in the unit of the input.
 ///
-/// \b Exceptions. Every function that changes the triangulation leaves it as it was if it throws, whatever the exception is:
-/// an `Error`, `std::bad_alloc`, or one that the function of `set_interruption()` throws. Only stored numbers may have been
+/// \b Exceptions. Every function that changes the triangulation leaves it unchanged if it throws any exception: an
+/// `Error`, `std::bad_alloc`, or one thrown by the function of `set_interruption()`. Only stored numbers may have been
 /// replaced by better ones.
 ///
 /// \tparam Traits_ a model of `IntrinsicTriangulationTraits`
@@ -72,21 +73,21 @@ public:
   using FT = typename Traits::FT;
   /// `bool` or `CGAL::Uncertain<bool>`
   using Boolean = typename Traits::Boolean;
-  /// what is kept for an edge
+  /// the data stored for an edge
   using Edge_data = typename Traits::Edge_data;
-  /// what is kept for a face
+  /// the data stored for a face
   using Face_data = typename Traits::Face_data;
   /// a point in space
   using Point_data = typename Traits::Point_data;
   /// the data around an edge
   using Hinge_data = Hinge<Edge_data, Face_data>;
-  /// whether decisions and numbers come from the input where the stored ones do not suffice
+  /// whether decisions and numbers are computed from the input if the stored numbers do not suffice
   static constexpr bool uses_exact_geometry = Traits::Uses_exact_geometry::value;
 
-  /// the points of the vertices, in a vector that can be filled without being initialized first
+  /// the points of the vertices, in a vector that can be filled without prior initialization
   using Point_vector = Large_vector<Point_data>;
 
-  /// what `flip()` did.
+  /// the outcome of `flip()`.
   enum class Flip_outcome {
     FLIPPED,    ///< the edge was flipped
     NOT_CONVEX, ///< the hinge has no other diagonal; nothing was changed
@@ -106,7 +107,7 @@ public:
     : Intrinsic_triangulation(std::move(connectivity), converted(points), traits)
   {}
 
-  /// \brief as above, and takes the points over instead of copying them.
+  /// \brief as above, but moves the points instead of copying them.
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
   template <class ConcurrencyTag = Sequential_tag>
   Intrinsic_triangulation(Delta_complex connectivity, Point_vector&& points, const Traits& traits = Traits(),
@@ -184,11 +185,11 @@ public:
     return t;
   }
 
-  /// \brief keeps the input beside the triangulation from now on: where it lies, and its
-  /// exact metric.
+  /// \brief keeps the input with the triangulation from now on: its position on the triangulation, and its exact
+  /// metric.
   ///
-  /// Needed for `verify_Delaunay()` and for everything that relates input and result.
-  /// With `Filtered_edge_length_traits` the constructors do it.
+  /// Required by `verify_Delaunay()` and by everything that relates input and result. With
+  /// `Filtered_edge_length_traits` the constructors do this.
   /// \param metric the exact metric of the current, as yet unflipped triangulation
   void keep_input(Input_metric metric) { engine_.keep_input(std::move(metric)); }
 
@@ -198,11 +199,11 @@ public:
     CGAL_precondition(keeps_input());
     engine_.set_tie_proof(tie_proof);
   }
-  /// \brief sets a function that is called from time to time during a single exact decision that takes long: if it returns
-  /// `false`, the decision ends with a `Cancelled_error`, and nothing is changed.
+  /// \brief sets a function that is called from time to time during long exact decisions: if it returns `false`, the
+  /// decision throws a `Cancelled_error`, and nothing changes.
   ///
-  /// An empty function, as at the beginning, never ends one. Copies do not take it over. It is called by the threads that
-  /// decide, by several at once if they do.
+  /// An empty function, the default, never ends a decision. Copies of the triangulation do not inherit it. It is called
+  /// by the deciding threads, possibly by several at once.
   /// \return the function that was set before
   /// \pre `keeps_input()`
   std::function<bool()> set_interruption(std::function<bool()> go_further)
@@ -215,13 +216,20 @@ public:
   bool keeps_input() const { return engine_.keeps_input(); }
 
   /// \name Where the input lies
-  /// Of the triangulation as it was when its input was kept. The first question after flips costs O(size + number of flips).
+  /// These functions refer to the triangulation as it was when its input was kept. The first query after flips costs
+  /// O(size + number of flips).
   /// \pre `keeps_input()`
   /// \exception Integer_overflow_error if an edge crosses more than 2^60 input edges
   /// @{
 
-  /// returns the connectivity of the input. It has the same vertices, edges, halfedges and faces as at the beginning;
-  /// `halfedge(v)` and `halfedge(f)` may be other halfedges of the vertex and the face.
+  /// returns the metric of the input, exactly.
+  const Input_metric& input_metric() const
+  {
+    CGAL_precondition(keeps_input());
+    return engine_.metric();
+  }
+  /// returns the connectivity of the input. It has the original vertices, edges, halfedges and faces; `halfedge(v)` and
+  /// `halfedge(f)` may be other halfedges of the vertex and the face.
   const Delta_complex& input() const { return prepared_engine().correspondence().input(); }
   /// returns how many times input edges cross `e`; 0 if it coincides with one.
   std::int64_t number_of_crossings(Edge_index e) const { return integers().number_of_crossings(e); }
@@ -229,7 +237,7 @@ public:
   bool is_input_edge(Edge_index e) const { return integers().is_original(e); }
   /// returns the halfedge of the input along `h`. \pre `is_input_edge(connectivity().edge(h))`
   Halfedge_index input_halfedge(Halfedge_index h) const { return prepared_engine().correspondence().input_halfedge(h); }
-  /// returns whether `v` was inserted: whether it is no vertex of the input.
+  /// returns whether `v` was inserted, that is, whether it is not a vertex of the input.
   bool is_inserted(Vertex_index v) const { return prepared_engine().correspondence().is_inserted(v); }
   /// returns where an inserted vertex lies on the input. The coordinates are exact once they are divided by their sum.
   /// \pre `is_inserted(v)`
@@ -242,8 +250,8 @@ public:
   const Traits& traits() const { return traits_; }
 
   /// \name Metric
-  /// All values are as exact as the traits' functors say. Lengths are in the unit of the
-  /// input; cotangents and weights have no unit.
+  /// All values are as accurate as the traits' functors make them. Lengths are in the unit of the input; cotangents and
+  /// weights have no unit.
   /// @{
 
   /// returns the length of `e`.
@@ -344,9 +352,9 @@ public:
   /// the quadrilateral is convex is decided exactly: where the error bounds do not suffice, in time proportional to the
   /// number of input edges that its sides cross.
   /// \pre `connectivity().is_flippable(e)`
-  /// \exception Undecided_error if a proof is demanded of each tie, and takes too long
+  /// \exception Undecided_error if proofs of ties are demanded, and one takes too long
   /// \exception Invalid_surface_error if the new edge has length zero, so that two vertices of the input coincide
-  /// \exception Cancelled_error as `set_interruption()` says
+  /// \exception Cancelled_error as described at `set_interruption()`
   /// \exception Integer_overflow_error if the new edge crosses more than 2^60 input edges
   Flip_outcome flip(Edge_index e)
   {
@@ -357,9 +365,9 @@ public:
     return flip_not_Delaunay(e);
   }
 
-  /// returns the datum that the traits keep for `e`, in the internal unit.
+  /// returns the datum that the traits store for `e`, in the internal unit.
   const Edge_data& edge_data(Edge_index e) const { return edges_[e.idx()]; }
-  /// returns the datum that the traits keep for `f`, in the internal unit.
+  /// returns the datum that the traits store for `f`, in the internal unit.
   const Face_data& face_data(Face_index f) const { return faces_[f.idx()]; }
   /// returns k such that one internal unit of length is `2^k` units of the input.
   int unit_exponent() const { return exponent_; }
@@ -425,8 +433,8 @@ private:
             face_data(connectivity().face(around.ji))};
   }
 
-  // Computes all numbers from the old hinge, and replaces it. `flip()` flips the connectivity, once it is certain that the flip
-  // exists; an exception of it leaves everything as it was.
+  // Computes all numbers from the old hinge, and replaces it. `flip()` flips the connectivity, once it is certain that
+  // the flip exists; an exception of it leaves everything as it was.
   template <class Flip>
   Flip_outcome flip_hinge(const Hinge_halfedges& around, const Hinge_data& old, const Flip& flip)
   {
@@ -450,7 +458,7 @@ private:
   // they are stored.
   // \pre `connectivity().is_flippable(e)` and not `is_locally_Delaunay(e)`
   // \exception Invalid_surface_error if the new edge has length zero, so that two vertices of the input coincide
-  // \exception Cancelled_error as `set_interruption()` says
+  // \exception Cancelled_error as described at `set_interruption()`
   // \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
   Flip_outcome flip_not_Delaunay(Edge_index e)
   {
@@ -497,8 +505,8 @@ private:
 
   // Splits a face into three by a new vertex.
   // \param piece the piece of the face that contains the vertex, between the input edges that cross it
-  // \param location where the vertex lies: strictly inside a face of the input, and inside of the piece. The metric is not
-  //   changed: its coordinates are taken as exact once they are divided by their sum
+  // \param location where the vertex lies: strictly inside a face of the input, and inside of the piece. The metric is
+  //   not changed: its coordinates are taken as exact once they are divided by their sum
   // \return the new vertex, as `split_face(piece.side)` of `Delta_complex`
   // \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
   Vertex_index split_face(const internal::Triangle_piece& piece, const Surface_point& location)
@@ -539,6 +547,36 @@ private:
     });
     return v;
   }
+  // Replaces the triangulation, which is still its input, by one that a file says has come from it.
+  // \exception Invalid_surface_error if it has not; then this can only be destroyed
+  template <class ConcurrencyTag>
+  void restore(internal::Saved_triangulation saved)
+  {
+    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
+    const Arithmetic arithmetic;
+    const std::size_t number_of_input_faces = connectivity().number_of_faces();
+    // Most faces are those of the input, with the numbers that were just computed.
+    const auto is_known = [&](Face_index f) {
+      if (f.idx() >= number_of_input_faces || faces_[f.idx()].value != saved.areas[f.idx()][0] ||
+          faces_[f.idx()].error != saved.areas[f.idx()][1])
+        return false;
+      const Halfedge_index h = connectivity().halfedge(f);
+      for (Halfedge_index side : {h, connectivity().next(h), connectivity().prev(h)})
+        if (side.idx() >= input().number_of_halfedges() || input().face(side) != f || !is_input_edge(edge(side)) ||
+            input_halfedge(side) != side || edges_[edge(side).idx()] != saved.squared_lengths[edge(side).idx()])
+          return false;
+      return true;
+    };
+    engine_.restore(saved, internal::block_runner<ConcurrencyTag>(), is_known);
+    edges_ = std::move(saved.squared_lengths);
+    faces_.resize(connectivity().number_of_faces(), internal::default_init);
+    bounds_ = internal::Cotangent_bounds(connectivity());
+    for (Face_index f : connectivity().faces()) {
+      faces_[f.idx()] = {saved.areas[f.idx()][0], saved.areas[f.idx()][1]};
+      bound_corners(connectivity().halfedge(f));
+    }
+  }
+
   // Removes an inserted vertex in the middle of three faces, which become one. See `remove_vertex()`.
   // \return what was removed, as `unsplit_face(v)` of `Delta_complex`
   Removed_elements unsplit_face(Vertex_index v)
@@ -575,8 +613,8 @@ private:
   }
   // Replaces the stored numbers of `f` by those that follow from the input, where these are better.
   //
-  // After many flips their error bounds are so wide that filters decide little. For traits with exact geometry. Costs time
-  // proportional to the number of input edges that the sides cross.
+  // After many flips their error bounds are so wide that filters decide little. For traits with exact geometry. Costs
+  // time proportional to the number of input edges that the sides cross.
   void recompute(Face_index f)
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
@@ -588,7 +626,8 @@ private:
 
   // Replaces the stored numbers of all faces around `v` by those that follow from the input.
   //
-  // As `recompute(Face_index)` for each of them, but each edge from `v` is laid out once. `v` lies inside the surface or on its border.
+  // As `recompute(Face_index)` for each of them, but each edge from `v` is laid out once. `v` lies inside the surface
+  // or on its border.
   // \pre `v` has a face
   void recompute(Vertex_index v)
   {

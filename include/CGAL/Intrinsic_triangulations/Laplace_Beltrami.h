@@ -271,15 +271,16 @@ assemble_connection_Laplacian(const Delta_complex& complex, const std::vector<Pl
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the connection Laplacian: the operator on tangent vectors whose kernel are the parallel fields.
 ///
-/// A vector at a vertex is a complex number in the tangent plane of `halfedge_vectors_in_vertex()`. The matrix L is Hermitian, and
-/// u* L u is the sum over the edges ij of w |u_i - r u_j|², with half the sum w of the cotangents, where r turns vectors at j into the parallel
-/// ones at i. So it is positive semidefinite if no weight is negative: on a Delaunay triangulation, except for edges of the border whose
-/// opposite angle is obtuse. Where the surface is flat, and for real numbers instead of vectors, it is `stiffness_matrix()`.
+/// A vector at a vertex is a complex number in the tangent plane of `halfedge_vectors_in_vertex()`. The matrix L is
+/// Hermitian, and u* L u is the sum over the edges ij of w |u_i - r u_j|², with half the sum w of the cotangents, where
+/// r turns vectors at j into the parallel ones at i. So it is positive semidefinite if no weight is negative: on a
+/// Delaunay triangulation, except for edges of the border whose opposite angle is obtuse. Where the surface is flat,
+/// and for real numbers instead of vectors, it is `stiffness_matrix()`.
 ///
 /// \param triangulation all of its faces have positive area
-/// \return a matrix with a row for each vertex; the weights and the turns are rounded as those of `cotangent_weights()` and
-///   `halfedge_vectors_in_vertex()`. The weight has no unit
-/// \exception Invalid_surface_error if a face has no area. \exception Undecided_error as `angle()`. O(size).
+/// \return a matrix with a row for each vertex; the weights and the turns are rounded as those of `cotangent_weights()`
+///   and `halfedge_vectors_in_vertex()`. The weight has no unit
+/// \exception Invalid_surface_error if a face has zero area. \exception Undecided_error as `angle()`. O(size).
 ///
 /// Source: N. Sharp, Y. Soliman, K. Crane, "The vector heat method", 2019, section 3.
 template <class Traits>

@@ -35,14 +35,13 @@ using Mpfr_float =
 inline int precision_in_bits(const Mpfr_float& x) { return int(mpfr_get_prec(x.backend().data())); }
 
 /// \ingroup PkgIntrinsicTriangulationsNumbers
-/// \brief sets the precision of new `Mpfr_float`s for as long as it lives.
+/// \brief sets the precision of new `Mpfr_float`s during its lifetime.
 ///
 /// Boost counts decimal digits; the precision is that of the least number of digits with
 /// at least the given number of bits: 65 for 64, 128 for 128, 257 for 256.
 ///
-/// \warning Only a Boost that has `thread_default_precision()` keeps a default for each
-/// thread. Boost 1.74 has one for all threads: there, use no two precisions at the same
-/// time.
+/// \warning Only a Boost that has `thread_default_precision()` keeps a default for each thread. Boost 1.74 has one for
+/// all threads: there, do not use two precisions at the same time.
 class Mpfr_precision
 {
 public:

@@ -67,12 +67,11 @@ enum class Segment_label : std::uint8_t {
 ///
 /// \brief the overlay of the input triangulation and the intrinsic triangulation.
 ///
-/// Its vertices are those of the surface, first those of the input, then those that were inserted, followed by the crossings of
-/// input and intrinsic edges. Its edges are the segments into which crossings cut the edges. Each of
-/// its faces is the convex intersection of one input face and one intrinsic face. At a
-/// crossing four segments meet, alternately of an input and of an intrinsic edge. The overlay
-/// has neither coordinates nor lengths; see `Common_subdivision`. An inserted vertex divides the input edge on which it lies
-/// into segments, as a crossing does, or lies inside an input face.
+/// Its vertices are the vertices of the input, then the inserted vertices, then the crossings of input and intrinsic
+/// edges. Its edges are the segments into which crossings cut the edges. Each of its faces is the convex intersection
+/// of one input face and one intrinsic face. At a crossing four segments meet, alternately of an input and of an
+/// intrinsic edge. The overlay has neither coordinates nor lengths; see `Common_subdivision`. An inserted vertex
+/// divides the input edge on which it lies into segments, as a crossing does, or lies inside an input face.
 ///
 /// The overlay is built from the integers that say where the input lies; later flips do not change
 /// it. It is a halfedge graph like `Delta_complex`, with faces of any degree:
@@ -111,7 +110,7 @@ public:
   ///
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{visitor}
-  ///     \cgalParamDescription{is asked now and then, with the fraction that is done, and can cancel}
+  ///     \cgalParamDescription{is called from time to time with the fraction that is done, and can cancel}
   ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
   ///     \cgalParamDefault{`Default_visitor`}
   ///   \cgalParamNEnd
@@ -119,7 +118,7 @@ public:
   ///
   /// \pre `triangulation.keeps_input()`
   /// \exception Integer_overflow_error if there are 2^31 segments or more
-  /// \exception Cancelled_error if the visitor says so
+  /// \exception Cancelled_error if the visitor asks for it
   template <class Traits, class NamedParameters = parameters::Default_named_parameters,
             class ConcurrencyTag = Sequential_tag>
   explicit Overlay(const Intrinsic_triangulation<Traits>& triangulation,
@@ -147,7 +146,7 @@ public:
   size_type number_of_vertices() const { return size_type(arrays_.vertex_halfedges.size()); }
   /// returns the number of vertices of the surface, which come before the crossings.
   size_type number_of_original_vertices() const { return arrays_.number_of_original_vertices; }
-  /// returns the number of vertices of the input, which come before those that were inserted.
+  /// returns the number of vertices of the input, which come before the inserted ones.
   size_type number_of_input_vertices() const { return arrays_.number_of_input_vertices; }
   /// returns the number of crossings.
   size_type number_of_crossings() const { return number_of_vertices() - arrays_.number_of_original_vertices; }
@@ -206,7 +205,7 @@ public:
   /// @{
   /// returns whether `v` is a crossing, not a vertex of the surface.
   bool is_crossing(Vertex v) const { return v.idx() >= arrays_.number_of_original_vertices; }
-  /// returns whether `v` is a vertex of the surface, but none of the input.
+  /// returns whether `v` is an inserted vertex.
   bool is_inserted(Vertex v) const { return !is_crossing(v) && v.idx() >= arrays_.number_of_input_vertices; }
   /// returns the vertex of the surface that `v` is. \pre `!is_crossing(v)`
   Vertex_index original_vertex(Vertex v) const
@@ -255,8 +254,8 @@ public:
   /// @}
 
   /// \name Along an edge
-  /// The crossings of an edge, and the inserted vertices on an input edge, are numbered from zero in the direction of its halfedge
-  /// `2e`.
+  /// The crossings of an edge, and the inserted vertices on an input edge, are numbered from zero in the direction of
+  /// its halfedge `2e`.
   /// @{
 
   /// returns the segments of intrinsic edge `e`, in order.

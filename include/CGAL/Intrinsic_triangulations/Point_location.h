@@ -3,7 +3,8 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Which point of one surface is a point of the other one, and which point of the surface is nearest to a point in space.
+// Which point of one surface is a point of the other one, and which point of the surface is nearest to a point in
+// space.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_POINT_LOCATION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_POINT_LOCATION_H
@@ -49,13 +50,12 @@ namespace Intrinsic_triangulations {
 /// edge. Nonzero coordinates of results are rounded: the result lies within a few units
 /// in the last place of the longest edge of either face from the exact point.
 ///
-/// A query searches the edges that cross a face by bisection. It costs O(log n) for n such edges,
-/// unless the point is so close to one of them that `double` cannot tell the side. Then the strip of
-/// input triangles that the edge crosses is laid out. In an input face with inserted vertices it walks from piece to piece, in
-/// O(number of pieces) at most.
+/// A query searches the edges that cross a face by bisection. It costs O(log n) for n such edges, unless the point is
+/// so close to one of them that `double` cannot tell the side. Then the strip of input triangles that the edge crosses
+/// is laid out. In an input face with inserted vertices it walks from piece to piece, in O(number of pieces) at most.
 ///
-/// No array is built, but for a bit for each input face where vertices were inserted: the overlay stores the edges that cross a
-/// face in order.
+/// No array is built except for a bit for each input face if vertices were inserted, because the overlay stores the
+/// edges that cross a face in order.
 class Point_location
 {
 public:
@@ -365,15 +365,16 @@ private:
 /// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
-/// \brief returns the point of a surface in space that is nearest to a given point, as one that was picked.
+/// \brief returns the point of a surface that is nearest to a given point in space, for instance a picked one.
 ///
-/// All faces are looked at, which takes about as long for a few points as building a search tree. Where several points are equally near, it is
-/// that in the face with the smallest number.
+/// All faces are examined, which takes about as long for a few points as building a search tree. Of several nearest
+/// points, the one in the face with the smallest number is returned.
 ///
 /// \param complex the triangles; each has three different vertices in space
 /// \param points a random access range of the points of the vertices, each with three coordinates
 /// \param p the point
-/// \return a point in a face, with rounded coordinates that sum to 1. It is exactly on an edge or at a vertex if these are nearest
+/// \return a point in a face, with rounded coordinates that sum to 1. It is exactly on an edge or at a vertex if these
+///   are nearest
 /// \exception Invalid_point_error if a coordinate of `p` is not finite, or there are no faces. O(size).
 template <class PointRange>
 Surface_point locate(const Delta_complex& complex, const PointRange& points, const std::array<double, 3>& p)

@@ -44,8 +44,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
-/// \brief what CGAL's package `Heat_method_3` offers, on exact intrinsic Delaunay triangulations: a program is ported by
-/// changing the include and the namespace.
+/// \brief the interface of CGAL's package `Heat_method_3`, on exact intrinsic Delaunay triangulations: to port a
+/// program, change the include and the namespace.
 namespace Heat_method_3 {
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
@@ -85,7 +85,8 @@ auto copy_mesh(const TriangleMesh& mesh, const VertexPointMap& map)
   }
 }
 
-// The Delaunay triangulation of the cover of the triangles of the mesh. The ends of an edge of length zero are one vertex there.
+// The Delaunay triangulation of the cover of the triangles of the mesh. The ends of an edge of length zero are one
+// vertex there.
 template <class TriangleMesh, class VertexPointMap, class Numbers>
 Tufted_cover make_Delaunay_cover(const TriangleMesh& mesh, const VertexPointMap& map, const Numbers& numbers)
 {
@@ -125,16 +126,17 @@ bool has_obtuse_border(const Triangulation& triangulation)
 /// \brief distances of all vertices of a mesh from source vertices, with the interface of
 /// `CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3`.
 ///
-/// `Heat_method` says what is computed. Other than with CGAL's class, several sources all have distance zero and nothing near them is
-/// folded, vertices that no source is connected with are infinitely far away instead of not a number, faces without
-/// area are accepted in both modes, and the flips always end. Errors are exceptions. In the mode `Intrinsic_Delaunay`, the tufted cover
-/// is used where there are edges of length zero, whose ends are merged, and where an angle opposite to a border edge is obtuse.
+/// `Heat_method` documents what is computed. Unlike in CGAL's class, all of several sources have distance zero and
+/// nothing near them is folded, distances are infinite instead of NaN where no source is connected, both modes accept
+/// faces of zero area, and the flips always end. Errors are exceptions. In the mode `Intrinsic_Delaunay`, the tufted
+/// cover is used where there are edges of length zero, whose ends are merged, and where an angle opposite to a border
+/// edge is obtuse.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam Mode `Direct` or `Intrinsic_Delaunay`
 /// \tparam VertexPointMap a model of `ReadablePropertyMap` from vertices to points
 /// \tparam LA a model of `SparseLinearAlgebraWithFactorTraits_d`; by default, the solver of `Heat_method`
-/// \tparam Traits only needed for points that are not of a kernel, whose distances it computes
+/// \tparam Traits computes distances of points that do not belong to a kernel; not needed otherwise
 template <class TriangleMesh, class Mode = Direct, class VertexPointMap = Default, class LA = Default,
           class Traits = Default>
 class Surface_mesh_geodesic_distances_3
@@ -155,7 +157,7 @@ public:
   using Vertex_point_map =
     typename Default::Get<VertexPointMap, typename boost::property_map<TriangleMesh, vertex_point_t>::const_type>::type;
 
-  /// \brief copies the mesh, flips it if the mode says so, and factorizes the matrices.
+  /// \brief copies the mesh, flips it in the mode `Intrinsic_Delaunay`, and factorizes the matrices.
   /// \exception Invalid_surface_error, Numerical_error as `intrinsic_Delaunay_triangulation()` and `Heat_method`
   explicit Surface_mesh_geodesic_distances_3(const TriangleMesh& tm)
     : Surface_mesh_geodesic_distances_3(tm, get(vertex_point, tm))
@@ -180,7 +182,7 @@ public:
   /// returns the mesh.
   const TriangleMesh& triangle_mesh() const { return mesh_; }
 
-  /// makes `vd` a source; returns whether it was none.
+  /// makes `vd` a source; returns true if it was not yet a source.
   bool add_source(vertex_descriptor vd) { return sources_.insert(vd).second; }
   /// makes all vertices of a range sources.
   template <class VertexConstRange>
@@ -189,7 +191,7 @@ public:
     for (vertex_descriptor v : vrange)
       sources_.insert(v);
   }
-  /// makes `vd` no source any more; returns whether it was one.
+  /// removes the source `vd`; returns true if it was a source.
   bool remove_source(vertex_descriptor vd) { return sources_.erase(vd) == 1; }
   /// removes all sources.
   void clear_sources() { sources_.clear(); }

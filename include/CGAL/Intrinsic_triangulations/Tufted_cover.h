@@ -44,7 +44,7 @@ enum class Surface_cover {
 };
 
 /// \ingroup PkgIntrinsicTriangulationsCover
-/// \brief what is done where an edge joins two vertices at the same place.
+/// \brief how edges between two vertices at the same place are handled.
 enum class Coincident_vertices {
   ERROR, ///< an exception names them
   MERGE, ///< they become one vertex, and their faces lose a corner
@@ -52,7 +52,7 @@ enum class Coincident_vertices {
 };
 
 /// \ingroup PkgIntrinsicTriangulationsCover
-/// \brief what was found in the triangles, and what was done with them.
+/// \brief the defects of the triangles, and how they were handled.
 struct Tufted_cover_report
 {
   std::size_t number_of_vertices = 0;   ///< the vertices given
@@ -64,10 +64,10 @@ struct Tufted_cover_report
   std::size_t repeated_corner_faces = 0; ///< faces dropped because they name a vertex twice
   std::size_t collapsed_faces = 0;       ///< faces dropped because corners of theirs were merged
   std::size_t zero_length_faces = 0;     ///< faces dropped by `Coincident_vertices::DROP`
-  std::size_t faces_without_area = 0;    ///< faces dropped because all that they are connected with has no area
-  std::size_t merged_vertices = 0;       ///< vertices that another one stands for
-  std::size_t unreferenced_vertices = 0; ///< vertices that no face has that was not dropped: their rows are zero
-  Mollification_report mollification;    ///< what mollification changed: nothing unless it was asked for
+  std::size_t faces_without_area = 0;    ///< faces dropped because their whole part has zero area
+  std::size_t merged_vertices = 0;       ///< vertices merged into another one
+  std::size_t unreferenced_vertices = 0; ///< vertices of no remaining face: their rows are zero
+  Mollification_report mollification;    ///< the changes by mollification, if requested
 
   /// returns the number of all faces that were dropped.
   std::size_t dropped_faces() const
@@ -96,9 +96,9 @@ struct Tufted_cover
   std::vector<bool> is_back;
   /// for each face of the cover, whether it counts half, as each other face that flips can join it with
   std::vector<bool> is_half;
-  /// for each input vertex, the vertex that stands for it: another one if it was merged
+  /// for each input vertex, the vertex that represents it: another one if it was merged
   std::vector<std::uint32_t> representative;
-  /// what was found and done
+  /// the defects and how they were handled
   Tufted_cover_report report;
 };
 
@@ -170,25 +170,25 @@ Tufted_cover build_cover_of_complex(const Delta_complex& complex, const std::vec
 /// \ingroup PkgIntrinsicTriangulationsCover
 /// \brief builds an oriented surface without border over any triangles, for operators that want one.
 ///
-/// Two copies are made of each face, the second turned over. At each edge the copies are glued in the order in which the
-/// faces lie around it: the copy that has a face on its left with that of the next face, counterclockwise,
-/// that has it on its right. A single face at an edge is glued to its own copy. So the cover is closed and oriented
-/// whatever the triangles are. Their edges may have any number of faces, their orientations need not agree, they may form a
-/// Möbius strip, and faces may be given several times. What is closed, orientable and has two faces
-/// at each edge is not doubled.
+/// Each face gets two copies, the second turned over. At each edge the copies are glued in the order of the faces
+/// around it: the copy with the face on its left to the copy of the next face, counterclockwise, with the face on its
+/// right. A single face at an edge is glued to its own copy. So the cover is closed and oriented whatever the triangles
+/// are. Their edges may have any number of faces, their orientations need not agree, they may form a Möbius strip, and
+/// faces may be given several times. A part that is closed, orientable and has two faces at each edge is not doubled.
 ///
-/// The order is decided exactly from the points, and depends neither on how these are rotated nor on how vertices and faces
-/// are numbered, except where isosceles triangles over the same edge lie in one half-plane, third vertices are at the
-/// same place, or more than two faces meet at the edge of one without area and several of them reach farthest.
+/// The order is decided exactly from the points, and depends neither on how these are rotated nor on how vertices and
+/// faces are numbered, except where isosceles triangles over the same edge lie in one half-plane, third vertices are at
+/// the same place, or more than two faces meet at the edge of one without area and several of them reach farthest.
 ///
-/// Faces that name a vertex twice are dropped. So are parts of the cover without area. Other faces without area are flipped
-/// away, which cuts the faces beside them and changes no distance. Where they join vertices at the same place, these are one
-/// point of the cover. The parameter `coincident_vertices` says what happens then, and to edges of length zero.
+/// Faces that name a vertex twice are dropped. So are parts of the cover without area. Other faces of zero area are
+/// flipped away, which cuts the faces beside them and changes no distance. If they join vertices at the same place,
+/// these are one point of the cover. The parameter `coincident_vertices` determines how such vertices and edges of
+/// length zero are handled.
 ///
 /// \tparam PointRange a range of points whose coordinates are `p[0]`, `p[1]` and `p[2]`; they are rounded to `double`
 /// \tparam TriangleRange a range of random access ranges of three vertex indices each
 ///
-/// \param points the vertices; those without faces may be anywhere
+/// \param points the vertices; vertices without faces may have any position
 /// \param triangles the faces
 /// \param np an optional sequence of named parameters
 ///
@@ -199,24 +199,24 @@ Tufted_cover build_cover_of_complex(const Delta_complex& complex, const std::vec
 ///     \cgalParamDefault{`Surface_cover::TUFTED`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{coincident_vertices}
-///     \cgalParamDescription{what is done with edges of length zero}
+///     \cgalParamDescription{how edges of length zero are handled}
 ///     \cgalParamType{`Coincident_vertices`}
 ///     \cgalParamDefault{`Coincident_vertices::MERGE`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{is_welded}
-///     \cgalParamDescription{whether all vertices at the same place become one, whether an edge joins them or not: for triangles that do
-///       not share their corners}
+///     \cgalParamDescription{whether all vertices at the same place become one, whether an edge joins them or not: for
+///       triangles that do not share their corners}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{mollification}
-///     \cgalParamDescription{if positive, lengths are rounded and edges lengthened as by `mollify_lengths()` with this margin; the metric
-///       changes, and the report says how much}
+///     \cgalParamDescription{if positive, lengths are rounded and edges lengthened as by `mollify_lengths()` with this
+///       margin; the metric changes, and the report says how much}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is asked now and then, and can cancel}
+///     \cgalParamDescription{is called from time to time, and can cancel}
 ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
 ///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
@@ -227,7 +227,7 @@ Tufted_cover build_cover_of_complex(const Delta_complex& complex, const std::vec
 /// \exception Invalid_surface_error if there is no face, an index is invalid, the point of a face is not finite or its
 ///   squared lengths leave the range of `double`; if an edge has length zero and `Coincident_vertices::ERROR` is
 ///   chosen; or if `Surface_cover::NONE` is chosen and the faces are not an orientable surface
-/// \exception Cancelled_error if the visitor says so
+/// \exception Cancelled_error if the visitor asks for it
 ///
 /// Complexity: O(n), and O(k log k) for an edge with k faces.
 ///
@@ -243,11 +243,12 @@ Tufted_cover make_tufted_cover(const PointRange& points, const TriangleRange& tr
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCover
-/// \brief as `make_tufted_cover()` of points, for a surface that is given by lengths: doubled if it has a border.
+/// \brief as `make_tufted_cover()` of points, for a surface given by lengths: doubled if it has a border.
 /// \param complex the triangles
 /// \param lengths the length of each edge
-/// \param np as above; `surface_cover` and `mollification` count, as a complex leaves nothing else open
-/// \exception Invalid_surface_error if a length is not positive and finite, or three violate the triangle inequality. O(n).
+/// \param np as above; only `surface_cover` and `mollification` apply to a complex
+/// \exception Invalid_surface_error if a length is not positive and finite, or three violate the triangle inequality.
+///   O(n).
 template <class NamedParameters = parameters::Default_named_parameters>
 Tufted_cover make_tufted_cover(const Delta_complex& complex, const std::vector<double>& lengths,
                                const NamedParameters& np = parameters::default_values())

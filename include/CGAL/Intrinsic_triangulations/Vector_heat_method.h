@@ -42,22 +42,23 @@ namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
 ///
-/// \brief carries tangent vectors from some vertices to all others, along shortest ways, and finds logarithmic maps.
+/// \brief parallel-transports tangent vectors from some vertices to all others along shortest paths, and computes
+/// logarithmic maps.
 ///
 ///     Vector_heat_method heat(triangulation);
 ///     const auto parallel = heat.transport_tangent_vectors({{v, {1, 0}}});
 ///     const auto coordinates = heat.log_map(v);
 ///
-/// A vector at a vertex belongs to the tangent plane of `halfedge_vectors_in_vertex()`, whose axes depend on the input alone, so that
-/// results before and after flips can be compared. `vertex_frames()` gives these axes in space.
+/// A vector at a vertex belongs to the tangent plane of `halfedge_vectors_in_vertex()`, whose axes depend on the input
+/// alone, so that results before and after flips can be compared. `vertex_frames()` gives these axes in space.
 ///
-/// The matrices are factorized once, by the constructor. Each function then solves two or three linear systems. All are const: any number of
-/// threads may call them at once.
+/// The matrices are factorized once, by the constructor. Each function then solves two or three linear systems. All are
+/// const: any number of threads may call them at once.
 ///
-/// The matrix for vectors is positive definite if no weight is negative. An intrinsic Delaunay triangulation guarantees that except on the
-/// border, opposite to obtuse angles. If there are any, a copy is made in which vertices on the border make these angles smaller; results are
-/// for the vertices of the triangulation that was given. A weight that is negative all the same, since doubles are too coarse for such
-/// a vertex or more than ten for each vertex would be needed, counts as zero.
+/// The matrix for vectors is positive definite if no weight is negative. An intrinsic Delaunay triangulation guarantees
+/// that except for border edges opposite obtuse angles. If there are any, new vertices on the border of a copy make
+/// these angles smaller; results are for the vertices of the given triangulation. A weight that remains negative,
+/// because doubles are too coarse for such a vertex or more than ten for each vertex would be needed, counts as zero.
 ///
 /// Source: N. Sharp, Y. Soliman, K. Crane, "The vector heat method", 2019.
 class Vector_heat_method
@@ -68,20 +69,21 @@ public:
 
   /// \brief factorizes the matrices.
   ///
-  /// The triangulation is not needed any more afterwards.
+  /// The triangulation is not needed afterwards.
   /// \param triangulation a Delaunay triangulation; its traits have to use exact geometry
   /// \param np an optional sequence of named parameters
   ///
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{time_coefficient}
-  ///     \cgalParamDescription{the time for which heat spreads, in units of the squared mean length of the edges of each component: with
-  ///       longer times, the ways that heat takes are further from the shortest ones; with shorter times, it prefers those along edges}
+  ///     \cgalParamDescription{the time for which heat spreads, in units of the squared mean length of the edges of
+  ///       each component: for longer times, the paths of the heat deviate more from the shortest ones; for shorter
+  ///       times, it prefers paths along edges}
   ///     \cgalParamType{`double` or `std::optional<double>`}
   ///     \cgalParamDefault{0.05 times the cube root of the number of vertices of the component, and at least 0.5}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{visitor}
-  ///     \cgalParamDescription{is asked before each matrix is factorized or linear system is solved, by the constructor and by all functions,
-  ///       and can cancel; where several threads call member functions, any of them asks it}
+  ///     \cgalParamDescription{is asked before each matrix is factorized or linear system is solved, by the constructor
+  ///       and by all functions, and can cancel; if several threads call member functions, any of them may call it}
   ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
   ///     \cgalParamDefault{`Default_visitor`}
   ///   \cgalParamNEnd
@@ -91,7 +93,7 @@ public:
   /// \exception Invalid_surface_error if a length or weight is beyond the range of `double`
   /// \exception Numerical_error if a matrix cannot be factorized
   /// \exception Undecided_error as `angle()`
-  /// \exception Cancelled_error if the visitor says so, as from all member functions
+  /// \exception Cancelled_error if the visitor asks for it, as from all member functions
   template <class Traits, class NamedParameters = parameters::Default_named_parameters>
   explicit Vector_heat_method(const Intrinsic_triangulation<Traits>& triangulation,
                               const NamedParameters& np = parameters::default_values())
@@ -113,15 +115,15 @@ public:
       build(triangulation, time_coefficient);
   }
 
-  /// returns how many vertices were inserted on the border, in a copy, as its opposite angles were obtuse.
+  /// returns how many vertices were inserted on the border of a copy because its opposite angles were obtuse.
   std::size_t number_of_border_vertices() const { return surface_->size() - number_of_vertices_; }
 
-  /// \brief returns at each vertex the vector of the nearest source, carried there parallelly along the shortest way.
+  /// \brief returns at each vertex the vector of the nearest source, parallel-transported along the shortest path.
   ///
-  /// Where the ways to several sources are about equally long, direction and length are averages. The field is smooth elsewhere, and
-  /// vanishes where there is no mean direction.
+  /// If the paths to several sources are about equally long, direction and length are averages. The field is smooth
+  /// elsewhere, and vanishes where there is no mean direction.
   /// \param sources vertices, and vectors there; a vertex may not appear twice
-  /// \return a vector for each vertex: at the sources that which was given, and (0, 0) where no source is connected
+  /// \return a vector for each vertex: the given one at the sources, and (0, 0) where no source is connected
   /// \exception Invalid_argument_error if there is no such vertex, or a coordinate is not finite
   /// \exception Numerical_error if a linear system cannot be solved
   std::vector<Vector> transport_tangent_vectors(const std::vector<std::pair<Vertex_index, Vector>>& sources) const
@@ -160,8 +162,8 @@ public:
     return result;
   }
 
-  /// \brief returns a function with given values at some vertices, and elsewhere about the value at the nearest of these; 0 where none of
-  /// them can be reached. \exception as `transport_tangent_vectors()`
+  /// \brief returns a function with given values at some vertices, and elsewhere approximately the value at the nearest
+  /// of these; 0 where none of them can be reached. \exception as `transport_tangent_vectors()`
   std::vector<double> extend(const std::vector<std::pair<Vertex_index, double>>& values) const
   {
     std::vector<std::uint32_t> from;
@@ -178,17 +180,18 @@ public:
     return result;
   }
 
-  /// \brief returns the logarithmic map at a vertex: for each vertex, the vector in the tangent plane of `source` that points to it along
-  /// the shortest way and is as long as that.
+  /// \brief returns the logarithmic map at a vertex: for each vertex, the vector in the tangent plane of `source` with
+  /// the direction and the length of the shortest path to it.
   ///
-  /// Where the surface is flat, and all ways between two vertices lead to the same vector, the result is exact up to rounding. Elsewhere it
-  /// is an average over the ways that are about as short as the shortest one.
-  /// \return a vector for each vertex, in the unit of the input: (0, 0) at the source, infinite where it is not connected
+  /// If the surface is flat, and all paths between two vertices give the same vector, the result is exact up to
+  /// rounding. Otherwise it is an average over the paths that are about as short as the shortest one.
+  /// \return a vector for each vertex, in the unit of the input: (0, 0) at the source, infinite where it is not
+  ///   connected
   /// \exception Invalid_argument_error if there is no such vertex
-  /// \exception Numerical_error if a linear system cannot be solved, or heat spreads for so short a time that none arrives
+  /// \exception Numerical_error if a linear system cannot be solved, or the time is so short that no heat arrives
   ///
-  /// Source: Y. Soliman, N. Sharp, "The affine heat method", 2025. Their matrix with three rows for each vertex is triangular by blocks if
-  /// positions are seen from the source: the factors for vectors and for numbers suffice.
+  /// Source: Y. Soliman, N. Sharp, "The affine heat method", 2025. Their matrix with three rows for each vertex is
+  /// triangular by blocks if positions are seen from the source: the factors for vectors and for numbers suffice.
   std::vector<Vector> log_map(Vertex_index source) const
   {
     internal::require_vertex(source, number_of_vertices_);
@@ -254,8 +257,9 @@ private:
     vectors_ = std::make_unique<internal::Vector_diffusion>(triangulation, *surface_, *interruption_);
   }
 
-  // Let edges be h long, on a surface of size 1, and t = c h². Heat that spreads over a width of about √√t errs by about √t = √c h; and as it
-  // sees in which directions edges run, by about 1/c. The sum of both is least if c is as h^(-2/3). The factor is measured.
+  // Let edges be h long, on a surface of size 1, and t = c h². Heat that spreads over a width of about √√t errs by
+  // about √t = √c h; and as it sees in which directions edges run, by about 1/c. The sum of both is least if c is as
+  // h^(-2/3). The factor is measured.
   static std::vector<double> square_roots_of_times(const std::vector<std::uint32_t>& component,
                                                    const std::optional<double>& coefficient)
   {

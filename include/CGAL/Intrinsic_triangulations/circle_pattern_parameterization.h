@@ -35,11 +35,12 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
-/// \brief a map by a circle pattern, and how it was computed.
+/// \brief a map by a circle pattern, and information on its computation.
 struct Circle_pattern
 {
   Planar_points uv; ///< the position of each vertex; the image has the area of the surface
-  /// the angles whose circle pattern it is: for each halfedge, the one opposite to it in its face, and 0 for a border halfedge
+  /// the angles whose circle pattern it is: for each halfedge, the one opposite to it in its face, and 0 for a border
+  /// halfedge
   std::vector<double> angles;
   std::size_t number_of_clipped_edges =
     0;                       ///< interior edges whose two angles on the surface sum to more than is allowed
@@ -257,17 +258,15 @@ inline Planar_points lay_out(const Delta_complex& complex, const Circle_pattern_
 /// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
-/// \brief returns the discrete conformal map of a disk by a circle pattern: it preserves the angles at
-/// which the circumcircles of adjacent triangles meet, as far as flatness allows.
+/// \brief returns the discrete conformal map of a disk by a circle pattern: it preserves the intersection angles of the
+/// circumcircles of adjacent triangles as well as flatness allows.
 ///
-/// First the angles are changed to those of the flat Delaunay triangulation that are nearest in the least-squares sense: a convex
-/// quadratic program, solved by an interior-point method.
-/// Then the radii for which the circles fit together are found as the minimum of a convex
-/// energy, by Newton's method with sparse Cholesky factorizations, until no component of the
-/// gradient exceeds 1e-10. The boundary is free. The map preserves the orientation
-/// of each triangle, but the image can overlap itself. If circles differ in size by more than
-/// the spacing of doubles in the image allows, rounding collapses small triangles or turns them
-/// over; `check_parameterization()` reports them.
+/// First the angles are changed to those of the flat Delaunay triangulation that are nearest in the least-squares
+/// sense: a convex quadratic program, solved by an interior-point method. Then the radii for which the circles fit
+/// together are found as the minimum of a convex energy, by Newton's method with sparse Cholesky factorizations, until
+/// no component of the gradient exceeds 1e-10. The boundary is free. The map preserves the orientation of each
+/// triangle, but the image can overlap itself. If circles differ in size by more than the spacing of doubles in the
+/// image allows, rounding collapses small triangles or turns them over; `check_parameterization()` reports them.
 ///
 /// An intrinsic Delaunay triangulation has no angles to clip, and so less distortion than its
 /// input.
@@ -279,7 +278,8 @@ inline Planar_points lay_out(const Delta_complex& complex, const Circle_pattern_
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is asked before each iteration of the two minimizations, each of which counts as half, and can cancel}
+///     \cgalParamDescription{is asked before each iteration of the two minimizations, each of which counts as half, and
+///       can cancel}
 ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
 ///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
@@ -289,7 +289,7 @@ inline Planar_points lay_out(const Delta_complex& complex, const Circle_pattern_
 ///   than three corners
 /// \exception Numerical_error if there are no coherent angles, or rounding prevents one of the
 ///   minimizations from succeeding
-/// \exception Cancelled_error if the visitor says so
+/// \exception Cancelled_error if the visitor asks for it
 ///
 /// Sources: L. Kharevych, B. Springborn, P. Schröder, "Discrete conformal mappings via circle
 /// patterns", 2006; Fisher, Springborn, Schroeder, Bobenko (2006), section 3.3.
@@ -327,8 +327,8 @@ Circle_pattern circle_pattern_parameterization(const Delta_complex& complex, con
 }
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
-/// as above, for a triangulation; named parameters as of `circle_pattern_parameterization()` of a complex, exceptions also as for
-/// `face_areas()`.
+/// as above, for a triangulation; named parameters as of
+/// `circle_pattern_parameterization()` of a complex, exceptions also as for `face_areas()`.
 template <class Traits, class NamedParameters = parameters::Default_named_parameters>
 Circle_pattern circle_pattern_parameterization(const Intrinsic_triangulation<Traits>& triangulation,
                                                const NamedParameters& np = parameters::default_values())

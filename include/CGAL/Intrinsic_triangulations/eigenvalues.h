@@ -56,19 +56,32 @@ private:
   Sparse_Cholesky<> cholesky_;
 };
 
+// Of a connected part of a surface.
+struct Eigenpair
+{
+  double value = 0;
+  std::size_t part = 0;
+  Eigen::VectorXd function; // if it was asked for
+};
+
 // Of a connected part. \pre the diagonal of the mass matrix is positive
-inline void append_smallest_eigenvalues(const Eigen::SparseMatrix<double>& stiffness, Eigen::SparseMatrix<double> mass,
-                                        Eigen::Index k, std::vector<double>& result)
+inline void append_smallest_eigenpairs(const Eigen::SparseMatrix<double>& stiffness, Eigen::SparseMatrix<double> mass,
+                                       Eigen::Index k, bool has_functions, std::size_t part,
+                                       std::vector<Eigenpair>& result)
 {
   const Eigen::Index n = stiffness.rows();
   // By Weyl's law the j-th eigenvalue of a surface of area 4π is about j.
   const double unit = 4 * 3.14159265358979 / mass.sum();
   mass *= unit;
   Eigen::VectorXd values;
+  Eigen::MatrixXd functions;
   if (n <= 64 || 3 * k > n) {
-    values = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(stiffness),
-                                                                       Eigen::MatrixXd(mass), Eigen::EigenvaluesOnly)
-               .eigenvalues();
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+      Eigen::MatrixXd(stiffness), Eigen::MatrixXd(mass),
+      Eigen::Ax_lBx | (has_functions ? Eigen::ComputeEigenvectors : Eigen::EigenvaluesOnly));
+    values = solver.eigenvalues();
+    if (has_functions)
+      functions = solver.eigenvectors();
   } else {
     Shifted_inverse inverse(stiffness, mass);
     Spectra::SparseSymMatProd<double> product(mass);
@@ -79,9 +92,12 @@ inline void append_smallest_eigenvalues(const Eigen::SparseMatrix<double>& stiff
     if (solver.info() != Spectra::CompInfo::Successful)
       throw Numerical_error("the smallest eigenvalues do not converge");
     values = solver.eigenvalues();
+    if (has_functions)
+      functions = solver.eigenvectors();
   }
-  for (double x : values)
-    result.push_back(x * unit);
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+    result.push_back({values[i] * unit, part,
+                      has_functions ? Eigen::VectorXd(functions.col(i) * std::sqrt(unit)) : Eigen::VectorXd()});
 }
 
 // The connected parts of a symmetric matrix, each as an increasing list of its rows.
@@ -106,42 +122,95 @@ inline std::vector<std::vector<int>> connected_rows(const Eigen::SparseMatrix<do
   return parts;
 }
 
+// Of all parts. \param rows the rows of each part with mass, in the order of its functions
+inline std::vector<Eigenpair> smallest_eigenpairs(const Eigen::SparseMatrix<double>& stiffness,
+                                                  const Eigen::SparseMatrix<double>& mass, std::size_t number,
+                                                  bool has_functions, std::vector<std::vector<int>>& rows)
+{
+  CGAL_precondition(stiffness.rows() == mass.rows());
+  std::vector<Eigenpair> result;
+  const Eigen::VectorXd masses = mass.diagonal();
+  rows = connected_rows(stiffness);
+  std::vector<int> new_row(std::size_t(stiffness.rows()), -1);
+  for (std::size_t part = 0; part < rows.size(); ++part) {
+    rows[part].erase(std::remove_if(rows[part].begin(), rows[part].end(), [&](int row) { return !(masses[row] > 0); }),
+                     rows[part].end());
+    const int n = int(rows[part].size());
+    for (int i = 0; i < n; ++i)
+      new_row[std::size_t(rows[part][std::size_t(i)])] = i;
+    if (n > 0)
+      append_smallest_eigenpairs(submatrix(stiffness, new_row, new_row, n, n), submatrix(mass, new_row, new_row, n, n),
+                                 (std::min)(Eigen::Index(number), Eigen::Index(n)), has_functions, part, result);
+    for (int row : rows[part])
+      new_row[std::size_t(row)] = -1;
+  }
+  std::stable_sort(result.begin(), result.end(),
+                   [](const Eigenpair& a, const Eigenpair& b) { return a.value < b.value; });
+  if (result.size() > number)
+    result.erase(result.begin() + std::ptrdiff_t(number), result.end());
+  return result;
+}
+
 } // namespace internal
 /// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the smallest solutions λ of `L u = λ M u`, in increasing order.
 ///
-/// Rows without mass, which are those of vertices without faces, are left out. A zero appears once for each connected
-/// part of the surface, as each is solved by itself.
+/// Rows without mass, those of vertices without faces, are left out. Each connected component is solved separately, so
+/// zero appears once for each.
 ///
-/// Method: Lanczos (Spectra) for the inverse of `L + c M`, with one sparse Cholesky factorization; small parts as dense matrices.
-/// An eigenvalue is within about 1e-10 of itself plus the first one that is positive.
+/// Method: Lanczos (Spectra) for the inverse of `L + c M`, with one sparse Cholesky factorization; small parts as dense
+/// matrices. The error of an eigenvalue is about 1e-10 times the sum of itself and the first positive one.
 ///
-/// \param stiffness a positive semidefinite matrix, as of `stiffness_matrix()` or `tufted_Laplacian()`
+/// \param stiffness a positive semidefinite matrix, for instance from `stiffness_matrix()` or `tufted_Laplacian()`
 /// \param mass the mass matrix, lumped or Galerkin
-/// \param number how many are wanted; there are no more than rows with mass
+/// \param number how many to compute; at most as many as there are rows with mass
 /// \pre both matrices have the same size
-/// \exception Numerical_error if the iteration does not converge, or if the matrix is not positive definite after rounding
+/// \exception Numerical_error if the iteration does not converge, or if the matrix is not positive definite after
+///   rounding
 inline std::vector<double> smallest_eigenvalues(const Eigen::SparseMatrix<double>& stiffness,
                                                 const Eigen::SparseMatrix<double>& mass, std::size_t number)
 {
-  CGAL_precondition(stiffness.rows() == mass.rows());
   std::vector<double> result;
-  const Eigen::VectorXd masses = mass.diagonal();
-  for (const std::vector<int>& part : internal::connected_rows(stiffness)) {
-    std::vector<int> new_row(std::size_t(stiffness.rows()), -1);
-    int n = 0;
-    for (int row : part)
-      if (masses[row] > 0)
-        new_row[std::size_t(row)] = n++;
-    if (n > 0)
-      internal::append_smallest_eigenvalues(internal::submatrix(stiffness, new_row, new_row, n, n),
-                                            internal::submatrix(mass, new_row, new_row, n, n),
-                                            (std::min)(Eigen::Index(number), Eigen::Index(n)), result);
+  std::vector<std::vector<int>> rows;
+  for (const internal::Eigenpair& pair : internal::smallest_eigenpairs(stiffness, mass, number, false, rows))
+    result.push_back(pair.value);
+  return result;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \brief the smallest eigenvalues with their eigenfunctions.
+struct Eigenfunctions
+{
+  std::vector<double> eigenvalues; ///< in increasing order
+  /// a column for each: the values at the vertices, which are zero on the other connected parts; the mass of its square is 1, and its
+  /// largest absolute value is positive
+  Eigen::MatrixXd functions;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \brief returns the smallest eigenvalues as `smallest_eigenvalues()`, and a solution u for each of them.
+///
+/// The functions of one eigenvalue are orthogonal: `uᵀ M v = 0`.
+/// \param stiffness, mass, number as for `smallest_eigenvalues()`
+/// \exception Numerical_error as there
+inline Eigenfunctions smallest_eigenfunctions(const Eigen::SparseMatrix<double>& stiffness,
+                                              const Eigen::SparseMatrix<double>& mass, std::size_t number)
+{
+  std::vector<std::vector<int>> rows;
+  const std::vector<internal::Eigenpair> pairs = internal::smallest_eigenpairs(stiffness, mass, number, true, rows);
+  Eigenfunctions result;
+  result.functions.setZero(stiffness.rows(), Eigen::Index(pairs.size()));
+  for (const internal::Eigenpair& pair : pairs) {
+    const auto column = Eigen::Index(result.eigenvalues.size());
+    result.eigenvalues.push_back(pair.value);
+    Eigen::Index largest = 0;
+    pair.function.cwiseAbs().maxCoeff(&largest);
+    const double sign = pair.function[largest] < 0 ? -1 : 1;
+    for (std::size_t i = 0; i < rows[pair.part].size(); ++i)
+      result.functions(rows[pair.part][i], column) = sign * pair.function[Eigen::Index(i)];
   }
-  std::sort(result.begin(), result.end());
-  result.resize((std::min)(result.size(), number));
   return result;
 }
 
@@ -349,7 +418,7 @@ struct Weight_histogram
   double high = 0;                 ///< where the last interval ends
   std::vector<std::size_t> counts; ///< half-open intervals, from `low` to `high`
   std::size_t below = 0;           ///< weights less than `low`
-  std::size_t above = 0;           ///< weights of at least `high`, infinite ones included
+  std::size_t above = 0;           ///< weights of at least `high`, including infinite ones
 };
 
 /// \ingroup PkgIntrinsicTriangulationsOperators

@@ -79,29 +79,30 @@ struct Element_numbers
 };
 
 /// \ingroup PkgIntrinsicTriangulationsAngles
-/// \brief returns lengths, areas and cotangent weights, each as the member function of `Intrinsic_triangulation` for a single
-/// element returns it.
+/// \brief returns lengths, areas and cotangent weights, equal to those that the member functions of
+/// `Intrinsic_triangulation` return for single elements.
 ///
-/// With traits that use exact geometry, one corner is laid out for each face, which takes a fraction of the time of single queries.
-/// None of the numbers is NaN: beside a face of zero area the weight is infinite, and zero if two such faces have opposite angles
-/// of 0 and of π. The weight of an edge that the traits decide to be Delaunay is not negative.
+/// With traits that use exact geometry, one corner is laid out for each face, which takes a fraction of the time of
+/// single queries. None of the numbers is NaN: beside a face of zero area the weight is infinite, and zero if two such
+/// faces have opposite angles of 0 and of π. The weight of an edge that the traits decide to be Delaunay is not
+/// negative.
 ///
 /// O(size + number of input edges that the edges cross).
-/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the numbers are the same.
-///   Without exact geometry there is one thread
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the numbers are
+///   the same. Without exact geometry, one thread is used
 /// \param triangulation the triangulation
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told of the progress by the calling thread, and can cancel}
+///     \cgalParamDescription{reports progress, called by the calling thread, and can cancel}
 ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
 ///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \exception Invalid_surface_error as `area()` of `Intrinsic_triangulation`
-/// \exception Cancelled_error if the visitor or the function that was given to `set_interruption()` says so
+/// \exception Cancelled_error if the visitor or the function given to `set_interruption()` asks for it
 template <class ConcurrencyTag = Sequential_tag, class Traits,
           class NamedParameters = parameters::Default_named_parameters>
 Element_numbers element_numbers(const Intrinsic_triangulation<Traits>& triangulation,
@@ -127,10 +128,10 @@ std::vector<double> edge_lengths(const Intrinsic_triangulation<Traits>& triangul
 }
 
 /// \ingroup PkgIntrinsicTriangulationsAngles
-/// \brief returns the length of each edge, from the input and the connectivity alone: within one unit in the last place, whatever the
-/// number type.
+/// \brief returns the length of each edge, from the input and the connectivity alone: within one unit in the last
+/// place, whatever the number type.
 /// \pre `triangulation.keeps_input()`
-/// \exception Cancelled_error if the function that was given to `set_interruption()` says so
+/// \exception Cancelled_error if the function given to `set_interruption()` asks for it
 template <class Traits>
 std::vector<double> exact_edge_lengths(const Intrinsic_triangulation<Traits>& triangulation)
 {
@@ -143,9 +144,11 @@ std::vector<double> exact_edge_lengths(const Intrinsic_triangulation<Traits>& tr
 }
 
 /// \ingroup PkgIntrinsicTriangulationsAngles
-/// \brief returns the cotangent of the angle opposite to each halfedge, in the order of the halfedges; 0 for border halfedges.
+/// \brief returns the cotangent of the angle opposite to each halfedge, in the order of the halfedges; 0 for border
+/// halfedges.
 ///
-/// As `element_numbers()`: up to `2^-50 (1 + |cot|)` with traits that use exact geometry. In a face of zero area it is infinite.
+/// As `element_numbers()`: up to `2^-50 (1 + |cot|)` with traits that use exact geometry. In a face of zero area it is
+/// infinite.
 template <class ConcurrencyTag = Sequential_tag, class Traits,
           class NamedParameters = parameters::Default_named_parameters>
 std::vector<double> cotangents(const Intrinsic_triangulation<Traits>& triangulation,
@@ -198,7 +201,7 @@ std::vector<double> face_areas(const Intrinsic_triangulation<Traits>& triangulat
 }
 
 /// \ingroup PkgIntrinsicTriangulationsAngles
-/// \brief what cotangent weights tell about a triangulation.
+/// \brief a summary of the cotangent weights of a triangulation.
 struct Weight_summary
 {
   std::optional<double> smallest; ///< the smallest finite weight of an interior edge, if there is one
@@ -209,10 +212,9 @@ struct Weight_summary
 /// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the smallest cotangent weight, and how many are negative or infinite.
 ///
-/// The weights are those of `element_numbers()`, but with `Filtered_edge_length_traits` the exact geometry is only asked for the few
-/// that can be the smallest.
-/// O(size), except for the edges that need the exact geometry.
-/// \exception Cancelled_error if the function that was given to `set_interruption()` says so
+/// The weights are those of `element_numbers()`, but with `Filtered_edge_length_traits` the exact geometry computes
+/// only the few that can be the smallest. O(size), except for the edges that need the exact geometry.
+/// \exception Cancelled_error if the function given to `set_interruption()` asks for it
 template <class Traits>
 Weight_summary summarize_cotangent_weights(const Intrinsic_triangulation<Traits>& triangulation)
 {
@@ -226,9 +228,9 @@ Weight_summary summarize_cotangent_weights(const Intrinsic_triangulation<Traits>
 ///
 /// So the angle at the source of `h` is that of `next(h)`, and the angle at its target that of `prev(h)`.
 ///
-/// With traits that use exact geometry, the relative error is at most 2^-49 unless the angle is below 2^-400,
-/// however thin the face is. With other traits, the angle is computed from their cotangent. A face of zero area
-/// has one angle of π and two of 0; the angle of π is that on which the flips decide. An angle is never NaN.
+/// With traits that use exact geometry, the relative error is at most 2^-49 unless the angle is below 2^-400, however
+/// thin the face is. With other traits, the angle is computed from their cotangent. A face of zero area has one angle
+/// of π and two of 0; the angle of π is the one that the flips use. An angle is never NaN.
 ///
 /// \pre `h` is not a border halfedge
 /// \exception Undecided_error as `sign_of_cotangent_weight()`
@@ -247,7 +249,8 @@ double angle(const Intrinsic_triangulation<Traits>& triangulation, Halfedge_inde
 ///
 /// As `angle()`, with the same bounds, and otherwise as `element_numbers()`.
 /// \param triangulation the triangulation
-/// \param relative_error what is enough, if that is more than the error of `angle()`: among slivers, multiple precision takes most of the time
+/// \param relative_error a sufficient accuracy, if larger than the error of `angle()`: for slivers, multiple precision
+///   takes most of the time
 /// \param np as for `element_numbers()`
 /// \tparam ConcurrencyTag as for `element_numbers()`
 /// \exception Undecided_error as `angle()`
@@ -264,8 +267,8 @@ std::vector<double> opposite_angles(const Intrinsic_triangulation<Traits>& trian
 /// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the cone angle of `v`: the sum of the angles at `v`. O(degree of `v`).
 ///
-/// It is a property of the surface: flips change it by no more than rounding, a relative error of 2^-49, and 2^-53 for each
-/// face at `v`. It is 2π where the surface is flat around `v`, and 0 for an isolated vertex.
+/// It is a property of the surface: flips change it by no more than rounding, a relative error of 2^-49, and 2^-53 for
+/// each face at `v`. It is 2π where the surface is flat around `v`, and 0 for an isolated vertex.
 /// \exception Undecided_error as `angle()`
 template <class Traits>
 double cone_angle(const Intrinsic_triangulation<Traits>& triangulation, Vertex_index v)
@@ -280,7 +283,7 @@ double cone_angle(const Intrinsic_triangulation<Traits>& triangulation, Vertex_i
 }
 
 /// \ingroup PkgIntrinsicTriangulationsAngles
-/// \brief returns the angle defect of `v`: what its cone angle lacks of 2π, or of π on the border. O(degree of `v`).
+/// \brief returns the angle defect of `v`: 2π minus its cone angle, or π minus it on the border. O(degree of `v`).
 ///
 /// It is the integral of the Gaussian curvature at an interior vertex, and of the geodesic curvature of the border at
 /// a border vertex. The sum over all vertices is 2π times the Euler characteristic (Gauss–Bonnet).

@@ -25,7 +25,7 @@ public:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsErrors
-/// \brief says that the input is not a surface with a metric, and where.
+/// \brief is thrown if the input is not a surface with a metric.
 ///
 /// The message names the first offending element and how many more there are.
 class Invalid_surface_error : public Error
@@ -73,8 +73,8 @@ private:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsErrors
-/// \brief is thrown if an argument is wrong though the surface is fine: a vertex or halfedge that does not exist, an option out of its
-/// range, or a polygon that is not convex.
+/// \brief is thrown if an argument is invalid although the surface is valid: a vertex or halfedge that does not exist,
+/// an option out of range, or a polygon that is not convex.
 class Invalid_argument_error : public Error
 {
 public:
@@ -90,15 +90,15 @@ public:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsErrors
-/// \brief says that exact geometry gives no answer, where any answer might be wrong.
+/// \brief is thrown if the exact geometry cannot decide.
 ///
 /// There are three causes, which the message tells apart:
 /// - an edge crosses more than 2<sup>20</sup> input edges, too many to be laid out;
 /// - `Tie_proof::PROVEN` demands a proof that a number is zero, and the number has too many independent square roots;
-/// - an edge is not a straight line over the input triangles, as rounded decisions have flipped a hinge that is not
+/// - an edge is not a straight line over the input triangles, because rounded decisions flipped a hinge that is not
 /// convex.
 ///
-/// The first two can happen with any traits, the default ones included; nothing is changed then. An interval number
+/// The first two can happen with any traits, including the default ones; nothing is changed then. An interval number
 /// type that cannot decide is no error: `flip_to_Delaunay()` reports `Flip_status::UNDECIDED`.
 class Undecided_error : public Error
 {
@@ -107,7 +107,7 @@ public:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsErrors
-/// \brief says that a vertex cannot be removed, and why.
+/// \brief is thrown if a vertex cannot be removed; the message says why.
 class Invalid_removal_error : public Error
 {
 public:
@@ -115,7 +115,7 @@ public:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsErrors
-/// \brief says that an integer that counts crossings left the range of its type.
+/// \brief is thrown if a count of crossings exceeds the range of its type.
 class Integer_overflow_error : public Error
 {
 public:
@@ -123,8 +123,8 @@ public:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsErrors
-/// \brief says that a computation in double came to nothing: a matrix that is positive
-/// definite is not after rounding, or an iteration does not converge.
+/// \brief is thrown if a computation in double fails: a positive definite matrix loses that property by rounding, or an
+/// iteration does not converge.
 class Numerical_error : public Error
 {
 public:
@@ -132,10 +132,10 @@ public:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsErrors
-/// \brief says that the program's arithmetic on doubles does not follow IEEE 754, so that no answer can be trusted.
+/// \brief is thrown if the program's arithmetic on doubles does not follow IEEE 754, so that no answer can be trusted.
 ///
-/// The causes are options of the compiler that no macro reveals, a processor that flushes subnormal numbers to zero and
-/// cannot be set, or a fault that the library notices because more digits do not settle what they must.
+/// The causes are compiler options that no macro reveals, a processor that flushes subnormal numbers to zero and cannot
+/// be reset, or a fault that the library detects because more digits do not lead to a decision.
 class Arithmetic_error : public Error
 {
 public:
@@ -143,9 +143,9 @@ public:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsErrors
-/// \brief says that a computation ended early because its visitor, or the function given to `set_interruption()`, asked for that.
+/// \brief is thrown if a visitor, or the function given to `set_interruption()`, asks to end a computation.
 ///
-/// The object that was worked on is valid, and the call can be repeated.
+/// The object in use stays valid, and the call can be repeated.
 class Cancelled_error : public Error
 {
 public:

@@ -41,7 +41,7 @@ namespace Intrinsic_triangulations {
 /// \brief returns the default bound on the number of flips for a surface with
 /// `number_of_edges` edges and an inexact number type.
 ///
-/// Rounded decisions can flip for ever; this is far beyond what a surface needs.
+/// Rounded decisions can flip forever; the bound is far beyond what a surface needs.
 inline std::uint64_t default_maximum_number_of_flips(std::size_t number_of_edges)
 {
   return (std::max)(std::uint64_t(10000000), 100 * std::uint64_t(number_of_edges));
@@ -107,42 +107,43 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief flips edges until the triangulation is Delaunay.
 ///
-/// All edges are visited in order, a thousand at a time. When one is not Delaunay it is
-/// flipped, and the four edges around it go on a list unless they are on it already or still
-/// to be visited; the list is worked off, round by round, before further edges are visited.
-/// (The paper has a stack. In what order edges are visited is of no importance for the result,
-/// but here most steps do not have to wait for the one before.) With exact decisions the
-/// algorithm ends, and every edge that is not constrained is Delaunay then.
+/// All edges are visited in order, a thousand at a time. When one is not Delaunay it is flipped, and the four edges
+/// around it go on a list unless they are on it already or still to be visited; the list is worked off, round by round,
+/// before further edges are visited. (The paper uses a stack. The order does not affect the result, but here most steps
+/// need not wait for the previous one.) With exact decisions the algorithm ends, and then every edge that is not
+/// constrained is Delaunay.
 ///
-/// An edge that is not Delaunay but whose hinge has no other diagonal, as rounding can
-/// have it, is left as it is and reported; so is one that an interval cannot decide.
+/// Because of rounding, an edge that is not Delaunay may seem to have no other diagonal. It is left as it is and
+/// reported, and so is an edge that an interval cannot decide.
 ///
-/// With `Parallel_tag` what can be flipped within blocks of 65,536 consecutive edges is flipped on
-/// the threads of TBB, then what can be within other such blocks. Edges that are open then, such as ties, are tested
-/// on these threads while nothing is flipped, and the few that are not found to be Delaunay are left to one thread. The result
-/// is the same for any number of threads, and the same as with `Sequential_tag` but for the choice
-/// among the Delaunay triangulations where there are ties. So are the numbers of tests and of what each stage decided, but they may
-/// differ from those with `Sequential_tag`. It helps if edges that are close on the surface
-/// have close numbers. With another number type than `double` and `float` it is as `Sequential_tag`.
+/// With `Parallel_tag`, the threads of TBB flip edges within blocks of 65,536 consecutive edges, then within other such
+/// blocks. After that they test the edges that are still open, such as ties, while nothing is flipped, and one thread
+/// handles the few that are not Delaunay. The result is the same for any number of threads. It equals that of
+/// `Sequential_tag`, except for the choice among several Delaunay triangulations if there are ties. The counts of tests
+/// and stages do not depend on the number of threads either, but may differ from those of `Sequential_tag`. It is
+/// effective if the edge numbering is spatially coherent. With number types other than `double` and `float` it acts
+/// like `Sequential_tag`.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
 /// \tparam NamedParameters a sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that tells which edges must not be flipped; with `Parallel_tag` it is read by several threads at once}
+///     \cgalParamDescription{a property map that tells which edges must not be flipped; with `Parallel_tag` several
+///       threads read it at once}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
 ///     \cgalParamDefault{no edge is constrained}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is told of each flip and can cancel; pass `std::ref()` to keep its state}
+///     \cgalParamDescription{is called after each flip and can cancel; pass `std::ref()` to keep its state}
 ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
 ///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{tie_proof}
-///     \cgalParamDescription{what exact decisions accept as a tie, in this run and later ones. Without exact geometry it changes nothing}
+///     \cgalParamDescription{what exact decisions accept as a tie, in this run and later ones. It has no effect without
+///       exact geometry}
 ///     \cgalParamType{`Tie_proof`}
-///     \cgalParamDefault{what was set before, `Tie_proof::PROBABLE_IF_COSTLY` at the beginning}
+///     \cgalParamDefault{the current setting, initially `Tie_proof::PROBABLE_IF_COSTLY`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number}
 ///     \cgalParamDescription{the flip budget: the number of flips after which the algorithm gives up}
@@ -151,10 +152,11 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return what happened. The triangulation is valid whatever the status.
-/// \exception Cancelled_error if the visitor says so
-/// \exception Undecided_error if proofs of ties are demanded (`tie_proof`), and one takes too long. After any exception, that of a
-///   visitor or `std::bad_alloc` as well, the triangulation is valid, and another call goes on
+/// \return the report. The triangulation is valid with any status.
+/// \exception Cancelled_error if the visitor asks for it
+/// \exception Undecided_error if proofs of ties are demanded (`tie_proof`), and one takes too long. After any
+///   exception, including those of a visitor and `std::bad_alloc`, the triangulation is valid, and another call
+///   continues
 ///
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 2.2.
 template <class ConcurrencyTag = Sequential_tag, class Traits,

@@ -34,12 +34,12 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
-/// \brief what `geodesic_distances()` found.
+/// \brief the result of `geodesic_distances()`.
 struct Geodesic_distances
 {
   std::vector<double> distances; ///< of all vertices, in the unit of the input; infinite where no source is connected
   std::uint64_t number_of_ways = 0; ///< how many bundles of straight ways were followed from a face to the next
-  bool is_complete = true;          ///< whether all were. If not, distances may be as large as those along edges
+  bool is_complete = true;          ///< whether all of them were. If not, distances may be as large as along edges
 };
 
 /// \cond SKIP_IN_MANUAL
@@ -83,41 +83,45 @@ Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& t
 /// \brief returns the length of the shortest path on the surface from the nearest source to each vertex.
 ///
 /// Straight ways that cross the same edges are followed together, from face to face, the nearest first. They bend at
-/// vertices whose angles sum to more than 2π, and at the border. With a positive tolerance, bundles of ways that meet at an edge become one
-/// where that changes no length by more. On a Delaunay triangulation there are about ten such bundles for each face; their number
-/// may grow with the square of that of the faces if the tolerance is zero, and with O(size) faces where many thin ones meet.
+/// vertices whose angles sum to more than 2π, and at the border. With a positive tolerance, bundles of ways that meet
+/// at an edge are merged if that changes no length by more than the tolerance. On a Delaunay triangulation there are
+/// about ten such bundles for each face. Their number may grow quadratically with the number of faces if the tolerance
+/// is zero, or if many thin faces meet.
 ///
-/// Distances are zero at the sources alone, never above the shortest path along edges of the triangulation or of its input, and where
-/// the surface lies in space never below the straight line. They depend on nothing in other parts of the surface.
+/// Distances are zero only at the sources. They never exceed the shortest path along edges of the triangulation or of
+/// its input and, for a surface in space, are never shorter than the straight line. They do not depend on other
+/// components of the surface.
 ///
-/// \param triangulation a triangulation, best a Delaunay one: its faces are the least to cross
+/// \param triangulation a triangulation, preferably Delaunay, so that paths cross few faces
 /// \param sources vertices
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{tolerance}
-///     \cgalParamDescription{how much the length of a path may be changed at each edge that it crosses, as a part of the length of the edge.
-///       With 0, distances are exact up to rounding; else far less is to be done on large surfaces}
+///     \cgalParamDescription{how much the length of a path may be changed at each edge that it crosses, as a fraction
+///       of the length of the edge. With 0, distances are exact up to rounding; a positive tolerance saves much time on
+///       large surfaces}
 ///     \cgalParamType{`double`, at least 0 and less than 1}
 ///     \cgalParamDefault{0.001}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number}
-///     \cgalParamDescription{the largest number of bundles of straight ways that are followed from a face to the next}
+///     \cgalParamDescription{the maximum number of steps of bundles from one face to the next}
 ///     \cgalParamType{`std::uint64_t`}
 ///     \cgalParamDefault{a million, and 500 for each face}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is asked now and then, and can cancel}
+///     \cgalParamDescription{is called from time to time, and can cancel}
 ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
 ///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \exception Invalid_argument_error if there is no such vertex, or the tolerance makes no sense
-/// \exception Cancelled_error if the visitor says so
+/// \exception Invalid_argument_error if there is no such vertex, or the tolerance is out of range
+/// \exception Cancelled_error if the visitor asks for it
 ///
-/// Source: J. Chen, Y. Han, "Shortest paths on a polyhedron", 1996; V. Surazhsky et al., "Fast exact and approximate geodesics on meshes",
-/// 2005; S. Xin, G. Wang, "Improving Chen and Han's algorithm on the discrete geodesic problem", 2009.
+/// Source: J. Chen, Y. Han, "Shortest paths on a polyhedron", 1996; V. Surazhsky et al., "Fast exact and approximate
+/// geodesics on meshes", 2005; S. Xin, G. Wang, "Improving Chen and Han's algorithm on the discrete geodesic problem",
+/// 2009.
 template <class Traits, class NamedParameters = parameters::Default_named_parameters>
 Geodesic_distances geodesic_distances(const Intrinsic_triangulation<Traits>& triangulation,
                                       const std::vector<Vertex_index>& sources,
@@ -133,7 +137,8 @@ Geodesic_distances geodesic_distances(const Intrinsic_triangulation<Traits>& tri
 }
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
-/// \brief as `geodesic_distances()` of a triangulation, for any triangles. The vertices are those of the input; one that was merged with another has the same distance.
+/// \brief as `geodesic_distances()` of a triangulation, for any triangles. The vertices are those of the input; merged
+/// vertices have the same distance.
 /// \pre the cover was made Delaunay by `flip_to_Delaunay(cover.triangulation)`, or the faces are the given ones
 template <class NamedParameters = parameters::Default_named_parameters>
 Geodesic_distances geodesic_distances(const Tufted_cover& cover, const std::vector<Vertex_index>& sources,

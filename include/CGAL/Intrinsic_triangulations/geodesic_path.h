@@ -39,11 +39,11 @@ namespace Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief finds a shortest path from `source` to `target` along the edges of a triangulation, by Dijkstra's algorithm.
 ///
-/// \return its halfedges, in order; none if both vertices are the same. Lengths are rounded: among paths of nearly the same
-///   length it may be any
+/// \return its halfedges, in order; none if both vertices are the same. Lengths are rounded, so any of several paths of
+///   nearly the same length may be returned
 /// \exception Invalid_argument_error if there is no such vertex, or no path
 ///
-/// O(n log n) for the n edges that are nearer to the source than the target.
+/// O(n log n) for the n edges that are nearer to the source than the target is.
 template <class Traits>
 std::vector<Halfedge_index> shortest_edge_path(const Intrinsic_triangulation<Traits>& triangulation,
                                                Vertex_index source, Vertex_index target)
@@ -98,7 +98,7 @@ struct Geodesic_path
   double initial_length = 0;                    ///< of the shortest path along edges
   double length = 0;                            ///< as of `Geodesic_path_network`
   bool is_geodesic = false;                     ///< whether it is locally shortest, by an exact decision
-  Geodesic_report report;                       ///< what it took
+  Geodesic_report report;                       ///< the report of the shortening
 };
 
 /// \cond SKIP_IN_MANUAL
@@ -132,13 +132,14 @@ inline Surface_point seen_from_one_side(const Delta_complex& input, const Surfac
 /// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
-/// \brief returns the vertex at a point of the input, which is inserted if there is none.
+/// \brief returns the vertex at a point of the input, and inserts one if there is none.
 ///
-/// No edge is flipped for it. So several points can be inserted one after the other, also on the same edge, before all other flips.
+/// It flips no edge. So several points can be inserted one after the other, also on the same edge, before other flips.
 ///
 /// \param triangulation a triangulation that has all edges of its input, divided by inserted vertices
 /// \param point a point of the input, as `locate()` finds it
-/// \exception Invalid_point_error if the point is none of the surface. \exception Undecided_error as `insert_vertex()`
+/// \exception Invalid_point_error if the point does not lie on the surface. \exception Undecided_error as
+///   `insert_vertex()`
 template <class Traits>
 Vertex_index vertex_at_point(Intrinsic_triangulation<Traits>& triangulation, const Surface_point& point)
 {
@@ -201,13 +202,14 @@ Geodesic_path shortened_edge_path(const TriangleMesh& mesh, Intrinsic_triangulat
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief finds a locally shortest path between two vertices of a mesh.
 ///
-/// It begins with the shortest path along edges. The result is a geodesic, and no longer than that path; it need not be the shortest of all.
+/// It begins with the shortest path along edges. The result is a geodesic, and no longer than that path; it need not be
+/// the shortest of all.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param mesh the mesh. The i-th edge of its range is edge i in what is returned
 /// \param source, target the ends of the path
-/// \param np named parameters: `vertex_point_map` as of `intrinsic_triangulation()`, `visitor` and `maximum_number` as of
-///   the function `shorten` of `Geodesic_path_network`
+/// \param np named parameters: `vertex_point_map` as of `intrinsic_triangulation()`, `visitor` and `maximum_number` as
+///   of the function `shorten` of `Geodesic_path_network`
 ///
 /// \exception Invalid_surface_error as `intrinsic_triangulation()`
 /// \exception Invalid_argument_error if no path along edges joins the two vertices
@@ -224,18 +226,20 @@ Geodesic_path geodesic_path(const TriangleMesh& mesh,
 }
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
-/// \brief finds a locally shortest path between two points of a mesh, which may be vertices or lie on edges or inside of faces.
+/// \brief finds a locally shortest path between two points of a mesh, which may be vertices or lie on edges or inside
+/// faces.
 ///
-/// Points that are no vertices are inserted as vertices, without any rounding; then this is `geodesic_path()` between vertices.
+/// Points that are not vertices are inserted as vertices, without rounding; then this is `geodesic_path()` between
+/// vertices.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \param mesh the mesh. Its i-th edge and its i-th vertex have the number i in `source` and `target`
 /// \param source, target the ends of the path, in faces of `make_Delta_complex(mesh)`
 /// \param np as for vertices
 ///
-/// \return the path; one without points if both ends are the same
+/// \return the path; it has no points if both ends are the same
 /// \exception Invalid_surface_error as `intrinsic_triangulation()`
-/// \exception Invalid_point_error if a point is none of the mesh
+/// \exception Invalid_point_error if a point does not lie on the mesh
 /// \exception Invalid_argument_error if no path along edges joins the two
 /// \exception Undecided_error, Cancelled_error as the function `shorten` of `Geodesic_path_network`
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>

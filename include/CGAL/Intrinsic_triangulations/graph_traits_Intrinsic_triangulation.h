@@ -37,7 +37,7 @@ inline constexpr Edge_cotangent_weight_tag edge_cotangent_weight{};
 struct Edge_normal_coordinate_tag
 {};
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
-/// \brief the property tag for `Normal_coordinates::crossings()`.
+/// \brief the property tag for `Intrinsic_triangulation::number_of_crossings()`.
 inline constexpr Edge_normal_coordinate_tag edge_normal_coordinate{};
 
 /// \cond SKIP_IN_MANUAL
@@ -59,7 +59,7 @@ std::int64_t number_of_edge(Edge_normal_coordinate_tag, const Intrinsic_triangul
   return internal::engine(g).correspondence().coordinates().crossings(e);
 }
 
-// A number of each edge, computed when it is asked for.
+// A number of each edge, computed on access.
 template <class Tag, class Traits>
 class Edge_number_map
 {
@@ -125,9 +125,9 @@ namespace boost {
 /// Descriptors, iterators, costs and the warning are those of
 /// `graph_traits<Delta_complex>`. Flips do not invalidate descriptors.
 ///
-/// Property maps, in addition to the four index maps. Their keys are of type `Edge_index`, to which the edge
-/// descriptor converts. They are models of `ReadablePropertyMap`: a number is computed when it is asked for, so that it
-/// is that of the current triangulation, which has to outlive the map.
+/// Property maps, in addition to the four index maps. Their keys are of type `Edge_index`, to which the edge descriptor
+/// converts. They are models of `ReadablePropertyMap`: a number is computed on access, so it always belongs to the
+/// current triangulation, which must outlive the map.
 ///
 /// | tag | value type | value |
 /// | --- | --- | --- |

@@ -60,8 +60,8 @@ inline void check_new_vertex(const Delta_complex& input, const Surface_point& po
     fail("lies at a vertex of the input: use that");
 }
 
-// The halfedge of the current triangulation that coincides with the part of an input edge which contains a point of that, if
-// there is one. Vertices that were inserted cut the edge into parts.
+// The halfedge of the current triangulation that coincides with the part of an input edge which contains a point of
+// that, if there is one. Vertices that were inserted cut the edge into parts.
 inline std::optional<Halfedge_index> halfedge_along(const internal::Exact_engine& engine, const Surface_point& point)
 {
   const Delta_complex& complex = engine.connectivity();
@@ -118,7 +118,7 @@ inline void check_area(const internal::Exact_engine& engine, const Surface_point
   const Face_index f = engine.correspondence().input().face(point.halfedge);
   if (!engine.has_input_face_area(f))
     throw Invalid_point_error("a new vertex lies in face " + std::to_string(f.idx()) +
-                              " of the input, which has no area: move it into another one");
+                              " of the input, which has zero area: move it into another one");
 }
 
 } // namespace internal
@@ -127,41 +127,42 @@ inline void check_area(const internal::Exact_engine& engine, const Surface_point
 /// \ingroup PkgIntrinsicTriangulationsInsertion
 /// \brief inserts a vertex at a point of the input, and flips edges until the triangulation is Delaunay again.
 ///
-/// The metric does not change: the barycentric coordinates of the point are taken as exact once they are divided by their
-/// sum, and lengths, decisions and all else follow from them and from the input exactly. In which triangle the point lies is decided exactly,
-/// too. No descriptor changes; the new vertex, its edges and faces have the next ones.
+/// The metric does not change: the barycentric coordinates of the point, divided by their sum, are taken as exact.
+/// Lengths and decisions follow exactly from them and from the input. The triangle that contains the point is found
+/// exactly, too. No descriptor changes; the new vertex, its edges and faces have the next ones.
 ///
-/// Faces of the input without area have no inside: their points coincide with those of their sides. No vertex is inserted there, nor on
-/// their sides where they are left: at the border or a constrained edge.
+/// Input faces of zero area have no interior: their points coincide with those of their sides. No vertex is inserted
+/// there, nor on those of their sides that remain, at the border or a constrained edge.
 ///
 /// \param triangulation a Delaunay triangulation, or a constrained one
-/// \param point a point strictly inside a face of `triangulation.input()`, or on an edge of it that
-///   coincides with an edge of the triangulation, as those on the border and those that were never flipped do, with faces of positive area
+/// \param point a point strictly inside a face of `triangulation.input()`, or on an edge of it that coincides with an
+///   edge of the triangulation, as those on the border and those that were never flipped do, with faces of positive
+///   area
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that tells which edges must not be flipped. It is asked for new edges, too}
+///     \cgalParamDescription{a property map that tells which edges must not be flipped, including new edges}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
 ///     \cgalParamDefault{no edge is constrained}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is asked during decisions that take long, and can cancel}
+///     \cgalParamDescription{is called during long decisions, and can cancel}
 ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
 ///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return the new vertex
-/// \exception Invalid_point_error if the point is no such point, or a vertex of the triangulation lies there. The message names
-///   the face of the input or the vertex
+/// \exception Invalid_point_error if the point is not such a point, or coincides with a vertex of the triangulation.
+///   The message names the face of the input or the vertex
 /// \exception Integer_overflow_error if an edge crosses more than 2^60 input edges
 /// \exception Undecided_error as `sign_of_cotangent_weight()`
-/// \exception Cancelled_error if the visitor says so, or as `sign_of_cotangent_weight()`
+/// \exception Cancelled_error if the visitor asks for it, or as `sign_of_cotangent_weight()`
 /// \pre `triangulation.keeps_input()`, with traits that use exact geometry
 ///
-/// After any exception the triangulation is valid. If the vertex was inserted, which the number of vertices tells, it is the last one, and edges
-/// near to it may not be Delaunay; otherwise nothing is changed.
+/// After any exception the triangulation is valid. If the number of vertices has grown, the vertex was inserted as the
+/// last one, and edges near it may not be Delaunay; otherwise nothing is changed.
 ///
 /// Complexity: proportional to the number of edges around a corner of the input face, to the number of edges that
 /// cross this face between that corner and the point, and to the number of flips.
@@ -180,16 +181,15 @@ Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const
   if (point.dimension() == 1) {
     const std::optional<Halfedge_index> h = internal::halfedge_along(engine, point);
     if (!h)
-      throw Invalid_point_error(
-        "a new vertex lies on an input edge that is no edge of the triangulation any more: move it into a face, or "
-        "constrain that edge before flips");
+      throw Invalid_point_error("a new vertex lies on an input edge that is no longer an edge of the triangulation: "
+                                "move it into a face, or constrain that edge before flips");
     if (complex.is_self_glued(complex.edge(*h)))
       throw Invalid_point_error("a new vertex lies on an edge with the same face on both sides: move it into the face");
     if (const auto side = internal::side_without_area(triangulation, complex.edge(*h)))
       throw Invalid_point_error(
         "a new vertex lies on a side of face " +
         std::to_string(correspondence.input().face(correspondence.input_halfedge(*side)).idx()) +
-        " of the input, which has no area: move it into another one");
+        " of the input, which has zero area: move it into another one");
     v = internal::Whole_triangulation<Traits>(triangulation).split_edge(*h, point);
   } else {
     internal::check_area(engine, point);
@@ -207,12 +207,11 @@ Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const
 /// \ingroup PkgIntrinsicTriangulationsInsertion
 /// \brief removes a vertex that was inserted, and flips edges until the triangulation is Delaunay again.
 ///
-/// The metric does not change, and all decisions are exact. A vertex on the border, or where a constrained edge was split,
-/// is removed with the two halves of that edge becoming one.
+/// The metric does not change, and all decisions are exact. A vertex on the border, or where a constrained edge was
+/// split, is removed with the two halves of that edge becoming one.
 ///
-/// Descriptors have no holes: the last vertex, edges and faces take the places of those that are removed. Vertices,
-/// edges and faces of the input are never more than there are at the end, so that vertices of the input keep
-/// their descriptors. An array with one entry for each element follows by `remove_entries()`.
+/// Descriptors have no holes: the last vertex, edges and faces take the places of those that are removed. Vertices of
+/// the input keep their descriptors. `remove_entries()` updates an array with one entry for each element.
 ///
 /// \param triangulation a Delaunay triangulation, or a constrained one
 /// \param v a vertex of it that was inserted
@@ -220,30 +219,32 @@ Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that tells which edges must not be flipped, by their descriptors before the removal}
+///     \cgalParamDescription{a property map that tells which edges must not be flipped, by their descriptors before the
+///       removal}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
 ///     \cgalParamDefault{no edge is constrained}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is asked during decisions that take long, and can cancel}
+///     \cgalParamDescription{is called during long decisions, and can cancel}
 ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
 ///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return what was removed, and thereby which descriptors moved
-/// \exception Invalid_removal_error if `v` was not inserted, if constrained edges end in it other than the two halves of an
-///   input edge, or if flips leave other edges at it than three, as can happen where edges lead from `v` around a handle
-///   back to `v`. The triangulation has the same vertices then, and is Delaunay
+/// \return the removed elements, which determine the moved descriptors
+/// \exception Invalid_removal_error if `v` was not inserted, if constrained edges end in it other than the two halves
+///   of an input edge, or if flips cannot reduce its edges to three, which can happen if edges lead from `v` around a
+///   handle back to `v`. The triangulation then has the same vertices, and is Delaunay
 /// \exception Integer_overflow_error if an edge crosses more than 2^60 input edges
 /// \exception Undecided_error as `sign_of_cotangent_weight()`
-/// \exception Cancelled_error if the visitor says so, or as `sign_of_cotangent_weight()`
+/// \exception Cancelled_error if the visitor asks for it, or as `sign_of_cotangent_weight()`
 /// \pre `triangulation.keeps_input()`, with traits that use exact geometry
 ///
-/// After any exception but the first, the triangulation is valid, but may not be Delaunay near `v`, nor near the edges opposite to it. If `v` was removed
-/// already, which the number of vertices tells, descriptors have moved as described.
+/// After any exception but the first, the triangulation is valid, but may not be Delaunay near `v`, nor near the edges
+/// opposite to it. If the number of vertices has decreased, `v` was removed, and descriptors have moved as described.
 ///
-/// Complexity: at most the square of the degree of `v`, that of the vertex that moves, and the number of flips afterwards.
+/// Complexity: at most the square of the degree of `v`, that of the vertex that moves, and the number of flips
+/// afterwards.
 template <class Traits, class NamedParameters = parameters::Default_named_parameters>
 Removed_elements remove_vertex(Intrinsic_triangulation<Traits>& triangulation, Vertex_index v,
                                const NamedParameters& np = parameters::default_values())

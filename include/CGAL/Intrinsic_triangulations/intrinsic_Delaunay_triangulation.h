@@ -44,7 +44,7 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// \brief an intrinsic triangulation, and the report of the flips that were to make it Delaunay.
+/// \brief an intrinsic triangulation, and the report of the flips.
 ///
 ///     const auto [idt, report] = intrinsic_Delaunay_triangulation(mesh);
 ///
@@ -226,7 +226,8 @@ auto intrinsic_triangulation(const TriangleMesh& mesh, const NamedParameters& np
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_is_constrained_map}
 ///     \cgalParamDescription{a property map that tells which edges of the mesh must not be flipped}
-///     \cgalParamType{a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as key type and `bool` as value type}
+///     \cgalParamType{a model of `ReadablePropertyMap` with `boost::graph_traits<TriangleMesh>::%edge_descriptor` as
+///       key type and `bool` as value type}
 ///     \cgalParamDefault{no edge is constrained}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor, tie_proof, maximum_number}
@@ -234,8 +235,8 @@ auto intrinsic_triangulation(const TriangleMesh& mesh, const NamedParameters& np
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return the triangulation, and the report, whose `status` is `Flip_status::DELAUNAY` if the triangulation is Delaunay. With the
-///   default traits it is, unless a visitor or the flip budget has ended the algorithm
+/// \return the triangulation, and the report, whose `status` is `Flip_status::DELAUNAY` if the triangulation is
+///   Delaunay. With the default traits it is, unless the flip budget ended the algorithm
 ///
 /// \exception Invalid_surface_error if a face is not a triangle, a coordinate is not
 ///   finite, or an edge has length zero
@@ -258,8 +259,8 @@ auto intrinsic_Delaunay_triangulation(const TriangleMesh& mesh,
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief builds an intrinsic triangulation from points and triangles, without flipping anything.
 ///
-/// Numbers of vertices, edges and faces are those of `make_Delta_complex_from_triangles()`. `ConcurrencyTag`, points, triangles, the named
-/// parameter `geom_traits` and the exceptions are as for `intrinsic_Delaunay_triangulation()`.
+/// Numbers of vertices, edges and faces are those of `make_Delta_complex_from_triangles()`. `ConcurrencyTag`, points,
+/// triangles, the named parameter `geom_traits` and the exceptions are as for `intrinsic_Delaunay_triangulation()`.
 template <class ConcurrencyTag = Sequential_tag, class PointRange, class TriangleRange,
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
@@ -296,19 +297,19 @@ auto intrinsic_triangulation(const PointRange& points, const TriangleRange& tria
 }
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// \brief constructs the intrinsic Delaunay triangulation of a surface that is given by points and triangles.
+/// \brief constructs the intrinsic Delaunay triangulation of a surface given by points and triangles.
 ///
 /// No mesh is built in between. Vertices and faces keep their numbers; edges are numbered by their first appearance
-/// around the faces, see `make_Delta_complex_from_triangles()`. Time as for a mesh, plus the search for the two faces at each edge, which is
-/// linear as well.
+/// around the faces, see `make_Delta_complex_from_triangles()`. Time as for a mesh, plus the search for the two faces
+/// at each edge, which is linear as well.
 ///
 /// \tparam ConcurrencyTag as for a mesh; the connectivity is built by one thread
-/// \tparam PointRange a model of `ForwardRange`, of points whose coordinates are `p[0]`, `p[1]` and `p[2]`: points of a kernel, or
-///   arrays of numbers
+/// \tparam PointRange a model of `ForwardRange`, of points whose coordinates are `p[0]`, `p[1]` and `p[2]`: points of a
+///   kernel, or arrays of numbers
 /// \tparam TriangleRange a model of `ForwardRange`, of random access ranges of three integers each
 /// \tparam NamedParameters a sequence of named parameters
 ///
-/// \param points the vertices; those of no triangle are kept, as isolated vertices
+/// \param points the vertices; vertices without triangles become isolated vertices
 /// \param triangles the faces, as indices into `points`
 /// \param np an optional sequence of named parameters
 ///
@@ -316,7 +317,8 @@ auto intrinsic_triangulation(const PointRange& points, const TriangleRange& tria
 ///   \cgalParamNBegin{geom_traits}
 ///     \cgalParamDescription{the traits, which determine number type and formulas}
 ///     \cgalParamType{a model of `IntrinsicTriangulationTraits`}
-///     \cgalParamDefault{`Default_intrinsic_triangulation_traits` for the number type of the coordinates: exact decisions}
+///     \cgalParamDefault{`Default_intrinsic_triangulation_traits` for the number type of the coordinates: exact
+///       decisions}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_is_constrained_map}
 ///     \cgalParamDescription{a property map that tells which edges must not be flipped}
@@ -330,9 +332,9 @@ auto intrinsic_triangulation(const PointRange& points, const TriangleRange& tria
 ///
 /// \return as for a mesh
 ///
-/// \exception Invalid_surface_error if the triangles are not an oriented surface, with the face, edge or vertex at fault, as
-///   `make_Delta_complex_from_triangles()` does; if a coordinate is not finite, or an edge has length zero. `examine_polygons()`
-///   tells everything that is wrong, and `repair_polygons()` mends it
+/// \exception Invalid_surface_error if the triangles are not an oriented surface, with the face, edge or vertex at
+///   fault, as `make_Delta_complex_from_triangles()` does; if a coordinate is not finite, or an edge has length zero.
+///   `examine_polygons()` lists all defects, and `repair_polygons()` repairs them
 template <class ConcurrencyTag = Sequential_tag, class PointRange, class TriangleRange,
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING

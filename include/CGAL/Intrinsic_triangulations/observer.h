@@ -30,7 +30,7 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// \brief how far a computation is. Each algorithm fills what it knows; the rest is zero.
+/// \brief the progress of a computation. Each algorithm sets what it knows; the rest is zero.
 struct Progress
 {
   double fraction = 0;          ///< the part that is done, from 0 to 1
@@ -45,13 +45,14 @@ struct Progress
 /// \cgalModels `IntrinsicTriangulationVisitor`
 struct Default_visitor
 {
-  /// is asked now and then: the algorithm throws `Cancelled_error` if it returns `false`.
+  /// is called from time to time: the algorithm throws `Cancelled_error` if it returns `false`.
   bool go_further(const Progress&) { return true; }
   /// is called after each flip.
   void after_flip(Edge_index) {}
-  /// is called before each face that is refined, with what is left to do.
+  /// is called before each face is refined, with the remaining work.
   void before_step(const Refinement_progress&) {}
-  /// is called after each vertex that refinement inserts, when the triangulation is Delaunay again; not for the last one if that is interrupted.
+  /// is called after each insertion of a vertex by refinement, when the triangulation is Delaunay again; not for the
+  /// last one if that is interrupted.
   void after_insertion(Vertex_index) {}
 };
 
@@ -65,8 +66,9 @@ using Progress_function = std::function<bool(double fraction)>;
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-// What is called in place of a visitor that was given as a named parameter: a model of IntrinsicTriangulationVisitor, whose events may
-// be missing, or a function of the progress, of its fraction, or of nothing. By value, or as a std::reference_wrapper.
+// What is called in place of a visitor that was given as a named parameter: a model of IntrinsicTriangulationVisitor,
+// whose events may be missing, or a function of the progress, of its fraction, or of nothing. By value, or as a
+// std::reference_wrapper.
 template <class Given>
 class Observer
 {

@@ -25,19 +25,19 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsIO
-/// \brief reads the points and polygons of an OFF, OBJ, PLY, STL or TS file; the extension of its name, in small letters or
-/// capitals, tells the format.
+/// \brief reads the points and polygons of an OFF, OBJ, PLY, STL or TS file; the extension of its name, in small
+/// letters or capitals, tells the format.
 ///
 /// Nothing is merged, turned or left out. But STL has no vertices, only corners: those at the same position become one
-/// vertex. Colors, normals and textures are skipped, and in OBJ whatever is no vertex and no face. Anything else that
-/// is not understood, missing or left over is an error, or a warning in the result if the meaning is plain.
+/// vertex. Colors, normals and textures are skipped, and in OBJ everything but vertices and faces. Anything else that
+/// is not understood, missing or left over is an error, or a warning in the result if the meaning is clear.
 ///
 /// Each coordinate becomes the nearest double; in PLY files with properties `float`, the nearest float.
 ///
 /// \param file_name the name of a file that does not change while it is read
-/// \param progress is called for each piece of the file, a megabyte, with the part that was read
+/// \param progress is called for each megabyte of the file with the fraction that was read
 ///
-/// \return the points and polygons; whether they are a surface is another question, see `examine_polygons()`
+/// \return the points and polygons, which need not form a surface; see `examine_polygons()`
 ///
 /// \exception Invalid_surface_error if the file cannot be read. The message begins with the name of the file, and
 ///   names the line or the element at fault. Header counts are checked against the file size: so memory is bounded
@@ -49,11 +49,11 @@ Polygon_soup read_polygon_soup(const std::string& file_name, const Progress_func
 
 /// \ingroup PkgIntrinsicTriangulationsIO
 /// \brief returns the size of a regular file that can be opened, in bytes.
-/// \exception Invalid_surface_error if it is none, or is not there; the message begins with the name of the file
+/// \exception Invalid_surface_error if there is no such regular file; the message begins with the name of the file
 std::uintmax_t readable_file_size(const std::string& file_name);
 
 /// \ingroup PkgIntrinsicTriangulationsIO
-/// \brief returns which program makes a file that can be read of one that cannot, judged by the extension of its name.
+/// \brief returns which program converts an unsupported file to a supported format, judged by its extension.
 /// \return for example "; Assimp reads it: assimp export a.glb a.obj", with a command for the shell; the empty string
 /// if no program is known
 std::string conversion_advice(const std::string& file_name);
@@ -75,8 +75,8 @@ void require_triangles(const std::string& file_name, const Polygon_soup& soup);
 ///     read_triangles("mesh.ply", points, triangles);
 ///     const auto [idt, report] = intrinsic_Delaunay_triangulation(points, triangles);
 ///
-/// \tparam PointRange a model of `BackInsertionSequence` of points that three doubles in braces can initialize, as
-///   `std::array<double, 3>` and the points of a kernel of doubles. Vectors of the types above get the arrays of the
+/// \tparam PointRange a model of `BackInsertionSequence` of points that three doubles in braces can initialize, such as
+///   `std::array<double, 3>` and the points of a kernel over doubles. Vectors of the types above get the arrays of the
 ///   reader without a copy
 /// \tparam TriangleRange a model of `BackInsertionSequence` of random access ranges of integers that three integers in
 /// braces can initialize

@@ -47,75 +47,79 @@ struct Flips_before_refinement
 /// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
-/// \brief flips edges until the triangulation is Delaunay, and inserts vertices until no triangle is too thin or too large.
+/// \brief flips edges until the triangulation is Delaunay, and inserts vertices until no triangle is too thin or too
+/// large.
 ///
-/// A triangle that does not meet the criteria gets a vertex at its circumcenter, or closer to its shortest side if that is far shorter than
-/// the circumradius, found by a straight walk over the triangles. Small angles at the shortest sides come first, then the largest
-/// triangles. An edge of the border or a constrained one that is in the way, or that the vertex would encroach on, is split instead.
-/// Where the new vertices lie is chosen in doubles; what follows from that is exact, as in `insert_vertex()`: the metric does not change,
-/// and after each insertion all edges that are not constrained are Delaunay.
+/// A triangle that does not meet the criteria gets a vertex at its circumcenter, or closer to its shortest side if that
+/// is far shorter than the circumradius, found by a straight walk over the triangles. Small angles at the shortest
+/// sides come first, then the largest triangles. A border edge or constrained edge that is in the way, or that the
+/// vertex would encroach on, is split instead. The positions of the new vertices are chosen in doubles; all
+/// consequences are exact, as in `insert_vertex()`: the metric does not change, and after each insertion all edges that
+/// are not constrained are Delaunay.
 ///
-/// No vertex is inserted for a face with a side shorter than the smallest size, if one is given, whatever its angles are.
+/// No vertex is inserted for a face with a side shorter than the smallest size, if one is given.
 ///
-/// A vertex inside the surface whose angles sum to less than 60 degrees gets one neighbor close to it, and the triangle between
-/// them is left as it is. Edges that end in a corner of less than 60 degrees between two edges that are not flipped are split at powers of
-/// two.
+/// A vertex inside the surface whose angles sum to less than 60 degrees gets one neighbor close to it, and the triangle
+/// between them is left as it is. Edges that end in a corner of less than 60 degrees between two edges that are not
+/// flipped are split at powers of two.
 ///
-/// \tparam Traits with exact geometry
+/// \tparam Traits traits with exact geometry
 /// \param triangulation a triangulation that keeps its input
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that tells which edges must not be flipped. They have to coincide with input edges. It is asked
-///       at the beginning only; the parts of an edge that is split are constrained, too}
+///     \cgalParamDescription{a property map that tells which edges must not be flipped. They have to coincide with
+///       input edges. It is read only at the beginning; the parts of a split edge are constrained, too}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
 ///     \cgalParamDefault{no edge is constrained}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_angle}
-///     \cgalParamDescription{no corner is to be smaller, in degrees}
+///     \cgalParamDescription{the minimum angle of all corners, in degrees}
 ///     \cgalParamType{`double`, at most 30}
 ///     \cgalParamDefault{25}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_circumradius, maximum_edge_length}
-///     \cgalParamDescription{no circumradius is to be larger, and no edge longer, in the unit of the input}
+///     \cgalParamDescription{the maximum circumradius and the maximum edge length, in the unit of the input}
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{infinity}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{splits_encroached_edges}
-///     \cgalParamDescription{whether edges that are not flipped are split until no angle opposite to them is obtuse: first of all, whether a
-///       face needs it or not. No cotangent weight of the border is negative then}
+///     \cgalParamDescription{whether edges that are not flipped are split, before all else, until no angle opposite to
+///       them is obtuse, even if no face needs it. Then no cotangent weight of the border is negative}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_size}
-///     \cgalParamDescription{no vertex is inserted for a face whose shortest side is shorter, in the unit of the input: so refinement ends
-///       soon where sheets, tubes or slivers are far thinner than what matters}
+///     \cgalParamDescription{no vertex is inserted for a face whose shortest side is shorter, in the unit of the input:
+///       so refinement ends early at irrelevantly thin sheets, tubes or slivers}
 ///     \cgalParamType{`double`, not negative}
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is asked before each step and within long ones, with the numbers of new vertices and of flips so far; as long as
-///       there is no new vertex, edges are flipped until the triangulation is Delaunay. It is told of each step by `before_step()` and of
-///       each new vertex by `after_insertion()`; pass `std::ref()` to keep its state}
+///     \cgalParamDescription{is called before each step and within long ones, with the numbers of new vertices and of
+///       flips so far. (Before the first new vertex, edges are flipped until the triangulation is Delaunay.)
+///       `before_step()` is called for each step, and `after_insertion()` for each new vertex; pass `std::ref()` to
+///       keep its state}
 ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
 ///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number}
-///     \cgalParamDescription{the largest number of new vertices}
+///     \cgalParamDescription{the maximum number of new vertices}
 ///     \cgalParamType{`std::uint64_t`}
 ///     \cgalParamDefault{ten for each vertex, and a million}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return what happened. The triangulation is Delaunay
+/// \return the report. The triangulation is Delaunay
 /// \exception Invalid_argument_error if the minimum angle is more than 30 degrees, or the minimum size is negative
-/// \exception Cancelled_error if the visitor says so, or as `insert_vertex()`
-/// \exception Integer_overflow_error, Undecided_error as `insert_vertex()`. The triangulation is valid after any exception, and another call goes on
+/// \exception Cancelled_error if the visitor asks for it, or as `insert_vertex()`
+/// \exception Integer_overflow_error, Undecided_error as `insert_vertex()`. The triangulation is valid after any
+///   exception, and another call continues
 ///
-/// Source: J. Ruppert, "A Delaunay refinement algorithm for quality 2-dimensional mesh generation" (1995); A. Ungor, "Off-centers: a new
-/// type of Steiner points for computing size-optimal quality-guaranteed Delaunay triangulations" (2009); on surfaces, N. Sharp,
-/// Y. Soliman, K. Crane, "Navigating intrinsic triangulations" (2019).
+/// Source: J. Ruppert, "A Delaunay refinement algorithm for quality 2-dimensional mesh generation" (1995); A. Ungor,
+/// "Off-centers: a new type of Steiner points for computing size-optimal quality-guaranteed Delaunay triangulations"
+/// (2009); on surfaces, N. Sharp, Y. Soliman, K. Crane, "Navigating intrinsic triangulations" (2019).
 template <class Traits, class NamedParameters = parameters::Default_named_parameters>
 Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation,
                                   const NamedParameters& np = parameters::default_values())
@@ -142,8 +146,10 @@ Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation
   auto observer = internal::observer_of(np);
   using Observer = decltype(observer);
   internal::Flips_before_refinement<Observer> before{observer};
-  internal::flip_all<Sequential_tag>(internal::Whole_triangulation<Traits>(triangulation), is_constrained, before,
-                                     (std::numeric_limits<std::uint64_t>::max)());
+  const std::uint64_t flips_before =
+    internal::flip_all<Sequential_tag>(internal::Whole_triangulation<Traits>(triangulation), is_constrained, before,
+                                       (std::numeric_limits<std::uint64_t>::max)())
+      .flips;
   const std::uint64_t maximum_number = choose_parameter(get_parameter(np, internal_np::maximum_number),
                                                         10 * std::uint64_t(complex.number_of_vertices()) + 1000000);
   internal::Delaunay_refiner<Traits, Observer> refiner(triangulation, criteria, std::move(is_segment), observer,
@@ -151,7 +157,9 @@ Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation
   std::optional<internal::Interruption_scope<Intrinsic_triangulation<Traits>>> scope;
   if constexpr (!Observer::Is_silent::value)
     scope.emplace(triangulation, [&refiner] { return refiner.asks_further(); });
-  return refiner();
+  Refinement_report report = refiner();
+  report.flips += flips_before;
+  return report;
 }
 
 } // namespace Intrinsic_triangulations

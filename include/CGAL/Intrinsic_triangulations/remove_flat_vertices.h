@@ -20,42 +20,45 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
-/// \brief removes vertices from a surface in space without moving a point of it.
+/// \brief removes vertices from a surface in space without moving any point of it.
 ///
 /// A vertex is removed if it lies inside the surface, its angles sum to 2π, and its faces lie in one plane, or in two
-/// half-planes with a straight edge on either side of the vertex. That is decided exactly; a vertex that is off its plane by one unit in the last place
-/// stays. The plane is then triangulated without it, so that all edges join vertices and lie on the surface.
-/// Vertices of faces of zero area stay, and so does the border.
+/// half-planes with a straight edge on either side of the vertex. That is decided exactly; a vertex that is off its
+/// plane by one unit in the last place stays. The plane is then triangulated without it, so that all edges join
+/// vertices and lie on the surface. Vertices of faces of zero area stay, and so does the border.
 ///
-/// Other vertices whose angles happen to sum to 2π stay, too: an edge past such a vertex bends in space, and
-/// its length is no square root of a rational number.
+/// Other vertices whose angles happen to sum to 2π stay, too: an edge past such a vertex bends in space, and its
+/// squared length is not rational.
 ///
 /// \param complex the connectivity; its last elements take the place of those that are removed
 /// \param points the positions of the vertices, which follow them
 /// \param progress is called from time to time
-/// \return for each vertex that is left, its descriptor before
+/// \return for each remaining vertex, its previous descriptor
 ///
 /// \pre there is one point for each vertex, and the coordinates are finite
-/// \exception Cancelled_error if `progress` returns `false`; then `complex` and `points` describe the surface with some vertices removed
+/// \exception Cancelled_error if `progress` returns `false`; then `complex` and `points` describe the surface with some
+///   vertices removed
 ///
 /// O(number of halfedges), with filtered exact predicates.
 std::vector<Vertex_index> remove_flat_vertices(Delta_complex& complex, std::vector<std::array<double, 3>>& points,
                                                const Progress_function& progress = {});
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
-/// \brief what `remove_nearly_flat_vertices()` did.
+/// \brief the result of `remove_nearly_flat_vertices()`.
 struct Flat_vertex_removal
 {
-  std::vector<Vertex_index> vertices; ///< for each vertex that is left, its descriptor before
+  std::vector<Vertex_index> vertices; ///< for each remaining vertex, its previous descriptor
   double deviation = 0; ///< a bound on how far the surface has moved, in the unit of the points: at most the tolerance
 };
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
-/// \brief as `remove_flat_vertices()`, of vertices that are off their planes and lines by little, as after a rotation.
+/// \brief as `remove_flat_vertices()`, for vertices that are slightly off their planes and lines, for instance after a
+/// rotation.
 ///
-/// The surface changes, but no point by more than a tolerance: for each face, what it has replaced so far lies in a slab around it whose
-/// width is known, and a vertex is removed if that width and the one of its faces together allow it. Vertices that are left do not move. So
-/// a part that was rotated loses the vertices of its flat sides with a tolerance of a few units in the last place.
+/// The surface changes, but no point moves by more than a tolerance: everything that a face has replaced so far lies in
+/// a slab of known width around it, and a vertex is removed if the widths of its faces allow it. Vertices that are left
+/// do not move. So a part that was rotated loses the vertices of its flat sides with a tolerance of a few units in the
+/// last place.
 ///
 /// \param complex the connectivity; its last elements take the place of those that are removed
 /// \param points the positions of the vertices, which follow them
@@ -65,8 +68,8 @@ struct Flat_vertex_removal
 /// \pre as `remove_flat_vertices()`, `tolerance >= 0`
 /// \exception Cancelled_error as `remove_flat_vertices()`
 ///
-/// O(sum of the squared degrees). That triangles are not turned over, seen along the axis that is next to their normal, is decided exactly.
-/// Widths are rounded.
+/// O(sum of the squared degrees). It is decided exactly that triangles are not turned over, seen along the axis closest
+/// to their normal. Widths are rounded.
 Flat_vertex_removal remove_nearly_flat_vertices(Delta_complex& complex, std::vector<std::array<double, 3>>& points,
                                                 double tolerance, const Progress_function& progress = {});
 

@@ -3,8 +3,8 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Turns polygons that do not form a surface into one, as far as the connectivity is at fault. Says
-// what was done, to which elements, and where each element of the result comes from.
+// Turns polygons that do not form a surface into one, if only the connectivity is at fault. Says what was done, to
+// which elements, and where each element of the result comes from.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_REPAIR_POLYGONS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_REPAIR_POLYGONS_H
@@ -44,7 +44,7 @@ struct Repair
 {
   /// the kind of repair.
   Repair_kind kind;
-  /// the smallest indices of faces or vertices of the input, at most ten, increasing; of an edge, its face.
+  /// the smallest indices of faces or vertices of the input, at most ten, in increasing order; for an edge, its face.
   std::vector<std::size_t> elements;
   /// the number of elements affected.
   std::size_t count;
@@ -143,9 +143,8 @@ inline bool is_repairable(Invalid_surface_error::Defect defect)
 /// - Faces are oriented consistently; the first of all that edges join keeps its orientation. A one-sided surface is
 ///   cut.
 /// - At an edge with more than two faces, those that bound the same piece of a solid stay together: they are found by
-///   their exact order around the edge and by their orientation. What is closed and oriented, or the border of a solid
-///   whose faces are turned in any way, stays closed. Where faces do not pair up, as three sheets at an edge, the
-///   surface is cut.
+///   their exact order around the edge and by their orientation. Closed oriented parts, and boundaries of solids with
+///   faces of any orientation, stay closed. Where faces do not pair up, as three sheets at an edge, the surface is cut.
 /// - Vertices are copied for each fan of faces.
 /// - Vertices that belong to no triangle are removed.
 ///
@@ -209,8 +208,8 @@ inline std::string message(const Repair& repair)
 /// \ingroup PkgIntrinsicTriangulationsValidation
 /// \brief cuts one polygon in space into triangles.
 /// \param polygon the positions of its corners, at least three
-/// \return the corners of the triangles by their positions in the polygon, in its orientation; always as many as the
-/// polygon has corners, less two
+/// \return the corners of the triangles by their positions in the polygon, in its orientation; there are two fewer
+/// triangles than corners
 ///
 /// Complexity as of `repair_polygons()` for a face.
 std::vector<std::array<std::size_t, 3>> triangulate_polygon(const std::vector<std::array<double, 3>>& polygon);

@@ -60,7 +60,7 @@ struct Unrefined_face
 };
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
-/// \brief what a visitor of `refine_Delaunay()` is told before each step.
+/// \brief the information that a visitor of `refine_Delaunay()` gets before each step.
 struct Refinement_progress
 {
   std::uint64_t points = 0; ///< new vertices so far
@@ -68,16 +68,17 @@ struct Refinement_progress
     0;             ///< an upper bound on the faces that do not meet the criteria: some of them may meet them by now
   double size = 0; ///< the shortest side of the face that is next, in the unit of the input
   Face_index face; ///< that face
-  /// about how many more vertices are needed at least: by faces that are too large, and by thin ones whose shortest sides are of that size.
-  /// Taken from the areas of these faces at 1024 new vertices and whenever their number has doubled since
+  /// a rough lower bound on the vertices still needed by faces that are too large, and by thin ones whose shortest
+  /// sides are of that size. It is computed from the areas of these faces at 1024 new vertices and whenever their
+  /// number has doubled
   std::uint64_t estimated_points = 0;
 };
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
 /// \brief how a run of `refine_Delaunay()` ended.
 enum class Refinement_status {
-  REFINED,         ///< all faces meet the criteria but those that are listed with a reason other than `BUDGET`
-  BUDGET_EXHAUSTED ///< the largest number of new vertices was reached
+  REFINED,         ///< all faces meet the criteria except those listed with a reason other than `BUDGET`
+  BUDGET_EXHAUSTED ///< the maximum number of new vertices was reached
 };
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
@@ -87,17 +88,17 @@ struct Refinement_report
   Refinement_status status = Refinement_status::REFINED; ///< how the run ended
   std::uint64_t insertions = 0;                          ///< the number of vertices inserted into faces
   std::uint64_t segment_splits = 0;                      ///< the number of vertices inserted on edges
-  std::uint64_t flips = 0;                               ///< the number of flips
+  std::uint64_t flips = 0;                               ///< the number of flips, also before the first vertex
   std::vector<Unrefined_face> unrefined;                 ///< the faces that do not meet the criteria, in order
 };
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
-/// \brief how a path of a `Geodesic_path_network` stands.
+/// \brief the status of a path of a `Geodesic_path_network`.
 enum class Geodesic_status {
   GEODESIC,     ///< locally shortest: at each inner vertex that is not fixed, the angles on both sides are at least π
   CONTRACTIBLE, ///< a closed curve that was shrunk to a point
   BLOCKED,      ///< it can only be shortened over an edge of the network, or over edges that cannot be flipped
-  NOT_IMPROVABLE, ///< a loop of one edge that is no geodesic, for which no shorter path of edges was found
+  NOT_IMPROVABLE, ///< a loop of one edge that is not a geodesic, for which no shorter path of edges was found
   UNFINISHED      ///< the budget did not suffice, or an exception ended the run
 };
 
@@ -109,7 +110,7 @@ struct Geodesic_report
   Geodesic_status status = Geodesic_status::GEODESIC;
   std::uint64_t flips = 0; ///< the number of flips
   std::uint64_t steps = 0; ///< how often a part of a path was replaced by a shorter one
-  std::uint64_t tests = 0; ///< the number of edges that were looked at
+  std::uint64_t tests = 0; ///< the number of edges examined
 };
 
 /// \ingroup PkgIntrinsicTriangulationsMetric
@@ -154,16 +155,16 @@ struct Stage_counts
 };
 
 /// \ingroup PkgIntrinsicTriangulationsMetric
-/// \brief what exact decisions accept as a tie: that a number which looks like zero is zero.
+/// \brief what exact decisions accept as a proof that a number is zero, that is, as a tie.
 ///
 /// That a number is *not* zero, and its sign, is always proven.
 enum class Tie_proof {
-  /// A tie is proven if that takes little time. If not, it is accepted after a test that takes a number
-  /// other than zero for zero with a probability below 2<sup>-128</sup>, over the choice of random
-  /// primes from a fixed seed. Every decision is made.
+  /// A tie is proven if that takes little time. If not, it is accepted after a test that takes a nonzero number for
+  /// zero with a probability below 2<sup>-128</sup>, over the choice of random primes from a fixed seed. Every decision
+  /// is made.
   PROBABLE_IF_COSTLY,
-  /// A tie is proven, or the decision ends with an `Undecided_error`: the time that the proof takes can double with each square root that
-  /// is independent of the others.
+  /// A tie is proven, or the decision ends with an `Undecided_error`: the time that the proof takes can double with
+  /// each square root that is independent of the others.
   PROVEN
 };
 

@@ -18,27 +18,29 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
-/// \brief the spacing of the numbers that coordinates like these may have: a unit in the last place of the largest one, as a `float` if all
-/// of them are floats, as in STL files, and as a `double` otherwise.
-/// \return that, in the unit of the points; 0 if all coordinates are
+/// \brief returns the spacing of the coordinates: a unit in the last place of the largest one, as a `float` if all of
+/// them are floats, as in STL files, and as a `double` otherwise.
+/// \return the spacing in the unit of the points; 0 if all coordinates are 0
 ///
 /// \pre the coordinates are finite
 double coordinate_spacing(const std::vector<std::array<double, 3>>& points);
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
-/// \brief finds the edges at which the directions of the two faces differ by more than an angle, to be constrained in `refine_Delaunay()`.
+/// \brief finds the edges at which the directions of the two faces differ by more than an angle, to be constrained in
+/// `refine_Delaunay()`.
 ///
-/// The direction of a face is that of its normal. A face that is thinner than `minimum_size`, or than four times `coordinate_spacing()`, has
-/// a normal that means nothing: its direction is that of what lies beyond its longest side, which may be as thin itself. So a sliver
-/// between two sides of a part has one sharp edge and not two.
+/// The direction of a face is that of its normal. The normal of a face that is thinner than `minimum_size`, or than
+/// four times `coordinate_spacing()`, means nothing. Such a face takes the direction of the face beyond its longest
+/// side, which may be as thin itself. So a sliver between two sides of a part has one sharp edge and not two.
 ///
-/// Sharp edges with common vertices make chains; those whose edges have a total length below `minimum_size` are dropped.
+/// Sharp edges with common vertices make chains; those whose edges have a total length below `minimum_size` are
+/// dropped.
 ///
 /// \param complex the connectivity
 /// \param points the positions of the vertices
 /// \param degrees the angle, from 0 to 180 degrees
 /// \param minimum_size the height below which a face is thin, in the unit of the points
-/// \return for each edge whether it is sharp; those of the border are not
+/// \return for each edge whether it is sharp; border edges are not
 ///
 /// \pre there is one point for each vertex, and the coordinates are finite
 ///

@@ -43,10 +43,10 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
-/// \brief what `shortest_path()` found.
+/// \brief the result of `shortest_path()`.
 struct Shortest_path
 {
-  std::vector<Halfedge_index> halfedges; ///< each begins where the one before ends
+  std::vector<Halfedge_index> halfedges; ///< each begins where the previous one ends
   double distance = 0;                   ///< the length of the shortest path, up to rounding, in the unit of the input
   bool is_complete = true;               ///< whether it was found; if not, `halfedges` are any path
 };
@@ -64,7 +64,8 @@ public:
     : triangulation_(triangulation), faces_(faces), windows_(windows), interruption_(interruption)
   {}
 
-  // The edge from v to the vertex where the straight way to it comes from. The faces that other straight ways cross remain.
+  // The edge from v to the vertex where the straight way to it comes from. The faces that other straight ways cross
+  // remain.
   // \return the null descriptor if that was not found
   Halfedge_index follow(std::uint32_t v)
   {
@@ -72,7 +73,8 @@ public:
     if (side == Laid_out_faces::none)
       return {};
     v_ = v;
-    // v lies in the origin, and the way along the axis. It runs between the last corner on the left and that on the right.
+    // v lies in the origin, and the way along the axis. It runs between the last corner on the left and that on the
+    // right.
     const double sine = std::sin(windows_.arrival(v).angle), cosine = std::cos(windows_.arrival(v).angle);
     const Laid_out_faces::Side& first = faces_.side(side);
     corners_ = {{first.apex_x * cosine + first.apex_y * sine, first.apex_y * cosine - first.apex_x * sine},
@@ -131,9 +133,10 @@ private:
            std::abs(windows_.distances()[vertex] + gone - whole) <= 1e-9 * whole;
   }
 
-  // Flips the edges that are crossed, until none is: those after whose flip there is one less, and those that are not Delaunay if all
-  // distances along the way are shortened by the same large factor. The way is then an edge of the constrained Delaunay triangulation of the faces
-  // that it crosses, which can be laid out in the plane: its ends come as near to each other as to nothing else. So there is always an edge to flip.
+  // Flips the edges that are crossed, until none is: those after whose flip there is one less, and those that are not
+  // Delaunay if all distances along the way are shortened by the same large factor. The way is then an edge of the
+  // constrained Delaunay triangulation of the faces that it crosses, which can be laid out in the plane: its ends come
+  // as near to each other as to nothing else. So there is always an edge to flip.
   Halfedge_index join_with(std::uint32_t u)
   {
     Edge_index last;
@@ -196,18 +199,19 @@ private:
 /// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
-/// \brief finds a shortest path between two vertices, which becomes one of edges.
+/// \brief finds a shortest path between two vertices, and flips edges until it consists of edges.
 ///
-/// The distances from the source are found as by `geodesic_distances()` without a tolerance, the straight ways are followed back, and edges that
-/// these cross are flipped until the ways are edges. `Geodesic_path_network` proves that the path is locally shortest, and leaves nothing but
-/// rounding between its length and `distance`.
+/// The distances from the source are found as by `geodesic_distances()` without a tolerance, the straight ways are
+/// followed back, and edges that these cross are flipped until the ways are edges. `Geodesic_path_network` proves that
+/// the path is locally shortest; its length then equals `distance` up to rounding.
 ///
-/// \param triangulation a triangulation, best a Delaunay one: its faces are the least to cross. It is flipped along the path
+/// \param triangulation a triangulation, preferably Delaunay, so that paths cross few faces. It is flipped along the
+///   path
 /// \param source, target vertices
-/// \param np the named parameters of `geodesic_distances()`; the tolerance plays no part
-/// \return the path; one without edges if both vertices are the same
+/// \param np the named parameters of `geodesic_distances()`, except for the tolerance
+/// \return the path; it has no edges if both vertices are the same
 /// \exception Invalid_argument_error if there is no such vertex, or no path
-/// \exception Cancelled_error if the visitor says so
+/// \exception Cancelled_error if the visitor asks for it
 /// \exception Undecided_error as `flip()` of `Intrinsic_triangulation`
 template <class Traits, class NamedParameters = parameters::Default_named_parameters>
 Shortest_path shortest_path(Intrinsic_triangulation<Traits>& triangulation, Vertex_index source, Vertex_index target,
@@ -244,32 +248,33 @@ Shortest_path shortest_path(Intrinsic_triangulation<Traits>& triangulation, Vert
 }
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
-/// \brief what `cut_along_path()` makes of a surface.
+/// \brief the result of `cut_along_path()`.
 struct Cut_surface
 {
   /// of the vertices: first those of the input, then the others
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<std::uint32_t, 3>> triangles; ///< their corners
   std::vector<std::uint32_t> input_faces; ///< for each triangle, the face of the input that it is a part of
-  /// for each vertex behind those of the input, where it lies on the input: for data at the vertices, `interpolate()` gives its value
+  /// for each vertex after those of the input, its position on the input: `interpolate()` gives the values of vertex
+  /// data there
   std::vector<Surface_point> locations;
 };
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief cuts a surface open along a path.
 ///
-/// Faces that the path crosses are divided, and each vertex on the path gets a copy for each side of it. The ends of an open path are not
-/// divided, unless they lie on the border: so a path between two inner points leaves a slit. If it has no vertex in between, it gets one. The
-/// vertices of the input keep their numbers, and orientations remain.
+/// Faces that the path crosses are divided, and each vertex on the path gets a copy for each side of it. The ends of an
+/// open path are not divided, unless they lie on the border: so a path between two inner points leaves a slit. If it
+/// has no vertex in between, it gets one. The vertices of the input keep their numbers, and orientations remain.
 ///
 /// \param complex the input; no two of its edges have the same two ends
 /// \param points a random access range of the points of its vertices, each with three coordinates
-/// \param path points of the input, two consecutive ones in the face of the first, as `Geodesic_path::points` and `geodesic_points()`. Its
-///   segments do not cross. A closed one ends where it begins
-/// \return the triangles; those of the input, if there are less than two points
+/// \param path points of the input, two consecutive ones in the face of the first, as `Geodesic_path::points` and
+///   `geodesic_points()`. Its segments do not cross. A closed one ends where it begins
+/// \return the triangles; those of the input if there are fewer than two points
 /// \exception Invalid_surface_error if two edges have the same two ends
-/// \exception Invalid_point_error if a point is none of the surface, or two consecutive ones do not lie in the face of the first, or segments
-///   cross
+/// \exception Invalid_point_error if a point does not lie on the surface, or two consecutive ones do not lie in the
+///   face of the first, or segments cross
 ///
 /// O(size), and for each face the number of segments there times that of its pieces.
 template <class PointRange>

@@ -294,18 +294,18 @@ auto overlay_to_surface_mesh(const Common_subdivision& subdivision, const Triang
 /// \ingroup PkgIntrinsicTriangulationsAdaptors
 /// \brief splits the faces of an overlay mesh into triangles.
 ///
-/// The triangulation of a face is the one whose smallest triangle in space is largest. So a
-/// triangle of zero area arises only if it is unavoidable. New edges have the
-/// label `diagonal_label`. New faces and corners have all properties of those that were split, yours as well,
-/// such as texture coordinates in a map `"h:uv"`; all other properties of new edges have their default values. O(size).
+/// The triangulation of a face is the one whose smallest triangle in space is largest. So a triangle of zero area
+/// arises only if it is unavoidable. New edges have the label `diagonal_label`. New faces and corners have all
+/// properties of those that were split, including your own, such as texture coordinates in a map `"h:uv"`; all other
+/// properties of new edges have their default values. O(size).
 ///
 /// \tparam Value the value types of your property maps of halfedges and faces, unless they are numbers,
 ///   `bool`, `std::string`, points and vectors of CGAL, `CGAL::IO::Color`, indices of CGAL, `Surface_point`, or
 ///   `std::array`s of two to four floats, doubles or 32-bit integers, all of which are known
 /// \param mesh what `overlay_to_surface_mesh()` returns
 ///
-/// \exception std::invalid_argument if there is a property map of halfedges or faces with another value type; the message names it, and
-///   the mesh is unchanged
+/// \exception std::invalid_argument if there is a property map of halfedges or faces with another value type; the
+///   message names it, and the mesh is unchanged
 template <class... Value, class Point>
 void triangulate_overlay_faces(CGAL::Surface_mesh<Point>& mesh)
 {

@@ -52,7 +52,8 @@ inline Halfedge_index first_axis(const Delta_complex& input, Vertex_index v)
   return result;
 }
 
-// The direction of a halfedge at its source, which is no vertex of the border: the angle from the first axis, before it is scaled.
+// The direction of a halfedge at its source, which is no vertex of the border: the angle from the first axis, before it
+// is scaled.
 inline double direction_on_input(const internal::Exact_engine& engine, Halfedge_index h)
 {
   const Delta_complex& complex = engine.connectivity();
@@ -113,16 +114,17 @@ std::pair<Halfedge_index, double> halfedge_with_direction(const Intrinsic_triang
 /// \brief returns each halfedge as a vector in the tangent plane of its source.
 ///
 /// In polar coordinates, the radius is the length of the edge. The angle is that from the first axis, counterclockwise,
-/// scaled so that the angles around the vertex sum to 2π. On the border it is not scaled: the faces there can be laid out in a plane as they
-/// are. If the cone angle of the vertex is zero, all angles are.
+/// scaled so that the angles around the vertex sum to 2π. On the border it is not scaled, because the faces there can
+/// be laid out in a plane. If the cone angle of the vertex is zero, all angles are.
 ///
-/// With traits that use exact geometry, the first axis belongs to the input, so that a vector remains the same whatever is flipped or
-/// inserted elsewhere. It is the first halfedge of the input that leaves the vertex, by its number, or on the border that from which the
-/// faces follow counterclockwise; at an inserted vertex, the halfedge of its location. With other traits, it is such a halfedge of the
-/// current triangulation.
+/// With traits that use exact geometry, the first axis belongs to the input, so that a vector remains valid after flips
+/// and insertions. It is the first halfedge of the input that leaves the vertex, by its number, or on the border that
+/// from which the faces follow counterclockwise; at an inserted vertex, the halfedge of its location. With other
+/// traits, it is such a halfedge of the current triangulation.
 ///
-/// \return a vector for each halfedge, in their order, with an error of at most 2^-45 + 2^-49 n of its length for n faces
-///   at the vertex, in the input or now; with traits without exact geometry, an error as that of their lengths and cotangents
+/// \return a vector for each halfedge, in their order, with an error of at most 2^-45 + 2^-49 n of its length for n
+///   faces at the vertex, in the input or now; with traits without exact geometry, with the error of their lengths and
+///   cotangents
 /// \exception Undecided_error as `angle()`. O(size), and the crossings of one edge at each vertex.
 ///
 /// Source: F. Knöppel, K. Crane, U. Pinkall, P. Schröder, "Globally optimal direction fields" (2013).
@@ -161,8 +163,8 @@ std::vector<Planar_vector<double>> halfedge_vectors_in_vertex(const Intrinsic_tr
 /// The face lies to the left of its halfedges, and `halfedge(f)` has the direction (1, 0). The vectors of a face
 /// sum to zero, and in a face of zero area all lie on the first axis, up to rounding.
 ///
-/// \return a vector for each halfedge, in their order, with an error of at most 2^-46 of its length, or with traits without
-///   exact geometry, an error as that of their lengths and cotangents; (0, 0) for a border halfedge
+/// \return a vector for each halfedge, in their order, with an error of at most 2^-46 of its length, or with the error
+///   of their lengths and cotangents for traits without exact geometry; (0, 0) for a border halfedge
 /// \exception Undecided_error as `angle()`. O(size).
 template <class Traits>
 std::vector<Planar_vector<double>> halfedge_vectors_in_face(const Intrinsic_triangulation<Traits>& triangulation)
@@ -245,14 +247,15 @@ inline Vertex_frame frame_of(Space_vector normal, const Space_vector& first)
 /// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the tangent planes of `halfedge_vectors_in_vertex()` in space, for drawing.
 ///
-/// The normal of a vertex is the mean of those of the input faces around it, weighted by their angles, and the first axis of its frame is the first
-/// axis of `halfedge_vectors_in_vertex()`, projected to the plane. Frames depend on the input alone. Where the surface is bent, a vector in
-/// the plane stands for a direction on the surface; where it is flat, both are the same.
+/// The normal of a vertex is the mean normal of the input faces around it, weighted by their angles. The first axis of
+/// its frame is the first axis of `halfedge_vectors_in_vertex()`, projected to the plane. Frames depend on the input
+/// alone. Where the surface is bent, a vector in the plane represents a direction on the surface; where it is flat,
+/// both are the same.
 ///
 /// \param triangulation its traits have to use exact geometry
 /// \param points a random access range of the points of the input vertices, each with three coordinates
-/// \return a frame for each vertex, inserted ones as well, rounded; any frame for a vertex without faces that have an area
-/// O(size).
+/// \return a rounded frame for each vertex, including inserted ones; an arbitrary frame for a vertex without faces of
+/// positive area. O(size).
 template <class Traits, class PointRange>
 std::vector<Vertex_frame> vertex_frames(const Intrinsic_triangulation<Traits>& triangulation, const PointRange& points)
 {

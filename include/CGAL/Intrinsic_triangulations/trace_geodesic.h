@@ -29,10 +29,10 @@ namespace Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief where a traced line ends.
 enum class Trace_status {
-  AT_LENGTH,       ///< inside of a face, or on an edge, after the length that was asked for
+  AT_LENGTH,       ///< inside a face, or on an edge, after the requested length
   AT_BORDER,       ///< on a border edge
-  AT_VERTEX,       ///< exactly in a vertex, where it is not determined how to go on
-  BUDGET_EXHAUSTED ///< after the largest number of faces, where it enters the next one
+  AT_VERTEX,       ///< exactly at a vertex, where the continuation is not determined
+  BUDGET_EXHAUSTED ///< after the maximum number of faces, where it enters the next one
 };
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
@@ -42,7 +42,8 @@ struct Traced_geodesic
   Trace_status status = Trace_status::AT_LENGTH; ///< where it ends
   Vertex_index vertex;                           ///< the vertex where it ends, or the null descriptor
   double length = 0;                             ///< its length, in the unit of the input
-  /// where it begins, where it enters each face, and where it ends: each point but the last in the face that the line enters there
+  /// its start, its entry into each face, and its end: each point but the last lies in the face that the line enters
+  /// there
   std::vector<Surface_point> points;
 };
 
@@ -59,22 +60,22 @@ Surface_direction direction_at_vertex(const internal::Exact_engine& engine, Half
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief follows a straight line over the input faces.
 ///
-/// Which edge the line crosses next, and whether it meets a vertex, is decided exactly for the point and the direction as they are
-/// given. Only positions and lengths are rounded.
+/// Which edge the line crosses next, and whether it meets a vertex, is decided exactly for the given point and
+/// direction. Only positions and lengths are rounded.
 ///
-/// \param triangulation a triangulation that keeps its input; flips change nothing
+/// \param triangulation a triangulation that keeps its input; flips do not affect the line
 /// \param start a point of the input and a direction. On an edge or at a vertex, the direction must not leave the face
-/// \param length how far to go, in the unit of the input
-/// \param maximum_number after how many faces the line ends at the latest, at least one. Each takes memory: near the tip of a needle, a short
-///   line can cross any number of them
+/// \param length the length of the line, in the unit of the input
+/// \param maximum_number the maximum number of faces, at least one. Each takes memory, and near the tip of a needle a
+///   short line can cross any number of them
 /// \return the line
 /// \exception Invalid_argument_error if `length` is not finite or is negative
 /// \exception Invalid_point_error if `start` is not finite, the point does not lie on the surface, or the direction
 ///   is zero or leaves the face at once
 /// \exception Undecided_error, Cancelled_error as `sign_of_cotangent_weight()`
 ///
-/// O(number of points) arithmetic operations, after the preparation of the exact geometry; tests too close for double-doubles lay
-/// out the whole line once more.
+/// O(number of points) arithmetic operations, after the preparation of the exact geometry; tests too close for
+/// double-doubles lay out the whole line once more.
 template <class Traits>
 Traced_geodesic trace_geodesic(const Intrinsic_triangulation<Traits>& triangulation, const Surface_direction& start,
                                double length, std::size_t maximum_number = (std::numeric_limits<std::size_t>::max)())
@@ -85,15 +86,17 @@ Traced_geodesic trace_geodesic(const Intrinsic_triangulation<Traits>& triangulat
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief follows the same line over the faces of the current triangulation.
 ///
-/// The start is a point of the input, as for `trace_geodesic()`; the points of the result, and its vertex, are those of the triangulation. An
-/// inserted vertex does not end the line, since the surface is flat there: the line goes on in another face at that vertex, with a point at the corner.
-/// On an edge of the triangulation, the line runs along one of the two faces beside it.
+/// The start is a point of the input, as for `trace_geodesic()`; the points of the result, and its vertex, are those of
+/// the triangulation. An inserted vertex does not end the line, because the surface is flat there: the line continues
+/// in another face at that vertex, with a point at the corner. On an edge of the triangulation, the line runs along one
+/// of the two faces beside it.
 ///
-/// Each decision is exact, as for `trace_geodesic()`, and needs the layout of the edges of a face: its cost is that of the crossings of these edges.
+/// Each decision is exact, as for `trace_geodesic()`, and needs the layout of the edges of a face: its cost is
+/// proportional to the crossings of these edges.
 ///
 /// \param triangulation the triangulation
 /// \param start a point of the input and a direction, as for `trace_geodesic()`
-/// \param length how far to go, in the unit of the input
+/// \param length the length of the line, in the unit of the input
 /// \param maximum_number as for `trace_geodesic()`, of faces of the triangulation
 /// \return the line
 /// \exception Invalid_point_error, Undecided_error, Cancelled_error as `trace_geodesic()`
@@ -110,9 +113,10 @@ Traced_geodesic trace_geodesic_in_triangulation(const Intrinsic_triangulation<Tr
 ///
 /// \param triangulation a triangulation that keeps its input
 /// \param h an input halfedge, whose direction is the angle 0
-/// \param angle the angle in radians, counterclockwise from `h`, on the surface: the whole circle is the sum of the angles
-///   of the faces at the vertex. Rounded by a few units in the last place
-/// \exception Invalid_point_error if the angle is not finite, there is no such halfedge, or the angle leads beyond the border
+/// \param angle the angle in radians, counterclockwise from `h`, on the surface: the whole circle is the sum of the
+///   angles of the faces at the vertex. Rounded by a few units in the last place
+/// \exception Invalid_point_error if the angle is not finite, there is no such halfedge, or the angle leads beyond the
+///   border
 template <class Traits>
 Surface_direction direction_at_vertex(const Intrinsic_triangulation<Traits>& triangulation, Halfedge_index h,
                                       double angle)
@@ -133,12 +137,12 @@ void append_input_points(const internal::Exact_engine& engine, Halfedge_index h,
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief returns the points of the input through which intrinsic halfedges run, one after the other.
 ///
-/// These are their vertices, inserted ones as well, and all crossings with input edges. Each point but the last is given in the input face that
-/// the line enters there, so that two consecutive points lie in that face. Crossings have a relative error of at most 2^-52
-/// along their edge.
+/// These are their vertices, including inserted ones, and all crossings with input edges. Each point but the last is
+/// given in the input face that the line enters there, so that it and the next point lie in that face. Crossings have a
+/// relative error of at most 2^-52 along their edge.
 ///
 /// \param triangulation a triangulation that keeps its input
-/// \param halfedges a range of halfedges, each of which begins where the one before ends
+/// \param halfedges a range of halfedges, each of which begins where the previous one ends
 /// \exception Undecided_error if an edge crosses too many input edges to be laid out
 ///
 /// O(number of points) arithmetic operations, after the preparation of the exact geometry.
@@ -158,7 +162,8 @@ std::vector<Surface_point> geodesic_points(const Intrinsic_triangulation<Traits>
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief returns the segments of an overlay along intrinsic halfedges, in order.
 ///
-/// Segment i is edge i of the mesh that `overlay_to_surface_mesh()` returns: so a path can be marked there, and a seam cut along it.
+/// Segment i is edge i of the mesh that `overlay_to_surface_mesh()` returns: so a path can be marked there, and a seam
+/// cut along it.
 /// \param overlay the overlay of the triangulation
 /// \param complex the triangulation
 /// \param halfedges a range of its halfedges
@@ -180,7 +185,7 @@ std::vector<Overlay::Segment> geodesic_segments(const Overlay& overlay, const De
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief returns the point in space of a point of the input.
 ///
-/// \param input the input, as returned by `Correspondence::input()`
+/// \param input the input, as returned by `Intrinsic_triangulation::input()`
 /// \param points a random access range of the points of the vertices, each with three coordinates
 /// \param p a point whose coordinates sum to 1
 /// \return its coordinates, each within a few units in the last place of the largest at the corners of the face

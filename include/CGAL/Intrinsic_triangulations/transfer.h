@@ -118,7 +118,8 @@ namespace internal {
 template <class Range>
 using Value_of = std::decay_t<decltype(std::declval<const Range&>()[0])>;
 
-// `edge_of` and `position_of` say where a crossing lies in `complex`; the vertices before, where those that are none of `complex` lie.
+// `edge_of` and `position_of` say where a crossing lies in `complex`; the vertices before, where those that are none of
+// `complex` lie.
 template <class VertexValues, class EdgeOf, class PositionOf>
 auto interpolate_at_crossings(const Common_subdivision& subdivision, const Delta_complex& complex,
                               const VertexValues& values, const EdgeOf& edge_of, const PositionOf& position_of)

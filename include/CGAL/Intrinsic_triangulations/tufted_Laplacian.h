@@ -42,9 +42,10 @@ struct Tufted_Laplacian
 {
   Eigen::SparseMatrix<double> stiffness; ///< positive semidefinite, as with `Stiffness_factor::HALF`
   Eigen::SparseMatrix<double> mass;      ///< lumped or Galerkin
-  /// for each input vertex, the vertex that stands for it: the row of a merged vertex is zero, and its value that of this one
+  /// for each input vertex, the vertex that represents it: the row of a merged vertex is zero, and it has the value of
+  /// its representative
   std::vector<std::uint32_t> representative;
-  Tufted_cover_report report; ///< what was found in the triangles, and what was done with them
+  Tufted_cover_report report; ///< the defects of the triangles, and how they were handled
   Flip_report flips;          ///< how the cover became Delaunay
   double minimum_weight = 0;  ///< the smallest of the numbers `(cot k + cot l)/2` of edges of the cover
 };
@@ -78,12 +79,12 @@ inline double share(const Tufted_cover& cover, Edge_index e)
 /// \ingroup PkgIntrinsicTriangulationsCover
 /// \brief returns the stiffness matrix of a cover for the vertices of the input.
 ///
-/// As `stiffness_matrix()` of a triangulation, with the edges between all vertices of the cover over the same two input vertices
-/// added up, and halved where there are two copies of each face. If the cover was made Delaunay and has no border, no entry
-/// off the diagonal is positive. O(size).
+/// As `stiffness_matrix()` of a triangulation, adding up the edges between all vertices of the cover over the same two
+/// input vertices, and halving where there are two copies of each face. If the cover was made Delaunay and has no
+/// border, no entry off the diagonal is positive. O(size).
 /// \param cover the cover, flipped or not
-/// \param minimum_weight if not null, becomes the smallest `(cot k + cot l)/2` of an edge between different vertices of the
-///   input; 0 if there is none
+/// \param minimum_weight if not null, becomes the smallest `(cot k + cot l)/2` of an edge between different vertices of
+///   the input; 0 if there is none
 /// \exception Invalid_surface_error as `cotangent_weights()`
 inline Eigen::SparseMatrix<double> stiffness_matrix(const Tufted_cover& cover, double* minimum_weight = nullptr)
 {
@@ -176,13 +177,13 @@ Tufted_Laplacian operator_of_cover(Tufted_cover cover, const NamedParameters& np
 ///     auto result = tufted_Laplacian(points, triangles);
 ///     // result.stiffness, result.mass
 ///
-/// Rows are those of the input vertices. `L` is symmetric and positive semidefinite; its rows sum to zero; no entry off the
-/// diagonal is positive. Neither depends on a tolerance, and no length is changed unless mollification is asked for. Scale and
-/// sign are those of `intrinsic_Delaunay_Laplacian()`, and on a closed oriented surface both are the same. On a surface with
-/// border they are not: here edges at the border are flipped as well.
+/// Rows are those of the input vertices. `L` is symmetric and positive semidefinite; its rows sum to zero; no entry off
+/// the diagonal is positive. Neither depends on a tolerance, and no length is changed unless you ask for mollification.
+/// Scale and sign are those of `intrinsic_Delaunay_Laplacian()`, and on a closed oriented surface both operators are
+/// the same. On a surface with border they differ, because here edges at the border are flipped as well.
 ///
-/// A vertex without faces, or whose faces were all dropped or collapsed, has a row of zeros in both matrices, and so has one that
-/// was merged with another, its `representative`.
+/// A vertex without faces, or whose faces were all dropped or collapsed, has a row of zeros in both matrices, and so
+/// has one that was merged with another, its `representative`.
 ///
 /// \param points, triangles as for `make_tufted_cover()`
 /// \param np an optional sequence of named parameters: those of `make_tufted_cover()` and `flip_to_Delaunay()`, and
@@ -195,9 +196,9 @@ Tufted_Laplacian operator_of_cover(Tufted_cover cover, const NamedParameters& np
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \exception Invalid_surface_error as `make_tufted_cover()`; also if there is a face without area that
-///   flips cannot remove, which needs a border
-/// \exception Cancelled_error if the visitor says so
+/// \exception Invalid_surface_error as `make_tufted_cover()`; also if flips cannot remove a face of zero area, which
+///   can happen only at a border
+/// \exception Cancelled_error if the visitor asks for it
 ///
 /// Complexity: that of `make_tufted_cover()` and the flips.
 ///
@@ -210,7 +211,7 @@ Tufted_Laplacian tufted_Laplacian(const PointRange& points, const TriangleRange&
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCover
-/// \brief as `tufted_Laplacian()` of points, for a surface that is given by lengths.
+/// \brief as `tufted_Laplacian()` of points, for a surface given by lengths.
 /// \param complex the triangles
 /// \param lengths the length of each edge
 /// \param np as above

@@ -50,19 +50,19 @@ Untwisting untwist(Delta_complex& complex, std::vector<Rational>& squared_length
 std::vector<Rational> squared_lengths(const std::vector<double>& lengths);
 
 /// \ingroup PkgIntrinsicTriangulationsTwists
-/// \brief makes the flips within tubes of two faces, many at a time, until each tube is Delaunay inside.
+/// \brief makes the flips within tubes of two faces, many at a time, until the edges within each tube are Delaunay.
 ///
-/// Two faces that share two edges, and whose other sides are loops of the same length, are a flat tube. The flips of edges
-/// across a tube can be as many as it is twisted. They are all of one kind, so that a division tells how many there are, and the squared lengths
-/// and the numbers of crossings after them are found at once. A torus with one vertex consists of three such tubes at a time,
-/// which are untwisted in turn, as in Gauss's reduction of a lattice.
+/// Two faces that share two edges, and whose other sides are loops of the same length, are a flat tube. A twisted tube
+/// can need any number of flips of the edges across it. They are all of one kind, so a division gives their number, and
+/// the resulting squared lengths and numbers of crossings are found at once. A torus with one vertex consists of three
+/// such tubes at a time, which are untwisted in turn, as in Gauss's reduction of a lattice.
 ///
-/// All flips are those that `flip_to_Delaunay()` could have made. So the result, flipped by it, is the intrinsic Delaunay triangulation of
-/// what was given, but the squared lengths stay rational, and `Intrinsic_triangulation::from_metric()` takes them as a new input, which
-/// overlays and points refer to.
+/// All flips are those that `flip_to_Delaunay()` could have made. So flipping the result gives the intrinsic Delaunay
+/// triangulation of the given surface. The squared lengths stay rational, and `Intrinsic_triangulation::from_metric()`
+/// takes them as a new input, to which overlays and points refer.
 ///
-/// Tubes that are left alone: those of more faces than two; those whose loops have different lengths, which cannot wind far; and
-/// those of area zero.
+/// It does not change tubes of more than two faces, tubes whose loops have different lengths (which cannot wind far),
+/// and tubes of zero area.
 ///
 /// \tparam NamedParameters a sequence of named parameters
 /// \param complex the triangles; all descriptors stay valid, as with flips
@@ -71,25 +71,28 @@ std::vector<Rational> squared_lengths(const std::vector<double>& lengths);
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that tells which edges must not be flipped; a tube that one crosses is left alone}
+///     \cgalParamDescription{a property map that tells which edges must not be flipped; a tube that such an edge
+///       crosses is not changed}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
 ///     \cgalParamDefault{no edge is constrained}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{`go_further(tests, flips)` is asked now and then, with the numbers of tubes so far and of flips made one by one, and ends the function with `false`.
-///       `after_flip()` is not called}
+///     \cgalParamDescription{`go_further()` is called from time to time with the numbers of tubes and of single flips
+///       so far, and can cancel. `after_flip()` is not called}
 ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
 ///     \cgalParamDefault{`Default_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return the twists, and how often the edges cross those of the complex that was given
+/// \return the twists, and how often the edges cross those of the given complex
 /// \exception Invalid_surface_error if there are not as many squared lengths as edges
 ///
-/// An exception, that of a visitor as well, leaves everything as it was. O(size), and for each twist O(1) operations with integers of the size of its power and of the lengths. For a torus with one vertex, the number of twists is
-/// logarithmic in the ratio of lengths.
+/// Any exception, including those of a visitor, leaves everything unchanged. O(size), and for each twist O(1)
+/// operations with integers of the size of its power and of the lengths. For a torus with one vertex, the number of
+/// twists is logarithmic in the ratio of lengths.
 ///
-/// Source: the idea of jumping over flips is that of L. Dubois, arXiv 2601.03954 (2026), for tubes of any number of faces.
+/// Source: the idea of jumping over flips is that of L. Dubois, arXiv 2601.03954 (2026), for tubes of any number of
+/// faces.
 template <class NamedParameters = parameters::Default_named_parameters>
 Untwisting untwist(Delta_complex& complex, std::vector<Rational>& squared_lengths,
                    const NamedParameters& np = parameters::default_values())
@@ -117,9 +120,9 @@ Untwisting untwist(Delta_complex& complex, std::vector<Rational>& squared_length
 template <class Traits>
 struct Gluing_triangulation
 {
-  Intrinsic_triangulation<Traits> triangulation; ///< its input is the gluing that the twists left
+  Intrinsic_triangulation<Traits> triangulation; ///< its input is the gluing after the twists
   Flip_report report;                            ///< the report of the flips after the twists
-  Untwisting untwisting; ///< the twists; `crossings` are those of the triangulation with the gluing that was given
+  Untwisting untwisting; ///< the twists; `crossings` are those of the triangulation with the given gluing
 };
 
 /// \cond SKIP_IN_MANUAL
@@ -150,7 +153,7 @@ private:
 /// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsTwists
-/// \brief constructs the intrinsic Delaunay triangulation of a gluing, from the exact lengths or squared lengths that it has.
+/// \brief constructs the intrinsic Delaunay triangulation of a gluing, from its exact lengths or squared lengths.
 ///
 /// The i-th vertex, edge and face of the result are the i-th of the gluing's complex.
 ///
@@ -160,8 +163,8 @@ private:
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{fast_forward}
-///     \cgalParamDescription{whether `untwist()` is called first, so that the number of flips may be beyond what can be done one by one; has to be the first
-///       parameter of the sequence}
+///     \cgalParamDescription{whether to call `untwist()` first, which allows more flips than can be made one by one;
+///       must be the first parameter of the sequence}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
@@ -171,19 +174,22 @@ private:
 ///     \cgalParamDefault{`Filtered_edge_length_traits`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that tells which edges must not be flipped, nor tubes untwisted that they cross}
+///     \cgalParamDescription{a property map that tells which edges must not be flipped; tubes that they cross are not
+///       untwisted}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
 ///     \cgalParamDefault{no edge is constrained}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor, maximum_number}
-///     \cgalParamDescription{as for `flip_to_Delaunay()`; the visitor can end `untwist()` as well. Both are told of flips made one by one after the twists}
+///     \cgalParamDescription{as for `flip_to_Delaunay()`; the visitor can also cancel `untwist()`. Both refer to the
+///       single flips after the twists}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return the triangulation; overlays and points refer to the gluing that the twists left. How often its edges cross those of the gluing that was given,
-///   is in `untwisting.crossings`, with or without twists
+/// \return the triangulation; overlays and points refer to the gluing after the twists. `untwisting.crossings` tells
+///   how often its edges cross those of the given gluing, with or without twists
 ///
-/// \exception Invalid_surface_error if a length is not positive, or the lengths of a face violate the triangle inequality; equality is accepted
+/// \exception Invalid_surface_error if a length is not positive, or the lengths of a face violate the triangle
+///   inequality; equality is accepted
 template <class NamedParameters = parameters::Default_named_parameters>
 auto intrinsic_Delaunay_triangulation(const Exact_gluing& gluing,
                                       const NamedParameters& np = parameters::default_values())

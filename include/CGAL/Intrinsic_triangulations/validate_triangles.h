@@ -36,7 +36,7 @@ namespace Intrinsic_triangulations {
 /// \brief a finding of `examine_polygons()`, with the first elements that it concerns.
 struct Finding
 {
-  /// what is wrong, or unusual.
+  /// the defect or peculiarity.
   Invalid_surface_error::Defect defect;
   /// the smallest indices, at most ten, increasing where they are vertices or
   /// faces; for a finding about edges, the first face of each of `edges`.
@@ -129,10 +129,9 @@ Surface_report examine(const std::vector<std::array<double, 3>>& points, Polygon
 /// \ingroup PkgIntrinsicTriangulationsValidation
 /// \brief examines whether polygons form an oriented 2-manifold of triangles with usable edge lengths.
 ///
-/// The function looks for every kind of defect, as far as earlier
-/// findings allow: a face with an invalid index is ignored in all later checks, and lengths and
-/// areas are not checked where a coordinate is not finite. No topological check assumes an
-/// orientation. Coordinates are examined as `double`. Their range is checked as by the constructors of
+/// The function looks for every kind of defect that earlier findings allow to check: a face with an invalid index is
+/// ignored in all later checks, and lengths and areas are not checked where a coordinate is not finite. No topological
+/// check assumes an orientation. Coordinates are examined as `double`. Their range is checked as by the constructors of
 /// `Intrinsic_triangulation` with traits on `double`: what is not refused here is not refused there.
 ///
 /// \tparam PointRange a model of `RandomAccessRange`, of points whose coordinates are `p[0]`, `p[1]` and `p[2]`
@@ -214,11 +213,11 @@ bool is_clean(const Delta_complex& complex, const PointRange& points)
 }
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
-/// \brief returns which triangles to turn over, by exchanging two corners, so that neighbors agree; in increasing order.
+/// \brief returns which triangles to turn over, by exchanging two corners, so that neighbors agree; in increasing
+/// order.
 ///
-/// The first triangle of each part that edges join stays as it is. Where an even number of triangles meets at an edge,
-/// directions alternate around it, as they do around solids that touch. A surface that is one-sided is cut open
-/// somewhere.
+/// The first triangle of each edge-connected part keeps its orientation. If an even number of triangles meets at an
+/// edge, directions alternate around it, as at solids that touch. A one-sided surface is cut open somewhere.
 /// \param points the positions of the vertices
 /// \param triangles three different vertices for each triangle
 std::vector<std::size_t> turned_triangles(const std::vector<std::array<double, 3>>& points,

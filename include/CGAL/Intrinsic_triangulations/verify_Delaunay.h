@@ -36,14 +36,14 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// \brief what `verify_Delaunay()` found.
+/// \brief the result of `verify_Delaunay()`.
 struct Delaunay_verification
 {
   std::size_t tests = 0;                ///< number of edges that were tested
   std::size_t ties = 0;                 ///< edges whose opposite angles sum to exactly π
   std::vector<Edge_index> not_Delaunay; ///< edges whose opposite angles sum to more than π
-  /// faces whose corners, laid out over the input, have the wrong orientation: a flip of a
-  /// hinge that was not convex leaves no triangulation
+  /// faces whose corners, laid out over the input, have the wrong orientation: after a flip of a nonconvex hinge there
+  /// is no triangulation
   std::vector<Face_index> inverted;
 
   /// returns whether the triangulation is a Delaunay triangulation of the input surface.
@@ -152,30 +152,29 @@ private:
 /// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// \brief decides every interior edge once more, exactly, from the input and the
-/// connectivity alone.
+/// \brief decides every interior edge again, exactly, from the input and the connectivity alone.
 ///
-/// Nothing that the traits stored is used: lengths and angles come from the unfolding over
-/// the input triangles, and each sign is exact (for ties see `Tie_proof`). So the check holds for a result that was
-/// made with any number type.
+/// Nothing that the traits stored is used: lengths and angles come from the unfolding over the input triangles, and
+/// each sign is exact (for ties see `Tie_proof`). So the check is valid for results of any number type.
 ///
-/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: what is found, or the
-///   edge that cannot be decided, is the same
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: what is found, or
+///   the edge that cannot be decided, is the same
 /// \tparam Triangulation an `Intrinsic_triangulation`
 /// \param triangulation a triangulation that keeps its input
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that tells which edges to leave out; with `Parallel_tag` it is read by several threads at once}
+///     \cgalParamDescription{a property map that tells which edges to leave out; with `Parallel_tag` several threads
+///       read it at once}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
 ///     \cgalParamDefault{no edge is left out}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \pre `triangulation.keeps_input()`
-/// \exception Undecided_error if a proof is demanded of each tie (see `Tie_proof`), and takes too long
-/// \exception Cancelled_error if the function that was given to `set_interruption()` says so
+/// \exception Undecided_error if proofs of ties are demanded (see `Tie_proof`), and one takes too long
+/// \exception Cancelled_error if the function given to `set_interruption()` asks for it
 ///
 /// Cost: O(size + crossings) arithmetic operations in the ordinary case.
 template <class ConcurrencyTag = Sequential_tag, class Triangulation,
@@ -195,20 +194,20 @@ Delaunay_verification verify_Delaunay(const Triangulation& triangulation,
 /// \brief returns whether each edge that is not constrained is Delaunay, by
 /// `Intrinsic_triangulation::is_locally_Delaunay()`: exactly with the default traits.
 ///
-/// `verify_Delaunay()` decides it anew from the input alone, exactly for any traits, and names the edges.
+/// `verify_Delaunay()` decides this from the input alone, exactly for any traits, and names the edges.
 ///
 /// \tparam NamedParameters a sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that tells which edges do not matter}
+///     \cgalParamDescription{a property map that tells which edges to ignore}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
 ///     \cgalParamDefault{no edge is constrained}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return `false` if an edge is certainly not Delaunay; otherwise, an uncertain value if an interval number type cannot
-///   tell for some edge
+/// \return `false` if an edge is certainly not Delaunay; otherwise, an uncertain value if an interval number type
+///   cannot tell for some edge
 /// \exception Undecided_error as `sign_of_cotangent_weight()`. O(size).
 template <class Traits, class NamedParameters = parameters::Default_named_parameters>
 typename Traits::Boolean is_Delaunay(const Intrinsic_triangulation<Traits>& triangulation,
@@ -235,10 +234,9 @@ typename Traits::Boolean is_Delaunay(const Intrinsic_triangulation<Traits>& tria
 /// \brief the cells that are left of a Delaunay triangulation when all ties are removed:
 /// all edges whose opposite angles sum to exactly π.
 ///
-/// The faces of a cell have a common empty circumcircle. A surface has many Delaunay
-/// triangulations if it has ties, but only one Delaunay tessellation (Indermitte,
-/// Liebling, Troyanov, Clémençon 2001; Bobenko, Springborn 2007), so the cells do not
-/// depend on the order of the input; their numbers do, which follow the faces.
+/// The faces of a cell have a common empty circumcircle. A surface has many Delaunay triangulations if it has ties, but
+/// only one Delaunay tessellation (Indermitte, Liebling, Troyanov, Clémençon 2001; Bobenko, Springborn 2007), so the
+/// cells do not depend on the order of the input. Their numbers, which follow the faces, do.
 class Delaunay_tessellation
 {
 public:

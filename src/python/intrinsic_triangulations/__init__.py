@@ -24,6 +24,7 @@ from ._mesh import cotan_laplacian, face_areas, vertex_areas
 from ._subdivision import CommonSubdivision
 from ._triangulation import FlipReport, RefinementReport, Triangulation, VerificationReport
 from ._vectors import MeshVectorHeatSolver
+from ._view import Page, view
 
 __all__ = [
     "CancelledError",
@@ -41,6 +42,7 @@ __all__ = [
     "MeshHeatMethodDistanceSolver",
     "MeshVectorHeatSolver",
     "NumericalError",
+    "Page",
     "RefinementReport",
     "Repair",
     "RepairedMesh",
@@ -61,4 +63,5 @@ __all__ = [
     "read_mesh",
     "repair",
     "vertex_areas",
+    "view",
 ]

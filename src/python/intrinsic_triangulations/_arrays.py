@@ -71,12 +71,20 @@ def indices(value: Any, name: str, shape: Sequence[Optional[int]], number: Optio
         if is_bad.any():
             row = int(numpy.argwhere(is_bad)[0][0])
             bad = int(array[is_bad][0])
-            message = f"{name}[{row}] names {of_what} {bad}, but "
-            message += "indices are not negative" if bad < 0 else f"there are only {limit + 1}"
+            message = bad_index(name, row, of_what, bad, array, limit + 1)
             if of_what == "vertex" and len(shape) == 2:
                 raise InvalidSurfaceError(message, "BAD_INDEX", row, int(is_bad.any(axis=1).sum()))
             raise InvalidArgumentError(message)
     return array.astype(numpy.uint32, copy=False)
+
+
+def bad_index(name: str, row: int, of_what: str, bad: int, array: numpy.ndarray, number: int) -> str:
+    """what is said of an array of indices with a bad one in a row."""
+    message = f"{name}[{row}] names {of_what} {bad}, but "
+    message += "indices are not negative" if bad < 0 else f"there are only {number}, counted from 0"
+    if name == "F" and array.min() == 1 and array.max() == number:
+        message += "; the indices seem to count from 1: subtract 1 from each"
+    return message
 
 
 def check_shape(array: numpy.ndarray, name: str, shape: Sequence[Optional[int]]) -> None:
@@ -89,7 +97,34 @@ def points_and_faces(V: Any, F: Any) -> Tuple[numpy.ndarray, numpy.ndarray]:
     points = doubles(V, "V", (None, 3))
     if len(points) > LARGEST_INDEX:
         raise InvalidSurfaceError("there are too many vertices for 32-bit indices", "OUT_OF_RANGE", 0, 1)
-    return points, indices(F, "F", (None, 3), len(points))
+    try:
+        return points, indices(F, "F", (None, 3), len(points))
+    except InvalidSurfaceError:
+        raise
+    except ValueError:
+        _refuse_polygons(F)
+        raise
+
+
+def _refuse_polygons(F: Any) -> None:
+    """raises if these are faces as `repair` takes them, and some of them are no triangles."""
+    try:
+        sizes = numpy.array([len(face) if numpy.ndim(face) == 1 else 3 for face in F])
+    except (TypeError, ValueError):
+        return
+    is_bad = sizes != 3
+    if is_bad.any():
+        row = int(is_bad.argmax())
+        raise InvalidSurfaceError(f"F[{row}] has {sizes[row]} corner{'s' if sizes[row] != 1 else ''}, not 3; repair(V, F) makes triangles of "
+                                  "all faces that have an area", "NOT_A_TRIANGLE", row, int(is_bad.sum()))
+
+
+def finite_points_and_faces(V: Any, F: Any) -> Tuple[numpy.ndarray, numpy.ndarray]:
+    points, faces = points_and_faces(V, F)
+    is_bad = ~numpy.isfinite(points).all(axis=1)
+    if is_bad.any():
+        raise InvalidSurfaceError(f"V[{int(is_bad.argmax())}] is not finite", "NOT_FINITE", int(is_bad.argmax()), int(is_bad.sum()))
+    return points, faces
 
 
 def marks(value: Any, name: str, number: int) -> Optional[numpy.ndarray]:

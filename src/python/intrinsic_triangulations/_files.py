@@ -8,9 +8,11 @@
 from __future__ import annotations
 
 import os
+import warnings
 from typing import Any, List, NamedTuple, Tuple, Union
 
 import numpy
+from numpy.typing import ArrayLike
 
 from . import _arrays, _core
 from ._errors import InvalidSurfaceError
@@ -65,14 +67,21 @@ def read_mesh(file_name: Union[str, "os.PathLike[str]"]) -> Tuple[numpy.ndarray,
     ------
     InvalidSurfaceError
         If the file cannot be read. The message names the line or the element at fault.
+
+    Warns
+    -----
+    UserWarning
+        What is unusual about the file though it can be read, such as a wrong number of facets in its header.
     """
-    V, corners, first = _core.read_mesh(os.fspath(file_name))
+    V, corners, first, unusual = _core.read_mesh(os.fspath(file_name))
+    for text in unusual:
+        warnings.warn(f"{os.fspath(file_name)}: {text}", stacklevel=2)
     if len(first) == 0:
         return V, corners.reshape(-1, 3)
     return V, [corners[begin:end].tolist() for begin, end in zip(first[:-1], first[1:])]
 
 
-def orient(V: Any, F: Any) -> Tuple[numpy.ndarray, List[Repair]]:
+def orient(V: ArrayLike, F: ArrayLike) -> Tuple[numpy.ndarray, List[Repair]]:
     """The triangles, turned so that any two that share an edge agree.
 
     The first triangle of all that edges join stays as it is. At an edge with more than two triangles, directions alternate, as they do
@@ -104,8 +113,7 @@ def orient(V: Any, F: Any) -> Tuple[numpy.ndarray, List[Repair]]:
     >>> F.tolist(), repairs[0].message
     ([[0, 1, 2], [3, 2, 1]], 'face 1 was turned over')
     """
-    points, faces = _arrays.points_and_faces(V, F)
-    _arrays.finite(points, "V", (None, 3))
+    points, faces = _arrays.finite_points_and_faces(V, F)
     is_bad = (faces[:, 0] == faces[:, 1]) | (faces[:, 1] == faces[:, 2]) | (faces[:, 2] == faces[:, 0])
     if is_bad.any():
         row = int(numpy.argmax(is_bad))
@@ -138,7 +146,7 @@ def _check_orientation(faces: numpy.ndarray) -> None:
             "agree; repair(V, F) cuts it open", "INCONSISTENT_ORIENTATION", face, int(is_bad.sum()))
 
 
-def repair(V: Any, F: Any) -> RepairedMesh:
+def repair(V: ArrayLike, F: ArrayLike) -> RepairedMesh:
     """An oriented surface of triangles, made of any polygons as far as their connectivity is at fault.
 
     Polygons become triangles, seams are closed, faces oriented, duplicate faces and unused vertices removed. At an edge with more than two
@@ -191,8 +199,8 @@ def repair(V: Any, F: Any) -> RepairedMesh:
     if is_bad.any():
         where = int(numpy.argmax(is_bad))
         row = int(numpy.searchsorted(numpy.cumsum(lengths), where, side="right"))
-        raise InvalidSurfaceError(f"F[{row}] names vertex {int(corners[where])}, but there are only {len(points)}, counted from 0",
-                                  "BAD_INDEX", row, int(is_bad.sum()))
+        raise InvalidSurfaceError(_arrays.bad_index("F", row, "vertex", int(corners[where]), corners, len(points)), "BAD_INDEX", row,
+                                  int(is_bad.sum()))
     first = numpy.concatenate([[0], numpy.cumsum(lengths, dtype=numpy.int64)]).tolist()
     V, F, vertices, faces, repairs = _repair.repair(points, corners.astype(numpy.uint32), first)
     return RepairedMesh(V, F, vertices, faces, [Repair(*entry) for entry in repairs])

@@ -10,8 +10,10 @@ from __future__ import annotations
 from typing import Any, NamedTuple, Optional, Tuple
 
 import numpy
+from numpy.typing import ArrayLike
 
 from . import _arrays, _core
+from ._rebuilt import Rebuilt
 
 _NO_VERTEX = 2**32 - 1
 
@@ -60,14 +62,15 @@ class CutSurface(NamedTuple):
     """The barycentric coordinates of these vertices there."""
 
 
-class _Lines:
-    def __init__(self, V: Any, F: Any) -> None:
+class _Lines(Rebuilt):
+    def __init__(self, V: ArrayLike, F: ArrayLike) -> None:
         points, faces = _arrays.points_and_faces(V, F)
+        self._remember(_Lines.__init__, points.copy(), faces.copy())
         self._number_of_vertices = len(points)
         self._number_of_faces = len(faces)
         self._surface = _core.SurfaceInSpace(points, faces)
 
-    def locate(self, point: Any) -> Tuple[int, numpy.ndarray]:
+    def locate(self, point: ArrayLike) -> Tuple[int, numpy.ndarray]:
         """The point of the surface that is nearest to a point in space, as one that was picked.
 
         Parameters
@@ -124,7 +127,7 @@ class EdgeFlipGeodesicSolver(_Lines):
         Without meaning; for programs that were written for potpourri3d.
     """
 
-    def __init__(self, V: Any, F: Any, t_coef: float = 1.0) -> None:
+    def __init__(self, V: ArrayLike, F: ArrayLike, t_coef: float = 1.0) -> None:
         super().__init__(V, F)
 
     def find_geodesic_path(self, v_start: int, v_end: int, max_iterations: Optional[int] = None,
@@ -208,7 +211,7 @@ class EdgeFlipGeodesicSolver(_Lines):
         return vertices, points
 
 
-def geodesic_path(V: Any, F: Any, source: Any, target: Any, is_shortest: bool = False) -> GeodesicPath:
+def geodesic_path(V: ArrayLike, F: ArrayLike, source: Any, target: Any, is_shortest: bool = False) -> GeodesicPath:
     """A locally shortest path between two vertices or points, in one call.
 
     Parameters
@@ -235,7 +238,7 @@ def geodesic_path(V: Any, F: Any, source: Any, target: Any, is_shortest: bool = 
     return EdgeFlipGeodesicSolver(V, F).find_path([source, target], is_shortest=is_shortest)
 
 
-def cut_along_path(V: Any, F: Any, path: GeodesicPath) -> CutSurface:
+def cut_along_path(V: ArrayLike, F: ArrayLike, path: GeodesicPath) -> CutSurface:
     """A surface that is cut open along a path, in one call.
 
     Parameters
@@ -276,10 +279,10 @@ class GeodesicTracer(_Lines):
         Without meaning; for programs that were written for potpourri3d.
     """
 
-    def __init__(self, V: Any, F: Any, t_coef: float = 1.0) -> None:
+    def __init__(self, V: ArrayLike, F: ArrayLike, t_coef: float = 1.0) -> None:
         super().__init__(V, F)
 
-    def trace_geodesic_from_vertex(self, start_vert: int, direction_xyz: Any, max_iterations: Optional[int] = None) -> numpy.ndarray:
+    def trace_geodesic_from_vertex(self, start_vert: int, direction_xyz: ArrayLike, max_iterations: Optional[int] = None) -> numpy.ndarray:
         """The line from a vertex.
 
         Parameters
@@ -301,7 +304,7 @@ class GeodesicTracer(_Lines):
         vector = _arrays.vector(direction_xyz, "direction_xyz")
         return _path(self._surface.trace_from_vertex(start, vector, _number_of_faces(max_iterations))).positions
 
-    def trace_geodesic_from_face(self, start_face: int, bary_coords: Any, direction_xyz: Any,
+    def trace_geodesic_from_face(self, start_face: int, bary_coords: ArrayLike, direction_xyz: ArrayLike,
                                  max_iterations: Optional[int] = None) -> numpy.ndarray:
         """The line from a point in a face.
 

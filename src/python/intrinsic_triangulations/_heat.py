@@ -11,14 +11,16 @@ import math
 from typing import Any
 
 import numpy
+from numpy.typing import ArrayLike
 
 from . import _arrays, _core
+from ._rebuilt import Rebuilt
 from ._triangulation import Triangulation
 
 BOUNDARIES = ("neumann", "dirichlet", "averaged")
 
 
-class MeshHeatMethodDistanceSolver:
+class MeshHeatMethodDistanceSolver(Rebuilt):
     """Distances of all vertices from some of them, by the heat method.
 
     The matrices are factorized once; then each set of sources costs two solutions of linear systems, or three. Calls from several
@@ -50,10 +52,12 @@ class MeshHeatMethodDistanceSolver:
         If a matrix cannot be factorized.
     """
 
-    def __init__(self, V: Any, F: Any, t_coef: float = 1.0, use_robust: bool = True, *, boundary: str = "neumann",
+    def __init__(self, V: ArrayLike, F: ArrayLike, t_coef: float = 1.0, use_robust: bool = True, *, boundary: str = "neumann",
                  keeps_ridges: bool = True) -> None:
         points, faces = _arrays.points_and_faces(V, F)
         options = _options(t_coef, boundary, keeps_ridges)
+        self._remember(MeshHeatMethodDistanceSolver.__init__, points.copy(), faces.copy(), t_coef, use_robust, boundary=boundary,
+                       keeps_ridges=keeps_ridges)
         self._number_of_vertices = len(points)
         if use_robust:
             self._heat = _core.heat_on_any_triangles(points, faces, *options)
@@ -75,9 +79,13 @@ class MeshHeatMethodDistanceSolver:
         if not isinstance(triangulation, Triangulation):
             raise ValueError(f"triangulation has to be a Triangulation, not {type(triangulation).__name__}")
         result = cls.__new__(cls)
-        result._number_of_vertices = triangulation.number_of_vertices
-        result._heat = _core.heat_on_surface(triangulation._surface, *_options(t_coef, boundary, keeps_ridges))
+        result._begin(triangulation.copy(), t_coef, boundary, keeps_ridges)
         return result
+
+    def _begin(self, triangulation: Triangulation, t_coef: float, boundary: str, keeps_ridges: bool) -> None:
+        self._remember(MeshHeatMethodDistanceSolver._begin, triangulation, t_coef, boundary, keeps_ridges)
+        self._number_of_vertices = triangulation.number_of_vertices
+        self._heat = _core.heat_on_surface(triangulation._surface, *_options(t_coef, boundary, keeps_ridges))
 
     def compute_distance(self, v_ind: int) -> numpy.ndarray:
         """The distance of each vertex from one of them.
@@ -95,7 +103,7 @@ class MeshHeatMethodDistanceSolver:
         source = _arrays.vertex(v_ind, "v_ind", self._number_of_vertices)
         return self._heat.distances(numpy.array([source], dtype=numpy.uint32))
 
-    def compute_distance_multisource(self, v_inds: Any) -> numpy.ndarray:
+    def compute_distance_multisource(self, v_inds: ArrayLike) -> numpy.ndarray:
         """The distance of each vertex from the nearest of several.
 
         Parameters
@@ -110,7 +118,7 @@ class MeshHeatMethodDistanceSolver:
         """
         return self._heat.distances(_arrays.indices(v_inds, "v_inds", (None,), self._number_of_vertices))
 
-    def extend_scalar(self, v_inds: Any, values: Any) -> numpy.ndarray:
+    def extend_scalar(self, v_inds: ArrayLike, values: ArrayLike) -> numpy.ndarray:
         """A function with given values at some vertices, and elsewhere about the value at the nearest of them.
 
         Parameters
@@ -129,7 +137,7 @@ class MeshHeatMethodDistanceSolver:
         return self._heat.extend(vertices, _arrays.finite(values, "values", (len(vertices),)), 0.0)
 
 
-def geodesic_distances(V: Any, F: Any, v_inds: Any, tolerance: float = 0.001) -> numpy.ndarray:
+def geodesic_distances(V: ArrayLike, F: ArrayLike, v_inds: ArrayLike, tolerance: float = 0.001) -> numpy.ndarray:
     """The length of the shortest path on the surface from the nearest of several vertices to each vertex.
 
     On any triangles, by straight ways over the intrinsic Delaunay triangulation. No distance is above the shortest path along edges or
@@ -139,7 +147,7 @@ def geodesic_distances(V: Any, F: Any, v_inds: Any, tolerance: float = 0.001) ->
     ----------
     V, F
         As for `MeshHeatMethodDistanceSolver`.
-    v_inds : (k,) array of integers
+    v_inds : integer, or (k,) array of integers
         The sources.
     tolerance : float
         How much the length of a path may be changed at each edge that it crosses, as a part of the length of the edge: at least 0
@@ -158,16 +166,16 @@ def geodesic_distances(V: Any, F: Any, v_inds: Any, tolerance: float = 0.001) ->
     points, faces = _arrays.points_and_faces(V, F)
     if not (isinstance(tolerance, (int, float, numpy.integer, numpy.floating)) and 0 <= tolerance < 1):
         raise ValueError(f"tolerance has to be a number of at least 0 and below 1, not {tolerance!r}")
-    sources = _arrays.indices(v_inds, "v_inds", (None,), len(points))
+    sources = _arrays.indices(v_inds if numpy.ndim(v_inds) else [v_inds], "v_inds", (None,), len(points))
     return _core.geodesic_distances(points, faces, sources, float(tolerance))
 
 
-def compute_distance(V: Any, F: Any, v_ind: int) -> numpy.ndarray:
+def compute_distance(V: ArrayLike, F: ArrayLike, v_ind: int) -> numpy.ndarray:
     """As `MeshHeatMethodDistanceSolver.compute_distance`, in one call."""
     return MeshHeatMethodDistanceSolver(V, F).compute_distance(v_ind)
 
 
-def compute_distance_multisource(V: Any, F: Any, v_inds: Any) -> numpy.ndarray:
+def compute_distance_multisource(V: ArrayLike, F: ArrayLike, v_inds: ArrayLike) -> numpy.ndarray:
     """As `MeshHeatMethodDistanceSolver.compute_distance_multisource`, in one call."""
     return MeshHeatMethodDistanceSolver(V, F).compute_distance_multisource(v_inds)
 

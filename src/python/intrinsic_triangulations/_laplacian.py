@@ -12,11 +12,12 @@ from typing import Any, Tuple
 
 import numpy
 import scipy.sparse
+from numpy.typing import ArrayLike
 
 from . import _arrays, _core
 
 
-def laplacian(V: Any, F: Any, mass: str = "lumped") -> Tuple[scipy.sparse.csc_matrix, scipy.sparse.csc_matrix]:
+def laplacian(V: ArrayLike, F: ArrayLike, mass: str = "lumped") -> Tuple[scipy.sparse.csc_matrix, scipy.sparse.csc_matrix]:
     """The Laplace-Beltrami operator of any triangles.
 
     It is that of the intrinsic Delaunay triangulation of the tufted cover: the triangles may be non-manifold, not orientable,
@@ -65,7 +66,7 @@ def laplacian(V: Any, F: Any, mass: str = "lumped") -> Tuple[scipy.sparse.csc_ma
     return _arrays.sparse(L), _arrays.sparse(M)
 
 
-def mesh_laplacian(verts: Any, faces: Any,
+def mesh_laplacian(verts: ArrayLike, faces: ArrayLike,
                    mollify_factor: float = 1e-5) -> Tuple[scipy.sparse.csc_matrix, scipy.sparse.csc_matrix]:
     """As `robust_laplacian.mesh_laplacian`: the operator of any triangles, for programs that are to run unchanged.
 
@@ -91,7 +92,7 @@ def mesh_laplacian(verts: Any, faces: Any,
     return _with_unused_vertices(_arrays.sparse(L), _arrays.sparse(M))
 
 
-def point_cloud_laplacian(points: Any, mollify_factor: float = 1e-5,
+def point_cloud_laplacian(points: ArrayLike, mollify_factor: float = 1e-5,
                           n_neighbors: int = 30) -> Tuple[scipy.sparse.csc_matrix, scipy.sparse.csc_matrix]:
     """As `robust_laplacian.point_cloud_laplacian`: the operator of points near an unknown surface.
 

@@ -7,17 +7,18 @@
 
 from __future__ import annotations
 
-from typing import Any, Tuple
+from typing import Any
 
 import numpy
 import scipy.sparse
+from numpy.typing import ArrayLike
 
 from . import _arrays
 from ._errors import InvalidSurfaceError
 from ._laplacian import _nonnegative
 
 
-def cotan_laplacian(V: Any, F: Any, denom_eps: float = 0.0) -> scipy.sparse.csr_matrix:
+def cotan_laplacian(V: ArrayLike, F: ArrayLike, denom_eps: float = 0.0) -> scipy.sparse.csr_matrix:
     """As `potpourri3d.cotan_laplacian`: the cotangent Laplacian of the triangles as they are given, without any flip.
 
     For programs that are to run unchanged: unlike that of `laplacian`, it has positive entries off the diagonal wherever the mesh is not
@@ -52,23 +53,23 @@ def cotan_laplacian(V: Any, F: Any, denom_eps: float = 0.0) -> scipy.sparse.csr_
            [-0.5,  0. ,  0.5]])
     """
     epsilon = _nonnegative(denom_eps, "denom_eps")
-    points, faces = _finite_points_and_faces(V, F)
+    points, faces = _arrays.finite_points_and_faces(V, F)
     n = len(points)
     double_areas = _double_areas(points, faces) + epsilon
-    _refuse(double_areas == 0, "has no area", "DEGENERATE_FACE")
+    _refuse(double_areas == 0, "has no area; laplacian(V, F) takes it, and so does this function with denom_eps", "DEGENERATE_FACE")
     halves = []
     with numpy.errstate(all="ignore"):
         for i in range(3):
             corner = points[faces[:, i]]
             a, b = points[faces[:, (i + 1) % 3]] - corner, points[faces[:, (i + 2) % 3]] - corner
             halves.append(0.5 * (a * b).sum(axis=1) / double_areas)
-    _refuse(~numpy.isfinite(halves).all(axis=0), "has a cotangent beyond the range of doubles", "OUT_OF_RANGE")
+    _refuse(~numpy.isfinite(halves).all(axis=0), "has a cotangent beyond the range of doubles; laplacian(V, F) takes it", "OUT_OF_RANGE")
     weights = scipy.sparse.coo_matrix((numpy.concatenate(halves), (faces[:, [1, 2, 0]].T.ravel(), faces[:, [2, 0, 1]].T.ravel())), shape=(n, n))
     weights = (weights + weights.T).tocsr()
     return (scipy.sparse.diags(numpy.asarray(weights.sum(axis=1)).ravel()) - weights).tocsr()
 
 
-def face_areas(V: Any, F: Any) -> numpy.ndarray:
+def face_areas(V: ArrayLike, F: ArrayLike) -> numpy.ndarray:
     """The areas of the triangles.
 
     Parameters
@@ -89,10 +90,10 @@ def face_areas(V: Any, F: Any) -> numpy.ndarray:
     >>> it.face_areas([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
     array([0.5])
     """
-    return _double_areas(*_finite_points_and_faces(V, F)) / 2
+    return _double_areas(*_arrays.finite_points_and_faces(V, F)) / 2
 
 
-def vertex_areas(V: Any, F: Any) -> numpy.ndarray:
+def vertex_areas(V: ArrayLike, F: ArrayLike) -> numpy.ndarray:
     """A third of the area of the triangles around each vertex.
 
     Parameters
@@ -111,24 +112,16 @@ def vertex_areas(V: Any, F: Any) -> numpy.ndarray:
     >>> it.vertex_areas([[0, 0, 0], [3, 0, 0], [0, 2, 0], [9, 9, 9]], [[0, 1, 2]])
     array([1., 1., 1., 0.])
     """
-    points, faces = _finite_points_and_faces(V, F)
+    points, faces = _arrays.finite_points_and_faces(V, F)
     thirds = _double_areas(points, faces) / 6
     return numpy.bincount(faces.ravel(), numpy.repeat(thirds, 3), len(points)).astype(float)
-
-
-def _finite_points_and_faces(V: Any, F: Any) -> Tuple[numpy.ndarray, numpy.ndarray]:
-    points, faces = _arrays.points_and_faces(V, F)
-    is_bad = ~numpy.isfinite(points).all(axis=1)
-    if is_bad.any():
-        raise InvalidSurfaceError(f"V[{int(is_bad.argmax())}] is not finite", "NOT_FINITE", int(is_bad.argmax()), int(is_bad.sum()))
-    return points, faces
 
 
 def _double_areas(points: numpy.ndarray, faces: numpy.ndarray) -> numpy.ndarray:
     with numpy.errstate(all="ignore"):
         a, b = points[faces[:, 1]] - points[faces[:, 0]], points[faces[:, 2]] - points[faces[:, 0]]
         result = numpy.linalg.norm(numpy.cross(a, b), axis=1)
-    _refuse(~numpy.isfinite(result), "has an area beyond the range of doubles", "OUT_OF_RANGE")
+    _refuse(~numpy.isfinite(result), "has an area beyond the range of doubles; scale the surface", "OUT_OF_RANGE")
     return result
 
 

@@ -12,6 +12,7 @@ from typing import Any, Optional, Tuple
 
 import numpy
 import scipy.sparse
+from numpy.typing import ArrayLike
 
 from . import _arrays
 
@@ -36,6 +37,9 @@ class CommonSubdivision:
     def __init__(self, subdivision: Any, points: Optional[numpy.ndarray]) -> None:
         self._subdivision = subdivision
         self._points = points
+
+    def __getstate__(self) -> Any:
+        return {name: value for name, value in self.__dict__.items() if name in ("_subdivision", "_points")}
 
     def __repr__(self) -> str:
         return f"<CommonSubdivision: {self.number_of_vertices} vertices, {self.number_of_polygons} polygons>"
@@ -122,7 +126,7 @@ class CommonSubdivision:
         """(v, n') matrix: from values at the vertices of the triangulation to values at all vertices."""
         return _arrays.sparse(self._subdivision.intrinsic_matrix())
 
-    def from_input(self, values: Any) -> numpy.ndarray:
+    def from_input(self, values: ArrayLike) -> numpy.ndarray:
         """The function that is linear on the faces of the input, at all vertices.
 
         Parameters
@@ -136,7 +140,7 @@ class CommonSubdivision:
         """
         return self.input_matrix @ _values(values, self.input_matrix.shape[1])
 
-    def from_intrinsic(self, values: Any) -> numpy.ndarray:
+    def from_intrinsic(self, values: ArrayLike) -> numpy.ndarray:
         """The function that is linear on the faces of the triangulation, at all vertices.
 
         Parameters
@@ -150,7 +154,7 @@ class CommonSubdivision:
         """
         return self.intrinsic_matrix @ _values(values, self.intrinsic_matrix.shape[1])
 
-    def from_input_corners(self, values: Any) -> numpy.ndarray:
+    def from_input_corners(self, values: ArrayLike) -> numpy.ndarray:
         """Values at the corners of the faces of the input, such as texture coordinates with seams.
 
         Parameters
@@ -203,7 +207,22 @@ class CommonSubdivision:
         first = self.offsets[polygons]
         return numpy.stack([first, first + number_in_polygon + 1, first + number_in_polygon + 2], axis=1), polygons
 
-    def to_intrinsic(self, faces: Any, coordinates: Any) -> Tuple[numpy.ndarray, numpy.ndarray]:
+    def mesh(self) -> Tuple[numpy.ndarray, numpy.ndarray, numpy.ndarray, numpy.ndarray]:
+        """What a viewer needs: plain arrays of a mesh in space that shows both triangulations.
+
+        Returns
+        -------
+        points : (v, 3) array
+            `positions`.
+        triangles : (t, 3) array of int64
+            The vertices of each triangle, for `polyscope.register_surface_mesh`, `pyvista.PolyData.from_regular_faces` and the like.
+        input_faces, intrinsic_faces : (t,) arrays of int64
+            The faces in which each triangle lies.
+        """
+        corners, polygons = self.triangles()
+        return self.positions, self.corners[corners], self.input_faces[polygons], self.intrinsic_faces[polygons]
+
+    def to_intrinsic(self, faces: ArrayLike, coordinates: ArrayLike) -> Tuple[numpy.ndarray, numpy.ndarray]:
         """Points of the input as points of the triangulation.
 
         Parameters
@@ -229,7 +248,7 @@ class CommonSubdivision:
         """
         return self._subdivision.to_intrinsic(*_surface_points(faces, coordinates))
 
-    def to_input(self, faces: Any, coordinates: Any) -> Tuple[numpy.ndarray, numpy.ndarray]:
+    def to_input(self, faces: ArrayLike, coordinates: ArrayLike) -> Tuple[numpy.ndarray, numpy.ndarray]:
         """Points of the triangulation as points of the input; otherwise as `to_intrinsic`."""
         return self._subdivision.to_input(*_surface_points(faces, coordinates))
 
@@ -250,12 +269,12 @@ class CommonSubdivision:
         return _arrays.sparse(one), _arrays.sparse(two), _arrays.sparse(mixed)
 
 
-def _surface_points(faces: Any, coordinates: Any) -> Tuple[numpy.ndarray, numpy.ndarray]:
+def _surface_points(faces: ArrayLike, coordinates: ArrayLike) -> Tuple[numpy.ndarray, numpy.ndarray]:
     of_faces = _arrays.indices(faces, "faces", (None,), None, "face")
     return of_faces, _arrays.doubles(coordinates, "coordinates", (len(of_faces), 3))
 
 
-def _values(values: Any, number: int) -> numpy.ndarray:
+def _values(values: ArrayLike, number: int) -> numpy.ndarray:
     array = _arrays.as_array(values, "values", "iuf", "real numbers")
     if array.ndim not in (1, 2) or array.shape[0] != number:
         raise ValueError(f"values should have shape ({number},) or ({number}, k), but has {array.shape}")

@@ -7,11 +7,14 @@
 
 from __future__ import annotations
 
+import copy
 import math
-from typing import Any, List, NamedTuple, Optional, Tuple
+import os
+from typing import Any, List, NamedTuple, Optional, Tuple, Union
 
 import numpy
 import scipy.sparse
+from numpy.typing import ArrayLike
 
 from . import _arrays, _core
 from ._subdivision import CommonSubdivision
@@ -91,7 +94,7 @@ class Triangulation:
     ([3, 2], 2.0)
     """
 
-    def __init__(self, V: Any, F: Any) -> None:
+    def __init__(self, V: ArrayLike, F: ArrayLike) -> None:
         points, faces = _arrays.points_and_faces(V, F)
         # Kept for positions: a copy, which nobody can change.
         self._points: Optional[numpy.ndarray] = numpy.array(points)
@@ -99,7 +102,7 @@ class Triangulation:
         self._surface = _core.Surface.from_points(points, faces)
 
     @classmethod
-    def from_lengths(cls, F: Any, lengths: Any) -> "Triangulation":
+    def from_lengths(cls, F: ArrayLike, lengths: ArrayLike) -> "Triangulation":
         """A surface given by triangles and the lengths of their sides.
 
         Parameters
@@ -124,7 +127,7 @@ class Triangulation:
         return cls._of(_core.Surface.from_lengths(faces, sides, number))
 
     @classmethod
-    def from_gluing(cls, glued_sides: Any, lengths: Any) -> "Triangulation":
+    def from_gluing(cls, glued_sides: ArrayLike, lengths: ArrayLike) -> "Triangulation":
         """A surface of triangles that are glued in any way, even a triangle to itself.
 
         Parameters
@@ -164,13 +167,110 @@ class Triangulation:
         return result
 
     def copy(self) -> "Triangulation":
-        """Another object with the same triangulation and the same input."""
-        return Triangulation._of(self._surface.copy(), self._points)
+        """Another object of the same class with the same triangulation and the same input."""
+        result = type(self).__new__(type(self))
+        result.__dict__.update(self.__dict__)
+        result._surface = self._surface.copy()
+        return result
 
     __copy__ = copy
 
     def __deepcopy__(self, memo: Any) -> "Triangulation":
-        return self.copy()
+        result = self.copy()
+        memo[id(self)] = result
+        own = ("_surface", "_points")
+        result.__dict__.update({name: copy.deepcopy(value, memo) for name, value in self.__dict__.items() if name not in own})
+        return result
+
+    def __setstate__(self, state: Any) -> None:
+        self.__dict__.update(state)
+        if self._points is not None:
+            self._points.flags.writeable = False
+
+    def show(self, values: Any = None) -> Any:
+        """A page that shows the input and this triangulation: a notebook shows it, elsewhere a browser opens it.
+
+        The command `idt view` writes it, which has to be installed.
+
+        Parameters
+        ----------
+        values : (n,) array, or a dictionary of them by their names, or None
+            Numbers at the vertices of the input, which colour the surface.
+
+        Returns
+        -------
+        Page
+            It can be saved.
+
+        Raises
+        ------
+        ValueError
+            If the surface is given by lengths alone.
+        Error
+            If the command is not found; the environment variable IDT_COMMAND can name it.
+        """
+        from ._view import page_of
+        page = page_of(self, values)
+        try:
+            is_notebook = get_ipython().has_trait("kernel")  # type: ignore[name-defined]
+        except NameError:
+            is_notebook = False
+        if not is_notebook:
+            page.open()
+        return page
+
+    def save(self, path: Union[str, os.PathLike]) -> None:
+        """Write the triangulation, with its input and where that lies, to a file from which `load` makes the same triangulation.
+
+        `pickle` keeps a triangulation in the same bytes. The file is a binary PLY file of the input with further elements.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            The name of the file; the command `idt` knows such files by names that end in `.idt`.
+
+        Raises
+        ------
+        Error
+            If the file cannot be written.
+        UndecidedError
+            If an edge crosses more than 2**20 edges of the input.
+
+        Examples
+        --------
+        >>> import intrinsic_triangulations as it, os, tempfile
+        >>> t = it.Triangulation([[0, 0, 0], [4, 0, 0], [2, 1, 0], [2, 0, 1]], [[0, 1, 2], [1, 0, 3]])
+        >>> t.flip_to_delaunay().flips
+        1
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     t.save(os.path.join(folder, "kite.idt"))
+        ...     it.Triangulation.load(os.path.join(folder, "kite.idt")).lengths.tolist() == t.lengths.tolist()
+        True
+        """
+        self._surface.save(os.fspath(path))
+
+    @classmethod
+    def load(cls, path: Union[str, os.PathLike]) -> "Triangulation":
+        """Read a triangulation that `save` or the command has written.
+
+        Everything in the file is checked, exactly: what is returned is a triangulation of the input in the file, whatever that holds.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            The name of the file.
+
+        Raises
+        ------
+        InvalidSurfaceError
+            If the file holds no triangulation; the message says what is wrong, and at which byte or element.
+        """
+        surface = _core.Surface.load(os.fspath(path))
+        points = surface.input_points()
+        if len(points) == 0:
+            return cls._of(surface)
+        points.flags.writeable = False
+        return cls._of(surface, points)
 
     def __repr__(self) -> str:
         return (f"<Triangulation: {self.number_of_vertices} vertices, {self.number_of_edges} edges, "
@@ -230,7 +330,7 @@ class Triangulation:
         """(m, 3) array: the angle at each corner of each face, in radians, as in `faces`."""
         return self._surface.corner_angles()
 
-    def flip_to_delaunay(self, max_flips: Optional[int] = None, constrained: Any = None) -> FlipReport:
+    def flip_to_delaunay(self, max_flips: Optional[int] = None, constrained: Optional[ArrayLike] = None) -> FlipReport:
         """Flip edges until the triangulation is Delaunay.
 
         Parameters
@@ -247,7 +347,7 @@ class Triangulation:
         maximum = 2**64 - 1 if max_flips is None else _arrays.integer(max_flips, "max_flips")
         return FlipReport(*self._surface.flip_to_delaunay(self._constrained(constrained), maximum))
 
-    def verify(self, constrained: Any = None) -> VerificationReport:
+    def verify(self, constrained: Optional[ArrayLike] = None) -> VerificationReport:
         """Decide of every edge, exactly and from the input alone, whether it is Delaunay.
 
         Parameters
@@ -262,7 +362,7 @@ class Triangulation:
         return VerificationReport(*self._surface.verify(self._constrained(constrained)))
 
     def refine(self, minimum_angle: float = 25, maximum_circumradius: float = math.inf, maximum_edge_length: float = math.inf,
-               constrained: Any = None, max_insertions: Optional[int] = None, minimum_size: float = 0) -> RefinementReport:
+               constrained: Optional[ArrayLike] = None, max_insertions: Optional[int] = None, minimum_size: float = 0) -> RefinementReport:
         """Flip edges, and insert vertices until no face is too thin or too large. The surface does not change.
 
         Parameters
@@ -333,7 +433,7 @@ class Triangulation:
         return self._surface.sharp_edges(self._points, _arrays.number(degrees, "degrees"),
                                          _arrays.number(minimum_size, "minimum_size")).astype(bool)
 
-    def edges_between(self, pairs: Any) -> numpy.ndarray:
+    def edges_between(self, pairs: ArrayLike) -> numpy.ndarray:
         """Which edges join two vertices of a list, to be constrained in `refine`.
 
         Parameters

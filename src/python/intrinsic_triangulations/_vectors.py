@@ -12,13 +12,15 @@ from typing import Any, Optional, Tuple
 
 import numpy
 import scipy.sparse
+from numpy.typing import ArrayLike
 
 from . import _arrays, _core
+from ._rebuilt import Rebuilt
 
 STRATEGIES = ("VectorHeat", "AffineLocal", "AffineAdaptive")
 
 
-class MeshVectorHeatSolver:
+class MeshVectorHeatSolver(Rebuilt):
     """Tangent vectors carried along shortest ways, and logarithmic maps, by the vector heat method.
 
     The matrices are factorized once. A tangent vector has two coordinates in the frame of its vertex, which `get_tangent_frames`
@@ -44,13 +46,14 @@ class MeshVectorHeatSolver:
         If a matrix cannot be factorized.
     """
 
-    def __init__(self, V: Any, F: Any, t_coef: Optional[float] = None, use_intrinsic_delaunay: bool = True) -> None:
+    def __init__(self, V: ArrayLike, F: ArrayLike, t_coef: Optional[float] = None, use_intrinsic_delaunay: bool = True) -> None:
         if not use_intrinsic_delaunay:
             raise ValueError("use_intrinsic_delaunay has to be True: on other triangulations, the method has no guarantees")
         time = None if t_coef is None else _arrays.number(t_coef, "t_coef")
         if time is not None and not (time > 0 and math.isfinite(time)):
             raise ValueError(f"t_coef has to be positive and finite, not {t_coef!r}")
         points, faces = _arrays.points_and_faces(V, F)
+        self._remember(MeshVectorHeatSolver.__init__, points.copy(), faces.copy(), t_coef)
         surface = _core.Surface.from_points(points, faces)
         surface.flip_to_delaunay(None, 2**64 - 1)
         self._surface = surface
@@ -95,7 +98,7 @@ class MeshVectorHeatSolver:
         source = _arrays.vertex(v_ind, "v_ind", len(self._points))
         return self.transport_tangent_vectors([source], _arrays.doubles(vector, "vector", (2,))[None])
 
-    def transport_tangent_vectors(self, v_inds: Any, vectors: Any) -> numpy.ndarray:
+    def transport_tangent_vectors(self, v_inds: ArrayLike, vectors: Any) -> numpy.ndarray:
         """Tangent vectors at several vertices; each other one gets that of the nearest.
 
         Parameters
@@ -134,7 +137,7 @@ class MeshVectorHeatSolver:
         _arrays.choice(strategy, "strategy", STRATEGIES)
         return self._heat.log_map(_arrays.vertex(v_ind, "v_ind", len(self._points)))
 
-    def extend_scalar(self, v_inds: Any, values: Any) -> numpy.ndarray:
+    def extend_scalar(self, v_inds: ArrayLike, values: ArrayLike) -> numpy.ndarray:
         """A function with given values at some vertices, and elsewhere about the value at the nearest of them.
 
         Parameters

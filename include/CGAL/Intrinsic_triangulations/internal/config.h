@@ -3,17 +3,19 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Header-only, or compiled once: what a program chooses when it is built. And what every build of it must have in common.
+// Header-only, or compiled once: what a program chooses when it is built. And what every build of it must have in
+// common.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONFIG_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONFIG_H
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// \brief By default the package is header-only. If `CGAL_INTRINSIC_TRIANGULATIONS_COMPILED` is defined, as the CMake target
-/// `Intrinsic_triangulations::compiled` does, what is no template of the user's types comes from a library: programs compile in
-/// half the time, and do the same.
+/// \brief By default the package is header-only. If `CGAL_INTRINSIC_TRIANGULATIONS_COMPILED` is defined, as the CMake
+/// target `Intrinsic_triangulations::compiled` does, everything that is not a template of the user's types comes from a
+/// library: programs compile in a third of the time, and behave the same.
 ///
-/// Definitions stand in files whose names end in `_impl.h`. A header includes those of its classes unless the macro is defined.
+/// Definitions stand in files whose names end in `_impl.h`. A header includes those of its classes unless the macro is
+/// defined.
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #define CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 #else

@@ -16,6 +16,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -44,7 +45,8 @@ enum class Parameter {
 template <Parameter parameter>
 using Parameter_tag = std::integral_constant<Parameter, parameter>;
 
-// A sequence of named parameters that goes on with those of the package or of CGAL, in any order. CGAL's own class knows only CGAL's.
+// A sequence of named parameters that goes on with those of the package or of CGAL, in any order. CGAL's own class
+// knows only CGAL's.
 template <class T, class Tag, class Base = internal_np::No_property>
 struct Named_parameters : internal_np::Named_params_impl<T, Tag, Base>
 {
@@ -86,6 +88,13 @@ Named_parameters<T, Parameter_tag<parameter>> named(const T& value)
 {
   return Named_parameters<T, Parameter_tag<parameter>>(value);
 }
+
+// Whether a map of constrained edges is given.
+template <class NamedParameters>
+constexpr bool has_edge_constraints =
+  !std::is_same<std::decay_t<decltype(parameters::get_parameter(std::declval<const NamedParameters&>(),
+                                                                internal_np::edge_is_constrained))>,
+                internal_np::Param_not_found>::value;
 
 } // namespace internal
 /// \endcond
@@ -177,7 +186,8 @@ auto keeps_ridges(const T& value)
   return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::KEEPS_RIDGES>(value);
 }
 /// \ingroup PkgIntrinsicTriangulationsNamedParameters
-/// \brief how much the length of a path may be changed at each edge that it crosses, as a part of the length of the edge.
+/// \brief how much the length of a path may be changed at each edge that it crosses, as a part of the length of the
+/// edge.
 template <class T>
 auto tolerance(const T& value)
 {

@@ -16,8 +16,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// s + e is exactly a + b (Knuth). A `Number` is double, or several of them. Arguments are taken by value, since results may
-// replace them, and unfused, since they may be products.
+// s + e is exactly a + b (Knuth). A `Number` is double, or several of them. Arguments are taken by value, since results
+// may replace them, and unfused, since they may be products.
 template <class Number>
 BOOST_FORCEINLINE void two_sum(Number a, Number b, Number& s, Number& e)
 {

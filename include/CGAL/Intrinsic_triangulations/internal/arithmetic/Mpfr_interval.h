@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// The precision of the next attempt, where this one did not settle a question that enough digits settle. No input is known that
-// needs a thousandth of the largest.
+// The precision of the next attempt, where this one did not settle a question that enough digits settle. No input is
+// known that needs a thousandth of the largest.
 inline long doubled(long precision)
 {
   if (precision >= (1l << 22))

@@ -99,7 +99,8 @@ public:
     const Number u = unreduced_product(a, b);
     return u >= p_ ? u - p_ : u;
   }
-  // The product or p more, of numbers below 2 p: as 4 p < 2^64, (a b + m p) / 2^64 < 2 p. So in chains of products only the last is reduced.
+  // The product or p more, of numbers below 2 p: as 4 p < 2^64, (a b + m p) / 2^64 < 2 p. So in chains of products only
+  // the last is reduced.
   Number unreduced_product(Number a, Number b) const
   {
 #if defined(__SIZEOF_INT128__)

@@ -38,8 +38,8 @@ inline Prime_fields random_prime_fields(std::uint64_t seed)
   return fields;
 }
 
-// The inverse in each field; that of zero is zero. A power takes a chain of products, each of which waits for the one before: so the chains of
-// all fields go side by side, by three bits of the exponent at a time.
+// The inverse in each field; that of zero is zero. A power takes a chain of products, each of which waits for the one
+// before: so the chains of all fields go side by side, by three bits of the exponent at a time.
 inline std::array<Gaussian_residue, std::tuple_size<Prime_fields>::value>
 inverses(const Prime_fields& fields, const std::array<Gaussian_residue, std::tuple_size<Prime_fields>::value>& a)
 {

@@ -3,7 +3,8 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Sums of products in about 106 bits: numbers, vectors in space and complex numbers, for expressions with one bound for their error.
+// Sums of products in about 106 bits: numbers, vectors in space and complex numbers, for expressions with one bound for
+// their error.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_SPLIT_DOUBLE_DOUBLE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_SPLIT_DOUBLE_DOUBLE_H

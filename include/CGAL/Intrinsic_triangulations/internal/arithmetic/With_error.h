@@ -24,13 +24,14 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 // A real number known to lie within error() of part(). The bound is a running error analysis in the style of Wilkinson:
-// each operation adds its own rounding error, at most `unit` of the result, or nothing where an operation on double-doubles
-// is seen to be exact, so that an exact zero can be proven for numbers with few bits. The unit is generous: double-doubles
-// are good to 2^-103, and a double errs by a quarter of it. The bounds themselves are rounded, which the generosity covers.
-// Needs round-to-nearest, and values between 1e-140 and 1e140: below, the errors of underflow exceed the bound, which
-// `tiny` covers.
+// each operation adds its own rounding error, at most `unit` of the result, or nothing where an operation on
+// double-doubles is seen to be exact, so that an exact zero can be proven for numbers with few bits. The unit is
+// generous: double-doubles are good to 2^-103, and a double errs by a quarter of it. The bounds themselves are rounded,
+// which the generosity covers. Needs round-to-nearest, and values between 1e-140 and 1e140: below, the errors of
+// underflow exceed the bound, which `tiny` covers.
 //
-// \tparam Part_ `Double_double`, or `double` for numbers of which half of the digits are asked for, in a fraction of the time
+// \tparam Part_ `Double_double`, or `double` for numbers of which half of the digits are asked for, in a fraction of
+//   the time
 template <class Part_>
 class With_error
 {
@@ -186,7 +187,8 @@ private:
 using Bounded_double_double = With_error<Double_double>;
 using Double_with_bound = With_error<double>;
 
-// Whether the number gives the same double in whatever order it was computed: it is accurate, and not halfway between two doubles.
+// Whether the number gives the same double in whatever order it was computed: it is accurate, and not halfway between
+// two doubles.
 inline bool is_rounded_alike(const Bounded_double_double& a)
 {
   const double margin = 0x1p-75 * std::abs(a.hi());

@@ -213,9 +213,14 @@ private:
         const std::uint32_t s = side.side(), partner = sides[position].side();
         if (glued_to_[partner] != null)
           throw_at_edge(Defect::NON_MANIFOLD_EDGE, s, "has more than two faces");
-        if (side.has_direction_of(sides[position]))
+        if (side.has_direction_of(sides[position])) {
+          // Of three faces two always agree: to turn them does not help.
+          for (std::uint32_t other = i + 1; other < bucket_begin[v + 1]; ++other)
+            if (sides[other].larger_end == side.larger_end)
+              throw_at_edge(Defect::NON_MANIFOLD_EDGE, sides[other].side(), "has more than two faces");
           throw_at_edge(Defect::INCONSISTENT_ORIENTATION, s,
                         "is traversed twice in the same direction; orient the faces first");
+        }
         glued_to_[partner] = s;
         glued_to_[s] = partner;
         ++number_of_glued_pairs_;

@@ -51,8 +51,8 @@ struct Surface_point
 struct Surface_direction
 {
   Surface_point point; ///< where a line begins
-  /// by how much the barycentric coordinates of the target and of the third corner grow in this direction, in any unit; that of
-  /// the source falls by their sum
+  /// by how much the barycentric coordinates of the target and of the third corner grow in this direction, in any unit;
+  /// that of the source falls by their sum
   std::array<double, 2> displacement;
 };
 

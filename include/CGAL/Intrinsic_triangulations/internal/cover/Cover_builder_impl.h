@@ -18,7 +18,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/Disjoint_sets.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 
 #include <algorithm>
 #include <cmath>
@@ -359,8 +359,8 @@ private:
   }
   Index third_vertex(Index s) const { return triangles()[s / 3][(s + 2) % 3]; }
 
-  // Drops the parts of the cover that have no area: not only those of the input, as two faces without area that lie on each
-  // other enclose one. The other faces without area are flipped away.
+  // Drops the parts of the cover that have no area: not only those of the input, as two faces without area that lie on
+  // each other enclose one. The other faces without area are flipped away.
   std::vector<Vertex_number_pair> remove_flat_faces()
   {
     std::vector<bool> is_flat(triangles().size());

@@ -23,7 +23,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// A complex and a copy of it that is turned over, glued along the border. Face f is copied as face f and, turned over, as f + n.
+// A complex and a copy of it that is turned over, glued along the border. Face f is copied as face f and, turned over,
+// as f + n.
 class Complex_doubler
 {
   using Index = std::uint32_t;

@@ -47,11 +47,12 @@ struct Glued_faces
   void keep(const std::vector<bool>& is_kept);
 };
 
-// The longest side of a face without area leads past its third corner. Flipping it cuts the face on its other side there, in
-// two triangles that lie in space as that did. Where both faces have no area, this can make an edge between two corners
-// at the same place. Such an edge is shrunk to a point: its faces vanish, and their other sides are united in pairs. In a part that is
-// closed and has an area, no face without area remains: from each one, longest sides lead over longer and longer ones
-// to a face that has an area, or to one with the same longest side. All these flips are of edges that are not Delaunay.
+// The longest side of a face without area leads past its third corner. Flipping it cuts the face on its other side
+// there, in two triangles that lie in space as that did. Where both faces have no area, this can make an edge between
+// two corners at the same place. Such an edge is shrunk to a point: its faces vanish, and their other sides are united
+// in pairs. In a part that is closed and has an area, no face without area remains: from each one, longest sides lead
+// over longer and longer ones to a face that has an area, or to one with the same longest side. All these flips are of
+// edges that are not Delaunay.
 class Flat_face_remover
 {
 public:

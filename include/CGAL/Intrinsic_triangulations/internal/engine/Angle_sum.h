@@ -46,8 +46,9 @@ struct Bounded_angle
   }
 };
 
-// The angle of a corner from four times the area and twice the scalar product of its sides, with the bound E on errors of
-// its face (see Filtered_edge_length_traits): the point (p, a) is wrong by at most 1.08 E. A true area is not negative.
+// The angle of a corner from four times the area and twice the scalar product of its sides, with the bound E on errors
+// of its face (see Filtered_edge_length_traits): the point (p, a) is wrong by at most 1.08 E. A true area is not
+// negative.
 inline Bounded_angle bounded_angle(double p, double four_areas, double face_error)
 {
   const double a = (std::max)(four_areas, 0.), modulus = std::hypot(p, a);

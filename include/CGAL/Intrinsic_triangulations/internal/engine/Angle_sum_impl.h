@@ -20,9 +20,9 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// The numbers p + i a of the corners have their angles as arguments. So the product of the first n has the argument of the
-// sum of n angles; that is ambiguous by 2π, unless corner is added to corner: a sum below π and an angle of at most π
-// make less than 2π.
+// The numbers p + i a of the corners have their angles as arguments. So the product of the first n has the argument of
+// the sum of n angles; that is ambiguous by 2π, unless corner is added to corner: a sum below π and an angle of at most
+// π make less than 2π.
 class Angle_sum_signs
 {
 public:

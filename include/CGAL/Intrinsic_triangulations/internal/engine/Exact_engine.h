@@ -44,22 +44,25 @@ class Input_surface;
 class Exact_fallback;
 class Residues;
 class Vertex_positions;
+class Crossed_edges;
+struct Saved_triangulation;
 template <class Corner, class Image_corner>
 struct Known_corner;
 
 // The exact engine: a triangulation, the input that it came from, and what exact arithmetic says about both.
 //
-// It has the connectivity, follows each change of it, and knows where the input lies in it (see Correspondence). Every answer is a function of
-// the input and of the connectivity, whatever the flips were that led there.
+// It has the connectivity, follows each change of it, and knows where the input lies in it (see Correspondence). Every
+// answer is a function of the input and of the connectivity, whatever the flips were that led there.
 //
 // Without an input it is a connectivity only. `keep_input()` gives it one, and all but the changes need that.
 //
-// Its layers are folders, from the bottom up: history (integers, and what an edge crosses), metric (the input), layout (triangles of the input
-// laid out one after the other), and decide (signs from layouts).
+// Its layers are folders, from the bottom up: history (integers, and what an edge crosses), metric (the input), layout
+// (triangles of the input laid out one after the other), and decide (signs from layouts).
 //
-// All const member functions may be called by several threads at once: each works with memory of its own, and the first one that needs the
-// integers computes them while the others wait. Queries throw Integer_overflow_error if these leave 64 bits, Undecided_error if a proof is
-// demanded of a tie that takes too long, and Cancelled_error if the function that was given to `set_interruption()` says so.
+// All const member functions may be called by several threads at once: each works with memory of its own, and the first
+// one that needs the integers computes them while the others wait. Queries throw Integer_overflow_error if these leave
+// 64 bits, Undecided_error if a proof is demanded of a tie that takes too long, and Cancelled_error if the function
+// that was given to `set_interruption()` says so.
 class Exact_engine
 {
 public:
@@ -85,7 +88,8 @@ public:
   const Correspondence& correspondence() const { return correspondence_; }
   const Input_metric& metric() const { return metric_; }
 
-  // ---------------------------------------------------------------- changes: an exception leaves everything as it was, as far as answers can tell
+  // ---------------------------------------------------------------- changes: an exception leaves everything as it was,
+  // as far as answers can tell
 
   // \return whether the new edge is known to be a straight line between two of the points
   bool flip(const Hinge_halfedges& around)
@@ -107,10 +111,11 @@ public:
   // Sets `halfedge(f)`, for who undoes a change.
   void set_halfedge(Face_index f, Halfedge_index h) { connectivity_.set_halfedge(f, h); }
 
-  // Flips are logged from now on until the next query, so that each takes the least time: for algorithms that consist of flips. Those of other
-  // functions, which are few and between queries, are followed at once. O(1).
+  // Flips are logged from now on until the next query, so that each takes the least time: for algorithms that consist
+  // of flips. Those of other functions, which are few and between queries, are followed at once. O(1).
   void begin_journal();
-  // A flip in a part of the triangulation that a thread has to itself. What was flipped so is appended before the next query.
+  // A flip in a part of the triangulation that a thread has to itself. What was flipped so is appended before the next
+  // query.
   // \pre no query was made since `begin_journal()`
   void flip_in_block(const Hinge_halfedges& around) { connectivity_.flip(around); }
   void append(std::vector<Hinge_halfedges> flips);
@@ -127,13 +132,27 @@ public:
   // Removes an inserted vertex, the target of `h`, on a straight line of two edges. Likewise.
   Removed_elements unsplit_edge(Halfedge_index h);
 
+  // Replaces the triangulation by one that a file says has come from this input. All of that is checked, exactly.
+  // Its numbers stay there.
+  // \pre nothing was flipped, and `saved` has an entry for each of its elements
+  // \exception Invalid_surface_error if it is none; then this can only be destroyed
+  // \param is_known whether the numbers of a face are known to be right
+  void restore(Saved_triangulation& saved, const Block_runner& run, const std::function<bool(Face_index)>& is_known);
+  // Whether a face is known to be a triangle in space. Numbers that are rounded depend on that in the last place.
+  bool is_known_to_be_straight(Face_index f) const
+  {
+    find_straight_faces();
+    return is_straight(f);
+  }
+
   // ---------------------------------------------------------------- how decisions are made
 
   // What they accept as a tie.
   void set_tie_proof(Tie_proof tie_proof);
-  // A function that is called from time to time during a single decision that takes long: if it returns `false`, the decision ends with a
-  // Cancelled_error. Threads that decide call it, several at once if they do. An empty one, as at the beginning, ends none; copies do not
-  // take it over. Returns the one before.
+  Tie_proof tie_proof() const;
+  // A function that is called from time to time during a single decision that takes long: if it returns `false`, the
+  // decision ends with a Cancelled_error. Threads that decide call it, several at once if they do. An empty one, as at
+  // the beginning, ends none; copies do not take it over. Returns the one before.
   std::function<bool()> set_interruption(std::function<bool()> go_further);
   const Interruption& interruption() const;
   // How the tests were decided, and those that others have counted.
@@ -142,8 +161,9 @@ public:
 
   // ---------------------------------------------------------------- decisions
 
-  // Computes the integers and recovers the input, where that was not done yet; all queries do so themselves. O(size + number of flips) if there is
-  // a journal of flips, and O(1) otherwise. With threads, the integers are computed while the input is recovered.
+  // Computes the integers and recovers the input, where that was not done yet; all queries do so themselves. O(size +
+  // number of flips) if there is a journal of flips, and O(1) otherwise. With threads, the integers are computed while
+  // the input is recovered.
   template <class ConcurrencyTag = Sequential_tag>
   void prepare() const
   {
@@ -151,13 +171,14 @@ public:
       prepare(block_runner<ConcurrencyTag>());
   }
 
-  // The sign of `cot k + cot l` for the angles opposite to `e`. Where both faces have zero area, it is `NEGATIVE` if both angles are π, and
-  // `ZERO` otherwise. \pre `e` lies between two different faces
+  // The sign of `cot k + cot l` for the angles opposite to `e`. Where both faces have zero area, it is `NEGATIVE` if
+  // both angles are π, and `ZERO` otherwise. \pre `e` lies between two different faces
   Sign sign_of_cotangents(Edge_index e) const;
-  // The same by the unfolding alone: what is known of the flips before, as that a face is straight in space, is not used.
+  // The same by the unfolding alone: what is known of the flips before, as that a face is straight in space, is not
+  // used.
   Sign sign_by_unfolding(Edge_index e) const;
-  // The same on the way to a Delaunay triangulation: counts how the test was decided, and remembers what makes tests after the next flips
-  // cheap. `corners` receives the two corners, unless both faces lie in one plane in space.
+  // The same on the way to a Delaunay triangulation: counts how the test was decided, and remembers what makes tests
+  // after the next flips cheap. `corners` receives the two corners, unless both faces lie in one plane in space.
   Sign decide(Edge_index e, std::optional<Opposite_corners>& corners);
   // By which stage a test was decided, and how.
   struct Test
@@ -169,7 +190,8 @@ public:
     IN_PLANE,    // where both faces lie in one plane
     SHORT_STRIPS // and where few input edges cross those that are not straight
   };
-  // The same by stages that never take long, for many tests while nothing is flipped. There is no answer where they do not suffice.
+  // The same by stages that never take long, for many tests while nothing is flipped. There is no answer where they do
+  // not suffice.
   std::optional<Test> quick_test(Edge_index e, Effort effort) const;
 
   // Whether the two faces of `e` form a strictly convex quadrilateral. \pre `e` lies between two different faces
@@ -188,7 +210,8 @@ public:
   // \pre h is not a border halfedge
   Corner corner(Halfedge_index h) const;
   std::vector<std::pair<Halfedge_index, Corner>> corners_at(Vertex_index v) const;
-  // The same. What was laid out before is used, and what is laid out is kept, if edges at the vertex cross many input edges.
+  // The same. What was laid out before is used, and what is laid out is kept, if edges at the vertex cross many input
+  // edges.
   Corner kept_corner(Halfedge_index h);
   std::vector<std::pair<Halfedge_index, Corner>> kept_corners_at(Vertex_index v);
   // Whether a corner of the face of h was inserted into an input that is given by points.
@@ -219,7 +242,8 @@ public:
 
   // Returns the area of `f` in the unit of the input, up to a relative error of `2^-50`.
   // A subnormal area is within two units in its last place, and not zero.
-  // \exception Invalid_surface_error if the unit of the input is so small or so large that the area leaves the range of `double`
+  // \exception Invalid_surface_error if the unit of the input is so small or so large that the area leaves the range of
+  //   `double`
   double area(Face_index f) const;
 
   // Whether a face of the input has positive area.
@@ -237,7 +261,8 @@ public:
 
     Large_vector<double> lengths; // as length() returns them, up to the last digit
     Large_vector<double> areas;   // in the unit of the metric
-    // Opposite to each halfedge of a face: `hi()`, `lo()` and `error()`, which is infinite unless the area is known to be positive.
+    // Opposite to each halfedge of a face: `hi()`, `lo()` and `error()`, which is infinite unless the area is known to
+    // be positive.
     Large_vector<std::array<double, 3>> cotangents;
   };
   // Finds what belongs to faces from first to before last: any number of threads may do that for other faces.
@@ -253,7 +278,8 @@ public:
   // Likewise four times the area of a face, in the unit of the metric.
   Double_with_bound rounded_four_areas(Face_index f) const;
 
-  // As `edge_beginning()` of `Unfolding`, with errors of at most 2^-50 of the vector, or of the source if that is longer.
+  // As `edge_beginning()` of `Unfolding`, with errors of at most 2^-50 of the vector, or of the source if that is
+  // longer.
   struct Edge_beginning
   {
     std::complex<double> source, vector;
@@ -261,10 +287,12 @@ public:
   };
   Edge_beginning edge_beginning(Halfedge_index h) const;
 
-  // The angle at the source of an input halfedge, in its face, up to 2^-50. \pre `prepare()` was called, h is not a border halfedge
+  // The angle at the source of an input halfedge, in its face, up to 2^-50. \pre `prepare()` was called, h is not a
+  // border halfedge
   double input_angle(Halfedge_index h) const;
 
-  // The input as the images of its metric see it; the caller's own as long as the lease lives. \pre `prepare()` was called
+  // The input as the images of its metric see it; the caller's own as long as the lease lives. \pre `prepare()` was
+  // called
   using Surface_lease = Scratch_pool<Input_surface>::Lease;
   Surface_lease input_surface() const;
 
@@ -278,7 +306,8 @@ private:
   static constexpr std::size_t longest_journal = 8;
   // In crossings of the four sides.
   static constexpr std::int64_t long_hinge = 4;
-  // To carry a face along costs about as much as to lay out an eighth of a triangle, as most flips stay within one plane.
+  // To carry a face along costs about as much as to lay out an eighth of a triangle, as most flips stay within one
+  // plane.
   static constexpr double flips_for_a_quantity = 8;
   // In input quantities: what is laid out in some microseconds.
   static constexpr double short_strip = 256;
@@ -327,6 +356,17 @@ private:
   Bounded_double_double squared_length(Edge_index e, Input_surface& surface) const;
   Exact_fallback exact_fallback(Input_surface& surface) const;
   bool is_straight(Face_index f) const;
+  bool has_inserted_vertex(Face_index f) const;
+  bool are_sound(Face_index f, const Saved_triangulation& saved, Input_surface& surface) const;
+  void check_line(Edge_index e) const;
+  // Whether the ends of the edges that h crosses lie on its two sides, or else on h, or else not so.
+  enum class Line_check {
+    STRAIGHT,
+    TOUCHING,
+    BENT
+  };
+  Line_check check_sides(Halfedge_index h, const Crossed_edges& crossed) const;
+  Face_index plane(Face_index f) const;
   template <class Real>
   struct Side_and_corner;
   template <class Unfolding_>
@@ -349,6 +389,7 @@ private:
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_numbers_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_restore_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_signs_impl.h>
 #endif
 

@@ -37,12 +37,13 @@ namespace internal {
 
 // What follows the flips, and what speeds up decisions.
 //
-// Const queries read it, and change it in three ways only, all of them safe: the pool of surfaces is made for that; the integers
-// and the straight faces are brought up to date under the mutex, and an atomic flag tells the others that they are.
+// Const queries read it, and change it in three ways only, all of them safe: the pool of surfaces is made for that; the
+// integers and the straight faces are brought up to date under the mutex, and an atomic flag tells the others that they
+// are.
 //
-// Straight faces do not know of the flips in `journal`, nor of those in the journal of the correspondence but for the first
-// `number_of_known_flips`. Flips that are not followed at once make what was developed of their faces wrong; it is forgotten at the latest when
-// they leave one of these journals.
+// Straight faces do not know of the flips in `journal`, nor of those in the journal of the correspondence but for the
+// first `number_of_known_flips`. Flips that are not followed at once make what was developed of their faces wrong; it
+// is forgotten at the latest when they leave one of these journals.
 struct Exact_engine::Memory
 {
   using Developed_faces = internal::Developed_faces<Bounded_double_double, Double_double_disk, Corner, Image_corner>;
@@ -91,8 +92,8 @@ struct Exact_engine::Memory
   Vertex_positions::Inserted inserted_positions; // kept if the input has points
   Developed_faces developed_faces;
   std::optional<Developed_faces::Whole> split_face; // the last one, until its parts are measured
-  // So many flips more of long hinges are followed, whether their tests were close or not. What is laid out pays for it: where tests are
-  // seldom close, it would not be worth it.
+  // So many flips more of long hinges are followed, whether their tests were close or not. What is laid out pays for
+  // it: where tests are seldom close, it would not be worth it.
   double credit = 0;
   std::vector<bool> is_close_call; // a test took more than double since the last flip of the edge
 
@@ -181,6 +182,9 @@ Stage_counts& Exact_engine::stage_counts() { return memory_->counts; }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_engine::set_tie_proof(Tie_proof tie_proof) { memory_->settings.tie_proof = tie_proof; }
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Tie_proof Exact_engine::tie_proof() const { return memory_->settings.tie_proof; }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 std::function<bool()> Exact_engine::set_interruption(std::function<bool()> go_further)
@@ -374,8 +378,9 @@ bool Exact_engine::follow(const Hinge_halfedges& around)
   return memory.straight_faces->flip(connectivity_, positions(), e);
 }
 
-// Whether the faces beside an edge are worth to be laid out when it is flipped, since to do that later, for its successors, would take
-// longer. Most hinges of ordinary surfaces are not; images in finite fields are so slow that they are carried for close calls alone.
+// Whether the faces beside an edge are worth to be laid out when it is flipped, since to do that later, for its
+// successors, would take longer. Most hinges of ordinary surfaces are not; images in finite fields are so slow that
+// they are carried for close calls alone.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 bool Exact_engine::is_long_hinge(const Hinge_halfedges& around) const
 {

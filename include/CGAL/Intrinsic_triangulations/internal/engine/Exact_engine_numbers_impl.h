@@ -34,7 +34,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Whether double-doubles tell the number that is asked for: the root of a squared length, the sum of two cotangents with its sign, an area.
+// Whether double-doubles determine the requested number: the root of a squared length, the sum of two cotangents with
+// its sign, an area.
 inline bool has_good_root(const Bounded_double_double& s) { return s.relative_error() < 0x1p-70; }
 inline bool is_good_weight(const Bounded_double_double& weight)
 {
@@ -51,7 +52,8 @@ inline double rounded_root(const Bounded_double_double& s, int unit_exponent)
   return std::ldexp(l.hi() + l.lo(), unit_exponent);
 }
 
-// Vectors that evaluate(metric) computes, each with an error of at most 2^-50 of its length, or of that of the last one if that is longer.
+// Vectors that evaluate(metric) computes, each with an error of at most 2^-50 of its length, or of that of the last one
+// if that is longer.
 template <std::size_t N, class Evaluate>
 std::array<std::complex<double>, N> Exact_engine::rounded_vectors(Input_surface& surface, const Evaluate& evaluate)
 {
@@ -295,8 +297,8 @@ struct Exact_engine::Side_and_corner
     return {corner.p * inverse, (corner.s_first.scaled(2) - corner.p) * inverse,
             (corner.s_second.scaled(2) - corner.p) * inverse};
   }
-  // Those opposite to the first halfedge of a face and to those that follow. The errors are infinite where the area is not known to
-  // be positive.
+  // Those opposite to the first halfedge of a face and to those that follow. The errors are infinite where the area is
+  // not known to be positive.
   void get_cotangents(const Delta_complex& complex, Face_index f, std::array<Real, 3>& result) const
   {
     if (!certainly(corner.four_areas.sign() == POSITIVE)) {

@@ -120,9 +120,10 @@ std::optional<Exact_engine::Test> Exact_engine::test_by_corners(Halfedge_index h
   return std::nullopt;
 }
 
-// The sum of the cotangents opposite to kl = h, where its faces make up two faces of the input with the edge ij. Nearly flat grids are full of
-// such edges. The angles sum to 2π, so that sin(i + j) = -sin(k + l), and with w_kl = sin(i + j) / (sin i sin j) it follows that
-// w_kl = -w_ij A_ijk A_jil / (A_ilk A_jkl): however small w_ij is, its points tell it well.
+// The sum of the cotangents opposite to kl = h, where its faces make up two faces of the input with the edge ij. Nearly
+// flat grids are full of such edges. The angles sum to 2π, so that sin(i + j) = -sin(k + l), and with w_kl = sin(i + j)
+// / (sin i sin j) it follows that w_kl = -w_ij A_ijk A_jil / (A_ilk A_jkl): however small w_ij is, its points tell it
+// well.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 std::optional<Bounded_double_double> Exact_engine::weight_by_other_diagonal(Halfedge_index h,
                                                                             const Opposite_corners& corners) const

@@ -70,9 +70,9 @@ inline void check_contents(const std::string& path)
       begins_with("7z\xbc\xaf", 0))
     refuse_file(path, "the file is compressed: unpack it first");
   if (begins_with("version https://git-lfs", 0))
-    refuse_file(path, "the file stands for another one, which Git LFS has: get it with git lfs pull");
+    refuse_file(path, "the file is a placeholder for a file in Git LFS: get it with git lfs pull");
   if (begins_with("<!DOCTYPE", text) || begins_with("<!doctype", text) || begins_with("<html", text))
-    refuse_file(path, "the file is a page of the web and no mesh: it was not downloaded as a file");
+    refuse_file(path, "the file is a web page, not a mesh: it was not downloaded as a file");
 }
 
 } // namespace internal

@@ -134,15 +134,17 @@ private:
     const auto is = [keyword](const std::string_view word) { return is_keyword(keyword, word); };
     if (is("call") || is("csh"))
       refuse(line() + ": " + quote(lines_.rest()) +
-             " runs another file or program, which is not done: put what comes from there in its place");
+             " runs another file or program, which is not supported: replace it with the contents");
     if (!is_other_obj_keyword(keyword))
       refuse(line() + ": " + quote(lines_.rest()) + " is not understood (after " +
              counted(soup_.points.size(), "vertex", "vertices") + " and " +
-             counted(soup_.number_of_faces(), "face", "faces") + ")");
+             counted(soup_.number_of_faces(), "face", "faces") +
+             "): correct it, or put # before it if it has no part of the surface");
     if (has_curved_surfaces_ || !(is("surf") || is("bsp") || is("bzp") || is("cdp")))
       return;
     has_curved_surfaces_ = true;
-    soup_.warnings.push_back(line() + ": this and all other curved surfaces are left out, as they are no polygons");
+    soup_.warnings.push_back(line() +
+                             ": this and all other curved surfaces are left out, because they are not polygons");
   }
 
   // Three coordinates, and perhaps a weight and a color.

@@ -40,15 +40,19 @@ public:
     for (std::size_t v = 0; v < vertices_; ++v)
       take_vertex(v);
     for (std::size_t f = 0; f < faces_; ++f)
-      take_face(f);
+      if (!lines_.find_word() || !take_usual_triangle())
+        take_face(f);
     if (bad_faces_ > 0)
       refuse_bad_index();
     if (lines_.find_word())
-      refuse("face", faces_, ": " + quote(lines_.rest()) + " is behind the last face; " + announced() + hint());
+      refuse("face", faces_,
+             ": " + quote(lines_.rest()) + " is behind the last face; " + announced() +
+               ": correct these numbers, or remove what is left over" + hint());
   }
 
 private:
-  // [ST][C][N][4][n]OFF, and the numbers of vertices, faces and edges, the first of which may be in the same word.
+  // [ST][C][N][4][n]OFF, where some programs write the first three in another order, and the numbers of vertices, faces
+  // and edges, the first of which may be in the same word.
   void read_header()
   {
     if (!lines_.find_word())
@@ -60,9 +64,16 @@ private:
       keyword.remove_prefix(is_there ? prefix.size() : 0);
       return is_there;
     };
-    const bool has_textures = take("st");
-    has_colors_ = take("c");
-    const bool has_normals = keyword.substr(0, 4) != "nOFF" && take("n");
+    bool has_textures = false, has_normals = false;
+    for (;;)
+      if (take("st"))
+        has_textures = true;
+      else if (take("c"))
+        has_colors_ = true;
+      else if (keyword.substr(0, 4) != "nOFF" && take("n"))
+        has_normals = true;
+      else
+        break;
     is_homogeneous_ = take("4");
     const bool has_dimension = keyword.substr(0, 4) == "nOFF" && take("n");
     if (!take("off") || !(keyword.empty() || is_digit(keyword[0])))
@@ -128,7 +139,7 @@ private:
     const std::size_t colors = take_colors("vertex", v);
     if (v == 0)
       colors_ = colors;
-    else if (colors != colors_ && !has_colors_)
+    else if (colors != colors_ && !(has_colors_ && (colors == 0 || colors > 2))) // some may have none, RGB or RGBA
       refuse("vertex", v,
              ": there " + are_counted(numbers_per_vertex_ + colors, "number", "numbers") +
                " where the vertices before have " + std::to_string(numbers_per_vertex_ + colors_) + "; " + announced());
@@ -202,6 +213,24 @@ private:
                          are_counted(vertices_, "vertex", "vertices") + " (counted from 0)";
     }
     soup_.add_face(corners_.data(), corners_.data() + corners_.size());
+  }
+
+  // Goes over a triangle alone on its line, as nearly all faces are; at any other face it stays.
+  bool take_usual_triangle()
+  {
+    const char* p = lines_.p;
+    std::array<std::uint32_t, 4> numbers;
+    for (std::uint32_t& number : numbers) {
+      p = skip_white(p, lines_.last);
+      if (!take_count(p, lines_.last, number) || !(p == lines_.last || is_white(*p)))
+        return false;
+    }
+    if (numbers[0] != 3 || (std::max)({numbers[1], numbers[2], numbers[3]}) >= vertices_ ||
+        skip_white(p, lines_.last) != lines_.last)
+      return false;
+    lines_.p = lines_.last;
+    soup_.add_face(&numbers[1], &numbers[1] + 3);
+    return true;
   }
 
   // Takes most numbers, or the word for a closer look.

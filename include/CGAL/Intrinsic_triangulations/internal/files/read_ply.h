@@ -178,7 +178,7 @@ inline void check_types(const std::string& path, const std::vector<Ply_element>&
                     "by the header the elements " + element.name + " have no list vertex_indices or vertex_index");
       if (is_real(property->type))
         refuse_file(path, "by the header the list " + property->name + " of the elements " + element.name +
-                            " has the type " + property->type + ", which is none of integers");
+                            " has the type " + property->type + ", which is not a list of integers");
     }
   }
   if (!has_vertices || !has_faces)
@@ -293,7 +293,7 @@ inline void add_strips(const std::string& path, const std::string& where, const 
   }
   if (turns > 0)
     soup.warnings.push_back(where + ": the strips of triangles turn " + counted(turns, "time", "times") +
-                            " at a vertex that comes twice, which is no triangle");
+                            " at a repeated vertex, which is not a triangle");
 }
 
 template <bool is_big_endian>
@@ -529,7 +529,8 @@ public:
     if (find_word())
       refuse_file(path_, surplus_.empty() || lines_.number() == end
                            ? "line " + std::to_string(lines_.number()) + ": " + quote(lines_.take_word()) +
-                               " is behind the " + so_far() + " that the header announces"
+                               " is behind the " + so_far() +
+                               " that the header announces: correct these numbers, or remove what is left over"
                            : surplus_);
   }
 

@@ -293,7 +293,7 @@ private:
     else if (word == "solid" && (state_ == SOLID || state_ == OUTSIDE)) {
       if (state_ == SOLID)
         soup_.warnings.push_back("line " + std::to_string(number_) +
-                                 ": a solid begins where the one before has no line endsolid");
+                                 ": a solid begins, but the previous one has no line endsolid");
       state_ = SOLID;
       begin_rest(true);
     } else if (word == "endsolid" && state_ == SOLID) {
@@ -330,6 +330,8 @@ private:
   {
     if (facet_words_ == 0)
       return;
+    if (is_keyword(word, "endfacet") || is_keyword(word, "endloop"))
+      refuse_word(std::string(word)); // of a facet whose first words are misspelt, in a file of one line
     facet_words_ = is_keyword(word, "facet")                           ? 2
                    : facet_words_ == 2 && is_keyword(word, "normal")   ? 3
                    : facet_words_ == 3 && is_number(std::string(word)) ? 4

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/files/Text_lines.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/Polygon_soup.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -72,7 +73,7 @@ private:
       return;
     }
     if (is_other_ && (is_triangle || is("tface")))
-      refuse_line(word, "the part is no TSurf by its line GOCAD");
+      refuse_line(word, "the part is not a TSurf according to its line GOCAD");
     if (is_other_)
       return;
     is_begun_ = is_begun_ || is_data;
@@ -88,15 +89,24 @@ private:
       count_properties(is("trgl_esizes"));
     else if (const std::string rest = lines_.rest(); word.back() == '{' || (!rest.empty() && rest.back() == '{'))
       brace_line_ = lines_.number();
-    else if (is_begun_ && !is("bstone") && !is("border") && !is("control_node"))
+    else if ((is_begun_ || is_nearly_trgl(word)) && !is("bstone") && !is("border") && !is("control_node"))
       refuse_line(word, "it is not understood (VRTX, PVRTX, ATOM, PATOM, TRGL, TFACE, BSTONE, BORDER or END)");
+  }
+
+  // The header may have any words: this is a triangle that is misspelt, and would be lost.
+  static bool is_nearly_trgl(const std::string_view word)
+  {
+    const std::string letters = in_small_letters(std::string(word)), keyword = "trgl";
+    return letters.size() <= 5 && std::count_if(keyword.begin(), keyword.end(), [&letters](const char c) {
+                                    return letters.find(c) != std::string::npos;
+                                  }) >= 3;
   }
 
   void begin_part()
   {
     end_part();
     if (!is_ended_ && (is_begun_ || is_other_))
-      refuse(line() + ": a part begins where the one before has no line END");
+      refuse(line() + ": a part begins, but the previous one has no line END");
     is_ended_ = is_begun_ = false;
     vertex_of_number_.clear();
     properties_ = 0;
@@ -106,7 +116,7 @@ private:
     is_other_ = !kind.empty() && !is_keyword(kind, "tsurf");
     if (is_other_)
       soup_.warnings.push_back(line() + ": the part of the kind " + quote(kind) +
-                               " is no surface of triangles (TSurf), and is left out");
+                               " is not a surface of triangles (TSurf), and is left out");
   }
 
   void vertex()

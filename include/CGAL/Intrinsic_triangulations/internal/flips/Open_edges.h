@@ -33,12 +33,13 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// The edges that were left open when blocks were flipped: most of them are ties, near ties or edges with hinges in several blocks, and
-// most of them turn out to be Delaunay. These are settled here, each by the first stage that decides it, as long as that takes little
-// time; the others are left to one thread, which flips, and remembers what makes long decisions cheap.
+// The edges that were left open when blocks were flipped: most of them are ties, near ties or edges with hinges in
+// several blocks, and most of them turn out to be Delaunay. These are settled here, each by the first stage that
+// decides it, as long as that takes little time; the others are left to one thread, which flips, and remembers what
+// makes long decisions cheap.
 //
-// An answer is a function of the triangulation, which does not change meanwhile: so neither the answers nor their numbers depend on the
-// threads.
+// An answer is a function of the triangulation, which does not change meanwhile: so neither the answers nor their
+// numbers depend on the threads.
 template <class Traits, class ConstraintMap, class Flipper>
 class Open_edges
 {
@@ -59,8 +60,8 @@ public:
       triangulation_.set_interruption(interruption_.exchange({}));
   }
 
-  // Settles those of the edges, each of which is given once and marked as a candidate, that are found to be Delaunay, and removes them from
-  // the list.
+  // Settles those of the edges, each of which is given once and marked as a candidate, that are found to be Delaunay,
+  // and removes them from the list.
   // \exception Cancelled_error if the visitor or the interruption says so
   void settle_Delaunay(std::vector<Edge_index>& edges)
   {

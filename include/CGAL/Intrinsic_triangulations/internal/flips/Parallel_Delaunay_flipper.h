@@ -98,10 +98,9 @@ private:
   std::atomic<bool> is_stopped_{false};
 };
 
-// Settles what can be settled within blocks of consecutive edges on several threads, then what
-// can be within blocks that are shifted by half of their size. Those of the other edges that are Delaunay
-// are found on several threads, too, and the few that remain are flipped on one. The blocks do not depend on the number of
-// threads, nor does the result.
+// Settles what can be settled within blocks of consecutive edges on several threads, then what can be within blocks
+// that are shifted by half of their size. Those of the other edges that are Delaunay are found on several threads, too,
+// and the few that remain are flipped on one. The blocks do not depend on the number of threads, nor does the result.
 template <class Traits, class ConstraintMap, class Visitor>
 class Parallel_Delaunay_flipper
 {

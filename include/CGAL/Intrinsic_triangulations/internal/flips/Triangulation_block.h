@@ -50,7 +50,8 @@ public:
 
   // Whether there may be blocks: numbers are of a type that threads need not share.
   static constexpr bool are_possible = is_for_threads<typename Triangulation::Edge_data>;
-  // The flips in all blocks, each block with a journal of its own. At the end, when no block is in use, the geometry takes them over.
+  // The flips in all blocks, each block with a journal of its own. At the end, when no block is in use, the geometry
+  // takes them over.
   class Journals
   {
   public:

@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Saved_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 
 #include <CGAL/Uncertain.h>
@@ -94,6 +95,12 @@ public:
   }
   Removed_elements unsplit_face(Vertex_index v) { return triangulation_.unsplit_face(v); }
   Removed_elements unsplit_edge(Halfedge_index h) { return triangulation_.unsplit_edge(h); }
+
+  template <class ConcurrencyTag>
+  void restore(Saved_triangulation saved)
+  {
+    triangulation_.template restore<ConcurrencyTag>(std::move(saved));
+  }
 
   template <class Element>
   void recompute(Element x)

@@ -3,7 +3,8 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The faces that a straight line runs through, of the input or of the current triangulation: their shapes, and where the line begins.
+// The faces that a straight line runs through, of the input or of the current triangulation: their shapes, and where
+// the line begins.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_LINE_FACES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_LINE_FACES_H
@@ -35,8 +36,8 @@ struct Line_beginning
   Halfedge_index unit; // the input halfedge that has length 1
 };
 
-// The third corner of a face as one of its halfedges sees it: the sides that leave and enter it are that halfedge times `from_source` and
-// `to_target`, divided by `divisor`, which is positive.
+// The third corner of a face as one of its halfedges sees it: the sides that leave and enter it are that halfedge times
+// `from_source` and `to_target`, divided by `divisor`, which is positive.
 template <class Vector>
 struct Third_corner
 {
@@ -116,7 +117,8 @@ public:
     }
   }
 
-  // A side of the first face; the start is its source if the line begins at a vertex of the input, and the face begins to the right of the line.
+  // A side of the first face; the start is its source if the line begins at a vertex of the input, and the face begins
+  // to the right of the line.
   Halfedge_index first() const { return first_; }
   bool begins_at_input_vertex() const { return corner_.is_valid(); }
 
@@ -162,7 +164,8 @@ public:
   const Delta_complex& complex;
 
 private:
-  // The first face is that where the first side of the start's face leaves the vertex, or the one to the left of that side.
+  // The first face is that where the first side of the start's face leaves the vertex, or the one to the left of that
+  // side.
   void begin_at_vertex()
   {
     corner_ = start_.point.halfedge;

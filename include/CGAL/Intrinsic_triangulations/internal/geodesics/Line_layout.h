@@ -24,16 +24,17 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// One step through the faces along a line: over a side of the current face, counted from the halfedge that it was entered by, or
-// only to that side as the one to count from.
+// One step through the faces along a line: over a side of the current face, counted from the halfedge that it was
+// entered by, or only to that side as the one to count from.
 struct Line_move
 {
   std::uint8_t side;
   bool is_crossed;
 };
 
-// The current face, in the frame of the first halfedge. As in `Strip`, directions are products alone, and positions sums of them. Nothing
-// is divided but by input quantities: positions are multiples of what they stand for, by a positive number, the scale.
+// The current face, in the frame of the first halfedge. As in `Strip`, directions are products alone, and positions
+// sums of them. Nothing is divided but by input quantities: positions are multiples of what they stand for, by a
+// positive number, the scale.
 template <class Faces, class Metric>
 class Line_layout
 {

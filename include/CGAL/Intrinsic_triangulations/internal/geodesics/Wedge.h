@@ -60,8 +60,8 @@ public:
     return compare_corners_with_pi(nullptr);
   }
 
-  // Flips edges inside of the wedge until its outer side is straight or turns towards the vertex everywhere. With an angle
-  // below π that side is shorter then than the two halfedges.
+  // Flips edges inside of the wedge until its outer side is straight or turns towards the vertex everywhere. With an
+  // angle below π that side is shorter then than the two halfedges.
   // \param may_flip says for an edge whether it may be flipped
   // \param goes_on is called before each attempt; if it returns `false`, the work ends
   // \param after_flip is called after each flip

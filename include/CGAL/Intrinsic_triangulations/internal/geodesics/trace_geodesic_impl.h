@@ -276,7 +276,8 @@ private:
     return true;
   }
 
-  // Ends the line where it has the length that was asked for, in the face between `before_` and a point of another side.
+  // Ends the line where it has the length that was asked for, in the face between `before_` and a point of another
+  // side.
   bool end_between(const Surface_point& exit, double at)
   {
     const double t = at > length_ ? (wanted_ - length_) / (at - length_) : 1;

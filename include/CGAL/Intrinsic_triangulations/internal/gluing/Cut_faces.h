@@ -78,7 +78,7 @@ private:
       sum += x;
     }
     if (!is_valid || !(sum > 0x1p-500))
-      throw Invalid_point_error("point " + std::to_string(i) + " of the path is none of the surface");
+      throw Invalid_point_error("point " + std::to_string(i) + " of the path does not lie on the surface");
     for (double& x : p.coordinates)
       x /= sum;
     return p;

@@ -15,7 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/gluing/separate_fans.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/Disjoint_sets.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>

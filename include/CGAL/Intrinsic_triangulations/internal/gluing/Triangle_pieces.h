@@ -20,8 +20,9 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// A piece is what edges with two faces join. The faces of each are turned so that they agree with its first, as far as possible:
-// the search is breadth-first, so that faces which disagree lie far from the first and the line between them is short.
+// A piece is what edges with two faces join. The faces of each are turned so that they agree with its first, as far as
+// possible: the search is breadth-first, so that faces which disagree lie far from the first and the line between them
+// is short.
 class Triangle_pieces
 {
   using Index = std::uint32_t;

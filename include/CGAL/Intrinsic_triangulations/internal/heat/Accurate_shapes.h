@@ -3,7 +3,8 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Lengths and cotangents of a triangulation: the stored numbers where they are good enough, and exact geometry elsewhere.
+// Lengths and cotangents of a triangulation: the stored numbers where they are good enough, and exact geometry
+// elsewhere.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_ACCURATE_SHAPES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_ACCURATE_SHAPES_H

@@ -28,8 +28,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Longer than the shortest path along edges, of the triangulation and of its input; or, where the surface lies in space, shorter than the
-// straight line. Lengths are in the unit of Accurate_shapes.
+// Longer than the shortest path along edges, of the triangulation and of its input; or, where the surface lies in
+// space, shorter than the straight line. Lengths are in the unit of Accurate_shapes.
 class Distance_bounds
 {
 public:
@@ -133,7 +133,8 @@ private:
     }
   }
 
-  // A distance that is not positive says nothing: then half the path, which no Delaunay triangulation of the plane is further from.
+  // A distance that is not positive says nothing: then half the path, which no Delaunay triangulation of the plane is
+  // further from.
   double within(double distance, double path, std::uint32_t row, std::uint32_t origin,
                 const std::map<std::uint32_t, double>& sources) const
   {

@@ -34,8 +34,8 @@ inline Eigen::SparseMatrix<double> heat_matrix(const Heat_surface& surface, doub
   return result;
 }
 
-// Heat after a short time t: (M + t L) u = 0 except at its sources. At each edge it decreases by a constant factor, so that after some
-// 700 edges nothing is left of it in double. Then it is sent on from where it still is.
+// Heat after a short time t: (M + t L) u = 0 except at its sources. At each edge it decreases by a constant factor, so
+// that after some 700 edges nothing is left of it in double. Then it is sent on from where it still is.
 // \tparam Solver as Sparse_Cholesky
 template <class Solver>
 class Heat_diffusion

@@ -15,7 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/require_vertex.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Accurate_shapes.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/Disjoint_sets.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 
 #include <Eigen/SparseCore>
@@ -33,8 +33,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// A face in the plane: its corners are (0, 0), (base, 0) and (x, height). The base is the longest side, so that x and the
-// height are found without cancellation.
+// A face in the plane: its corners are (0, 0), (base, 0) and (x, height). The base is the longest side, so that x and
+// the height are found without cancellation.
 struct Heat_face
 {
   std::array<std::uint32_t, 3> row; // of the corners
@@ -44,8 +44,8 @@ struct Heat_face
   double area() const { return share * base * height / 2; }
 };
 
-// All lengths are in units of the mean length of the edges of their component, until they are lengthened, so that no number depends on the
-// scale of the input, nor on what else it holds.
+// All lengths are in units of the mean length of the edges of their component, until they are lengthened, so that no
+// number depends on the scale of the input, nor on what else it holds.
 struct Heat_surface
 {
   double mean_length = 0;    // of all edges, in units of 2^exponent units of the input
@@ -183,8 +183,8 @@ private:
     }
   }
 
-  // In the matrix a thinner face would leave nothing of the others in double: its corners get the cotangents of one that is just
-  // thick enough, as if its height were larger.
+  // In the matrix a thinner face would leave nothing of the others in double: its corners get the cotangents of one
+  // that is just thick enough, as if its height were larger.
   void thicken(Halfedge_index base, double x)
   {
     const double height = least_height * length(base), first = x / height, second = (length(base) - x) / height;

@@ -87,7 +87,8 @@ public:
   std::uint32_t right_of(std::uint32_t i) const { return sides_[i].opposite == none ? none : next(sides_[i].opposite); }
   // Infinite on the border.
   double angle_sum(std::uint32_t vertex) const { return angle_sums_[vertex]; }
-  // The sides that begin at a row are those with the numbers corner(i) for i from first_corner(row) to first_corner(row + 1).
+  // The sides that begin at a row are those with the numbers corner(i) for i from first_corner(row) to
+  // first_corner(row + 1).
   std::uint32_t first_corner(std::uint32_t row) const { return first_[row]; }
   std::uint32_t corner(std::uint32_t i) const { return corners_[i]; }
   // k such that lengths are in units of 2^k units of the input.

@@ -28,9 +28,9 @@ namespace internal {
 // Values by rows.
 using Pins = std::map<std::uint32_t, double>;
 
-// Solves A x = b where x has given values at the pins, and A x is free there. One factorization of A serves for all sets of few
-// pins: what acts at them is found from a small dense system. Its matrix has one column for each pin that was ever asked for, and is
-// kept.
+// Solves A x = b where x has given values at the pins, and A x is free there. One factorization of A serves for all
+// sets of few pins: what acts at them is found from a small dense system. Its matrix has one column for each pin that
+// was ever asked for, and is kept.
 // \tparam Solver as Sparse_Cholesky
 template <class Solver>
 class Pinned_system
@@ -60,7 +60,8 @@ public:
   const Matrix& matrix() const { return matrix_; }
   bool is_cold(std::size_t row) const { return !cold_.empty() && cold_[row]; }
 
-  // Without pins. With a kernel, b has to sum to zero over each part; a constant is missing then. Each column is a system.
+  // Without pins. With a kernel, b has to sum to zero over each part; a constant is missing then. Each column is a
+  // system.
   template <class Columns>
   Columns solve(const Columns& b) const
   {
@@ -128,7 +129,8 @@ private:
     return result;
   }
 
-  // With 1 at one diagonal entry of each part, the matrix is positive definite, and what solves the system is zero there.
+  // With 1 at one diagonal entry of each part, the matrix is positive definite, and what solves the system is zero
+  // there.
   Matrix anchored() const
   {
     Matrix result = matrix_;

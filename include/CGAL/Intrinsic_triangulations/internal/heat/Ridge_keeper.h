@@ -28,13 +28,13 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// The distance of a vertex is the smallest sum of the distance of a point on the boundary of its star and the way from there.
-// Where fronts from several sides meet, the function that fits the directions best rounds off the ridge and lies below
-// that: there it is raised. What is larger stays as it is. The distances of the others are those from before, so that nothing
-// adds up on the way; a second pass gets to the vertices next to those that were raised.
+// The distance of a vertex is the smallest sum of the distance of a point on the boundary of its star and the way from
+// there. Where fronts from several sides meet, the function that fits the directions best rounds off the ridge and lies
+// below that: there it is raised. What is larger stays as it is. The distances of the others are those from before, so
+// that nothing adds up on the way; a second pass gets to the vertices next to those that were raised.
 //
-// Between two vertices the distance is linear if their ways come from the same source, or from two that are joined by an edge. If not,
-// a ridge runs between them, and there are only ways over the vertices themselves.
+// Between two vertices the distance is linear if their ways come from the same source, or from two that are joined by
+// an edge. If not, a ridge runs between them, and there are only ways over the vertices themselves.
 class Ridge_keeper
 {
 public:
@@ -153,7 +153,8 @@ private:
     return way.origin;
   }
 
-  // First over the vertices around v, then over the points between them: most sides of the star are too far away for these.
+  // First over the vertices around v, then over the points between them: most sides of the star are too far away for
+  // these.
   Way shortest_way(std::uint32_t v, const Front& front) const
   {
     Way result;

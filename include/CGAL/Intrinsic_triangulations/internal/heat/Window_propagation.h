@@ -27,17 +27,18 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// The points of a side that straight ways from a vertex reach through the same faces are a window. Windows are sent on from face to face, the
-// nearest first; where a way is no longer than that of the window before it gets there over a vertex, it is not. Ways bend only at
-// vertices whose angles sum to more than two straight ones, and on the border: these send windows of their own into what lies in
-// their shadow.
+// The points of a side that straight ways from a vertex reach through the same faces are a window. Windows are sent on
+// from face to face, the nearest first; where a way is no longer than that of the window before it gets there over a
+// vertex, it is not. Ways bend only at vertices whose angles sum to more than two straight ones, and on the border:
+// these send windows of their own into what lies in their shadow.
 //
-// Each number that is kept for a vertex is the length of a way on the surface, up to rounding and the tolerance; so none is too small.
-// Windows that meet at a side while they wait become one if they come from the same point, as on both sides of a flat vertex, or if that
-// changes no distance by more than the tolerance.
+// Each number that is kept for a vertex is the length of a way on the surface, up to rounding and the tolerance; so
+// none is too small. Windows that meet at a side while they wait become one if they come from the same point, as on
+// both sides of a flat vertex, or if that changes no distance by more than the tolerance.
 //
-// Source: J. Chen, Y. Han, "Shortest paths on a polyhedron", 1996; S. Xin, G. Wang, "Improving Chen and Han's algorithm on the discrete
-// geodesic problem", 2009; V. Surazhsky et al., "Fast exact and approximate geodesics on meshes", 2005 (windows that become one).
+// Source: J. Chen, Y. Han, "Shortest paths on a polyhedron", 1996; S. Xin, G. Wang, "Improving Chen and Han's algorithm
+// on the discrete geodesic problem", 2009; V. Surazhsky et al., "Fast exact and approximate geodesics on meshes", 2005
+// (windows that become one).
 class Window_propagation
 {
 public:
@@ -96,8 +97,9 @@ private:
   static constexpr double shorter = 1 - 1e-12; // by so much that it is not rounding
   static constexpr double least_width = 1e-12, least_angle = 1e-9;
 
-  // The part from b0 to b1 of a side, which is to be crossed into its face. The way comes from (x, -y) with respect to the side, where it
-  // has the length sigma. If that is negative: the way that reaches the vertex at which the side begins, at the angle x to the left of it.
+  // The part from b0 to b1 of a side, which is to be crossed into its face. The way comes from (x, -y) with respect to
+  // the side, where it has the length sigma. If that is negative: the way that reaches the vertex at which the side
+  // begins, at the angle x to the left of it.
   struct Window
   {
     double b0, b1, x, y, sigma;
@@ -263,8 +265,8 @@ private:
     }
   }
 
-  // From a vertex that was reached: along all edges, and straight into what lies in its shadow, more than a straight angle away from the
-  // way to it.
+  // From a vertex that was reached: along all edges, and straight into what lies in its shadow, more than a straight
+  // angle away from the way to it.
   void send_from(std::uint32_t side, double angle, double distance)
   {
     const Side& start = surface_.side(side);
@@ -336,8 +338,8 @@ private:
     }
   }
 
-  // Whether ways over the third corner of the face that is left are shorter for all points of the window. They cross all its ways if
-  // that one does which goes to the end b farthest from the corner.
+  // Whether ways over the third corner of the face that is left are shorter for all points of the window. They cross
+  // all its ways if that one does which goes to the end b farthest from the corner.
   // \param x, y from the corner to that end
   bool is_shorter_over(std::uint32_t row, double x, double y, const Window& child, double b) const
   {

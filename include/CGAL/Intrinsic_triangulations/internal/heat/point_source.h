@@ -42,9 +42,8 @@ std::array<Source_corner, 3> corners_of_point(const Intrinsic_triangulation<Trai
     sum += x;
   }
   if (!is_valid || !(sum > 0 && std::isfinite(sum)))
-    throw Invalid_point_error(
-      "a source is no point of a face: its halfedge needs a face, and its coordinates have to be "
-      "positive or zero, and not all zero");
+    throw Invalid_point_error("a source is not a point of a face: its halfedge needs a face, and its coordinates have "
+                              "to be positive or zero, and not all zero");
   const Accurate_shapes<Traits> shapes(triangulation);
   const std::array<Halfedge_index, 3> sides{h, complex.next(h), complex.prev(h)};
   std::array<double, 3> x, length; // of the side from corner i on

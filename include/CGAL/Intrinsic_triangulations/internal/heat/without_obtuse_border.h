@@ -34,8 +34,9 @@ bool has_obtuse_border(const Intrinsic_triangulation<Traits>& triangulation)
   return false;
 }
 
-// A copy in which the border has so many vertices that no angle opposite to it is obtuse; nothing, if there is none before. A
-// needle on the border asks for as many as it is longer than wide: beyond some for each vertex, its angles stay obtuse.
+// A copy in which the border has so many vertices that no angle opposite to it is obtuse; nothing, if there is none
+// before. A needle on the border asks for as many as it is longer than wide: beyond some for each vertex, its angles
+// stay obtuse.
 // \exception Cancelled_error
 template <class Traits>
 std::optional<Intrinsic_triangulation<Traits>>

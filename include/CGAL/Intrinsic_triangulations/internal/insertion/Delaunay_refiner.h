@@ -116,9 +116,10 @@ private:
 
   static constexpr double smallest_whole_cone = CGAL_PI / 3;
 
-  // Faces with a small angle come first, and of these those with the shortest side: what is inserted close to it improves those
-  // that have longer ones (A. Ungor, "Off-centers", 2009). Of the faces with sides of the same size up to a root of two, and of those that are only too
-  // large, the largest is next: edges around it cross the fewest small faces.
+  // Faces with a small angle come first, and of these those with the shortest side: what is inserted close to it
+  // improves those that have longer ones (A. Ungor, "Off-centers", 2009). Of the faces with sides of the same size up
+  // to a root of two, and of those that are only too large, the largest is next: edges around it cross the fewest small
+  // faces.
   struct Candidate
   {
     int order_of_size;
@@ -243,7 +244,8 @@ private:
       bad_faces_.push({order_of_size(f), faces_.circumradius(f), f});
   }
 
-  // Faces without area are left at the border and at constrained edges: their longest side is one. They are kept as they are.
+  // Faces without area are left at the border and at constrained edges: their longest side is one. They are kept as
+  // they are.
   void fix_faces_without_area()
   {
     for (Face_index f : complex_.faces())
@@ -278,8 +280,8 @@ private:
       segments_.find_small_corner(v);
     }
   }
-  // A vertex close to a small cone makes a triangle around it that no other vertex disturbs: those that would lie in its circumcircle are
-  // not inserted.
+  // A vertex close to a small cone makes a triangle around it that no other vertex disturbs: those that would lie in
+  // its circumcircle are not inserted.
   void protect_cones()
   {
     for (Vertex_index v : cones_.vertices()) {
@@ -315,8 +317,9 @@ private:
       left_[f] = {faces_.circumradius(f), *reason};
   }
 
-  // A vertex on the bisector of the shortest side ij makes a triangle with that whose angles are large enough already if it is as close as this.
-  // It needs no circumcenter farther away, and leaves more room (A. Ungor). The factor is 1 for an angle that just meets the bound; others need fewer vertices.
+  // A vertex on the bisector of the shortest side ij makes a triangle with that whose angles are large enough already
+  // if it is as close as this. It needs no circumcenter farther away, and leaves more room (A. Ungor). The factor is 1
+  // for an angle that just meets the bound; others need fewer vertices.
   std::optional<Walk_end> walk_to_off_center(Face_index f) const
   {
     const Halfedge_index h = faces_.shortest_side(f);
@@ -376,8 +379,8 @@ private:
     note(f);
     return std::nullopt;
   }
-  // A segment with the same face on both sides has different ones then: the edge from the new vertex to the tip of that face is Delaunay, since
-  // the angles opposite to it are smaller than those at the base.
+  // A segment with the same face on both sides has different ones then: the edge from the new vertex to the tip of that
+  // face is Delaunay, since the angles opposite to it are smaller than those at the base.
   std::optional<Refinement_obstacle> insert_at_centroid(Face_index f)
   {
     const auto place = point_on_input(engine_, shapes_, complex_.halfedge(f), {1. / 3, 1. / 3, 1. / 3},

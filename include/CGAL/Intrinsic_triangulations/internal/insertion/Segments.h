@@ -72,8 +72,8 @@ public:
       small_corners_.insert(v);
   }
 
-  // A corner of the input between two segments can force a small angle opposite to an edge between points at the same distance from it.
-  // (G. Miller, S. Pav, N. Walkington, "When and why Ruppert's algorithm works", 2003.)
+  // A corner of the input between two segments can force a small angle opposite to an edge between points at the same
+  // distance from it. (G. Miller, S. Pav, N. Walkington, "When and why Ruppert's algorithm works", 2003.)
   bool is_between_shells(Halfedge_index h) const
   {
     // A vertex on an input edge, as seen from one end of that.
@@ -118,7 +118,8 @@ public:
     return false;
   }
 
-  // A segment that a vertex at this point would encroach on: among those that bound the triangles with the point in their circumcircles.
+  // A segment that a vertex at this point would encroach on: among those that bound the triangles with the point in
+  // their circumcircles.
   std::optional<Edge_index> encroached_by(const Walk_end& end) const
   {
     if (is_empty())
@@ -149,8 +150,8 @@ public:
     return std::nullopt;
   }
 
-  // Halfway, but at a distance that is a power of two from a corner where two segments meet in a small angle: so they are split at the same
-  // distances from it.
+  // Halfway, but at a distance that is a power of two from a corner where two segments meet in a small angle: so they
+  // are split at the same distances from it.
   double split_position(Halfedge_index h, double begin, double end) const
   {
     const bool at_source = small_corners_.count(complex_.source(h)) != 0,

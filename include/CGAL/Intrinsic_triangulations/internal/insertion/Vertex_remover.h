@@ -117,8 +117,9 @@ private:
     return result;
   }
 
-  // Flips an edge so that fewer edges end in the vertex, loops first. Where loops stop that, an edge that leaves their number as it
-  // is: the one for which that was done longest ago, so that bands between loops are turned, not turned back and forth.
+  // Flips an edge so that fewer edges end in the vertex, loops first. Where loops stop that, an edge that leaves their
+  // number as it is: the one for which that was done longest ago, so that bands between loops are turned, not turned
+  // back and forth.
   bool flip_one()
   {
     for (int wanted : {2, 1})

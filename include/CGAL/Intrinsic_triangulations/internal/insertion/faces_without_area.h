@@ -3,8 +3,8 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Faces of the triangulation without area. Once it is Delaunay, they are parts of such faces of the input and end at the border or at a
-// constrained edge, as their longest side would be flipped elsewhere.
+// Faces of the triangulation without area. Once it is Delaunay, they are parts of such faces of the input and end at
+// the border or at a constrained edge, as their longest side would be flipped elsewhere.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_FACES_WITHOUT_AREA_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_FACES_WITHOUT_AREA_H

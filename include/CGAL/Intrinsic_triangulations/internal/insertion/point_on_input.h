@@ -30,8 +30,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Coordinates that are positive multiples of 2^-52 and sum exactly to 1. So nothing has to be divided later, and the point is
-// strictly inside the face.
+// Coordinates that are positive multiples of 2^-52 and sum exactly to 1. So nothing has to be divided later, and the
+// point is strictly inside the face.
 inline std::array<double, 3> rounded_coordinates(const std::array<double, 3>& w)
 {
   constexpr std::int64_t one = std::int64_t(1) << 52;
@@ -101,7 +101,8 @@ struct Point_to_insert
   Triangle_piece start;
 };
 
-// The point with given weights in the face of h, up to rounding: straight over the input from the corner with the largest weight.
+// The point with given weights in the face of h, up to rounding: straight over the input from the corner with the
+// largest weight.
 // \param apex gives the third corner of the face of a halfedge of the current triangulation, in the frame of that
 // \return nothing if doubles are too coarse to find it
 template <class Apex>

@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Makes a triangulation Delaunay again of which all edges are so but for those on the stack: Lawson's algorithm. The work
-// is local.
+// Makes a triangulation Delaunay again of which all edges are so but for those on the stack: Lawson's algorithm. The
+// work is local.
 // \param after_flip is called with each edge that was flipped
 // \pre the triangulation keeps its input
 template <class Traits, class ConstraintMap, class AfterFlip>

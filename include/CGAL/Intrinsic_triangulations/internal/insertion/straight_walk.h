@@ -23,8 +23,8 @@ namespace internal {
 
 using Plane_point = std::complex<double>;
 
-// The third corner of a triangle with sides of these lengths, where the first side leads from 0 to 1. The area is that of W. Kahan,
-// "Miscalculating area and angles of a needle-like triangle" (2014), which is accurate for thin triangles.
+// The third corner of a triangle with sides of these lengths, where the first side leads from 0 to 1. The area is that
+// of W. Kahan, "Miscalculating area and angles of a needle-like triangle" (2014), which is accurate for thin triangles.
 inline Plane_point third_corner(double ij, double jk, double ki)
 {
   double a = 1, b = jk / ij, c = ki / ij;
@@ -41,8 +41,8 @@ inline Plane_point third_corner(double ij, double jk, double ki)
 
 inline double cross_product(Plane_point a, Plane_point b) { return a.real() * b.imag() - a.imag() * b.real(); }
 
-// Where a straight line ends: in the face of a halfedge, with weights of its source, its target and the third corner that are not
-// negative and sum to 1 up to rounding.
+// Where a straight line ends: in the face of a halfedge, with weights of its source, its target and the third corner
+// that are not negative and sum to 1 up to rounding.
 struct Walk_end
 {
   Halfedge_index halfedge;
@@ -56,7 +56,7 @@ struct Walk_end
 // \param leaves_corner whether the walk starts at the source of h, into the triangle
 // \param apex gives the third corner of the face of a halfedge, in the frame of that
 // \param is_barrier whether an edge that is met must not be crossed
-// \return nothing if rounding has made the line lose its way. Around the tip of a needle, it would go on for ever
+// \return nothing if rounding has made the line lose its way. Around the tip of a needle, it would go on forever
 template <class Apex, class Is_barrier>
 std::optional<Walk_end> walk_straight(const Delta_complex& complex, Halfedge_index h, Plane_point start,
                                       Plane_point end, bool leaves_corner, const Apex& apex,

@@ -176,7 +176,8 @@ private:
     }
   }
 
-  // Sums of several edges have left room at the ends of both parts of a column. What lies between two gaps is moved at once.
+  // Sums of several edges have left room at the ends of both parts of a column. What lies between two gaps is moved at
+  // once.
   void close_gaps()
   {
     Index *const row = matrix_.innerIndexPtr(), *const start = matrix_.outerIndexPtr();

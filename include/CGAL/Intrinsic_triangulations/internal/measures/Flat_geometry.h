@@ -28,8 +28,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Exact sums and products of doubles; no division. The fastest type that CGAL has, by its name: the header that would select it
-// has 50,000 lines.
+// Exact sums and products of doubles; no division. The fastest type that CGAL has, by its name: the header that would
+// select it has 50,000 lines.
 #ifdef CGAL_HAS_MPZF
 CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(CGAL_HAS_MPZF, 1)
 using Exact_ring = Mpzf;

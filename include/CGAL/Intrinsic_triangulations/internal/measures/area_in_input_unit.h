@@ -25,9 +25,10 @@ inline double area_in_input_unit(double area, int unit_exponent, Face_index f)
   using Limits = std::numeric_limits<double>;
   const double result = std::ldexp(area, 2 * unit_exponent);
   if (result > (Limits::max)() || (result < (Limits::min)() && area >= (Limits::min)()))
-    throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, f.idx(), 1,
-                                "face " + std::to_string(f.idx()) +
-                                  ": its area leaves the range of double; scale the surface");
+    throw Invalid_surface_error(
+      Invalid_surface_error::Defect::OUT_OF_RANGE, f.idx(), 1,
+      "face " + std::to_string(f.idx()) +
+        ": its area leaves the range of double; scale the surface, or remove the face if that does not help");
   return result;
 }
 

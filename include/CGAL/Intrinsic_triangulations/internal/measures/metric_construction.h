@@ -193,7 +193,8 @@ public:
     return is_zero(pq) | is_zero(qr) | is_zero(pr);
   }
 
-  // Returns the smallest squared length of either face. Inlined by force: where the loop is compiled once, GCC would call it.
+  // Returns the smallest squared length of either face. Inlined by force: where the loop is compiled once, GCC would
+  // call it.
   BOOST_FORCEINLINE Two_doubles measure(const Face_halfedges& one, const Face_halfedges& two) const
   {
     const auto edge = traits_.construct_edge_data_object();

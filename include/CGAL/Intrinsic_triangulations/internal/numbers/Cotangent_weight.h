@@ -3,8 +3,8 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Cotangent weights and areas for matrices: at the speed of the stored numbers where these are good enough, and from the input where
-// they are not.
+// Cotangent weights and areas for matrices: at the speed of the stored numbers where these are good enough, and from
+// the input where they are not.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_COTANGENT_WEIGHT_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_COTANGENT_WEIGHT_H
@@ -43,7 +43,7 @@ namespace internal {
 {
   throw Invalid_surface_error(Invalid_surface_error::Defect::DEGENERATE_FACE, f.idx(), 1,
                               "face " + std::to_string(f.idx()) +
-                                " has no area, so that its cotangents are infinite: remove it, "
+                                " has zero area, so its cotangents are infinite: remove it, "
                                 "or mollify the lengths first");
 }
 
@@ -94,8 +94,8 @@ BOOST_NOINLINE double cotangent_weight_by_number_type(const Triangulation& trian
 // Weights and areas that are accurate up to this bound are taken from what is stored.
 constexpr double stored_number_accuracy = 0x1p-32;
 
-// One number for each of n elements: number(element). Several threads, each with a copy of `number`, leave those that throw to one,
-// which finds the first of them.
+// One number for each of n elements: number(element). Several threads, each with a copy of `number`, leave those that
+// throw to one, which finds the first of them.
 template <class ConcurrencyTag, class Element, class Number>
 std::vector<double> numbers_of_elements(std::size_t n, const Number& number)
 {
@@ -124,8 +124,9 @@ std::vector<double> numbers_of_elements(std::size_t n, const Number& number)
   return result;
 }
 
-// The cotangents of faces from the exact geometry, with error bounds. Where what is stored is not accurate enough for an edge, that is most
-// often so for all edges of a face: one corner of it is laid out for them, and remembered for a while.
+// The cotangents of faces from the exact geometry, with error bounds. Where what is stored is not accurate enough for
+// an edge, that is most often so for all edges of a face: one corner of it is laid out for them, and remembered for a
+// while.
 //
 // \tparam Number `Double_with_bound` or `Bounded_double_double`
 template <class Number>
@@ -206,7 +207,8 @@ public:
   }
 
 private:
-  // Edges are asked for in order: the records of their halfedges stream in by themselves, and what these name is fetched early.
+  // Edges are asked for in order: the records of their halfedges stream in by themselves, and what these name is
+  // fetched early.
   BOOST_FORCEINLINE void prefetch_soon(Edge_index e) const
   {
     constexpr std::size_t distance = 32;

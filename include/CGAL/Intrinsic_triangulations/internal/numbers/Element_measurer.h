@@ -125,8 +125,8 @@ private:
   std::vector<std::int8_t> has_area_; // or `unknown`
 };
 
-// One corner of each face is laid out, by several threads; single elements are asked for where that does not tell, and where the traits
-// have no exact geometry.
+// One corner of each face is laid out, by several threads; single elements are asked for where that does not tell, and
+// where the traits have no exact geometry.
 template <class ConcurrencyTag, class Traits>
 class Element_measurer
 {

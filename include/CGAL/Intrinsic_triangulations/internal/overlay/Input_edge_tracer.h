@@ -76,8 +76,8 @@ public:
       function(start = next_input_halfedge(correspondence_, v, start), i);
   }
 
-  // Calls function(h, source, position) for the input halfedges h, those numbered 2e, that cross the
-  // intrinsic edge e next to their source or an inserted vertex on them, at a position counted from the source of `source.ij`.
+  // Calls function(h, source, position) for the input halfedges h, those numbered 2e, that cross the intrinsic edge e
+  // next to their source or an inserted vertex on them, at a position counted from the source of `source.ij`.
   template <class Function>
   void for_each_path_across(Edge_index e, const Function& function) const
   {

@@ -51,8 +51,8 @@ public:
       }
   }
 
-  // Calls `visit(a, apex, b)` for each triangle, a < apex < b: first for the one at the side from the last corner to the first, and for
-  // each triangle before those behind its other sides.
+  // Calls `visit(a, apex, b)` for each triangle, a < apex < b: first for the one at the side from the last corner to
+  // the first, and for each triangle before those behind its other sides.
   template <class Visit>
   void for_each_triangle(const Visit& visit) const
   {

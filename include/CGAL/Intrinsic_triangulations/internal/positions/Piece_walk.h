@@ -26,9 +26,9 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// In such a face the chords begin and end anywhere, so that there is no order to search by. The walk goes from piece to piece
-// across chords that have the point on their other side, and to each piece once: where such a walk would run in circles, it
-// becomes a search through all of them.
+// In such a face the chords begin and end anywhere, so that there is no order to search by. The walk goes from piece to
+// piece across chords that have the point on their other side, and to each piece once: where such a walk would run in
+// circles, it becomes a search through all of them.
 class Piece_walk
 {
 public:

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Loops on several threads for code that does not know whose threads these are, as it is compiled once and without TBB.
+// A type-erased parallel loop, so that code that is compiled once need not depend on TBB.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_BLOCK_RUNNER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_BLOCK_RUNNER_H
@@ -28,8 +28,8 @@ namespace internal {
 using Block_runner =
   std::function<void(std::size_t n, std::size_t size, const std::function<void(std::size_t, std::size_t)>& f)>;
 
-// The loop of a tag. It may be run under a lock: a thread that waits for the others begins no work from elsewhere, which could ask
-// for the same lock.
+// The loop of a tag. It may be run under a lock: a thread that waits for the others begins no work from elsewhere,
+// which could ask for the same lock.
 template <class ConcurrencyTag>
 Block_runner block_runner()
 {

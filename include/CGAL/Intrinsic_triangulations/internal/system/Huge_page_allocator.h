@@ -38,9 +38,9 @@ inline void wish_for_huge_pages(void* const p, const std::size_t size)
 #endif
 }
 
-// Asks for huge pages where an array is large enough. The arrays are filled once and little
-// else happens to them: with small pages, the page faults of that first pass can take
-// longer than everything that is computed. Elsewhere than on Linux this is the operator `new`.
+// Asks for huge pages where an array is large enough. The arrays are filled once and little else happens to them: with
+// small pages, the page faults of that first pass can take longer than everything that is computed. On other systems
+// this is the operator `new`.
 template <class T>
 class Huge_page_allocator
 {

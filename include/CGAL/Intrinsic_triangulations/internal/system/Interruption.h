@@ -19,8 +19,9 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// The exact stages call check() before each step that takes a microsecond or more, the heat methods before each system. The user's
-// function is called a hundred times a second at most, so that it need not be fast, possibly by several threads at once.
+// The exact stages call check() before each step that takes a microsecond or more, the heat methods before each system.
+// The user's function is called a hundred times a second at most, so that it need not be fast, possibly by several
+// threads at once.
 class Interruption
 {
 public:

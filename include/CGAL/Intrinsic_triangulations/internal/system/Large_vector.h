@@ -20,8 +20,8 @@ namespace Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
 /// \brief a vector that holds one item for each element of a surface: a vector of Boost with an allocator of its own.
 ///
-/// Unlike a `std::vector`, it can be made without a pass over the memory that initializes it:
-/// `Large_vector<T> v(n, boost::container::default_init)`. It is constructed from a range by `Large_vector<T> v(begin, end)`.
+/// Unlike a `std::vector`, it can be made without a pass over the memory that initializes it: `Large_vector<T> v(n,
+/// boost::container::default_init)`. It is constructed from a range by `Large_vector<T> v(begin, end)`.
 template <class T>
 using Large_vector = boost::container::vector<T, internal::Huge_page_allocator<T>>;
 

@@ -29,9 +29,9 @@ inline std::size_t number_of_this_thread()
   return number;
 }
 
-// Keeps objects that remember between calls what is slow to compute. A call takes one out and puts it back; so no two calls
-// ever share one. A thread finds its own object again, without a lock, unless another one has the same slot or has taken it: then any
-// object will do that is not in use. There are never more objects than were in use at once.
+// Keeps objects that remember between calls what is slow to compute. A call takes one out and puts it back; so no two
+// calls ever share one. A thread finds its own object again, without a lock, unless another one has the same slot or
+// has taken it: then any object will do that is not in use. There are never more objects than were in use at once.
 template <class Scratch>
 class Scratch_pool
 {

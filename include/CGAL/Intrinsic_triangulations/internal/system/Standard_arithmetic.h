@@ -23,8 +23,9 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// While an object of this class lives, its thread rounds to nearest and keeps subnormal numbers, whatever was set before: by
-// fesetround(), or by a library that was linked with -ffast-math and flushes them to zero. The old mode returns at the end.
+// While an object of this class lives, its thread rounds to nearest and keeps subnormal numbers, whatever was set
+// before: by fesetround(), or by a library that was linked with -ffast-math and flushes them to zero. The old mode
+// returns at the end.
 class Standard_arithmetic
 {
 public:
@@ -41,8 +42,8 @@ public:
       set_mode(before_);
   }
 
-  // Checks what neither a macro tells nor the mode of the processor mends: Clang has no macros for -fassociative-math and
-  // -freciprocal-math.
+  // Checks what neither a macro tells nor the mode of the processor mends: Clang has no macros for -fassociative-math
+  // and -freciprocal-math.
   // \exception Arithmetic_error if doubles do not follow IEEE 754
   void check() const
   {

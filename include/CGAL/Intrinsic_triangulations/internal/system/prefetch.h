@@ -24,8 +24,8 @@ inline void prefetch(const void* p)
 #endif
 }
 
-// The same to read it, as other threads may, too. A function that does nothing else has to be forced inline: GCC takes it for one
-// without effect, and leaves out its calls.
+// The same to read it, as other threads may, too. A function that does nothing else has to be forced inline: GCC takes
+// it for one without effect, and leaves out its calls.
 BOOST_FORCEINLINE void prefetch_to_read(const void* p)
 {
 #ifdef __GNUC__

@@ -18,9 +18,10 @@ namespace internal {
 
 // Returns x, as a number of which the optimizer knows nothing.
 //
-// Where the processor has fused multiply-adds, a compiler may round a b + c once instead of twice, in one place of a function and not in
-// another. That harms no error bound, but an error-free transformation needs one value of a b. The option -ffp-contract=off does not
-// suffice: users of headers do not set it, and the vectorizer of GCC 12 forms vfmaddsub in spite of it.
+// Where the processor has fused multiply-adds, a compiler may round a b + c once instead of twice, in one place of a
+// function and not in another. That harms no error bound, but an error-free transformation needs one value of a b. The
+// option -ffp-contract=off does not suffice: users of headers do not set it, and the vectorizer of GCC 12 forms
+// vfmaddsub in spite of it.
 #if (defined(__x86_64__) || defined(__i386__)) && !defined(__FMA__) && !defined(__FMA4__)
 template <class Number>
 BOOST_FORCEINLINE Number unfused(const Number& x)

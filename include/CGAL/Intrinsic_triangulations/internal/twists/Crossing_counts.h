@@ -28,10 +28,11 @@ using Integer = internal::Integer;
 
 /// \ingroup PkgIntrinsicTriangulationsTwists
 ///
-/// \brief how often each edge of a triangulation crosses edges of the one that it was flipped from, as integers of any size.
+/// \brief how often each edge of a triangulation crosses edges of the one that it was flipped from, as integers of any
+/// size.
 ///
-/// The same numbers as those of `Normal_coordinates`, which stop at 2^60 and also know in what order the crossings are. These follow flips
-/// and whole powers of twists.
+/// The same numbers as those of `Normal_coordinates`, which stop at 2^60 and also know in what order the crossings are.
+/// These follow flips and whole powers of twists.
 class Crossing_counts
 {
 public:
@@ -59,14 +60,16 @@ public:
     flip(complex, complex.hinge(e));
   }
 
-  /// \brief updates the counts for the flip of `e` that `complex.flip(e)` has made, as a visitor of `flip_to_Delaunay()` is told of it.
+  /// \brief updates the counts for the flip of `e` that `complex.flip(e)` has made, as a visitor of
+  /// `flip_to_Delaunay()` is told of it.
   void after_flip(const Delta_complex& complex, Edge_index e)
   {
     const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
     flip(complex, Hinge_halfedges{h, complex.prev(g), complex.next(h), g, complex.prev(h), complex.next(g)});
   }
 
-  /// \brief updates the counts for `|power|` flips within a tube, a multiple of four, after which the connectivity is what it was.
+  /// \brief updates the counts for `|power|` flips within a tube, a multiple of four, after which the connectivity is
+  /// what it was.
   ///
   /// A positive power turns the far side of the tube to the right, with its side at the bottom: the vector of an
   /// edge from the bottom to the top grows by `power` times that of the side. O(1) operations with integers.
@@ -93,7 +96,8 @@ private:
       return 0;
     return (std::min)((std::min)(a, b), Integer(twice / 2));
   }
-  // The segments from a corner to the opposite side, which is crossed `far` times, the two sides at the corner a and b times.
+  // The segments from a corner to the opposite side, which is crossed `far` times, the two sides at the corner a and b
+  // times.
   static Integer leaving(const Integer& far, const Integer& a, const Integer& b)
   {
     const Integer rest = far - a - b;
@@ -122,9 +126,10 @@ private:
                  count(around.lj, complex));
   }
 
-  // The counts n(k) of the edges u_k = u_0 + k a across a tube, of which two consecutive ones are there at a time. Each segment that
-  // runs through the tube adds |k − p| to it, up to 1/2 or 1 next to p, and no two of the numbers p differ by more than one. So n(k) falls by the
-  // number N of segments up to two steps before their mean, and rises by N from two steps after it: doc/termination.md has the proof.
+  // The counts n(k) of the edges u_k = u_0 + k a across a tube, of which two consecutive ones are there at a time. Each
+  // segment that runs through the tube adds |k − p| to it, up to 1/2 or 1 next to p, and no two of the numbers p differ
+  // by more than one. So n(k) falls by the number N of segments up to two steps before their mean, and rises by N from
+  // two steps after it: doc/termination.md has the proof.
   class Twisted_pair
   {
   public:

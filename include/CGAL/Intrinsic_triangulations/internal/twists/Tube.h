@@ -18,8 +18,9 @@ namespace Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsTwists
 /// \brief two faces that share two edges, and whose other sides are loops: a tube.
 ///
-/// The two shared edges run across the tube. Seen with `loop` at the bottom, from left to right, one is to the left of the upper corner
-/// of the first face and one to its right: the face is (i, i, q), with the sides `loop`, `next(loop)` and `prev(loop)`.
+/// The two shared edges run across the tube. Seen with `loop` at the bottom, from left to right, one is to the left of
+/// the upper corner of the first face and one to its right: the face is (i, i, q), with the sides `loop`, `next(loop)`
+/// and `prev(loop)`.
 struct Tube
 {
   Halfedge_index loop;  ///< one side, with the tube to its left
@@ -29,7 +30,8 @@ struct Tube
 };
 
 /// \ingroup PkgIntrinsicTriangulationsTwists
-/// \brief returns whether the face to the left of `loop` and another one form a `Tube` with `loop` as one of its sides. O(1).
+/// \brief returns whether the face to the left of `loop` and another one form a `Tube` with `loop` as one of its sides.
+/// O(1).
 ///
 /// This is a question to the connectivity. `loop` and `other` may be the same edge: that of a torus.
 inline bool is_tube(const Delta_complex& complex, Halfedge_index loop)

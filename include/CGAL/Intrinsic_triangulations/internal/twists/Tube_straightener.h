@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Works on one pair of faces after the other. The squared lengths of its edges are integers while it does, over a common denominator:
-// fractions would be reduced at each step.
+// Works on one pair of faces after the other. The squared lengths of its edges are integers while it does, over a
+// common denominator: fractions would be reduced at each step.
 class Tube_straightener
 {
 public:
@@ -146,8 +146,9 @@ private:
     return true;
   }
 
-  // How many flips Lawson's algorithm makes in a tube, and in which direction. Laid out with the side from (0, 0) to (c, 0), the right edge leads from
-  // (c, 0) to (c + x, h) and the left one from (0, 0) to (x + c, h). The right one is flipped if x + c < 0, the left one if x > 0.
+  // How many flips Lawson's algorithm makes in a tube, and in which direction. Laid out with the side from (0, 0) to
+  // (c, 0), the right edge leads from (c, 0) to (c + x, h) and the left one from (0, 0) to (x + c, h). The right one is
+  // flipped if x + c < 0, the left one if x > 0.
   static Integer power_of(const Integer& side, const Integer& right, const Integer& left)
   {
     const Integer twice_x_c = left - right - side, twice_c_c = 2 * side;
@@ -195,7 +196,8 @@ private:
   Untwisting result_;
   std::uint64_t number_of_tubes_ = 0;
 
-  // The edges of the pair of faces at hand. Those of a torus are three: what is there twice has the first of its numbers.
+  // The edges of the pair of faces at hand. Those of a torus are three: what is there twice has the first of its
+  // numbers.
   std::array<Edge_index, 4> edges_;
   std::array<Integer, 4> numbers_;
   Integer denominator_;

@@ -90,8 +90,9 @@ private:
 /// \ingroup PkgIntrinsicTriangulationsIO
 /// \brief writes a complex and the exact squared lengths of its edges, in version 2 of the gluing format.
 ///
-/// It differs from version 1, which `write_gluing()` describes, in two things: the first line is `INTRINSIC_GLUING 2`, and the last field in the
-/// line of an edge is the *square* of its length, as an integer or a fraction of two without a sign, such as `5` or `25/4`.
+/// It differs from version 1, which `write_gluing()` describes, in two things: the first line is `INTRINSIC_GLUING 2`,
+/// and the last field in the line of an edge is the *square* of its length, as an integer or a fraction of two without
+/// a sign, such as `5` or `25/4`.
 ///
 /// \param os the stream; the caller has to check its state afterwards
 /// \param complex any complex
@@ -114,7 +115,8 @@ inline void write_exact_gluing(std::ostream& os, const Delta_complex& complex,
 /// \ingroup PkgIntrinsicTriangulationsIO
 /// \brief reads a gluing of either version.
 ///
-/// \exception Invalid_surface_error as `read_gluing()`; also if a squared length has more than a million digits. O(size)
+/// \exception Invalid_surface_error as `read_gluing()`; also if a squared length has more than a million digits.
+///   O(size)
 inline Exact_gluing read_exact_gluing(std::istream& is)
 {
   internal::Exact_number_fields numbers;

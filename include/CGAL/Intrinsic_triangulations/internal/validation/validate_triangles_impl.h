@@ -10,7 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Surface_gluer.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/Disjoint_sets.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 
 #include <algorithm>
 #include <array>

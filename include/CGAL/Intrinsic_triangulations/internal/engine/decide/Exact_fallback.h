@@ -121,8 +121,9 @@ public:
     }
   }
 
-  // The middle of an interval around evaluate(corner opposite to h) that is narrow enough, as is_narrow(width, magnitude) says, or as
-  // narrow as intervals around subnormal numbers can be. What is too small for a double is rounded away from zero.
+  // The middle of an interval around evaluate(corner opposite to h) that is narrow enough, as is_narrow(width,
+  // magnitude) says, or as narrow as intervals around subnormal numbers can be. What is too small for a double is
+  // rounded away from zero.
   // \pre the face of h has positive area, or evaluate() does not divide by it
   // \exception Invalid_surface_error if the number leaves the range of double
   template <class Evaluate, class IsNarrow>
@@ -151,7 +152,8 @@ public:
       h, [](const auto& corner) { return corner.p / corner.four_areas; }, is_narrow);
   }
 
-  // The exponent of a power of two by which numbers of the corner are scaled into the range of double, however small the face.
+  // The exponent of a power of two by which numbers of the corner are scaled into the range of double, however small
+  // the face.
   // \pre the face of h has positive area
   long scale_of_corner(Halfedge_index h)
   {

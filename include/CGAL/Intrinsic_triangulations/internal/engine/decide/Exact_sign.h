@@ -31,10 +31,10 @@ struct Exact_decision
   bool is_rational = false; // all roots in the number are
 };
 
-// The stages that follow on double-doubles. `evaluate(metric)` gives the number in any image of the
-// metric. A value that double-doubles leave open is more likely zero than not, and where no root is irrational
-// that is seen at once; then the proof that takes least is tried. What 128 bits do not tell from zero, finite fields do:
-// for other numbers multiple precision comes to an end, however small they are. Of what is zero there, an expansion is tried.
+// The stages that follow on double-doubles. `evaluate(metric)` gives the number in any image of the metric. A value
+// that double-doubles leave open is more likely zero than not, and where no root is irrational that is seen at once;
+// then the proof that takes least is tried. What 128 bits do not tell from zero, finite fields do: for other numbers
+// multiple precision comes to an end, however small they are. Of what is zero there, an expansion is tried.
 template <class Evaluate>
 class Exact_sign
 {

@@ -22,12 +22,12 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Let z, a, b, c be the corners of the hinge of an edge, counterclockwise. If a reflection maps the input
-// triangles that the hinge lies in, laid out in the plane, so that a ↔ b and z ↔ c, then the hinge
-// is an isosceles trapezoid, and its edge is a tie, given that both faces have positive area.
-// That is the case for two points and their mirror images in an exactly symmetric mesh. The reflection is found triangle by triangle: the
-// strip of ab has to read the same from both ends, the fans at a and b have to be mirror
-// images, and so have the strips of az and bc. Time: that of so many comparisons of rational numbers.
+// Let z, a, b, c be the corners of the hinge of an edge, counterclockwise. If a reflection maps the input triangles
+// that the hinge lies in, laid out in the plane, so that a ↔ b and z ↔ c, then the hinge is an isosceles trapezoid, and
+// its edge is a tie, given that both faces have positive area. That is the case for two points and their mirror images
+// in an exactly symmetric mesh. The reflection is found triangle by triangle: the strip of ab has to read the same from
+// both ends, the fans at a and b have to be mirror images, and so have the strips of az and bc. Time: that of so many
+// comparisons of rational numbers.
 class Mirror_symmetry
 {
 public:

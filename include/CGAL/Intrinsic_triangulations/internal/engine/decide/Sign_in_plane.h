@@ -26,14 +26,15 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// As `Coplanar_hinge`: with p_k the scalar product of the sides of the corner k and n_k one component of their cross product,
+// As `Coplanar_hinge`: with p_k the scalar product of the sides of the corner k and n_k one component of their cross
+// product,
 //
 //     sign(cot k + cot l) = sign(p_k n_l + p_l n_k) sign(n_k + n_l).
 //
 // The positions of inserted vertices are rounded themselves, so that no error is known before: it is carried along.
 //
-// Vectors may be replaced by positive multiples of them, which multiplies p and n of a corner alike: so weighted means of points need
-// no division.
+// Vectors may be replaced by positive multiples of them, which multiplies p and n of a corner alike: so weighted means
+// of points need no division.
 class Sign_in_plane
 {
 public:

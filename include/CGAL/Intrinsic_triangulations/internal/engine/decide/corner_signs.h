@@ -43,7 +43,8 @@ Uncertain<Sign> sign_of_cotangents(const Corner& k, const Corner& l)
   return sign_of_tie(get_certain(sign_k), get_certain(sign_l));
 }
 
-// On which side of h a point lies that lies in one plane with the face of h, which is straight. No answer if that has no area.
+// On which side of h a point lies that lies in one plane with the face of h, which is straight. No answer if that has
+// no area.
 inline std::optional<Sign> side_in_plane(const Delta_complex& complex, const Vertex_positions& positions,
                                          Halfedge_index h, const Surface_point& point)
 {

@@ -40,6 +40,15 @@ namespace internal {
 class Correspondence
 {
 public:
+  Correspondence() = default;
+  // With what is known from elsewhere.
+  // \param coordinates the integers of the current triangulation
+  // \param locations where the vertices lie that follow those of the input
+  Correspondence(Delta_complex input, Normal_coordinates coordinates, std::vector<Surface_point> locations)
+    : is_prepared_(true), knows_input_(true), input_(std::move(input)), coordinates_(std::move(coordinates)),
+      locations_(std::move(locations))
+  {}
+
   // Whether the integers are up to date, so that `coordinates()`, `input()` and `input_halfedge()` are available.
   bool is_prepared() const { return is_prepared_; }
 
@@ -141,6 +150,7 @@ public:
   bool is_inserted(Vertex_index v) const { return v.idx() >= input_.number_of_vertices(); }
   // The number of inserted vertices.
   std::size_t number_of_inserted_vertices() const { return locations_.size(); }
+  void forget_crossings() { crossings_.clear(); }
   // What edges cross, as far as it was found before.
   const Kept_crossings& kept_crossings() const { return crossings_; }
   // Those of all inserted vertices.
@@ -160,8 +170,8 @@ public:
   // The roundabout of `h`: the first input halfedge at or after `h`, counterclockwise
   // around its source. O(1).
   //
-  // For a halfedge that leaves a vertex inserted on an input edge it is one of the two halfedges of that edge, taken from there
-  // on; for one that leaves a vertex inside an input face there is none.
+  // For a halfedge that leaves a vertex inserted on an input edge it is one of the two halfedges of that edge, taken
+  // from there on; for one that leaves a vertex inside an input face there is none.
   // \pre `is_prepared()`
   Halfedge_index input_halfedge(Halfedge_index h) const
   {
@@ -178,7 +188,8 @@ private:
   // More steps than this are replaced: around most vertices, there are never as many.
   static constexpr std::uint64_t longest_walk = 16;
 
-  // Walks that stay long, as where memory is short, are right as well. Few are long, so that one thread replaces what all have found: there is one table for that.
+  // Walks that stay long, as where memory is short, are right as well. Few are long, so that one thread replaces what
+  // all have found: there is one table for that.
   void shorten_walks(const std::vector<Edge_index>& edges, const Block_runner& run);
   BOOST_NOINLINE void shorten_walks(Halfedge_index h)
   {

@@ -42,8 +42,8 @@ namespace internal {
 // side on which it ends sooner. Two segments that come back to the edge are another pair of
 // its crossings there: the two pairs are linked, so that the way on is followed once.
 //
-// Where a vertex that was inserted lies between two segments, they part without telling anything. Then both are followed
-// to their ends, which name them.
+// Where a vertex that was inserted lies between two segments, they part without telling anything. Then both are
+// followed to their ends, which name them.
 class Crossing_sequence
 {
 public:
@@ -319,8 +319,8 @@ private:
   Crossed_range crossed_;
 };
 
-// Keeps what is crossed in all faces with an edge that crosses many: to be called before the first vertex is inserted, as long as that is
-// found quickly.
+// Keeps what is crossed in all faces with an edge that crosses many: to be called before the first vertex is inserted,
+// as long as that is found quickly.
 inline void keep_long_crossings(const Delta_complex& complex, const Correspondence& correspondence,
                                 const Interruption& interruption)
 {

@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_INPUT_EDGE_WALK_H
 
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Rotation_system.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
@@ -53,17 +54,29 @@ public:
       halfedge_ = complex_.opposite(jk);
       return false;
     }
-    end_vertex_ = complex_.source(ki);
     end_ = correspondence_.input_halfedge(ki);
     const bool is_original = correspondence_.coordinates().is_original(complex_.edge(ki));
-    for (std::int64_t i = position_ - t.c_i + (is_original ? 1 : 0); i > 0; --i)
-      end_ = next_input_halfedge(correspondence_, end_vertex_, end_);
+    steps_to_end_ = position_ - t.c_i + (is_original ? 1 : 0);
+    end_vertex_ = complex_.source(ki);
     return true;
   }
 
   // The vertex where the edge ended, and the edge as the input halfedge that leaves it.
   Vertex_index end_vertex() const { return end_vertex_; }
-  Halfedge_index end() const { return end_; }
+  Halfedge_index end() const
+  {
+    Halfedge_index result = end_;
+    for (std::int64_t i = steps_to_end_; i > 0; --i)
+      result = next_input_halfedge(correspondence_, end_vertex_, result);
+    return result;
+  }
+  // The same in O(1). \param around of the input
+  Halfedge_index end(const Rotation_system& around) const
+  {
+    return !correspondence_.is_inserted(end_vertex_)
+             ? around.advanced(correspondence_.input(), end_, std::uint64_t(steps_to_end_))
+             : end();
+  }
 
 private:
   std::int64_t number_of_crossings(Halfedge_index h) const
@@ -73,8 +86,8 @@ private:
 
   const Delta_complex& complex_;
   const Correspondence& correspondence_;
-  Halfedge_index halfedge_, end_;
-  std::int64_t position_;
+  Halfedge_index halfedge_, end_; // the end, after so many steps more
+  std::int64_t position_, steps_to_end_ = 0;
   Vertex_index end_vertex_;
 };
 
@@ -93,7 +106,8 @@ inline Input_edge_start start_of_input_edge(const Delta_complex& complex, const 
   const Normal_coordinates& coordinates = correspondence.coordinates();
   const Halfedge_index first = complex.opposite(complex.halfedge(v));
   for (Halfedge_index ki = first;;) {
-    // Counterclockwise from ki: ki itself if it coincides with an input halfedge, then those that cross the opposite side.
+    // Counterclockwise from ki: ki itself if it coincides with an input halfedge, then those that cross the opposite
+    // side.
     Halfedge_index start = correspondence.input_halfedge(ki);
     if (coordinates.is_original(complex.edge(ki))) {
       if (start == input_halfedge)
@@ -127,8 +141,8 @@ inline Face_index uncrossed_input_face(const Delta_complex& complex, const Corre
                                                                               : input.opposite(roundabout));
 }
 
-// The input halfedge that crosses h from the left to the right, so many crossings after the source of h. Both ends of the
-// input edge are looked for, until one is found. Time: twice the number of triangles to the nearer one.
+// The input halfedge that crosses h from the left to the right, so many crossings after the source of h. Both ends of
+// the input edge are looked for, until one is found. Time: twice the number of triangles to the nearer one.
 inline Halfedge_index crossed_input_halfedge(const Delta_complex& complex, const Correspondence& correspondence,
                                              Halfedge_index h, std::int64_t position, const Interruption& interruption)
 {

@@ -48,9 +48,9 @@ private:
   bool is_reversed_ = false;
 };
 
-// What was found once is not followed again. The sequences of the edges that a flip or a new vertex makes are slices of those of the
-// sides around them, which the numbers of segments in the triangles tell (section 2.3 of the paper); where those are not kept,
-// nothing is. Nothing here throws: where memory is short, sequences are not kept.
+// What was found once is not followed again. The sequences of the edges that a flip or a new vertex makes are slices of
+// those of the sides around them, which the numbers of segments in the triangles tell (section 2.3 of the paper); where
+// those are not kept, nothing is. Nothing here throws: where memory is short, sequences are not kept.
 //
 // Queries may keep sequences, too, several threads at once: nothing is replaced or freed before a change.
 class Kept_crossings
@@ -146,7 +146,8 @@ public:
       }
   }
 
-  // Three edges from the corners of a triangle to a new vertex in a piece of it are appended. To be called before the split of the connectivity.
+  // Three edges from the corners of a triangle to a new vertex in a piece of it are appended. To be called before the
+  // split of the connectivity.
   void split_face(const Delta_complex& complex, const Normal_coordinates& coordinates, const Triangle_piece& piece)
   {
     const std::size_t number_of_edges = complex.number_of_edges();
@@ -283,7 +284,8 @@ private:
                                : prefix(coordinates, complex.edge(jk), complex.opposite(jk), along_kj);
   }
 
-  // A line from a point to another: what it crosses first, an edge between if that is valid, and what it crosses from its end.
+  // A line from a point to another: what it crosses first, an edge between if that is valid, and what it crosses from
+  // its end.
   Array joined(const Crossed_range& from_source, Halfedge_index between, const Crossed_range& from_target) const
   {
     const std::size_t n = from_source.size(), m = n + (between.is_valid() ? 1 : 0), all = m + from_target.size();

@@ -81,11 +81,10 @@ struct Triangle_piece
 // Normal coordinates and roundabouts: integers that determine exactly how the
 // edges of the input triangulation run through the current one.
 //
-// The normal coordinate of an edge is the number of times that input edges cross it, or
-// −1 if it coincides with an input edge. The roundabout of a halfedge is the first input
-// halfedge at or after it, counterclockwise around its source. A vertex inserted into an input face has none. A flip updates both in O(1),
-// whatever the edge crosses and whatever the degrees are, without access to the
-// input. Rounding never affects them.
+// The normal coordinate of an edge is the number of times that input edges cross it, or −1 if it coincides with an
+// input edge. The roundabout of a halfedge is the first input halfedge at or after it, counterclockwise around its
+// source. A vertex inserted into an input face has none. A flip updates both in O(1), whatever the edge crosses and
+// whatever the degrees are, without access to the input. Rounding never affects them.
 //
 // Memory: 4 bytes an edge, and 32 for each edge that was flipped.
 //
@@ -102,6 +101,14 @@ public:
   {
     records_.reserve(std::size_t(input.number_of_edges()) + 1); // pages that are not used cost nothing
     records_.push_back(Record{-1, {0, 0}, {0, 0}});
+  }
+
+  // Replaces the integers of `e`.
+  // \param crossings as `crossings(e)`
+  // \param first, second the roundabouts of its halfedges, null where there are none
+  void set(Edge_index e, std::int64_t crossings, Halfedge_index first, Halfedge_index second)
+  {
+    set_record(Halfedge_index(2 * e.idx()), {crossings, {first.idx(), second.idx()}, {0, 0}});
   }
 
   // The number of times that input edges cross `e`, or −1 if `e` coincides with one.
@@ -135,8 +142,8 @@ public:
     return Triangle_crossings(number_of_crossings(complex.edge(h)), number_of_crossings(complex.edge(complex.next(h))),
                               number_of_crossings(complex.edge(complex.prev(h))));
   }
-  // The corner opposite to that takes the least time to be laid out. It lies at the shortest side, so that the errors of all sides are
-  // relatively small.
+  // The corner opposite to that takes the least time to be laid out. It lies at the shortest side, so that the errors
+  // of all sides are relatively small.
   Halfedge_index side_with_most_crossings(const Delta_complex& complex, Face_index f) const
   {
     Halfedge_index result = complex.halfedge(f);
@@ -154,15 +161,16 @@ public:
   // Updates the integers for a new vertex v in a piece of a triangle; to be called before
   // `split_face(piece.side)` of the connectivity. O(1).
   //
-  // No input edge ends in the new vertex: the halfedges that leave it have no roundabouts. An exception leaves everything as it was.
+  // No input edge ends in the new vertex: the halfedges that leave it have no roundabouts. An exception leaves
+  // everything as it was.
   // \exception Integer_overflow_error as `flip()`
   void split_face(const Delta_complex& complex, const Triangle_piece& piece);
 
   // Updates the integers for a new vertex v on the edge of `h`, which coincides with an input edge; to be called before
   // `split_edge(h)` of the connectivity. O(1).
   //
-  // The two parts coincide with that input edge. The roundabouts of what leaves v are its halfedges. An exception leaves everything
-  // as it was.
+  // The two parts coincide with that input edge. The roundabouts of what leaves v are its halfedges. An exception
+  // leaves everything as it was.
   // \param complex the current connectivity
   // \param h a halfedge whose edge `is_original()`
   // \param along the input halfedge along h
@@ -177,7 +185,8 @@ public:
   // \param is_on_input_edge whether an input edge runs through that vertex
   // \exception Integer_overflow_error as `flip()`; then nothing is changed
   void unsplit_edge(const Delta_complex& complex, Halfedge_index h, bool is_on_input_edge);
-  // Follows the removal of a vertex, after that of the connectivity. Nothing but descriptors changes. O(1). Never throws.
+  // Follows the removal of a vertex, after that of the connectivity. Nothing but descriptors changes. O(1). Never
+  // throws.
   void remove(const Removed_elements& removed);
 
   // Updates the integers for the flip of `e`; to be called before the flip of the

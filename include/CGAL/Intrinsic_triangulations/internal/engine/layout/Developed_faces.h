@@ -105,8 +105,9 @@ public:
       keep(complex, complex.face(c.side), *layout);
   }
 
-  // To be called before the flip of the connectivity. lay_out(h) gives a corner of the face of h, or none if that is not worth its
-  // price; where errors have become too large, so many faces are laid out anew. After an exception, nothing is known of the two faces.
+  // To be called before the flip of the connectivity. lay_out(h) gives a corner of the face of h, or none if that is
+  // not worth its price; where errors have become too large, so many faces are laid out anew. After an exception,
+  // nothing is known of the two faces.
   template <class LayOut>
   void flip(const Delta_complex& complex, const Hinge_halfedges& around, int number_of_retries, const LayOut& lay_out)
   {
@@ -135,8 +136,8 @@ public:
     const Layout& kept = layouts_[layout_of_[f.idx()]];
     return {kept, {kept.first, complex.next(kept.first), complex.prev(kept.first)}};
   }
-  // Keeps its three parts, of which a corner is known, that at the new vertex in one of them. Returns whether that was done: not
-  // where errors have become too large.
+  // Keeps its three parts, of which a corner is known, that at the new vertex in one of them. Returns whether that was
+  // done: not where errors have become too large.
   bool keep_parts(const Delta_complex& complex, const Whole& whole, const Known_corner& c)
   {
     const std::optional<Layout> part = laid_out(c);
@@ -176,8 +177,8 @@ public:
     if (!layout_of_.empty())
       layout_of_.resize(layout_of_.size() + number, none);
   }
-  // Follows the removal of a vertex, after that of the connectivity. Layouts name halfedges, so those at edges that have
-  // moved are no longer true. Never throws.
+  // Follows the removal of a vertex, after that of the connectivity. Layouts name halfedges, so those at edges that
+  // have moved are no longer true. Never throws.
   void remove(const Delta_complex& complex, const Removed_elements& removed)
   {
     if (layout_of_.empty())
@@ -303,8 +304,8 @@ private:
     return true;
   }
 
-  // The point opposite to a side, if the side is moved to the first side of a layout in another plane; its third point does not matter
-  // beyond its image. None where the error would be too large.
+  // The point opposite to a side, if the side is moved to the first side of a layout in another plane; its third point
+  // does not matter beyond its image. None where the error would be too large.
   std::optional<std::uint32_t> moved_apex(const Layout& from, const Layout& to)
   {
     const Vector side = moved_side(point(from, 0).position, point(from, 1).position, point(from, 2).position,

@@ -27,10 +27,11 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Let all input edges that two edges va and vb cross, and those that leave v between them, be parallel to one direction u, or have coplanar
-// faces. Then each triangle of the strips lies in a plane that contains u, and to unfold it keeps the coordinate of its points along u. So if
-// a and b are level with v, which is to say (a − v)·u = (b − v)·u = 0, then va and vb are perpendicular to u in the plane of the unfolding,
-// and the angle between them is a multiple of π: on cylinders, prisms and folded plates, whatever lies between, without a root.
+// Let all input edges that two edges va and vb cross, and those that leave v between them, be parallel to one direction
+// u, or have coplanar faces. Then each triangle of the strips lies in a plane that contains u, and to unfold it keeps
+// the coordinate of its points along u. So if a and b are level with v, which is to say (a − v)·u = (b − v)·u = 0, then
+// va and vb are perpendicular to u in the plane of the unfolding, and the angle between them is a multiple of π: on
+// cylinders, prisms and folded plates, whatever lies between, without a root.
 class Level_line
 {
 public:

@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -34,8 +35,8 @@ namespace internal {
 // plane, that of an input face in it, and numbers of the same plane are united. All faces with united numbers have one
 // oriented normal, so that two of them that share an edge lie on different sides of it.
 //
-// The parts of a straight face that a new vertex makes are straight, too. A vertex may lie on an edge, so that a part has no area, as long as
-// that edge is not flipped.
+// The parts of a straight face that a new vertex makes are straight, too. A vertex may lie on an edge, so that a part
+// has no area, as long as that edge is not flipped.
 //
 // All that is known stays true if what a function is called before does not happen.
 class Straight_faces
@@ -47,6 +48,17 @@ public:
   {
     for (std::size_t f = 0; f < plane_.size(); ++f)
       plane_[f] = united_with_[f] = std::uint32_t(f);
+  }
+
+  // With what is known from elsewhere: for each face that of an input face in its plane, or the null descriptor.
+  Straight_faces(std::size_t number_of_input_faces, std::size_t number_of_points, const std::vector<Face_index>& planes)
+    : Straight_faces(number_of_input_faces, number_of_points)
+  {
+    if (number_of_points == 0)
+      return;
+    plane_.resize(planes.size(), default_init);
+    for (std::size_t f = 0; f < planes.size(); ++f)
+      plane_[f] = planes[f].is_valid() ? planes[f].idx() : none;
   }
 
   bool operator()(Face_index f) const { return !plane_.empty() && plane_[f.idx()] != none; }
@@ -91,7 +103,8 @@ public:
     return false;
   }
 
-  // A flip between these faces is undone: where more would have to be found out, they are not known to be straight. Never throws.
+  // A flip between these faces is undone: where more would have to be found out, they are not known to be straight.
+  // Never throws.
   void flip_back(Face_index f, Face_index g)
   {
     if (!(*this)(f) || !(*this)(g) || united(plane_[f.idx()]) != united(plane_[g.idx()]))

@@ -25,8 +25,8 @@ namespace internal {
 // The corners i, j and k of a face.
 using Three_corners = std::array<Vertex_index, 3>;
 
-// As a Triangle_corner at k, but each number has one bound on its error, found from lengths and area alone: without a running
-// error, both faces are computed in the same operations.
+// As a Triangle_corner at k, but each number has one bound on its error, found from lengths and area alone: without a
+// running error, both faces are computed in the same operations.
 class Two_straight_faces
 {
   using Pair = Split_double_double<Two_doubles>;
@@ -60,8 +60,8 @@ public:
     shortest_ = min_of(s_ij.hi, min_of(s_jk.hi, s_ki.hi));
   }
 
-  // Those of the first face, or of the second. Returns whether they are far from underflow, and the face far from flat, as the bounds
-  // require.
+  // Those of the first face, or of the second. Returns whether they are far from underflow, and the face far from flat,
+  // as the bounds require.
   bool get(bool is_second, Numbers& numbers) const
   {
     const auto one = [&](const Two_doubles& both) { return is_second ? both.second() : both.first(); };

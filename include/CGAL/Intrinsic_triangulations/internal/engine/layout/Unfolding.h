@@ -42,15 +42,13 @@ namespace internal {
 // the input and on where the edge runs, not on earlier flips, and the same
 // code yields intervals, multiple-precision numbers or exact ones.
 //
-// \tparam Metric gives the images in some ring of the squared length of an input edge and
-//   of √q of an input face (four times its area): a type `Real`, members
-//   `squared_length(Edge_index)` and `four_areas(Face_index)`, `constant(double)`; a type
-//   `Vector` of complex numbers over it; `remembered(Halfedge_index, compute)`, which
-//   gives what the last call with that halfedge gave, or that of `compute`;
-//   `is_flat(Halfedge_index)`, whether the two faces of an input edge are known to lie in
-//   one plane in space, a `std::false_type` where that is never used, and if so, `ratio_in_plane(Halfedge_index, Vertex_index,
-//   Vertex_index)`, the ratio of the vector between two vertices in the plane of the face
-//   of a halfedge, to the halfedge; `interruption()`, which can end a long computation.
+// \tparam Metric gives the images in some ring of the squared length of an input edge and of √q of an input face (four
+//   times its area): a type `Real`, members `squared_length(Edge_index)` and `four_areas(Face_index)`,
+//   `constant(double)`; a type `Vector` of complex numbers over it; `remembered(Halfedge_index, compute)`, which gives
+//   what the last call with that halfedge gave, or that of `compute`; `is_flat(Halfedge_index)`, whether the two faces
+//   of an input edge are known to lie in one plane in space, a `std::false_type` where that is never used, and if so,
+//   `ratio_in_plane(Halfedge_index, Vertex_index, Vertex_index)`, the ratio of the vector between two vertices in the
+//   plane of the face of a halfedge, to the halfedge; `interruption()`, which can end a long computation.
 //
 // Lengths are in the unit of the metric. Cost: proportional to the number of crossings,
 // plus that of finding their order.
@@ -89,7 +87,8 @@ public:
       return {Vector(metric_.constant(1), metric_.constant(0)), roundabout};
     return end_of_strip(crossed(h), std::size_t(n), nullptr);
   }
-  // Where h begins, and where it leads to from there, in the frame of an input halfedge of the face into which h leaves its source.
+  // Where h begins, and where it leads to from there, in the frame of an input halfedge of the face into which h leaves
+  // its source.
   struct Edge_beginning
   {
     Vector source, vector;
@@ -108,8 +107,8 @@ public:
     return {frame.real(frame.weights({a, b, 0})[1]), u.vector, u.reference};
   }
 
-  // The vector from the source of h, which begins at u, to a point of the input. The point lies in the input triangle that h
-  // runs through after so many crossings, or to the left of h if that coincides with an input edge.
+  // The vector from the source of h, which begins at u, to a point of the input. The point lies in the input triangle
+  // that h runs through after so many crossings, or to the left of h if that coincides with an input edge.
   Vector vector_to(const Surface_point& point, Halfedge_index h, const Edge_beginning& u, std::int64_t position) const
   {
     if (position == 0)
@@ -119,8 +118,8 @@ public:
     return starts_inside ? end - u.source : end;
   }
 
-  // Twice the area of the triangle of h and that point, in units of the squared length of an input edge: positive if the
-  // point lies to the left of h.
+  // Twice the area of the triangle of h and that point, in units of the squared length of an input edge: positive if
+  // the point lies to the left of h.
   Real area_beside(Halfedge_index h, std::int64_t position, const Surface_point& point) const
   {
     const Edge_beginning u = edge_beginning(h);
@@ -159,7 +158,8 @@ public:
       return input_corner(h);
     return corner_between(h, edge_vector(complex_.prev(h)), edge_vector(complex_.opposite(complex_.next(h))));
   }
-  // Calls `visit(h, corner)` for each face that has the corner k, opposite to h, counterclockwise. Edges between them are laid out once.
+  // Calls `visit(h, corner)` for each face that has the corner k, opposite to h, counterclockwise. Edges between them
+  // are laid out once.
   template <class Visit>
   void for_each_corner_at(Vertex_index k, const Visit& visit) const
   {
@@ -214,7 +214,8 @@ private:
             Frame::reference(input_, crossed.front())};
   }
 
-  // Where the source of h, which was inserted, lies in the input face into which h leaves it. \pre h coincides with no input edge
+  // Where the source of h, which was inserted, lies in the input face into which h leaves it. \pre h coincides with no
+  // input edge
   Surface_point location_of_source(Halfedge_index h) const
   {
     const Surface_point& location = correspondence_.location(complex_.source(h));

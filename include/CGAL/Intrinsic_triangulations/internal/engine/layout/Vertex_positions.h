@@ -21,8 +21,9 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Vertices of the input lie at their points, inserted ones at the weighted means of the corners of an input face, with their barycentric
-// coordinates as weights: exact rational numbers. They are kept in double-doubles with error bounds, and computed anew in exact numbers.
+// Vertices of the input lie at their points, inserted ones at the weighted means of the corners of an input face, with
+// their barycentric coordinates as weights: exact rational numbers. They are kept in double-doubles with error bounds,
+// and computed anew in exact numbers.
 class Vertex_positions
 {
 public:
@@ -47,7 +48,8 @@ public:
                                   is_inserted(complex.target(complex.next(h))));
   }
 
-  // A positive multiple of the vector from one vertex to another: the vector itself unless FT is exact and has no division.
+  // A positive multiple of the vector from one vertex to another: the vector itself unless FT is exact and has no
+  // division.
   template <class FT>
   Vector_3<FT> direction(Vertex_index from, Vertex_index to) const
   {

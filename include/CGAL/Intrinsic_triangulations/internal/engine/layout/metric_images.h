@@ -124,7 +124,8 @@ public:
     return prime_fields_[number];
   }
 
-  // A bound on the sizes of the numbers of the metric, and, where points on the input enter, of any double, as they have for coordinates.
+  // A bound on the sizes of the numbers of the metric, and, where points on the input enter, of any double, as they
+  // have for coordinates.
   double largest_size(bool has_points)
   {
     return has_points ? (std::max)(size_of_double, properties_.largest_size()) : properties_.largest_size();
@@ -300,8 +301,9 @@ public:
 private:
   using Coordinate = typename Image::Coordinate;
 
-  // What is computed once for all ratios to a halfedge, with the third corner k of its triangle to its left: the side u from i to j,
-  // with v from i to k a multiple of the height, |u|² v − (u·v) u, and what a scalar product with either has to be multiplied by.
+  // What is computed once for all ratios to a halfedge, with the third corner k of its triangle to its left: the side u
+  // from i to j, with v from i to k a multiple of the height, |u|² v − (u·v) u, and what a scalar product with either
+  // has to be multiplied by.
   struct Base
   {
     Vector_3<Coordinate> side, height;

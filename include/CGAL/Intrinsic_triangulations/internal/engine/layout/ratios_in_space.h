@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// As Metric_frame::ratios(), in half of the time: one bound for all errors instead of a running one. Nothing without points, or where
-// something could underflow, as in faces that are nearly flat.
+// As Metric_frame::ratios(), in half of the time: one bound for all errors instead of a running one. Nothing without
+// points, or where something could underflow, as in faces that are nearly flat.
 inline std::optional<Corner_ratios<Double_double_disk>> ratios_in_space(const Delta_complex& input,
                                                                         const Points& points, Halfedge_index ij)
 {
@@ -39,7 +39,8 @@ inline std::optional<Corner_ratios<Double_double_disk>> ratios_in_space(const De
   const double reciprocal = 1 / s.hi;
   const Split_double_double<double> x = quotient(split_scalar_product(u, v), s, reciprocal),
                                     y = quotient(square_root(square), s, reciprocal);
-  // Products of the vectors are good to 2^-102 of those of their lengths, so that x + iy is good to 2^-99 of its absolute value.
+  // Products of the vectors are good to 2^-102 of those of their lengths, so that x + iy is good to 2^-99 of its
+  // absolute value.
   const double error = 0x1p-97 * std::sqrt(s_v * reciprocal);
   const Bounded_double_double at_source(x.hi, x.lo, error), height(y.hi, y.lo, error);
   return Corner_ratios<Double_double_disk>{{at_source, height}, {Bounded_double_double(1) - at_source, -height}};

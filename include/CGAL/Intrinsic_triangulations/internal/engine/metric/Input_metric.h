@@ -65,6 +65,9 @@ public:
   /// returns the points; empty unless the metric was constructed from points.
   const Point_vector& points() const { return points_; }
 
+  /// returns the lengths; empty unless the metric was constructed from lengths.
+  const std::vector<double>& lengths() const { return lengths_; }
+
   /// \cond SKIP_IN_MANUAL
   static Input_metric from_normalized_points(Point_vector points, int exponent)
   {
@@ -89,8 +92,6 @@ public:
     return m;
   }
 
-  // Empty unless the metric was constructed from lengths.
-  const std::vector<double>& lengths() const { return lengths_; }
   // Null unless it was constructed from squared lengths.
   const internal::Rational_lengths* rational_lengths() const { return rational_lengths_.get(); }
 

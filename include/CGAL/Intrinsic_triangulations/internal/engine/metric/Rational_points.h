@@ -27,8 +27,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// The coordinates of one point after the other, of any number type of CGAL. They arrive as text, or as sums of doubles: so only
-// the definitions know a type of rational numbers.
+// The coordinates of one point after the other, of any number type of CGAL. They arrive as text, or as sums of doubles:
+// so only the definitions know a type of rational numbers.
 class Rational_points
 {
 public:

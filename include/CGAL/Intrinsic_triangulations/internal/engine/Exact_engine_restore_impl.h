@@ -1,0 +1,354 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Definitions of Exact_engine: a triangulation from a file, which is not believed.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_RESTORE_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_RESTORE_IMPL_H
+
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Saved_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/for_each_halfedge_around.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/check_correspondence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Double_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Metric_frame.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Strip.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// At an inserted vertex, and at its neighbours. What is wrong is wrong by full turns.
+inline void check_angle_sum(const Exact_engine& engine, Vertex_index v)
+{
+  const Correspondence& correspondence = engine.correspondence();
+  const Delta_complex &complex = engine.connectivity(), &input = correspondence.input();
+  bool is_concerned = correspondence.is_inserted(v), is_on_border = false;
+  for_each_halfedge_around(complex, v, [&](Halfedge_index h) {
+    is_concerned = is_concerned || correspondence.is_inserted(complex.source(h));
+    is_on_border = is_on_border || complex.is_border(h);
+  });
+  if (!is_concerned)
+    return;
+  double sum = 0, expected = 0;
+  for_each_halfedge_around(complex, v, [&](Halfedge_index h) {
+    if (!complex.is_border(h))
+      sum += engine.angle(complex.prev(h)); // between h and the next one
+  });
+  if (correspondence.is_inserted(v))
+    expected = is_on_border ? CGAL_PI : 2 * CGAL_PI;
+  else
+    for_each_halfedge_around(input, v, [&](Halfedge_index h) {
+      if (!input.is_border(input.opposite(h)))
+        expected += engine.input_angle(input.opposite(h));
+    });
+  if (!(std::abs(sum - expected) < 1))
+    throw_not_a_triangulation("vertex", v.idx(), "has angles that sum to more or less than those of the surface there");
+}
+
+// Where a bound is infinite or so wide that it says nothing, no decision relies on the numbers; they are what queries return all the same. What is not near to
+// the truth, as a long run of flips of thin faces can leave it, is replaced by it.
+// \param corner_of finds some corner of a face, and the side opposite to it
+template <class CornerOf>
+void mend_unbounded(const Delta_complex& complex, Saved_triangulation& saved, const CornerOf& corner_of)
+{
+  constexpr double near = 0x1p-10;
+  const auto is_bounded = [&](Face_index f) {
+    const Halfedge_index h = complex.halfedge(f);
+    double sum = 0;
+    for (Halfedge_index side : {h, complex.next(h), complex.prev(h)})
+      sum += saved.squared_lengths[complex.edge(side).idx()];
+    const double bound = saved.areas[f.idx()][1];
+    return bound <= near * sum && bound < std::numeric_limits<double>::infinity(); // which does not hold for NaN
+  };
+  std::vector<bool> are_bounded;
+  for (Face_index f : complex.faces())
+    are_bounded.push_back(is_bounded(f));
+  for (Face_index f : complex.faces()) {
+    if (are_bounded[f.idx()])
+      continue;
+    const auto [side, corner] = corner_of(f);
+    double sum = 0;
+    const auto mend_side = [&](Halfedge_index h, const Bounded_double_double& s) {
+      sum += s.hi();
+      const Halfedge_index g = complex.opposite(h);
+      double& stored = saved.squared_lengths[complex.edge(h).idx()];
+      if ((complex.is_border(g) || !are_bounded[complex.face(g).idx()]) &&
+          !(std::abs(stored - s.hi()) <= near * s.hi()))
+        stored = s.hi();
+    };
+    mend_side(side, corner.s_opposite);
+    mend_side(complex.next(side), corner.s_second);
+    mend_side(complex.prev(side), corner.s_first);
+    if (double& area = saved.areas[f.idx()][0]; !(std::abs(area - corner.four_areas.hi()) <= near * sum))
+      area = corner.four_areas.hi();
+  }
+}
+
+// The edges of the triangulation are lines through the input triangles that the integers name: then the faces between them are the triangles
+// that are laid out, as they are up to isotopy (see Correspondence_check). Inserted vertices are no part of that isotopy: faces at these
+// must not be inverted, and the angles at these and their neighbours sum to what the surface has there: angles that exclude less can be
+// wound around a vertex twice.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_engine::restore(Saved_triangulation& saved, const Block_runner& run,
+                           const std::function<bool(Face_index)>& is_known)
+{
+  const Standard_arithmetic arithmetic;
+  prepare();
+  Memory& memory = *memory_;
+  const std::size_t number_of_input_faces = connectivity_.number_of_faces(), number_of_points = metric_.points().size();
+  Delta_complex input = correspondence_.input();
+  correspondence_ = Correspondence(std::move(input), std::move(saved.coordinates), std::move(saved.locations));
+  connectivity_ = std::move(saved.connectivity);
+  memory.straight_faces =
+    Straight_faces(number_of_input_faces, number_of_points, std::vector<Face_index>(connectivity_.number_of_faces()));
+  memory.knows_straight_faces = true;
+
+  Correspondence_check check(connectivity_, correspondence_, interruption());
+  check.check_locations();
+  if (number_of_points != 0)
+    for (const Surface_point& location : correspondence_.locations())
+      memory.inserted_positions.push_back(positions().rounded(location));
+  check();
+  // In portions, so that what is kept of crossings takes no more memory than what was read.
+  const auto for_each = [&](std::size_t n, const auto& number_of_crossings, const auto& f) {
+    constexpr std::int64_t most_kept = std::int64_t(1) << 22;
+    for (std::size_t begin = 0, end = 0; begin < n; begin = end) {
+      for (std::int64_t sum = 0; end < n && sum < most_kept; ++end)
+        sum += number_of_crossings(std::uint32_t(end));
+      run(end - begin, elements_of_block, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = begin + first; i < begin + last; ++i)
+          f(std::uint32_t(i));
+      });
+      correspondence_.forget_crossings();
+    }
+  };
+  const Normal_coordinates& coordinates = correspondence_.coordinates();
+  const auto at_edge = [&](std::uint32_t e) { return coordinates.number_of_crossings(Edge_index(e)); };
+  const auto at_face = [&](std::uint32_t f) {
+    const Halfedge_index h = connectivity_.halfedge(Face_index(f));
+    std::int64_t sum = 0;
+    for (Halfedge_index side : {h, connectivity_.next(h), connectivity_.prev(h)})
+      sum += coordinates.number_of_crossings(connectivity_.edge(side));
+    return sum;
+  };
+  for_each(connectivity_.number_of_edges(), at_edge, [&](std::uint32_t e) { check_line(Edge_index(e)); });
+  const bool has_inserted = !correspondence_.locations().empty();
+  std::vector<Face_index> planes(connectivity_.number_of_faces());
+  for_each(connectivity_.number_of_faces(), at_face, [&](std::uint32_t i) {
+    const Face_index f(i);
+    if (has_inserted && has_inserted_vertex(f) && sign_of_area(f) == NEGATIVE)
+      throw_not_a_triangulation("face", i, "is inverted");
+    if (number_of_points != 0 && saved.is_straight[i])
+      planes[i] = plane(f);
+  });
+  memory.straight_faces = Straight_faces(number_of_input_faces, number_of_points, planes);
+  if (has_inserted)
+    for_each(
+      connectivity_.number_of_vertices(), [](std::uint32_t) { return 1; },
+      [&](std::uint32_t v) { check_angle_sum(*this, Vertex_index(v)); });
+  mend_unbounded(connectivity_, saved, [&](Face_index f) {
+    const Surface_lease surface = input_surface();
+    Double_double_metric metric(*surface);
+    return quickest_corner(f, Unfolding<Double_double_metric>(connectivity_, correspondence_, metric));
+  });
+  for_each(connectivity_.number_of_faces(), at_face, [&](std::uint32_t i) {
+    const Face_index f(i);
+    if (!is_known(f) && !are_sound(f, saved, *input_surface()))
+      throw_not_a_triangulation("face", i,
+                                "has an area or sides that differ from the true ones by more than its bound");
+  });
+}
+
+// The invariants of Filtered_edge_length_traits.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool Exact_engine::are_sound(Face_index f, const Saved_triangulation& saved, Input_surface& surface) const
+{
+  const double area = saved.areas[f.idx()][0], bound = saved.areas[f.idx()][1];
+  if (bound == std::numeric_limits<double>::infinity())
+    return true; // no decision relies on these numbers
+  const Halfedge_index h = connectivity_.halfedge(f);
+  bool are_finite = std::isfinite(area) && bound >= 0;
+  for (Halfedge_index side : {h, connectivity_.next(h), connectivity_.prev(h)})
+    are_finite = are_finite && std::isfinite(saved.squared_lengths[connectivity_.edge(side).idx()]);
+  if (!are_finite)
+    return false;
+  constexpr double u = 0x1p-53, rounded_up = 1 + 0x1p-40;
+  // \param difference bounds the difference of a stored number and the true one
+  const auto are_good = [&](Halfedge_index side, const auto& corner, const auto& difference) {
+    double of_sides = 0, sum = 0;
+    const auto add = [&](Halfedge_index g, const auto& s) {
+      const double stored = saved.squared_lengths[connectivity_.edge(g).idx()];
+      of_sides += (std::max)(difference(stored, s), 6 * u * stored);
+      sum += stored;
+    };
+    add(side, corner.s_opposite);
+    add(connectivity_.next(side), corner.s_second);
+    add(connectivity_.prev(side), corner.s_first);
+    return bound >= rounded_up * 1.5 * of_sides && bound >= rounded_up * 1.5 * difference(area, corner.four_areas) &&
+           bound >= rounded_up * 12 * u * sum && sum >= 0;
+  };
+  Double_double_metric metric(surface);
+  const auto quickest = quickest_corner(f, Unfolding<Double_double_metric>(connectivity_, correspondence_, metric));
+  if (are_good(quickest.side, quickest.corner, [](double stored, const Bounded_double_double& x) {
+        return std::abs(stored - x.hi()) + std::abs(x.lo()) + x.error();
+      }))
+    return true;
+  Mpfr_metric precise_metric(surface, {256});
+  return are_good(h, Unfolding<Mpfr_metric>(connectivity_, correspondence_, precise_metric).opposite_corner(h),
+                  [&](double stored, const Mpfr_interval& x) {
+                    const Mpfr_interval d = x - precise_metric.constant(stored);
+                    return (std::max)(std::abs(d.lower_double()), std::abs(d.upper_double()));
+                  });
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool Exact_engine::has_inserted_vertex(Face_index f) const
+{
+  const Halfedge_index h = connectivity_.halfedge(f);
+  for (Halfedge_index side : {h, connectivity_.next(h), connectivity_.prev(h)})
+    if (correspondence_.is_inserted(connectivity_.target(side)))
+      return true;
+  return false;
+}
+
+// An edge begins and ends in the input faces that the integers name, and each input edge that it crosses has one end on either side of it.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_engine::check_line(Edge_index e) const
+{
+  const std::int64_t n = correspondence_.coordinates().crossings(e);
+  if (n < 0)
+    return;
+  const auto fail = [&](const std::string& what) { throw_not_a_triangulation("edge", e.idx(), what); };
+  const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
+  const Face_index first = uncrossed_input_face(connectivity_, correspondence_, h),
+                   last = uncrossed_input_face(connectivity_, correspondence_, g);
+  if (!first.is_valid() || !last.is_valid())
+    fail("leaves the surface");
+  bool has_length = false;
+  if (n == 0) {
+    if (first != last)
+      fail("crosses no input edge, and its ends lie in different input faces");
+    if (!correspondence_.is_inserted(connectivity_.source(h)) && !correspondence_.is_inserted(connectivity_.target(h)))
+      fail("joins two corners of one input face, and is none of its sides");
+  } else {
+    const Crossed_halfedges sequence(connectivity_, correspondence_, h, interruption());
+    const Delta_complex& input = correspondence_.input();
+    Crossed_edges crossed(input);
+    for (std::size_t i = 0; i < sequence.size(); ++i)
+      crossed.push_back(sequence[i]);
+    if (input.face(input.opposite(sequence.front())) != first || input.face(crossed[crossed.size() - 1]) != last)
+      fail("does not begin and end in the input faces that its ends lie in");
+    const Line_check check = check_sides(h, crossed);
+    if (check == Line_check::BENT)
+      fail("is no straight line over the input triangles");
+    has_length = check == Line_check::STRAIGHT;
+  }
+  if (!has_length && has_length_zero(e))
+    fail("has length zero");
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_engine::Line_check Exact_engine::check_sides(Halfedge_index h, const Crossed_edges& crossed) const
+{
+  // Twice the area to an end of a crossed edge: positive if it lies on the right side. Calls visit(area) until it returns `false`.
+  const auto for_each_area = [&](auto& metric, const auto& visit) {
+    using Metric = std::decay_t<decltype(metric)>;
+    using Frame = Metric_frame<Metric>;
+    Strip<Frame> strip(correspondence_.input(), Frame(correspondence_.input(), metric));
+    Unfolding<Metric>(connectivity_, correspondence_, metric).lay_out(strip, h, crossed);
+    strip.for_each_crossing(
+      [&](const auto& areas, const auto&, const auto&) { return visit(areas.left) && visit(areas.right); });
+  };
+  std::vector<std::size_t> open; // by which number of areas
+  const auto find_open = [&](auto& metric) {
+    bool is_bent = false;
+    std::size_t i = 0;
+    open.clear();
+    for_each_area(metric, [&](const auto& area) {
+      const Uncertain<Sign> sign = area.sign();
+      is_bent = certainly(sign == NEGATIVE);
+      if (!certainly(sign == POSITIVE))
+        open.push_back(i);
+      ++i;
+      return !is_bent;
+    });
+    return is_bent ? Line_check::BENT : Line_check::STRAIGHT;
+  };
+  Double_metric doubles(correspondence_.input(), metric_, interruption());
+  Line_check result = find_open(doubles);
+  if (result == Line_check::BENT || open.empty())
+    return result;
+  const Surface_lease surface = input_surface();
+  Double_double_metric double_doubles(*surface);
+  result = find_open(double_doubles);
+  for (std::size_t i = 0; i < open.size() && result != Line_check::BENT; ++i) {
+    const auto area = [&](auto& metric) {
+      std::optional<typename std::decay_t<decltype(metric)>::Real> found;
+      std::size_t number = 0;
+      for_each_area(metric, [&](const auto& each) {
+        if (number++ == open[i])
+          found = each;
+        return !found;
+      });
+      return *found;
+    };
+    const Sign sign = exact_sign(*surface, area, [&] {
+      return "that edge " + std::to_string(connectivity_.edge(h).idx()) + " runs through a vertex of the input";
+    });
+    result = sign == POSITIVE ? result : sign == ZERO ? Line_check::TOUCHING : Line_check::BENT;
+  }
+  return result;
+}
+
+// An input face in whose plane all lie that a face shares points with, or none. All of these meet its sides.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Face_index Exact_engine::plane(Face_index f) const
+{
+  const Delta_complex& input = correspondence_.input();
+  Face_index result;
+  const auto lies_in_it = [&](Face_index g) {
+    if (!result.is_valid())
+      result = g;
+    return result == g || have_one_plane(input, metric_.points(), result, g);
+  };
+  const Halfedge_index h = connectivity_.halfedge(f);
+  for (Halfedge_index side : {h, connectivity_.next(h), connectivity_.prev(h)}) {
+    if (!lies_in_it(uncrossed_input_face(connectivity_, correspondence_, side)))
+      return {};
+    if (correspondence_.coordinates().number_of_crossings(connectivity_.edge(side)) == 0)
+      continue;
+    const Crossed_halfedges crossed(connectivity_, correspondence_, side, interruption());
+    for (std::size_t i = 0; i < crossed.size(); ++i)
+      if (!lies_in_it(input.face(crossed[i])))
+        return {};
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_RESTORE_IMPL_H

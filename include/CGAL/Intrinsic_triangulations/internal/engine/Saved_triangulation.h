@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// What a file says of a triangulation, beside its input.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_SAVED_TRIANGULATION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_SAVED_TRIANGULATION_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+
+#include <array>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+struct Saved_triangulation
+{
+  Delta_complex connectivity;
+  Normal_coordinates coordinates;       // of its edges
+  std::vector<Surface_point> locations; // of the vertices that follow those of the input
+  // What Filtered_edge_length_traits keep, in the unit of the metric: squared lengths; for each face four times the area, and the bound.
+  Large_vector<double> squared_lengths;
+  Large_vector<std::array<double, 2>> areas;
+  std::vector<bool> is_straight; // for each face: whether it was known to be a triangle in space
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_SAVED_TRIANGULATION_H

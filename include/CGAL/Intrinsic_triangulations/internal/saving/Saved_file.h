@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// A triangulation and its input in a file.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SAVING_SAVED_FILE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SAVING_SAVED_FILE_H
+
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Saved_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/saving/Saved_header.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
+
+#include <array>
+#include <functional>
+#include <iosfwd>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+struct Saved_file
+{
+  Metric_kind metric_kind = Metric_kind::POINTS;
+  Delta_complex input;
+  Input_metric::Point_vector points; // or
+  std::vector<double> lengths;       // or
+  Input_metric metric;               // of squared lengths
+  Saved_triangulation triangulation;
+  std::vector<bool> is_constrained; // for each edge of the triangulation, or empty
+  Stage_counts counts;
+  Tie_proof tie_proof = Tie_proof::PROBABLE_IF_COSTLY;
+};
+
+// Asked for each block of bytes.
+using Go_further = std::function<bool()>;
+
+// What the traits keep, as `Saved_triangulation` has it, and for each input face the halfedge that is listed first.
+struct Stored_numbers
+{
+  std::function<Halfedge_index(Face_index)> first_side;
+  std::function<double(Edge_index)> squared_length;
+  std::function<std::array<double, 2>(Face_index)> area;
+};
+
+// \exception Undecided_error if an edge crosses more input edges than can be laid out
+void write_saved_file(std::ostream& os, const Exact_engine& engine, const Stage_counts& counts,
+                      const Stored_numbers& numbers, const std::vector<bool>& is_constrained,
+                      const Go_further& go_further);
+// Checks the connectivity of input and triangulation, and that there is an entry for each element; not what only the metric can tell.
+// Memory: proportional to what was read, whatever the header says
+Saved_file read_saved_file(std::istream& is, const Go_further& go_further);
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/internal/saving/Saved_file_impl.h>
+#endif
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SAVING_SAVED_FILE_H

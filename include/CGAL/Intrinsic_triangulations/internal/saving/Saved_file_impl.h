@@ -1,0 +1,334 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SAVING_SAVED_FILE_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SAVING_SAVED_FILE_IMPL_H
+
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/complex_from_halfedges.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
+#include <CGAL/Intrinsic_triangulations/internal/saving/Byte_stream.h>
+#include <CGAL/Intrinsic_triangulations/internal/saving/Saved_file.h>
+#include <CGAL/Intrinsic_triangulations/internal/saving/Saved_header.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <istream>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// More cannot be laid out (see Crossing_sequence).
+constexpr std::int64_t most_saved_crossings = std::int64_t(1) << 20;
+
+// In the unit of the input.
+inline Rational unscaled_squared_length(const Input_metric& metric, const Delta_complex& input, Edge_index e)
+{
+  Rational s = squared_length(metric, input, e);
+  const int k = 2 * metric.unit_exponent();
+  if (k > 0)
+    mpq_mul_2exp(s.backend().data(), s.backend().data(), mp_bitcnt_t(k));
+  else if (k < 0)
+    mpq_div_2exp(s.backend().data(), s.backend().data(), mp_bitcnt_t(-k));
+  return s;
+}
+
+class Saved_file_writer
+{
+public:
+  Saved_file_writer(std::ostream& os, const Exact_engine& engine, const Go_further& go_further)
+    : bytes_(os), engine_(engine), correspondence_(engine.correspondence()), go_further_(go_further)
+  {}
+
+  void operator()(const Stage_counts& counts, const Stored_numbers& numbers, const std::vector<bool>& is_constrained)
+  {
+    const Delta_complex &input = correspondence_.input(), &complex = engine_.connectivity();
+    check_crossings();
+    bytes_.put(header(!is_constrained.empty()).text());
+    put_vertices(input, true);
+    for_each(input.faces(), [&](Face_index f) {
+      const std::array<Halfedge_index, 3> h = sides(input, numbers.first_side(f));
+      bytes_.put(std::uint8_t(3), input.source(h[0]).idx(), input.source(h[1]).idx(), input.source(h[2]).idx(),
+                 h[0].idx(), h[1].idx(), h[2].idx());
+    });
+    put_lengths(engine_.metric());
+    put_vertices(complex, false);
+    for (const Surface_point& p : correspondence_.locations())
+      bytes_.put(p.halfedge.idx(), p.coordinates[0], p.coordinates[1], p.coordinates[2]);
+    for_each(complex.faces(), [&](Face_index f) {
+      const std::array<Halfedge_index, 3> h = sides(complex, complex.halfedge(f));
+      const std::array<double, 2> area = numbers.area(f);
+      bytes_.put(h[0].idx(), h[1].idx(), h[2].idx(), area[0], area[1],
+                 std::uint8_t(engine_.is_known_to_be_straight(f)));
+    });
+    for_each(complex.edges(), [&](Edge_index e) {
+      const Halfedge_index h = complex.halfedge(e);
+      bytes_.put(numbers.squared_length(e), std::int32_t(correspondence_.coordinates().crossings(e)),
+                 correspondence_.input_halfedge(h).idx(), correspondence_.input_halfedge(complex.opposite(h)).idx());
+      if (!is_constrained.empty())
+        bytes_.put(std::uint8_t(is_constrained[e.idx()]));
+    });
+    for (std::uint64_t n : counts.decided)
+      bytes_.put(n);
+    bytes_.put(counts.ties);
+    bytes_.flush();
+  }
+
+private:
+  Saved_header header(bool has_constraints) const
+  {
+    const Delta_complex &input = correspondence_.input(), &complex = engine_.connectivity();
+    Saved_header result;
+    result.metric = engine_.metric().rational_lengths()  ? Metric_kind::SQUARED_LENGTHS
+                    : !engine_.metric().points().empty() ? Metric_kind::POINTS
+                                                         : Metric_kind::LENGTHS;
+    result.tie_proof = engine_.tie_proof();
+    result.has_constraints = has_constraints;
+    result.vertices = input.number_of_vertices();
+    result.edges = input.number_of_edges();
+    result.faces = input.number_of_faces();
+    result.inserted_vertices = correspondence_.number_of_inserted_vertices();
+    result.intrinsic_vertices = complex.number_of_vertices();
+    result.intrinsic_edges = complex.number_of_edges();
+    result.intrinsic_faces = complex.number_of_faces();
+    return result;
+  }
+
+  void check_crossings() const
+  {
+    for (Edge_index e : engine_.connectivity().edges())
+      if (const std::int64_t n = correspondence_.coordinates().crossings(e); n > most_saved_crossings)
+        throw Undecided_error("edge " + std::to_string(e.idx()) + " crosses " + std::to_string(n) +
+                              " input edges, too many to be laid out: nobody could check that in a file");
+  }
+
+  template <class Range, class Put>
+  void for_each(const Range& range, const Put& put)
+  {
+    std::size_t i = 0;
+    for (auto x : range) {
+      if ((++i & 0x3fff) == 0 && go_further_ && !go_further_())
+        throw Cancelled_error("the writing of a triangulation was cancelled");
+      put(x);
+    }
+  }
+
+  static std::array<Halfedge_index, 3> sides(const Delta_complex& complex, Halfedge_index h)
+  {
+    return {h, complex.next(h), complex.prev(h)};
+  }
+
+  void put_vertices(const Delta_complex& complex, bool has_points)
+  {
+    const auto& points = engine_.metric().points();
+    const int unit = engine_.metric().unit_exponent();
+    for_each(complex.vertices(), [&](Vertex_index v) {
+      if (has_points && !points.empty())
+        for (double x : points[v.idx()])
+          bytes_.put(std::ldexp(x, unit)); // which is exact
+      bytes_.put(complex.halfedge(v).idx());
+    });
+  }
+
+  void put_lengths(const Input_metric& metric)
+  {
+    for (double l : metric.lengths())
+      bytes_.put(std::ldexp(l, metric.unit_exponent()));
+    if (metric.rational_lengths())
+      for (Edge_index e : correspondence_.input().edges()) {
+        const std::string digits = unscaled_squared_length(metric, correspondence_.input(), e).str();
+        bytes_.put(std::uint32_t(digits.size()));
+        bytes_.put(digits);
+      }
+  }
+
+  Byte_writer bytes_;
+  const Exact_engine& engine_;
+  const Correspondence& correspondence_;
+  const Go_further& go_further_;
+};
+
+class Saved_file_reader
+{
+public:
+  Saved_file_reader(std::istream& is, const Go_further& go_further) : bytes_(is), go_further_(go_further) {}
+
+  Saved_file operator()()
+  {
+    header_ = Saved_header::read(bytes_);
+    check_numbers();
+    Saved_file result;
+    result.tie_proof = header_.tie_proof;
+    result.metric_kind = header_.metric;
+
+    Large_vector<std::uint32_t> vertices;
+    const bool has_points = header_.metric == Metric_kind::POINTS;
+    for_each("vertex", header_.vertices, has_points ? 28 : 4, [&] {
+      if (has_points) {
+        const double x = bytes_.get<double>(), y = bytes_.get<double>();
+        result.points.push_back({x, y, bytes_.get<double>()});
+      }
+      vertices.push_back(bytes_.get<std::uint32_t>());
+    });
+    std::vector<std::array<std::uint32_t, 3>> corners;
+    Large_vector<std::array<std::uint32_t, 3>> faces;
+    for_each("face", header_.faces, 25, [&] {
+      if (bytes_.get<std::uint8_t>() != 3)
+        bytes_.fail_here("the face is no triangle");
+      corners.push_back(get_three());
+      faces.push_back(get_three());
+    });
+    result.input = complex_from_halfedges(header_.edges, faces, vertices);
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      for (std::size_t i = 0; i < 3; ++i)
+        if (result.input.source(Halfedge_index(faces[f][i])).idx() != corners[f][i])
+          throw_not_a_triangulation("face", f, "has other vertices than its halfedges");
+    if (header_.metric == Metric_kind::LENGTHS)
+      for_each("input_edge", header_.edges, 8, [&] { result.lengths.push_back(bytes_.get<double>()); });
+    if (header_.metric == Metric_kind::SQUARED_LENGTHS)
+      result.metric = metric_from_squared_lengths();
+    read_triangulation(result);
+    for_each("count", Saved_header::number_of_counts, 8, [&, i = std::size_t(0)]() mutable {
+      (i < number_of_stages ? result.counts.decided[i] : result.counts.ties) = bytes_.get<std::uint64_t>();
+      ++i;
+    });
+    return result;
+  }
+
+private:
+  void check_numbers() const
+  {
+    const Saved_header& h = header_;
+    if (h.intrinsic_vertices != h.vertices + h.inserted_vertices)
+      bytes_.fail(0, "the numbers of vertices do not fit together");
+    if (h.edges > 3 * h.faces || h.intrinsic_edges > 3 * h.intrinsic_faces)
+      bytes_.fail(0, "there are too many edges for the faces");
+  }
+
+  template <class Take>
+  void for_each(const char* element, std::size_t number, std::size_t size, Take take)
+  {
+    bytes_.begin(element, number, size);
+    for (std::size_t i = 0; i < number; ++i) {
+      bytes_.next_row();
+      if (bytes_.begins_block() && go_further_ && !go_further_())
+        throw Cancelled_error("the reading of a triangulation was cancelled");
+      take();
+    }
+  }
+  std::array<std::uint32_t, 3> get_three()
+  {
+    const std::uint32_t a = bytes_.get<std::uint32_t>(), b = bytes_.get<std::uint32_t>();
+    return {a, b, bytes_.get<std::uint32_t>()};
+  }
+
+  Input_metric metric_from_squared_lengths()
+  {
+    constexpr std::uint32_t most_digits = 1 << 20;
+    std::vector<Rational> squared_lengths;
+    for (std::size_t e = 0; e < header_.edges; ++e) {
+      bytes_.begin("input_edge", 1, 4);
+      bytes_.next_row();
+      const std::uint32_t size = bytes_.get<std::uint32_t>();
+      if (size > most_digits)
+        throw_not_a_triangulation("input edge", e, "has a squared length of too many digits");
+      squared_lengths.push_back(rational(bytes_.text(size), e));
+    }
+    return Intrinsic_triangulations::metric_from_squared_lengths(std::move(squared_lengths));
+  }
+  // Digits, perhaps a slash and more digits.
+  static Rational rational(const std::string& text, std::size_t edge)
+  {
+    const std::size_t slash = (std::min)(text.find('/'), text.size());
+    bool is_good = slash > 0 && slash + 1 != text.size();
+    for (std::size_t i = 0; i < text.size(); ++i)
+      is_good = is_good && (i == slash || (text[i] >= '0' && text[i] <= '9'));
+    is_good = is_good && (slash == text.size() || text.find_first_not_of('0', slash + 1) != std::string::npos);
+    if (!is_good)
+      throw_not_a_triangulation("input edge", edge, "has a squared length that is no fraction");
+    Rational result(text);
+    mpq_canonicalize(result.backend().data()); // which "4/6" is not
+    return result;
+  }
+
+  void read_triangulation(Saved_file& result)
+  {
+    Saved_triangulation& t = result.triangulation;
+    Large_vector<std::uint32_t> vertices;
+    for_each("intrinsic_vertex", header_.intrinsic_vertices, 4,
+             [&] { vertices.push_back(bytes_.get<std::uint32_t>()); });
+    for_each("inserted_vertex", header_.inserted_vertices, 28, [&] {
+      const Halfedge_index h = halfedge(bytes_.get<std::uint32_t>());
+      const double a = bytes_.get<double>(), b = bytes_.get<double>();
+      t.locations.push_back({h, {a, b, bytes_.get<double>()}});
+    });
+    Large_vector<std::array<std::uint32_t, 3>> faces;
+    for_each("intrinsic_face", header_.intrinsic_faces, 29, [&] {
+      faces.push_back(get_three());
+      const double area = bytes_.get<double>();
+      t.areas.push_back({area, bytes_.get<double>()});
+      t.is_straight.push_back(get_bool());
+    });
+    t.connectivity = complex_from_halfedges(header_.intrinsic_edges, faces, vertices);
+    t.coordinates = Normal_coordinates(t.connectivity);
+    for_each("intrinsic_edge", header_.intrinsic_edges, header_.has_constraints ? 21 : 20,
+             [&, e = Edge_index(0)]() mutable {
+               t.squared_lengths.push_back(bytes_.get<double>());
+               const std::int32_t n = bytes_.get<std::int32_t>();
+               if (n > most_saved_crossings)
+                 bytes_.fail_here("the edge crosses more input edges than can be laid out");
+               const Halfedge_index first = halfedge(bytes_.get<std::uint32_t>()),
+                                    second = halfedge(bytes_.get<std::uint32_t>());
+               const Halfedge_index h = t.connectivity.halfedge(e);
+               if (n != -1 || first != h || second != t.connectivity.opposite(h))
+                 t.coordinates.set(e, n, first, second);
+               if (header_.has_constraints)
+                 result.is_constrained.push_back(get_bool());
+               e = Edge_index(e.idx() + 1);
+             });
+  }
+  static Halfedge_index halfedge(std::uint32_t h)
+  {
+    return h == Halfedge_index::null_index() ? Halfedge_index() : Halfedge_index(h);
+  }
+  bool get_bool()
+  {
+    const std::uint8_t x = bytes_.get<std::uint8_t>();
+    if (x > 1)
+      bytes_.fail_here("a mark is neither 0 nor 1");
+    return x == 1;
+  }
+
+  Byte_reader bytes_;
+  const Go_further& go_further_;
+  Saved_header header_;
+};
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void write_saved_file(std::ostream& os, const Exact_engine& engine, const Stage_counts& counts,
+                      const Stored_numbers& numbers, const std::vector<bool>& is_constrained,
+                      const Go_further& go_further)
+{
+  Saved_file_writer(os, engine, go_further)(counts, numbers, is_constrained);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Saved_file read_saved_file(std::istream& is, const Go_further& go_further)
+{
+  return Saved_file_reader(is, go_further)();
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SAVING_SAVED_FILE_IMPL_H

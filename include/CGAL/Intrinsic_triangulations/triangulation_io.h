@@ -1,0 +1,223 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Files that hold a triangulation with its input.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_IO_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_IO_H
+
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/internal/saving/Saved_file.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
+
+#include <CGAL/tags.h>
+
+#include <array>
+#include <cstdint>
+#include <fstream>
+#include <functional>
+#include <istream>
+#include <limits>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsIO
+/// \brief as `write_triangulation()`, with the corners of the input faces in the order in which they were given: flips may have turned
+/// `input().halfedge(f)`.
+/// \param os, triangulation, np as there
+/// \param first_sides for each face of the input the halfedge from its first corner to its second; empty for `input().halfedge(f)`
+/// \pre `input().face(first_sides[f]) == f`
+template <class NamedParameters = parameters::Default_named_parameters>
+void write_triangulation(std::ostream& os, const Intrinsic_triangulation<Filtered_edge_length_traits>& triangulation,
+                         const std::vector<Halfedge_index>& first_sides,
+                         const NamedParameters& np = parameters::default_values())
+{
+  const Delta_complex& input = triangulation.input();
+  using parameters::get_parameter;
+  std::vector<bool> is_constrained;
+  if constexpr (internal::has_edge_constraints<NamedParameters>) {
+    const auto map = internal::edge_constraints_of(np);
+    for (Edge_index e : triangulation.connectivity().edges())
+      is_constrained.push_back(get(map, e));
+  }
+  const internal::Stored_numbers numbers{
+    [&](Face_index f) { return first_sides.empty() ? input.halfedge(f) : first_sides[f.idx()]; },
+    [&](Edge_index e) { return triangulation.edge_data(e); },
+    [&](Face_index f) {
+      const Bounded_area& area = triangulation.face_data(f);
+      return std::array<double, 2>{area.value, area.error};
+    }};
+  internal::write_saved_file(os, internal::engine(triangulation), triangulation.stage_counts(), numbers, is_constrained,
+                             internal::go_further_function_of(np));
+}
+
+/// \ingroup PkgIntrinsicTriangulationsIO
+///
+/// \brief writes a triangulation and its input, from which `read_triangulation()` makes the same triangulation.
+///
+/// The file is a binary PLY file of the input, which other programs read as a mesh if it has points, with further elements for the
+/// triangulation: \ref idt_files_saved describes each byte.
+///
+/// \tparam NamedParameters a sequence of named parameters
+/// \param os a stream that was opened in binary mode; its state tells whether all was written
+/// \param triangulation the triangulation
+/// \param np an optional sequence of named parameters among those listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{a property map that tells which edges are constrained, to be written as well}
+///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
+///     \cgalParamDefault{nothing is written of constraints}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{a visitor that is asked whether to go on}
+///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`, or a function that returns `bool`}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \exception Undecided_error if an edge crosses more than 2<sup>20</sup> input edges: a reader could not lay it out
+/// \exception Cancelled_error if the visitor says so
+/// \exception Integer_overflow_error if an edge crosses more than 2<sup>60</sup>
+/// O(size).
+template <class NamedParameters = parameters::Default_named_parameters>
+void write_triangulation(std::ostream& os, const Intrinsic_triangulation<Filtered_edge_length_traits>& triangulation,
+                         const NamedParameters& np = parameters::default_values())
+{
+  write_triangulation(os, triangulation, std::vector<Halfedge_index>(), np);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsIO
+/// \brief as above, for the triangulation of a common subdivision: from it, the same subdivision can be made.
+template <class NamedParameters = parameters::Default_named_parameters>
+void write_triangulation(std::ostream& os, const Common_subdivision& subdivision,
+                         const NamedParameters& np = parameters::default_values())
+{
+  const internal::Exact_engine& engine = internal::engine(subdivision);
+  const Delta_complex& complex = engine.connectivity();
+  // Numbers without bounds: the first decisions replace them.
+  const internal::Stored_numbers numbers{
+    [&](Face_index f) { return engine.correspondence().input().halfedge(f); },
+    [&](Edge_index e) {
+      const Halfedge_index h = complex.halfedge(e);
+      return engine.corner(complex.is_border(h) ? complex.opposite(h) : h).s_opposite.hi();
+    },
+    [&](Face_index f) {
+      return std::array<double, 2>{engine.corner(complex.halfedge(f)).four_areas.hi(),
+                                   std::numeric_limits<double>::infinity()};
+    }};
+  internal::write_saved_file(os, engine, engine.stage_counts(), numbers, {}, internal::go_further_function_of(np));
+}
+
+/// \ingroup PkgIntrinsicTriangulationsIO
+///
+/// \brief reads a triangulation that `write_triangulation()` has written.
+///
+/// It is the triangulation that was written, with the same descriptors: every query returns the same, in each bit. Flips, insertions and
+/// removals go on from there.
+///
+/// A file is not believed. Connectivity, integers, inserted vertices and numbers are checked against each other and against the input,
+/// by exact layouts, so that what is returned is a triangulation of the input surface whatever the bytes are.
+///
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`, for the checks
+/// \tparam NamedParameters a sequence of named parameters
+/// \param is a stream that was opened in binary mode. What follows the triangulation is not read
+/// \param np an optional sequence of named parameters among those listed below
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{edge_is_constrained_map}
+///     \cgalParamDescription{a property map that receives for each edge whether it is constrained: nothing if the file does not tell}
+///     \cgalParamType{a model of `WritablePropertyMap` with `Edge_index` as key type and `bool` as value type}
+///     \cgalParamDefault{what the file tells of constraints is not used}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{a visitor that is asked whether to go on}
+///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`, or a function that returns `bool`}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \exception Invalid_surface_error with the defect `UNREADABLE` and the byte or element that is wrong, or another defect if the input is
+///   no surface
+/// \exception Cancelled_error if the visitor says so
+/// Time: O(size + number of crossings). Memory: proportional to what was read, whatever the header says.
+template <class ConcurrencyTag = Sequential_tag, class NamedParameters = parameters::Default_named_parameters>
+Intrinsic_triangulation<Filtered_edge_length_traits>
+read_triangulation(std::istream& is, const NamedParameters& np = parameters::default_values())
+{
+  using Triangulation = Intrinsic_triangulation<Filtered_edge_length_traits>;
+  using parameters::get_parameter;
+  const std::function<bool()> go_further = internal::go_further_function_of(np);
+  internal::Saved_file file = internal::read_saved_file(is, go_further);
+  using internal::Metric_kind;
+  Triangulation result = file.metric_kind == Metric_kind::POINTS
+                           ? Triangulation(std::move(file.input), std::move(file.points))
+                         : file.metric_kind == Metric_kind::LENGTHS
+                           ? Triangulation::from_lengths(std::move(file.input), std::move(file.lengths))
+                           : Triangulation::from_metric(std::move(file.input), std::move(file.metric));
+  {
+    const internal::Interruption_scope<Triangulation> scope(result, go_further);
+    internal::Whole_triangulation<Filtered_edge_length_traits> whole(result);
+    whole.restore<ConcurrencyTag>(std::move(file.triangulation));
+    whole.count_as_tested(file.counts[Stage::FILTER]);
+    file.counts.decided[std::size_t(Stage::FILTER)] = 0;
+    whole.engine().stage_counts() = file.counts;
+    whole.engine().set_tie_proof(file.tie_proof);
+  }
+  if constexpr (internal::has_edge_constraints<NamedParameters>) {
+    const auto map = get_parameter(np, internal_np::edge_is_constrained);
+    for (std::uint32_t e = 0; e < file.is_constrained.size(); ++e)
+      put(map, Edge_index(e), bool(file.is_constrained[e]));
+  }
+  return result;
+}
+
+/// \ingroup PkgIntrinsicTriangulationsIO
+/// \brief as `write_triangulation()`, for the name of a file.
+/// \exception Error if it cannot be written; what is there then is not removed
+template <class NamedParameters = parameters::Default_named_parameters>
+void write_triangulation(const std::string& file_name,
+                         const Intrinsic_triangulation<Filtered_edge_length_traits>& triangulation,
+                         const NamedParameters& np = parameters::default_values())
+{
+  std::ofstream os(file_name, std::ios::binary);
+  write_triangulation(os, triangulation, np);
+  if (!os.flush())
+    throw Error(file_name + ": cannot be written");
+}
+
+/// \ingroup PkgIntrinsicTriangulationsIO
+/// \brief as `read_triangulation()`, for the name of a file, with which messages begin. Nothing may follow the triangulation.
+template <class ConcurrencyTag = Sequential_tag, class NamedParameters = parameters::Default_named_parameters>
+Intrinsic_triangulation<Filtered_edge_length_traits>
+read_triangulation(const std::string& file_name, const NamedParameters& np = parameters::default_values())
+{
+  using Defect = Invalid_surface_error::Defect;
+  try {
+    std::ifstream is(file_name, std::ios::binary);
+    if (!is)
+      throw Invalid_surface_error(Defect::UNREADABLE, 0, 1, "cannot be opened");
+    Intrinsic_triangulation<Filtered_edge_length_traits> result = read_triangulation<ConcurrencyTag>(is, np);
+    if (is.peek() != std::ifstream::traits_type::eof())
+      throw Invalid_surface_error(Defect::UNREADABLE, 0, 1, "there are bytes behind the triangulation");
+    return result;
+  } catch (const Invalid_surface_error& e) {
+    throw Invalid_surface_error(e.defect(), e.element(), e.count(), file_name + ": " + e.what());
+  }
+}
+
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_IO_H

@@ -1,0 +1,24 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Numbers at the vertices of a surface, from a table.
+
+#ifndef IDT_VERTEX_VALUES_H
+#define IDT_VERTEX_VALUES_H
+
+#include "input/mesh_file.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace idt {
+
+// Reads comma-separated values `vertex,NAME,...`, as `idt distance -o F.csv` writes them: a function for each column. What no row tells, or tells
+// as an empty cell, is NaN.
+// \exception Invalid_surface_error if the file cannot be read; the message names the line
+std::vector<Named_values> read_vertex_values(const std::string& path, std::size_t number_of_vertices);
+
+} // namespace idt
+
+#endif // IDT_VERTEX_VALUES_H

@@ -1,0 +1,104 @@
+# Copyright (c) 2026 The Intrinsic_triangulations developers.
+# SPDX-License-Identifier: LGPL-3.0-or-later
+#
+# Pages that show surfaces, which the command writes.
+
+"""Pages that show surfaces in a browser or a notebook."""
+
+from __future__ import annotations
+
+import html
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import webbrowser
+from typing import Dict, Optional, Union
+
+import numpy
+from numpy.typing import ArrayLike
+
+from . import _arrays
+from ._errors import Error
+from ._triangulation import Triangulation
+
+
+class Page:
+    """A page of HTML that shows a surface, complete in itself. `view` and `Triangulation.show` return it.
+
+    As the last value of a cell, a notebook shows it.
+    """
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        """The page."""
+
+    def save(self, path: Union[str, os.PathLike]) -> None:
+        """Write the page to a file, which any browser opens."""
+        pathlib.Path(path).write_text(self.text, encoding="utf-8")
+
+    def open(self) -> str:
+        """Open the page in a browser. Returns the name of the file, which is not removed."""
+        with tempfile.NamedTemporaryFile("w", suffix=".html", prefix="surface-", delete=False, encoding="utf-8") as file:
+            file.write(self.text)
+        webbrowser.open(pathlib.Path(file.name).as_uri())
+        return file.name
+
+    def _repr_html_(self) -> str:
+        return f'<iframe srcdoc="{html.escape(self.text)}" width="100%" height="600" style="border: 0"></iframe>'
+
+    def __repr__(self) -> str:
+        return f"<Page: {len(self.text)} characters>"
+
+
+def view(V: ArrayLike, F: ArrayLike, values: Union[ArrayLike, Dict[str, ArrayLike], None] = None) -> Page:
+    """A page that shows a surface and its intrinsic Delaunay triangulation.
+
+    Parameters
+    ----------
+    V, F
+        As for `Triangulation`.
+    values : (n,) array, or a dictionary of them by their names, or None
+        Numbers at the vertices, which colour the surface.
+
+    Raises
+    ------
+    Error
+        If the command `idt`, which writes pages, is not found; the environment variable IDT_COMMAND can name it.
+
+    Examples
+    --------
+    >>> import intrinsic_triangulations as it
+    >>> page = it.view([[0, 0, 0], [4, 0, 0], [2, 1, 0], [2, 0, 1]], [[0, 1, 2], [1, 0, 3]], [0, 1, 2, 3])  # doctest: +SKIP
+    >>> page.save("kite.html")                                                                             # doctest: +SKIP
+    """
+    triangulation = Triangulation(V, F)
+    triangulation.flip_to_delaunay()
+    return page_of(triangulation, values)
+
+
+def page_of(triangulation: Triangulation, values: Union[ArrayLike, Dict[str, ArrayLike], None]) -> Page:
+    """The page of a triangulation."""
+    if triangulation._points is None:
+        raise ValueError("the surface is given by lengths: it has no picture")
+    command: Optional[str] = os.environ.get("IDT_COMMAND") or shutil.which("idt")
+    if command is None:
+        raise Error("there is no command idt, which writes pages: install it, or name it by the environment variable IDT_COMMAND")
+    number = len(triangulation._points)
+    columns = {} if values is None else values if isinstance(values, dict) else {"values": values}
+    with tempfile.TemporaryDirectory() as folder:
+        surface, page, table = (os.path.join(folder, name) for name in ("surface.idt", "page.html", "values.csv"))
+        triangulation.save(surface)
+        call = [command, "view", surface, "-o", page]
+        if any(set(name) & set(',"\r\n') for name in columns):
+            raise ValueError("names of values have no commas, quotes or line breaks")
+        if columns:
+            arrays = [_arrays.finite(column, name, (number,)) for name, column in columns.items()]
+            rows = numpy.column_stack([numpy.arange(number), *arrays])
+            numpy.savetxt(table, rows, "%.17g", ",", header=",".join(["vertex", *columns]), comments="")
+            call += ["--values", table]
+        run = subprocess.run(call, capture_output=True, text=True, errors="replace", check=False)
+        if run.returncode != 0:
+            raise Error(f"{command}: {run.stderr.strip()}")
+        return Page(pathlib.Path(page).read_text(encoding="utf-8"))

@@ -1,0 +1,119 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the page shows: its arrays, and the two triangulations with their numbers.
+
+"use strict";
+
+const page = JSON.parse(document.getElementById("page").textContent);
+
+// An array stands in the page as base64. It is taken out, so that it is in memory once.
+function read_array(name, Type) {
+  const element = document.getElementById("array-" + name);
+  const text = element.textContent;
+  element.remove();
+  if (Uint8Array.fromBase64)
+    return new Type(Uint8Array.fromBase64(text).buffer);
+  const binary = atob(text), bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < bytes.length; ++i)
+    bytes[i] = binary.charCodeAt(i);
+  return new Type(bytes.buffer);
+}
+
+// Side i of a face runs from its corner i to the next one. Each array has three entries for each face: 3 f + i.
+class Triangulation {
+  constructor(index) {
+    this.name = index === 0 ? "input" : "triangulation";
+    this.corners = read_array("corners-" + index, Uint32Array);
+    this.sides = read_array("sides-" + index, Uint32Array); // the edge of each
+    this.cotangents = read_array("cotangents-" + index, Float32Array); // of the angle opposite to each
+    this.lengths = read_array("lengths-" + index, Float32Array); // of each edge
+    this.number_of_faces = this.corners.length / 3;
+    this.number_of_edges = this.lengths.length;
+    this.number_of_vertices = page.vertices[index];
+    // Two sides of each edge, 3 F where there is none, and how many it has.
+    this.edge_sides = new Uint32Array(2 * this.number_of_edges).fill(this.corners.length);
+    this.counts = new Uint8Array(this.number_of_edges);
+    for (let s = 0; s < this.sides.length; ++s) {
+      const e = this.sides[s];
+      if (this.counts[e] < 2)
+        this.edge_sides[2 * e + this.counts[e]] = s;
+      this.counts[e] = Math.min(255, this.counts[e] + 1);
+    }
+  }
+  sides_of(e) { return [...this.edge_sides.subarray(2 * e, 2 * e + Math.min(2, this.counts[e]))]; }
+  ends(e) {
+    const s = this.edge_sides[2 * e];
+    return [this.corners[s], this.corners[next(s)]];
+  }
+  corners_of(f) { return [...this.corners.subarray(3 * f, 3 * f + 3)]; }
+  // The cotangents are rounded: what is left of two that cancel is zero.
+  weight(e) {
+    const a = this.cotangents[this.edge_sides[2 * e]], b = this.counts[e] > 1 ? this.cotangents[this.edge_sides[2 * e + 1]] : 0;
+    return Math.abs(a + b) < 2e-7 * (Math.abs(a) + Math.abs(b)) ? 0 : a + b;
+  }
+  // In degrees; not a number in a face without area.
+  opposite_angle(s) { return Math.atan2(1, this.cotangents[s]) * 180 / Math.PI; }
+  angle_at(s) { return this.opposite_angle(next(s)); }
+  area(f) {
+    const s = 3 * f, length = this.lengths[this.sides[s]];
+    return length * length / (2 * (this.cotangents[s + 1] + this.cotangents[s + 2]));
+  }
+  smallest_angle(f) {
+    const c = this.cotangents;
+    return Math.atan2(1, Math.max(c[3 * f], c[3 * f + 1], c[3 * f + 2])) * 180 / Math.PI;
+  }
+  // Sides that begin at v.
+  sides_from(v) {
+    const result = [];
+    for (let s = this.corners.indexOf(v); s >= 0; s = this.corners.indexOf(v, s + 1))
+      result.push(s);
+    return result;
+  }
+}
+
+// The side after s around its face.
+function next(s) { return s % 3 === 2 ? s - 2 : s + 1; }
+
+// The triangles into which both triangulations cut the surface. Their corners are first the vertices of the input, then inserted ones, then
+// crossings. The byte of a side is i + 1 if it lies on side i of its input face, and as well (j + 1) << 2 for side j of the result.
+const surface = {
+  places: read_array("places", Float32Array),
+  corners: read_array("corners", Uint32Array),
+  sides: read_array("sides", Uint8Array),
+  faces: page.vertices.map((_, t) => read_array("faces-" + t, Uint32Array)), // of each triangulation, for each triangle
+};
+surface.number_of_triangles = surface.corners.length / 3;
+const triangulations = page.vertices.map((_, t) => new Triangulation(t));
+const result = triangulations[triangulations.length - 1];
+
+// The edge of a triangulation on which a side of a triangle lies, or -1.
+function edge_of_side(t, s) {
+  const side = surface.sides[s] >> 2 * t & 3;
+  return side === 0 ? -1 : triangulations[t].sides[3 * surface.faces[t][Math.floor(s / 3)] + side - 1];
+}
+
+// 1 input alone, 2 result alone, 3 both, 0 neither
+function label_of_side(s) { return (surface.sides[s] & 3 ? 1 : 0) | (surface.sides[s] & 12 ? 2 : 0); }
+
+// The triangles within a face.
+function triangles_of(t, f) {
+  const triangles = [], faces = surface.faces[t];
+  for (let i = faces.indexOf(f); i >= 0; i = faces.indexOf(f, i + 1))
+    triangles.push(i);
+  return triangles;
+}
+
+// The sides of triangles along an edge, in the face on one side of it, 0 or 1.
+function segments_of(t, e, which = 0) {
+  const side = triangulations[t].edge_sides[2 * e + which], f = Math.floor(side / 3), segments = [];
+  for (const triangle of triangles_of(t, f))
+    for (let s = 3 * triangle; s < 3 * triangle + 3; ++s)
+      if ((surface.sides[s] >> 2 * t & 3) === side % 3 + 1)
+        segments.push(s);
+  return segments;
+}
+
+// Places in the page are moved and scaled, so that single precision suffices.
+function place(v) { return new THREE.Vector3().fromArray(surface.places, 3 * v); }
+function original_place(v) { return [0, 1, 2].map(i => page.center[i] + page.scale * surface.places[3 * v + i]); }

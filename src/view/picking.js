@@ -1,0 +1,124 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which element is pointed at or looked for, and its numbers in words.
+
+"use strict";
+
+function text_of(x, unit = "") {
+  return isFinite(x) ? String(Number(x.toPrecision(6))).replace("-", "−") + unit : "not defined";
+}
+
+function distance_to_segment(x, y, [ax, ay], [bx, by]) {
+  const dx = bx - ax, dy = by - ay, t = Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy || 1)));
+  return Math.hypot(x - ax - t * dx, y - ay - t * dy);
+}
+
+// The vertex, the edge or the face at a place of the canvas: { vertex } or { edges } or { faces }, the latter with a number in each
+// triangulation, or -1; null beside the surface.
+function element_at(picture, x, y) {
+  const { view, triangle } = picture.triangle_at(x, y);
+  if (triangle < 0)
+    return null;
+  const sides = [3 * triangle, 3 * triangle + 1, 3 * triangle + 2], corners = sides.map(s => surface.corners[s]);
+  const pixels = corners.map(v => picture.pixel_of(place(v), view));
+  const near = corners.map((v, i) => [Math.hypot(x - pixels[i][0], y - pixels[i][1]), v])
+    .filter(([d, v]) => d < 7 && v < result.number_of_vertices).sort((a, b) => a[0] - b[0]);
+  if (near.length > 0)
+    return { vertex: near[0][1] };
+  const is_seen = s => label_of_side(s) !== 0 && picture.shown[label_of_side(s) - 1] && !(picture.is_split && label_of_side(s) === 2 - view.layer);
+  const near_sides = sides.map((s, i) => [distance_to_segment(x, y, pixels[i], pixels[(i + 1) % 3]), s])
+    .filter(([d, s]) => d < 5 && is_seen(s)).sort((a, b) => a[0] - b[0]);
+  if (near_sides.length > 0)
+    return { edges: triangulations.map((_, t) => edge_of_side(t, near_sides[0][1])) };
+  return { faces: surface.faces.map(faces => faces[triangle]) };
+}
+
+function describe_vertex(v) {
+  const lines = ["vertex " + v + (v < page.vertices[0] ? "" : ", inserted") + ": (" + original_place(v).map(x => text_of(x)).join(", ") + ")"];
+  triangulations.forEach(t => {
+    if (v >= t.number_of_vertices)
+      return;
+    const sides = t.sides_from(v), sum = sides.reduce((sum, s) => sum + t.angle_at(s), 0);
+    lines.push("in the " + t.name + ": " + sides.length + " faces, angles " + text_of(sum, "°") + " in all, the smallest " +
+      text_of(Math.min(...sides.map(s => t.angle_at(s))), "°"));
+  });
+  return lines.join("\n");
+}
+
+function describe_edge(t, e) {
+  const sides = t.sides_of(e);
+  return "edge " + e + " of the " + t.name + ": " + t.ends(e).join(" – ") + ", length " + text_of(t.lengths[e]) + ", cotangent weight " +
+    text_of(t.weight(e)) + "\n  opposite angles " + sides.map(s => text_of(t.opposite_angle(s), "°")).join(", ");
+}
+
+function describe_face(t, f) {
+  const sides = [3 * f, 3 * f + 1, 3 * f + 2];
+  return "face " + f + " of the " + t.name + ": corners " + t.corners_of(f).join(", ") + ", area " + text_of(t.area(f)) + "\n  angles " +
+    sides.map(s => text_of(t.angle_at(s), "°")).join(", ") + "\n  edges " + sides.map(s => t.sides[s] + " (" + text_of(t.lengths[t.sides[s]]) + ")").join(", ");
+}
+
+function describe(element) {
+  if (!element)
+    return "";
+  if (element.vertex !== undefined)
+    return describe_vertex(element.vertex);
+  const [numbers, describe_one] = element.edges ? [element.edges, describe_edge] : [element.faces, describe_face];
+  return numbers.map((number, t) => (number < 0 ? "" : describe_one(triangulations[t], number))).filter(text => text).join("\n");
+}
+
+function mark_element(picture, element) {
+  const segments = [];
+  if (element && element.edges)
+    element.edges.forEach((e, t) => e >= 0 && segments.push(...segments_of(t, e)));
+  if (element && element.faces) { // the outline of the last one, which is of the result
+    const t = element.faces.length - 1 - (element.faces[element.faces.length - 1] < 0 ? 1 : 0);
+    for (let s = 3 * element.faces[t]; s < 3 * element.faces[t] + 3; ++s)
+      segments.push(...segments_of(t, triangulations[t].sides[s]));
+  }
+  picture.mark(segments, element && element.vertex !== undefined ? [element.vertex] : []);
+}
+
+// The element that a text names, as element_at() does: "v 12", "e 5", "f 3", the latter two of the input with "input" in front.
+// \exception Error that says what is wrong
+function find_element(text) {
+  const words = /^\s*(input\s+|i)?(v|vertex|e|edge|f|face)\s*(\d+)\s*$/i.exec(text);
+  if (!words)
+    throw new Error("Write v, e or f and a number, such as e 5, or input e 5.");
+  const t = words[1] ? 0 : triangulations.length - 1, kind = words[2][0].toLowerCase(), number = Number(words[3]), triangulation = triangulations[t];
+  const [name, count] = { v: ["vertices", triangulation.number_of_vertices], e: ["edges", triangulation.number_of_edges], f: ["faces", triangulation.number_of_faces] }[kind];
+  if (number >= count)
+    throw new Error("The " + triangulation.name + " has " + count + " " + name + ", counted from 0.");
+  const numbers = triangulations.map((_, i) => (i === t ? number : -1));
+  return kind === "v" ? { vertex: number } : kind === "e" ? { edges: numbers } : { faces: numbers };
+}
+
+// Turns the camera to an element.
+function fly_to(picture, element) {
+  let t = triangulations.length - 1, triangles = [];
+  const numbers = element.edges || element.faces;
+  if (numbers)
+    t = numbers.findIndex(number => number >= 0);
+  if (element.faces)
+    triangles = triangles_of(t, numbers[t]);
+  else if (element.edges)
+    triangles = [0, 1].flatMap(which => segments_of(t, numbers[t], which)).map(s => Math.floor(s / 3));
+  else
+    for (let c = surface.corners.indexOf(element.vertex); c >= 0; c = surface.corners.indexOf(element.vertex, c + 1))
+      triangles.push(Math.floor(c / 3));
+  if (triangles.length === 0)
+    throw new Error("It belongs to no face.");
+  const box = new THREE.Box3(), normal = new THREE.Vector3(), normals = picture.surface.geometry.getAttribute("direction").array;
+  for (const triangle of triangles)
+    normal.add(new THREE.Vector3().fromArray(normals, 9 * triangle));
+  // The largest part is in the middle of the picture: its ends, or its corners.
+  const parts = element.edges ? segments_of(t, numbers[t]).map(s => [s, next(s)]) : triangles.map(i => [3 * i, 3 * i + 1, 3 * i + 2]);
+  const places = parts.map(part => part.map(c => place(surface.corners[c])));
+  places.flat().forEach(p => box.expandByPoint(p));
+  const size_of = ([p, q, r]) => (r ? q.clone().sub(p).cross(r.clone().sub(p)).length() : p.distanceTo(q));
+  const largest = places.reduce((best, part) => (size_of(part) > size_of(best) ? part : best));
+  const center = element.vertex !== undefined ? place(element.vertex)
+    : largest.reduce((sum, p) => sum.add(p), new THREE.Vector3()).divideScalar(largest.length);
+  const size = Math.max(box.getSize(new THREE.Vector3()).length(), 1e-4 * page.radius);
+  picture.control.fly(center, normal.length() > 0 ? normal.normalize() : new THREE.Vector3(0, 0, 1), size);
+}
