@@ -15,7 +15,8 @@
 #include <CGAL/Intrinsic_triangulations/triangulation_io.h>
 
 #include <memory>
-#include <sstream>
+#include <istream>
+#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -65,9 +66,10 @@ private:
 py::tuple state_of_subdivision(const Subdivision& s)
 {
   std::string file = without_lock([&] {
-    std::ostringstream os;
+    Bytes_to_text bytes;
+    std::ostream os(&bytes);
     IT::write_triangulation(os, s.get(), CGAL::parameters::visitor([] { return Signal_watch::goes_on(); }));
-    return std::move(os).str();
+    return std::move(bytes.text);
   });
   return py::make_tuple(py::bytes(file), sides_to_array(s.input_sides()));
 }
@@ -75,10 +77,11 @@ py::tuple state_of_subdivision(const Subdivision& s)
 std::unique_ptr<Subdivision> subdivision_of_state(const py::tuple& state)
 {
   require(state.size() == 2, "this is no state of a subdivision");
-  const std::string file = state[0].cast<std::string>();
+  const py::bytes file = state[0].cast<py::bytes>();
+  Bytes_in_place buffer(file);
   std::vector<IT::Halfedge_index> sides = sides_of_array(state[1].cast<Indices>());
   return without_lock([&] {
-    std::istringstream is(file);
+    std::istream is(&buffer);
     const Triangulation t = IT::read_triangulation<CGAL::Parallel_if_available_tag>(
       is, CGAL::parameters::visitor([] { return Signal_watch::goes_on(); }));
     check_sides(t.input(), sides);

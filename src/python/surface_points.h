@@ -13,6 +13,8 @@
 
 #include <array>
 #include <cstdint>
+#include <streambuf>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -37,6 +39,40 @@ public:
 private:
   std::vector<std::int64_t> faces_;
   std::vector<double> coordinates_;
+};
+
+// Reads bytes where they are.
+class Bytes_in_place : public std::streambuf
+{
+public:
+  // \param bytes which have to live as long
+  explicit Bytes_in_place(const py::bytes& bytes)
+  {
+    char* data = nullptr;
+    py::ssize_t size = 0;
+    if (PyBytes_AsStringAndSize(bytes.ptr(), &data, &size) != 0)
+      throw py::error_already_set();
+    setg(data, data, data + size);
+  }
+};
+
+// Appends bytes to a text, which a stream of strings would copy in the end.
+class Bytes_to_text : public std::streambuf
+{
+public:
+  std::string text;
+
+private:
+  std::streamsize xsputn(const char* s, std::streamsize n) override
+  {
+    text.append(s, std::size_t(n));
+    return n;
+  }
+  int_type overflow(int_type c) override
+  {
+    text.push_back(traits_type::to_char_type(c));
+    return c;
+  }
 };
 
 // The first sides of faces as numbers, for another process, and back.

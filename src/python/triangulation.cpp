@@ -25,7 +25,8 @@
 #include <fstream>
 #include <memory>
 #include <optional>
-#include <sstream>
+#include <istream>
+#include <ostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -103,9 +104,10 @@ const auto goes_on = CGAL::parameters::visitor([] { return Signal_watch::goes_on
 py::tuple state_of_surface(Surface& surface)
 {
   std::string file = surface.use([](const Triangulation& t) {
-    std::ostringstream os;
+    Bytes_to_text bytes;
+    std::ostream os(&bytes);
     IT::write_triangulation(os, t, goes_on);
-    return std::move(os).str();
+    return std::move(bytes.text);
   });
   return py::make_tuple(py::bytes(file), sides_to_array(surface.input_sides()));
 }
@@ -113,10 +115,11 @@ py::tuple state_of_surface(Surface& surface)
 std::unique_ptr<Surface> surface_of_state(const py::tuple& state)
 {
   require(state.size() == 2, "this is no state of a surface");
-  const std::string file = state[0].cast<std::string>();
+  const py::bytes file = state[0].cast<py::bytes>();
+  Bytes_in_place buffer(file);
   const std::vector<IT::Halfedge_index> sides = sides_of_array(state[1].cast<Indices>());
   return without_lock([&] {
-    std::istringstream is(file);
+    std::istream is(&buffer);
     Triangulation t = IT::read_triangulation<CGAL::Parallel_if_available_tag>(is, goes_on);
     check_sides(t.input(), sides);
     return std::make_unique<Surface>(std::move(t), sides);
