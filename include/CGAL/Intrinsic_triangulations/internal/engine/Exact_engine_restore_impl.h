@@ -67,8 +67,9 @@ inline void check_angle_sum(const Exact_engine& engine, Vertex_index v)
     throw_not_a_triangulation("vertex", v.idx(), "has angles that sum to more or less than those of the surface there");
 }
 
-// Where a bound is infinite or so wide that it says nothing, no decision relies on the numbers; they are what queries return all the same. What is not near to
-// the truth, as a long run of flips of thin faces can leave it, is replaced by it.
+// Where a bound is infinite or so wide that it says nothing, no decision relies on the numbers; they are what queries
+// return all the same. What is not near to the truth, as a long run of flips of thin faces can leave it, is replaced by
+// it.
 // \param corner_of finds some corner of a face, and the side opposite to it
 template <class CornerOf>
 void mend_unbounded(const Delta_complex& complex, Saved_triangulation& saved, const CornerOf& corner_of)
@@ -106,10 +107,10 @@ void mend_unbounded(const Delta_complex& complex, Saved_triangulation& saved, co
   }
 }
 
-// The edges of the triangulation are lines through the input triangles that the integers name: then the faces between them are the triangles
-// that are laid out, as they are up to isotopy (see Correspondence_check). Inserted vertices are no part of that isotopy: faces at these
-// must not be inverted, and the angles at these and their neighbours sum to what the surface has there: angles that exclude less can be
-// wound around a vertex twice.
+// The edges of the triangulation are lines through the input triangles that the integers name: then the faces between
+// them are the triangles that are laid out, as they are up to isotopy (see Correspondence_check). Inserted vertices are
+// no part of that isotopy: faces at them must not be inverted, and the angles at them and at their neighbours must sum to
+// those of the surface, as faces could be wound around a vertex twice.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_engine::restore(Saved_triangulation& saved, const Block_runner& run,
                            const std::function<bool(Face_index)>& is_known)
@@ -233,7 +234,8 @@ bool Exact_engine::has_inserted_vertex(Face_index f) const
   return false;
 }
 
-// An edge begins and ends in the input faces that the integers name, and each input edge that it crosses has one end on either side of it.
+// An edge begins and ends in the input faces that the integers name, and each input edge that it crosses has one end on
+// either side of it.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_engine::check_line(Edge_index e) const
 {
@@ -272,7 +274,8 @@ void Exact_engine::check_line(Edge_index e) const
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_engine::Line_check Exact_engine::check_sides(Halfedge_index h, const Crossed_edges& crossed) const
 {
-  // Twice the area to an end of a crossed edge: positive if it lies on the right side. Calls visit(area) until it returns `false`.
+  // Twice the area to an end of a crossed edge: positive if it lies on the right side. Calls visit(area) until that
+  // returns `false`.
   const auto for_each_area = [&](auto& metric, const auto& visit) {
     using Metric = std::decay_t<decltype(metric)>;
     using Frame = Metric_frame<Metric>;

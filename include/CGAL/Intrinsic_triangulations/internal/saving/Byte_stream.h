@@ -146,9 +146,6 @@ public:
     return result;
   }
 
-  bool is_at_end() { return is_.peek() == std::istream::traits_type::eof(); }
-  std::uint64_t offset() const { return offset_; }
-
   // Of the row that was taken last.
   [[noreturn]] void fail_here(const std::string& what) const { fail(offset_ - left_ * size_ - size_, what); }
   [[noreturn]] void fail(std::uint64_t offset, const std::string& what) const
