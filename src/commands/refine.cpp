@@ -155,12 +155,7 @@ Exit_status refine_file(const std::string& path, const Refine_options& options)
   write_file(options.kept_edges, [&](std::ostream& os) {
     write_constraints(os, options.kept_edges, result.surface, result.options.refinement->is_constrained);
   });
-  write_report(std::cout, result, options.files.is_verbose);
-  flush_standard_output();
-  const Exit_status status = exit_status(result.outcome);
-  if (status != Exit_status::DONE)
-    std::cerr << "idt: " << path << ": " << describe_status(result) << std::endl;
-  return status;
+  return report(result, options.files.is_verbose);
 }
 
 Exit_status run_refine(const Refine_options& options)

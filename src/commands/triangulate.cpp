@@ -81,12 +81,7 @@ Exit_status triangulate_file(const std::string& path, const Triangulate_options&
   if (!is_first)
     std::cout << '\n';
   is_first = false;
-  write_report(std::cout, result, options.files.is_verbose);
-  flush_standard_output();
-  const Exit_status status = exit_status(result.outcome);
-  if (status != Exit_status::DONE)
-    std::cerr << "idt: " << path << ": " << describe_status(result) << std::endl;
-  return status;
+  return report(result, options.files.is_verbose);
 }
 
 // Calls exit() where it meets what it was not made for.
@@ -150,6 +145,16 @@ std::string number_type_help()
 }
 
 } // namespace
+
+Exit_status report(const Triangulation_result& result, bool is_verbose)
+{
+  write_report(std::cout, result, is_verbose);
+  flush_standard_output();
+  const Exit_status status = exit_status(result.outcome);
+  if (status != Exit_status::DONE)
+    std::cerr << "idt: " << result.surface.path << ": " << describe_status(result) << std::endl;
+  return status;
+}
 
 Triangulation_result triangulate(Surface surface, const Run_options& options)
 {

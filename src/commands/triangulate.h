@@ -5,12 +5,16 @@
 #define IDT_TRIANGULATE_H
 
 #include "output/Triangulation_result.h"
+#include "system/Exit_status.h"
 
 namespace idt {
 
 // Makes a surface Delaunay, with a progress line; what the subcommands that need an intrinsic
 // triangulation begin with.
 Triangulation_result triangulate(Surface surface, const Run_options& options);
+
+// Prints the report, and what the status is if it is not that all is done; what these subcommands end with.
+Exit_status report(const Triangulation_result& result, bool is_verbose);
 
 } // namespace idt
 

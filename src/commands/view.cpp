@@ -48,12 +48,7 @@ Exit_status view_file(const std::string& path, const View_options& options)
          false,
          {CGAL::Intrinsic_triangulations::interpolate_input_values(*result.outcome.subdivision, column.values)}});
   options.files.write(result, std::move(fields));
-  write_report(std::cout, result, false);
-  flush_standard_output();
-  const Exit_status status = exit_status(result.outcome);
-  if (status != Exit_status::DONE)
-    std::cerr << "idt: " << path << ": " << describe_status(result) << std::endl;
-  return status;
+  return report(result, false);
 }
 
 Exit_status run_view(const View_options& options)
