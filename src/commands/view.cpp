@@ -12,7 +12,6 @@
 
 #include <CGAL/Intrinsic_triangulations/transfer.h>
 
-#include <iostream>
 #include <memory>
 #include <string>
 #include <utility>
