@@ -25,23 +25,13 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_trait
 class Surface
 {
 public:
-  // \pre the triangulation was not flipped yet
-  explicit Surface(Triangulation triangulation) : triangulation_(std::move(triangulation))
+  // \pre the triangulation was not flipped yet, or was read from a file
+  explicit Surface(Triangulation triangulation, bool is_read = false) : triangulation_(std::move(triangulation))
   {
-    const IT::Delta_complex& complex = triangulation_.connectivity();
+    const IT::Delta_complex& complex = is_read ? triangulation_.input() : triangulation_.connectivity();
     input_sides_.reserve(complex.number_of_faces());
     for (IT::Face_index f : complex.faces())
       input_sides_.push_back(complex.halfedge(f));
-    triangulation_.set_interruption(&Signal_watch::goes_on);
-  }
-  // A triangulation with a history. \param input_sides as `input_sides()`; none for those that the triangulation remembers
-  Surface(Triangulation triangulation, std::vector<IT::Halfedge_index> input_sides)
-    : triangulation_(std::move(triangulation)), input_sides_(std::move(input_sides))
-  {
-    const IT::Delta_complex& input = triangulation_.input();
-    if (input_sides_.empty())
-      for (IT::Face_index f : input.faces())
-        input_sides_.push_back(input.halfedge(f));
     triangulation_.set_interruption(&Signal_watch::goes_on);
   }
   Surface(const Surface& other) : Surface(other, std::lock_guard<std::mutex>(other.mutex_)) {}

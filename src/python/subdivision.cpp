@@ -6,16 +6,15 @@
 #include "python/Surface.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
+#include "python/saved_state.h"
 #include "python/surface_points.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
 #include <CGAL/Intrinsic_triangulations/transfer_matrices.h>
-#include <CGAL/Intrinsic_triangulations/triangulation_io.h>
 
 #include <memory>
-#include <istream>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -63,35 +62,24 @@ private:
   std::vector<IT::Halfedge_index> input_sides_;
 };
 
-py::tuple state_of_subdivision(const Subdivision& s)
-{
-  std::string file = without_lock([&] {
-    Bytes_to_text bytes;
-    std::ostream os(&bytes);
-    IT::write_triangulation(os, s.get(), CGAL::parameters::visitor([] { return Signal_watch::goes_on(); }));
-    return std::move(bytes.text);
-  });
-  return py::make_tuple(py::bytes(file), sides_to_array(s.input_sides()));
-}
-
-std::unique_ptr<Subdivision> subdivision_of_state(const py::tuple& state)
-{
-  require(state.size() == 2, "this is no state of a subdivision");
-  const py::bytes file = state[0].cast<py::bytes>();
-  Bytes_in_place buffer(file);
-  std::vector<IT::Halfedge_index> sides = sides_of_array(state[1].cast<Indices>());
-  return without_lock([&] {
-    std::istream is(&buffer);
-    const Triangulation t = IT::read_triangulation<CGAL::Parallel_if_available_tag>(
-      is, CGAL::parameters::visitor([] { return Signal_watch::goes_on(); }));
-    check_sides(t.input(), sides);
-    return std::make_unique<Subdivision>(t, std::move(sides));
-  });
-}
-
 std::unique_ptr<Subdivision> subdivision_of(Surface& surface)
 {
   return surface.use([&](const Triangulation& t) { return std::make_unique<Subdivision>(t, surface.input_sides()); });
+}
+
+py::bytes state_of_subdivision(const Subdivision& s)
+{
+  return written_bytes([&](std::ostream& os) {
+    without_lock([&] {
+      IT::write_triangulation(os, s.get(), s.input_sides(), while_no_signal);
+      return true;
+    });
+  });
+}
+
+std::unique_ptr<Subdivision> subdivision_of_state(const py::bytes& state)
+{
+  return subdivision_of(*surface_of_bytes(state));
 }
 
 // ---------------------------------------------------------------- the graph

@@ -6,6 +6,7 @@
 #include "python/Surface.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
+#include "python/saved_state.h"
 #include "python/surface_points.h"
 
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
@@ -14,7 +15,6 @@
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/sharp_edges.h>
-#include <CGAL/Intrinsic_triangulations/triangulation_io.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -25,7 +25,6 @@
 #include <fstream>
 #include <memory>
 #include <optional>
-#include <istream>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -99,30 +98,13 @@ std::unique_ptr<Surface> from_gluing(const Indices& first, const Indices& second
 
 // ------------------------------------------------------------- files and other processes
 
-const auto goes_on = CGAL::parameters::visitor([] { return Signal_watch::goes_on(); });
-
-py::tuple state_of_surface(Surface& surface)
+py::bytes state_of_surface(Surface& surface)
 {
-  std::string file = surface.use([](const Triangulation& t) {
-    Bytes_to_text bytes;
-    std::ostream os(&bytes);
-    IT::write_triangulation(os, t, goes_on);
-    return std::move(bytes.text);
-  });
-  return py::make_tuple(py::bytes(file), sides_to_array(surface.input_sides()));
-}
-
-std::unique_ptr<Surface> surface_of_state(const py::tuple& state)
-{
-  require(state.size() == 2, "this is no state of a surface");
-  const py::bytes file = state[0].cast<py::bytes>();
-  Bytes_in_place buffer(file);
-  const std::vector<IT::Halfedge_index> sides = sides_of_array(state[1].cast<Indices>());
-  return without_lock([&] {
-    std::istream is(&buffer);
-    Triangulation t = IT::read_triangulation<CGAL::Parallel_if_available_tag>(is, goes_on);
-    check_sides(t.input(), sides);
-    return std::make_unique<Surface>(std::move(t), sides);
+  return written_bytes([&](std::ostream& os) {
+    surface.use([&](const Triangulation& t) {
+      IT::write_triangulation(os, t, surface.input_sides(), while_no_signal);
+      return true;
+    });
   });
 }
 
@@ -130,7 +112,7 @@ void save(Surface& surface, const std::string& path)
 {
   surface.use([&](const Triangulation& t) {
     std::ofstream os(path, std::ios::binary);
-    IT::write_triangulation(os, t, surface.input_sides(), goes_on);
+    IT::write_triangulation(os, t, surface.input_sides(), while_no_signal);
     if (!os.flush())
       throw IT::Error(path + ": cannot be written");
     return true;
@@ -140,8 +122,8 @@ void save(Surface& surface, const std::string& path)
 std::unique_ptr<Surface> load(const std::string& path)
 {
   return without_lock([&] {
-    return std::make_unique<Surface>(IT::read_triangulation<CGAL::Parallel_if_available_tag>(path, goes_on),
-                                     std::vector<IT::Halfedge_index>());
+    return std::make_unique<Surface>(IT::read_triangulation<CGAL::Parallel_if_available_tag>(path, while_no_signal),
+                                     true);
   });
 }
 
@@ -417,7 +399,7 @@ void add_triangulation(py::module_& module)
     .def_static("load", &load, py::arg("path"))
     .def("save", &save, py::arg("path"))
     .def("input_points", &input_points)
-    .def(py::pickle(&state_of_surface, &surface_of_state))
+    .def(py::pickle(&state_of_surface, &surface_of_bytes))
     .def("copy",
          [](const Surface& surface) { return without_lock([&] { return std::make_unique<Surface>(surface); }); })
     .def("number_of_vertices", count(&IT::Delta_complex::number_of_vertices))

@@ -349,6 +349,47 @@ TEST(SavedTriangulation, InsertedVerticesInWrongPlaces)
     }
 }
 
+// Three vertices on a line that an edge from the first to the last passes by, so that the face between has no area, and in that face a
+// fourth one: where it lies beyond the last, all parts of the face have no area either, and no sign tells. Angles do.
+TEST(SavedTriangulation, InsertedVertexOutsideOfAFaceWithoutArea)
+{
+  const auto restored = [](double x) {
+    Triangulation t(IT::make_Delta_complex_from_triangles(3, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}}),
+                    std::vector<std::array<double, 3>>{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}});
+    IT::internal::Saved_triangulation saved;
+    saved.connectivity = t.connectivity();
+    saved.coordinates = IT::internal::Normal_coordinates(saved.connectivity);
+    const auto side = [&](std::uint32_t source, std::uint32_t target) {
+      IT::Halfedge_index result;
+      for (IT::Halfedge_index h : saved.connectivity.halfedges())
+        if (saved.connectivity.source(h).idx() == source && saved.connectivity.target(h).idx() == target)
+          result = h;
+      return result;
+    };
+    const IT::Halfedge_index first = side(0, 1);
+    const auto split = [&](IT::Halfedge_index h, double px, double py) {
+      saved.coordinates.split_face(saved.connectivity, {h, 0});
+      saved.connectivity.split_face(h);
+      saved.locations.push_back({first, {8 - px - py, px, py}});
+    };
+    split(first, 1, 1);
+    split(side(1, 2), 3, 1);
+    split(side(3, 4), 2, 1);
+    split(side(3, 4), x, 1);
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    saved.is_straight.assign(saved.connectivity.number_of_faces(), false);
+    saved.areas.assign(saved.connectivity.number_of_faces(), std::array<double, 2>{infinite, infinite});
+    saved.squared_lengths.assign(saved.connectivity.number_of_edges(), infinite);
+    IT::internal::Whole_triangulation<IT::Filtered_edge_length_traits>(t).restore<CGAL::Sequential_tag>(
+      std::move(saved));
+    return t;
+  };
+  for (double x : {1.5, 2.5})
+    EXPECT_EQ(restored(x).connectivity().number_of_vertices(), 7u);
+  for (double x : {4., 3.5, 0.5, 2., 3.})
+    EXPECT_THROW(restored(x), IT::Invalid_surface_error) << x;
+}
+
 TEST(SavedTriangulation, WithoutFaces)
 {
   const IT::Delta_complex points(IT::Delta_complex::Halfedge_vector(), IT::Delta_complex::Descriptor_vector(3),

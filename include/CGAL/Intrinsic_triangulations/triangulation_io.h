@@ -99,23 +99,24 @@ void write_triangulation(std::ostream& os, const Intrinsic_triangulation<Filtere
 }
 
 /// \ingroup PkgIntrinsicTriangulationsIO
-/// \brief as above, for the triangulation of a common subdivision: from it, the same subdivision can be made.
+/// \brief as above, for the triangulation of a common subdivision: from it, the same subdivision can be made. Its stored
+/// numbers are not written; a reader replaces them by the true ones.
+/// \param os, first_sides, np as above
+/// \param subdivision the subdivision
 template <class NamedParameters = parameters::Default_named_parameters>
 void write_triangulation(std::ostream& os, const Common_subdivision& subdivision,
+                         const std::vector<Halfedge_index>& first_sides = {},
                          const NamedParameters& np = parameters::default_values())
 {
   const internal::Exact_engine& engine = internal::engine(subdivision);
-  const Delta_complex& complex = engine.connectivity();
-  // Numbers without bounds: the first decisions replace them.
+  const Delta_complex& input = engine.correspondence().input();
+  // A subdivision keeps no numbers of the traits: without bounds, a reader replaces them by the true ones.
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const internal::Stored_numbers numbers{
-    [&](Face_index f) { return engine.correspondence().input().halfedge(f); },
-    [&](Edge_index e) {
-      const Halfedge_index h = complex.halfedge(e);
-      return engine.corner(complex.is_border(h) ? complex.opposite(h) : h).s_opposite.hi();
-    },
-    [&](Face_index f) {
-      return std::array<double, 2>{engine.corner(complex.halfedge(f)).four_areas.hi(),
-                                   std::numeric_limits<double>::infinity()};
+    [&](Face_index f) { return first_sides.empty() ? input.halfedge(f) : first_sides[f.idx()]; },
+    [](Edge_index) { return unknown; },
+    [](Face_index) {
+      return std::array<double, 2>{unknown, std::numeric_limits<double>::infinity()};
     }};
   internal::write_saved_file(os, engine, engine.stage_counts(), numbers, {}, internal::go_further_function_of(np));
 }

@@ -356,8 +356,6 @@ private:
   Bounded_double_double squared_length(Edge_index e, Input_surface& surface) const;
   Exact_fallback exact_fallback(Input_surface& surface) const;
   bool is_straight(Face_index f) const;
-  bool has_inserted_vertex(Face_index f) const;
-  bool are_sound(Face_index f, const Saved_triangulation& saved, Input_surface& surface) const;
   void check_line(Edge_index e) const;
   // Whether the ends of the edges that h crosses lie on its two sides, or else on h, or else not so.
   enum class Line_check {
@@ -369,6 +367,10 @@ private:
   Face_index plane(Face_index f) const;
   template <class Real>
   struct Side_and_corner;
+  void find_angles(Face_index f, const Side_and_corner<Bounded_double_double>& at, Input_surface& surface,
+                   Large_vector<double>& angles) const;
+  bool are_sound(Face_index f, const Saved_triangulation& saved, const Side_and_corner<Bounded_double_double>& at,
+                 Input_surface& surface) const;
   template <class Unfolding_>
   Side_and_corner<Bounded_double_double> quickest_corner(Face_index f, const Unfolding_& unfolding) const;
   std::optional<Side_and_corner<Double_with_bound>> rounded_corner(Face_index f) const;

@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_RESTORE_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_numbers_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Saved_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/for_each_halfedge_around.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>
@@ -40,22 +41,22 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 // At an inserted vertex, and at its neighbours. What is wrong is wrong by full turns.
-inline void check_angle_sum(const Exact_engine& engine, Vertex_index v)
+// \param angles opposite to the halfedges
+inline void check_angle_sum(const Exact_engine& engine, Vertex_index v, const Large_vector<double>& angles)
 {
   const Correspondence& correspondence = engine.correspondence();
   const Delta_complex &complex = engine.connectivity(), &input = correspondence.input();
   bool is_concerned = correspondence.is_inserted(v), is_on_border = false;
+  double sum = 0, expected = 0;
   for_each_halfedge_around(complex, v, [&](Halfedge_index h) {
     is_concerned = is_concerned || correspondence.is_inserted(complex.source(h));
-    is_on_border = is_on_border || complex.is_border(h);
+    if (complex.is_border(h))
+      is_on_border = true;
+    else
+      sum += angles[complex.prev(h).idx()]; // between h and the next one
   });
   if (!is_concerned)
     return;
-  double sum = 0, expected = 0;
-  for_each_halfedge_around(complex, v, [&](Halfedge_index h) {
-    if (!complex.is_border(h))
-      sum += engine.angle(complex.prev(h)); // between h and the next one
-  });
   if (correspondence.is_inserted(v))
     expected = is_on_border ? CGAL_PI : 2 * CGAL_PI;
   else
@@ -70,41 +71,40 @@ inline void check_angle_sum(const Exact_engine& engine, Vertex_index v)
 // Where a bound is infinite or so wide that it says nothing, no decision relies on the numbers; they are what queries
 // return all the same. What is not near to the truth, as a long run of flips of thin faces can leave it, is replaced by
 // it.
-// \param corner_of finds some corner of a face, and the side opposite to it
-template <class CornerOf>
-void mend_unbounded(const Delta_complex& complex, Saved_triangulation& saved, const CornerOf& corner_of)
+constexpr double near_to_truth = 0x1p-10;
+
+inline std::vector<bool> bounded_faces(const Delta_complex& complex, const Saved_triangulation& saved)
 {
-  constexpr double near = 0x1p-10;
-  const auto is_bounded = [&](Face_index f) {
+  std::vector<bool> result;
+  for (Face_index f : complex.faces()) {
     const Halfedge_index h = complex.halfedge(f);
     double sum = 0;
     for (Halfedge_index side : {h, complex.next(h), complex.prev(h)})
       sum += saved.squared_lengths[complex.edge(side).idx()];
     const double bound = saved.areas[f.idx()][1];
-    return bound <= near * sum && bound < std::numeric_limits<double>::infinity(); // which does not hold for NaN
-  };
-  std::vector<bool> are_bounded;
-  for (Face_index f : complex.faces())
-    are_bounded.push_back(is_bounded(f));
-  for (Face_index f : complex.faces()) {
-    if (are_bounded[f.idx()])
-      continue;
-    const auto [side, corner] = corner_of(f);
-    double sum = 0;
-    const auto mend_side = [&](Halfedge_index h, const Bounded_double_double& s) {
-      sum += s.hi();
-      const Halfedge_index g = complex.opposite(h);
-      double& stored = saved.squared_lengths[complex.edge(h).idx()];
-      if ((complex.is_border(g) || !are_bounded[complex.face(g).idx()]) &&
-          !(std::abs(stored - s.hi()) <= near * s.hi()))
-        stored = s.hi();
-    };
-    mend_side(side, corner.s_opposite);
-    mend_side(complex.next(side), corner.s_second);
-    mend_side(complex.prev(side), corner.s_first);
-    if (double& area = saved.areas[f.idx()][0]; !(std::abs(area - corner.four_areas.hi()) <= near * sum))
-      area = corner.four_areas.hi();
+    // No comparison holds for NaN.
+    result.push_back(bound <= near_to_truth * sum && bound < std::numeric_limits<double>::infinity());
   }
+  return result;
+}
+
+inline void mend_unbounded(const Delta_complex& complex, Halfedge_index side, const Exact_engine::Corner& corner,
+                           const std::vector<bool>& are_bounded, Saved_triangulation& saved)
+{
+  const auto mend_side = [&](Halfedge_index h, const Bounded_double_double& s) {
+    const Halfedge_index g = complex.opposite(h);
+    double& stored = saved.squared_lengths[complex.edge(h).idx()];
+    if ((complex.is_border(g) || !are_bounded[complex.face(g).idx()]) &&
+        !(std::abs(stored - s.hi()) <= near_to_truth * s.hi()))
+      stored = s.hi();
+  };
+  mend_side(side, corner.s_opposite);
+  mend_side(complex.next(side), corner.s_second);
+  mend_side(complex.prev(side), corner.s_first);
+  const double sum = corner.s_opposite.hi() + corner.s_first.hi() + corner.s_second.hi();
+  if (double& area = saved.areas[complex.face(side).idx()][0];
+      !(std::abs(area - corner.four_areas.hi()) <= near_to_truth * sum))
+    area = corner.four_areas.hi();
 }
 
 // The edges of the triangulation are lines through the input triangles that the integers name: then the faces between
@@ -139,8 +139,9 @@ void Exact_engine::restore(Saved_triangulation& saved, const Block_runner& run,
       for (std::int64_t sum = 0; end < n && sum < most_kept; ++end)
         sum += number_of_crossings(std::uint32_t(end));
       run(end - begin, elements_of_block, [&](std::size_t first, std::size_t last) {
+        const Surface_lease surface = input_surface();
         for (std::size_t i = begin + first; i < begin + last; ++i)
-          f(std::uint32_t(i));
+          f(std::uint32_t(i), *surface);
       });
       correspondence_.forget_crossings();
     }
@@ -154,41 +155,74 @@ void Exact_engine::restore(Saved_triangulation& saved, const Block_runner& run,
       sum += coordinates.number_of_crossings(connectivity_.edge(side));
     return sum;
   };
-  for_each(connectivity_.number_of_edges(), at_edge, [&](std::uint32_t e) { check_line(Edge_index(e)); });
+  for_each(connectivity_.number_of_edges(), at_edge,
+           [&](std::uint32_t e, Input_surface&) { check_line(Edge_index(e)); });
+
   const bool has_inserted = !correspondence_.locations().empty();
+  const std::vector<bool> are_bounded = bounded_faces(connectivity_, saved);
+  Large_vector<double> angles(has_inserted ? connectivity_.number_of_halfedges() : 0, default_init);
   std::vector<Face_index> planes(connectivity_.number_of_faces());
-  for_each(connectivity_.number_of_faces(), at_face, [&](std::uint32_t i) {
+  const auto corner_of = [&](Face_index f, Input_surface& surface) {
+    Double_double_metric metric(surface);
+    return quickest_corner(f, Unfolding<Double_double_metric>(connectivity_, correspondence_, metric));
+  };
+  const auto check_numbers = [&](Face_index f, const auto& corner, Input_surface& surface) {
+    if (!are_sound(f, saved, corner, surface))
+      throw_not_a_triangulation("face", f.idx(),
+                                "has an area or sides that differ from the true ones by more than its bound");
+  };
+  for_each(connectivity_.number_of_faces(), at_face, [&](std::uint32_t i, Input_surface& surface) {
     const Face_index f(i);
-    if (has_inserted && has_inserted_vertex(f) && sign_of_area(f) == NEGATIVE)
-      throw_not_a_triangulation("face", i, "is inverted");
     if (number_of_points != 0 && saved.is_straight[i])
       planes[i] = plane(f);
+    const bool has_open_numbers = are_bounded[i] && !is_known(f);
+    if (!has_inserted && !has_open_numbers)
+      return;
+    const auto corner = corner_of(f, surface);
+    if (has_inserted)
+      find_angles(f, corner, surface, angles);
+    if (has_open_numbers)
+      check_numbers(f, corner, surface);
   });
   memory.straight_faces = Straight_faces(number_of_input_faces, number_of_points, planes);
   if (has_inserted)
-    for_each(
-      connectivity_.number_of_vertices(), [](std::uint32_t) { return 1; },
-      [&](std::uint32_t v) { check_angle_sum(*this, Vertex_index(v)); });
-  mend_unbounded(connectivity_, saved, [&](Face_index f) {
-    const Surface_lease surface = input_surface();
-    Double_double_metric metric(*surface);
-    return quickest_corner(f, Unfolding<Double_double_metric>(connectivity_, correspondence_, metric));
-  });
-  for_each(connectivity_.number_of_faces(), at_face, [&](std::uint32_t i) {
-    const Face_index f(i);
-    if (!is_known(f) && !are_sound(f, saved, *input_surface()))
-      throw_not_a_triangulation("face", i,
-                                "has an area or sides that differ from the true ones by more than its bound");
-  });
+    for (Vertex_index v : connectivity_.vertices())
+      check_angle_sum(*this, v, angles);
+  const Surface_lease surface = input_surface();
+  for (Face_index f : connectivity_.faces())
+    if (!are_bounded[f.idx()]) {
+      const auto corner = corner_of(f, *surface);
+      mend_unbounded(connectivity_, corner.side, corner.corner, are_bounded, saved);
+      if (saved.areas[f.idx()][1] != std::numeric_limits<double>::infinity()) // nor NaN
+        check_numbers(f, corner, *surface);
+    }
+}
+
+// Those opposite to the sides of a face, near enough to tell full turns apart. A face without area has angles of 0 and π.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_engine::find_angles(Face_index f, const Side_and_corner<Bounded_double_double>& at, Input_surface& surface,
+                               Large_vector<double>& angles) const
+{
+  const Halfedge_index h = at.side, next = connectivity_.next(h), prev = connectivity_.prev(h);
+  if (certainly(at.corner.four_areas.sign() == POSITIVE)) {
+    const double four_areas = at.corner.four_areas.hi(), p = at.corner.p.hi();
+    angles[h.idx()] = std::atan2(four_areas, p);
+    angles[next.idx()] = std::atan2(four_areas, 2 * at.corner.s_first.hi() - p);
+    angles[prev.idx()] = std::atan2(four_areas, 2 * at.corner.s_second.hi() - p);
+    return;
+  }
+  if (sign_of_area(f, surface) == NEGATIVE)
+    throw_not_a_triangulation("face", f.idx(), "is inverted");
+  for (Halfedge_index side : {h, next, prev})
+    angles[side.idx()] = angle(side);
 }
 
 // The invariants of Filtered_edge_length_traits.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-bool Exact_engine::are_sound(Face_index f, const Saved_triangulation& saved, Input_surface& surface) const
+bool Exact_engine::are_sound(Face_index f, const Saved_triangulation& saved,
+                             const Side_and_corner<Bounded_double_double>& at, Input_surface& surface) const
 {
   const double area = saved.areas[f.idx()][0], bound = saved.areas[f.idx()][1];
-  if (bound == std::numeric_limits<double>::infinity())
-    return true; // no decision relies on these numbers
   const Halfedge_index h = connectivity_.halfedge(f);
   bool are_finite = std::isfinite(area) && bound >= 0;
   for (Halfedge_index side : {h, connectivity_.next(h), connectivity_.prev(h)})
@@ -210,9 +244,7 @@ bool Exact_engine::are_sound(Face_index f, const Saved_triangulation& saved, Inp
     return bound >= rounded_up * 1.5 * of_sides && bound >= rounded_up * 1.5 * difference(area, corner.four_areas) &&
            bound >= rounded_up * 12 * u * sum && sum >= 0;
   };
-  Double_double_metric metric(surface);
-  const auto quickest = quickest_corner(f, Unfolding<Double_double_metric>(connectivity_, correspondence_, metric));
-  if (are_good(quickest.side, quickest.corner, [](double stored, const Bounded_double_double& x) {
+  if (are_good(at.side, at.corner, [](double stored, const Bounded_double_double& x) {
         return std::abs(stored - x.hi()) + std::abs(x.lo()) + x.error();
       }))
     return true;
@@ -222,16 +254,6 @@ bool Exact_engine::are_sound(Face_index f, const Saved_triangulation& saved, Inp
                     const Mpfr_interval d = x - precise_metric.constant(stored);
                     return (std::max)(std::abs(d.lower_double()), std::abs(d.upper_double()));
                   });
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-bool Exact_engine::has_inserted_vertex(Face_index f) const
-{
-  const Halfedge_index h = connectivity_.halfedge(f);
-  for (Halfedge_index side : {h, connectivity_.next(h), connectivity_.prev(h)})
-    if (correspondence_.is_inserted(connectivity_.target(side)))
-      return true;
-  return false;
 }
 
 // An edge begins and ends in the input faces that the integers name, and each input edge that it crosses has one end on

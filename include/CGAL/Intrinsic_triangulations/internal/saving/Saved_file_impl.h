@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/complex_from_halfedges.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
 #include <CGAL/Intrinsic_triangulations/internal/saving/Byte_stream.h>
 #include <CGAL/Intrinsic_triangulations/internal/saving/Saved_file.h>
 #include <CGAL/Intrinsic_triangulations/internal/saving/Saved_header.h>
@@ -26,9 +27,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
-
-// More cannot be laid out (see Crossing_sequence).
-constexpr std::int64_t most_saved_crossings = std::int64_t(1) << 20;
 
 // In the unit of the input.
 inline Rational unscaled_squared_length(const Input_metric& metric, const Delta_complex& input, Edge_index e)
@@ -106,7 +104,7 @@ private:
   void check_crossings() const
   {
     for (Edge_index e : engine_.connectivity().edges())
-      if (const std::int64_t n = correspondence_.coordinates().crossings(e); n > most_saved_crossings)
+      if (const std::int64_t n = correspondence_.coordinates().crossings(e); n > Crossing_sequence::largest_number)
         throw Undecided_error("edge " + std::to_string(e.idx()) + " crosses " + std::to_string(n) +
                               " input edges, too many to be laid out: nobody could check that in a file");
   }
@@ -284,7 +282,7 @@ private:
              [&, e = Edge_index(0)]() mutable {
                t.squared_lengths.push_back(bytes_.get<double>());
                const std::int32_t n = bytes_.get<std::int32_t>();
-               if (n > most_saved_crossings)
+               if (n > Crossing_sequence::largest_number)
                  bytes_.fail_here("the edge crosses more input edges than can be laid out");
                const Halfedge_index first = halfedge(bytes_.get<std::uint32_t>()),
                                     second = halfedge(bytes_.get<std::uint32_t>());

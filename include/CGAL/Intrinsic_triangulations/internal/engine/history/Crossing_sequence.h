@@ -47,6 +47,9 @@ namespace internal {
 class Crossing_sequence
 {
 public:
+  // Far more than meshes need: what is kept for each pair takes 33 bytes.
+  static constexpr std::int64_t largest_number = std::int64_t(1) << 20;
+
   // The pairs of neighbouring crossings of h, in order from its source.
   Crossing_sequence(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h,
                     const Interruption& interruption)
@@ -75,9 +78,6 @@ public:
   bool turns_left(std::size_t pair) const { return turns_[pair] == LEFT; }
 
 private:
-  // Far more than meshes need: what is kept for each pair takes 33 bytes.
-  static constexpr std::int64_t largest_number = std::int64_t(1) << 20;
-
   enum Turn : std::uint8_t {
     UNKNOWN,
     LEFT,
