@@ -64,8 +64,7 @@ void Result_files::add_options(CLI::App& command, CLI::Option* repair)
   command
     .add_option("--save", save,
                 "write the triangulation itself, with its input and where that lies: a file that each subcommand takes "
-                "as INPUT, to go "
-                "on from there")
+                "as INPUT, to go on from there")
     ->type_name("F.idt");
   command
     .add_option("--repair-map", repair_map,

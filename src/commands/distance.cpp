@@ -310,8 +310,8 @@ void find_on_surface(const Distance_options& options, Distance_result& result)
   const bool has_view = !options.view_path.empty();
   if (has_view) {
     check_view(options.view_path, complex.number_of_faces());
-    result.input_numbers =
-      IT::element_numbers(surface.saved ? make_triangulation<Triangulation::Traits>(surface) : triangulation);
+    result.input_numbers = surface.saved ? IT::element_numbers(make_triangulation<Triangulation::Traits>(surface))
+                                         : IT::element_numbers(triangulation);
   }
   const IT::Flip_report report = IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(Flip_watch{progress}));
   result.flips = report.flips;

@@ -159,11 +159,11 @@ Surface load_surface(const std::string& path, const Load_options& options)
 
 void untwist(Surface& surface)
 {
-  if (surface.saved)
-    throw Usage_error(surface.path + ": --fast-forward is for gluings; this triangulation was made of one already");
   if (surface.has_points())
     throw Usage_error(surface.path +
                       ": --fast-forward is for gluings; no edge of a surface in space winds around it very often");
+  if (surface.saved)
+    throw Usage_error(surface.path + ": --fast-forward is for gluings; this triangulation was made of one already");
   const Stopwatch stopwatch;
   try {
     if (surface.squared_lengths.empty())

@@ -80,7 +80,8 @@ struct Surface
   bool has_points() const { return lengths.empty(); }
 };
 
-// Reads a surface from a mesh file, from a `.gluing` file of triangles and lengths, or from a `.idt` file of a saved triangulation.
+// Reads a surface from a mesh file, from a `.gluing` file of triangles and lengths, or from a `.idt` file of a saved
+// triangulation.
 //
 // Vertices that no face names and faces of zero area are accepted and noted.
 // Mollification that changes a length replaces the points by lengths.

@@ -57,6 +57,7 @@ std::vector<Named_values> read_vertex_values(const std::string& path, std::size_
   for (std::size_t column = 1; column < names.size(); ++column)
     result.push_back(
       {names[column], std::vector<double>(number_of_vertices, std::numeric_limits<double>::quiet_NaN())});
+  std::vector<bool> has_line(number_of_vertices);
   while (std::getline(file, text)) {
     ++line;
     const std::vector<std::string> cells = cells_of(text);
@@ -67,6 +68,9 @@ std::vector<Named_values> read_vertex_values(const std::string& path, std::size_
     const double v = number(cells[0]);
     if (!(v >= 0 && v < double(number_of_vertices)) || v != double(std::size_t(v)))
       fail("there is no such vertex: the surface has " + std::to_string(number_of_vertices) + ", counted from 0");
+    if (has_line[std::size_t(v)])
+      fail("vertex " + cells[0] + " has a line already");
+    has_line[std::size_t(v)] = true;
     for (std::size_t column = 1; column < cells.size(); ++column)
       if (!cells[column].empty())
         result[column - 1].values[std::size_t(v)] = number(cells[column]);

@@ -13,47 +13,15 @@
 
 #include <CGAL/tags.h>
 
-#include <istream>
+#include <boost/iostreams/device/array.hpp>
+#include <boost/iostreams/device/back_inserter.hpp>
+#include <boost/iostreams/stream.hpp>
+
+#include <cstddef>
 #include <memory>
-#include <ostream>
-#include <streambuf>
 #include <string>
 
 namespace idt_python {
-
-// Reads bytes where they are.
-class Bytes_in_place : public std::streambuf
-{
-public:
-  // \param bytes which have to live as long
-  explicit Bytes_in_place(const py::bytes& bytes)
-  {
-    char* data = nullptr;
-    py::ssize_t size = 0;
-    if (PyBytes_AsStringAndSize(bytes.ptr(), &data, &size) != 0)
-      throw py::error_already_set();
-    setg(data, data, data + size);
-  }
-};
-
-// Appends bytes to a text, which a stream of strings would copy in the end.
-class Bytes_to_text : public std::streambuf
-{
-public:
-  std::string text;
-
-private:
-  std::streamsize xsputn(const char* s, std::streamsize n) override
-  {
-    text.append(s, std::size_t(n));
-    return n;
-  }
-  int_type overflow(int_type c) override
-  {
-    text.push_back(traits_type::to_char_type(c));
-    return c;
-  }
-};
 
 const auto while_no_signal = CGAL::parameters::visitor([] { return Signal_watch::goes_on(); });
 
@@ -61,17 +29,21 @@ const auto while_no_signal = CGAL::parameters::visitor([] { return Signal_watch:
 template <class Write>
 py::bytes written_bytes(const Write& write)
 {
-  Bytes_to_text bytes;
-  std::ostream os(&bytes);
+  std::string bytes;
+  boost::iostreams::stream<boost::iostreams::back_insert_device<std::string>> os(bytes);
   write(os);
-  return py::bytes(bytes.text);
+  os.flush();
+  return py::bytes(bytes);
 }
 
 inline std::unique_ptr<Surface> surface_of_bytes(const py::bytes& bytes)
 {
-  Bytes_in_place buffer(bytes);
+  char* data = nullptr;
+  py::ssize_t size = 0;
+  if (PyBytes_AsStringAndSize(bytes.ptr(), &data, &size) != 0)
+    throw py::error_already_set();
   return without_lock([&] {
-    std::istream is(&buffer);
+    boost::iostreams::stream<boost::iostreams::array_source> is(data, std::size_t(size));
     return std::make_unique<Surface>(IT::read_triangulation<CGAL::Parallel_if_available_tag>(is, while_no_signal),
                                      true);
   });

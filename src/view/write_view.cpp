@@ -10,13 +10,17 @@
 
 #include <nlohmann/json.hpp>
 
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
+#include <boost/endian/conversion.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
-#include <limits>
+#include <iterator>
 #include <ostream>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace idt {
@@ -24,69 +28,33 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Bytes as letters, four for three.
-class Base64_writer
+// The bytes of a number, the lowest first, whatever this machine does. Numbers are floats in a page.
+void append(std::string& bytes, std::uint8_t number) { bytes.push_back(char(number)); }
+void append(std::string& bytes, std::uint32_t number)
 {
-public:
-  explicit Base64_writer(std::ostream& os) : os_(os) {}
-  Base64_writer(const Base64_writer&) = delete;
-  Base64_writer& operator=(const Base64_writer&) = delete;
-  ~Base64_writer()
-  {
-    const std::size_t n = number_of_bytes_;
-    if (n > 0) {
-      while (number_of_bytes_ != 0)
-        add(std::uint8_t(0));
-      text_.replace(text_.size() - (3 - n), 3 - n, 3 - n, '=');
-    }
-    os_ << text_;
-  }
+  boost::endian::native_to_little_inplace(number);
+  bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
+}
+void append(std::string& bytes, float number)
+{
+  std::uint32_t bits;
+  std::memcpy(&bits, &number, sizeof bits);
+  append(bytes, bits);
+}
+void append(std::string& bytes, double number) { append(bytes, float(number)); }
 
-  void add(std::uint8_t byte)
-  {
-    static constexpr const char* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    if (number_of_bytes_ == 0 && text_.size() >= 65536) {
-      os_ << text_;
-      text_.clear();
-    }
-    bits_ = bits_ << 8 | byte;
-    if (++number_of_bytes_ < 3)
-      return;
-    for (int shift = 18; shift >= 0; shift -= 6)
-      text_ += letters[bits_ >> shift & 63];
-    number_of_bytes_ = 0;
-  }
-  // The lowest byte first, whatever this machine does.
-  void add(std::uint32_t number)
-  {
-    for (int b = 0; b < 4; ++b)
-      add(std::uint8_t(number >> 8 * b & 0xff));
-  }
-  void add(float number)
-  {
-    std::uint32_t bits;
-    std::memcpy(&bits, &number, sizeof bits);
-    add(bits);
-  }
-  void add(double number) { add(float(number)); }
-
-private:
-  std::ostream& os_;
-  std::string text_;
-  std::uint32_t bits_ = 0;
-  std::size_t number_of_bytes_ = 0; // of three
-};
-
+// In base64, whose last group is filled up.
 template <class Number>
 void write_array(std::ostream& os, const std::string& name, const std::vector<Number>& numbers)
 {
+  using namespace boost::archive::iterators;
+  using Letters = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
+  std::string bytes;
+  for (Number x : numbers)
+    append(bytes, x);
   os << "<script type=\"text/plain\" id=\"array-" << name << "\">";
-  {
-    Base64_writer writer(os);
-    for (Number x : numbers)
-      writer.add(x);
-  }
-  os << "</script>\n";
+  std::copy(Letters(bytes.cbegin()), Letters(bytes.cend()), std::ostreambuf_iterator<char>(os));
+  os << std::string((3 - bytes.size() % 3) % 3, '=') << "</script>\n";
 }
 
 // The box of the points: its middle, half of its longest side, and how far points are from the middle.
