@@ -34,11 +34,11 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsCover
-/// \brief what is built over the triangles.
+/// \brief the surface that `make_tufted_cover()` builds over the triangles.
 enum class Surface_cover {
   /// The tufted cover, which takes any triangles and has no border.
   TUFTED,
-  /// The triangles themselves, turned over where neighbours disagree: no edge may have more than two faces, and
+  /// The triangles themselves, turned over where neighbors disagree: no edge may have more than two faces, and
   /// the surface must be orientable. Border edges stay border edges.
   NONE
 };
@@ -94,7 +94,7 @@ struct Tufted_cover
   std::vector<std::uint32_t> face_of;
   /// for each face of the cover, whether it is the copy that is turned over
   std::vector<bool> is_back;
-  /// for each face of the cover, whether it counts half, as each other face that flips can join it with
+  /// for each face of the cover, whether it counts half, like all faces that flips can join with it
   std::vector<bool> is_half;
   /// for each input vertex, the vertex that represents it: another one if it was merged
   std::vector<std::uint32_t> representative;
@@ -194,7 +194,7 @@ Tufted_cover build_cover_of_complex(const Delta_complex& complex, const std::vec
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{surface_cover}
-///     \cgalParamDescription{what is built}
+///     \cgalParamDescription{the surface to build}
 ///     \cgalParamType{`Surface_cover`}
 ///     \cgalParamDefault{`Surface_cover::TUFTED`}
 ///   \cgalParamNEnd

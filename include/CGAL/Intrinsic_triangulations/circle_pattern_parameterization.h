@@ -39,12 +39,11 @@ namespace Intrinsic_triangulations {
 struct Circle_pattern
 {
   Planar_points uv; ///< the position of each vertex; the image has the area of the surface
-  /// the angles whose circle pattern it is: for each halfedge, the one opposite to it in its face, and 0 for a border
-  /// halfedge
+  /// the angles of the circle pattern: for each halfedge, the angle opposite to it in its face; 0 for a border halfedge
   std::vector<double> angles;
   std::size_t number_of_clipped_edges =
     0;                       ///< interior edges whose two angles on the surface sum to more than is allowed
-  double largest_change = 0; ///< of an angle on the surface, in radians
+  double largest_change = 0; ///< the largest change of an angle, in radians
   double gradient = 0;       ///< the largest component of the energy's gradient at the end
   int iterations = 0;        ///< the number of steps of Newton's method
 };
@@ -327,8 +326,10 @@ Circle_pattern circle_pattern_parameterization(const Delta_complex& complex, con
 }
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
-/// as above, for a triangulation; named parameters as of
-/// `circle_pattern_parameterization()` of a complex, exceptions also as for `face_areas()`.
+/// as above, for a triangulation; named parameters as for `circle_pattern_parameterization()` of a complex, exceptions
+/// also as for `face_areas()`.
+/// \param triangulation the triangulation
+/// \param np as for a complex
 template <class Traits, class NamedParameters = parameters::Default_named_parameters>
 Circle_pattern circle_pattern_parameterization(const Intrinsic_triangulation<Traits>& triangulation,
                                                const NamedParameters& np = parameters::default_values())

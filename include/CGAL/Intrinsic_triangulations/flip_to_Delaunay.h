@@ -38,10 +38,10 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// \brief returns the default bound on the number of flips for a surface with
-/// `number_of_edges` edges and an inexact number type.
+/// \brief returns the default bound on the number of flips for an inexact number type.
 ///
 /// Rounded decisions can flip forever; the bound is far beyond what a surface needs.
+/// \param number_of_edges the number of edges of the surface
 inline std::uint64_t default_maximum_number_of_flips(std::size_t number_of_edges)
 {
   return (std::max)(std::uint64_t(10000000), 100 * std::uint64_t(number_of_edges));
@@ -126,6 +126,8 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
 /// \tparam NamedParameters a sequence of named parameters
+/// \param triangulation the triangulation, which is flipped
+/// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{edge_is_constrained_map}
@@ -154,9 +156,9 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
 ///
 /// \return the report. The triangulation is valid with any status.
 /// \exception Cancelled_error if the visitor asks for it
-/// \exception Undecided_error if proofs of ties are demanded (`tie_proof`), and one takes too long. After any
-///   exception, including those of a visitor and `std::bad_alloc`, the triangulation is valid, and another call
-///   continues
+/// \exception Undecided_error if an edge crosses more than 2<sup>20</sup> input edges, or a demanded proof of a tie
+///   (`tie_proof`) takes too long. After any exception, including those of a visitor and `std::bad_alloc`, the
+///   triangulation is valid, and another call continues
 ///
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 2.2.
 template <class ConcurrencyTag = Sequential_tag, class Traits,

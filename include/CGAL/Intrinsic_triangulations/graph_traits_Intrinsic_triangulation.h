@@ -137,8 +137,7 @@ namespace boost {
 ///
 /// \tparam Traits a model of `IntrinsicTriangulationTraits`
 ///
-/// \cgalModels `FaceListGraph`, `HalfedgeListGraph`, `BidirectionalGraph`, `VertexListGraph`,
-///   `EdgeListGraph`, `AdjacencyGraph`
+/// \cgalModels{FaceListGraph,HalfedgeListGraph,BidirectionalGraph,VertexListGraph,EdgeListGraph,AdjacencyGraph}
 template <class Traits>
 struct graph_traits<CGAL::Intrinsic_triangulations::Intrinsic_triangulation<Traits>>
   : graph_traits<CGAL::Intrinsic_triangulations::Delta_complex>

@@ -135,9 +135,8 @@ inline void check_area(const internal::Exact_engine& engine, const Surface_point
 /// there, nor on those of their sides that remain, at the border or a constrained edge.
 ///
 /// \param triangulation a Delaunay triangulation, or a constrained one
-/// \param point a point strictly inside a face of `triangulation.input()`, or on an edge of it that coincides with an
-///   edge of the triangulation, as those on the border and those that were never flipped do, with faces of positive
-///   area
+/// \param point a point strictly inside a face of `triangulation.input()`, or on an input edge that coincides with an
+///   edge of the triangulation (a border edge, or one that was never flipped) and has faces of positive area
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin

@@ -42,7 +42,7 @@ struct Progress
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief the default of the named parameter `visitor`: it does nothing and never cancels.
 ///
-/// \cgalModels `IntrinsicTriangulationVisitor`
+/// \cgalModels{IntrinsicTriangulationVisitor}
 struct Default_visitor
 {
   /// is called from time to time: the algorithm throws `Cancelled_error` if it returns `false`.

@@ -45,7 +45,8 @@ Untwisting untwist(Delta_complex& complex, std::vector<Rational>& squared_length
 /// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsTwists
-/// \brief returns the exact squares of lengths that are doubles, for `untwist()`.
+/// \brief returns the exact squares of lengths that are doubles, for `untwist()`. O(size).
+/// \param lengths the length of each edge
 /// \exception Invalid_surface_error if a length is not positive and finite
 std::vector<Rational> squared_lengths(const std::vector<double>& lengths);
 
@@ -91,8 +92,7 @@ std::vector<Rational> squared_lengths(const std::vector<double>& lengths);
 /// operations with integers of the size of its power and of the lengths. For a torus with one vertex, the number of
 /// twists is logarithmic in the ratio of lengths.
 ///
-/// Source: the idea of jumping over flips is that of L. Dubois, arXiv 2601.03954 (2026), for tubes of any number of
-/// faces.
+/// Source: L. Dubois, arXiv 2601.03954 (2026), had the idea of jumping over flips, for tubes of any number of faces.
 template <class NamedParameters = parameters::Default_named_parameters>
 Untwisting untwist(Delta_complex& complex, std::vector<Rational>& squared_lengths,
                    const NamedParameters& np = parameters::default_values())
