@@ -85,7 +85,7 @@ public:
   typedef unspecified_type Flipped_hinge_data;
 
   /*!
-  Provides
+  A functor that constructs the data of an edge. It provides
 
   `Edge_data operator()(const Point_data& p, const Point_data& q) const`: the edge between two points, the same for
   `(p, q)` and `(q, p)`;
@@ -97,7 +97,7 @@ public:
   typedef unspecified_type Construct_edge_data;
 
   /*!
-  Provides
+  A functor that constructs the data of a face. It provides
 
   `Face_data operator()(const Point_data& p, const Point_data& q, const Point_data& r) const`;
 
@@ -129,7 +129,8 @@ public:
   typedef unspecified_type Construct_flipped_hinge;
 
   /*!
-  Provides, for a number type `N` of the exact stages,
+  A functor that constructs data from the results of the exact stages. It provides, for a number type `N` of these
+  stages,
 
   `Edge_data operator()(const N& s) const`: the data of an edge with squared length `s`;
 
