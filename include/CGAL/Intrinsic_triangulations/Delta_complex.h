@@ -80,7 +80,7 @@ struct Hinge_halfedges
 ///
 /// Faces are triangles; any gluing of their sides that gives an oriented surface is
 /// allowed: loops, several edges between the same two vertices, a face glued to itself,
-/// a surface with one vertex. So nothing is ever looked up by its end vertices.
+/// a surface with one vertex. So elements are never looked up by their end vertices.
 /// Isolated vertices are allowed, too.
 ///
 /// Descriptors of vertices, halfedges, edges and faces are integers counted from zero, and

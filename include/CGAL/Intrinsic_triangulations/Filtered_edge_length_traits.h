@@ -77,7 +77,7 @@ inline internal::Two_bounded_areas two(const Bounded_area& a, const Bounded_area
 ///     (2)  E >= 1.5 |a - a*|
 ///     (3)  E >= 12 u (sum of s).
 ///
-/// One bound for a face suffices for its sides as well, because what is computed from them,
+/// One bound for a face suffices for its sides as well, because the number computed from them,
 /// p = s + s' - s'', collects the errors of all three. The factor 1.5 and (3) let the bound cover
 /// rounding, too: since a* <= (sum of s*) / √3, u |a| is less than E / 20, and the error of a
 /// computed p is less than E / 1.5 + 2 u (sum of s) <= 0.84 E. Because of the maximum in (1), a side

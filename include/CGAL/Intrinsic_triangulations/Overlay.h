@@ -129,7 +129,7 @@ public:
 
   /// \brief builds the overlay from the current connectivity and its correspondence to the input.
   /// \tparam ConcurrencyTag as above
-  /// \param intrinsic, correspondence those of the triangulation
+  /// \param intrinsic, correspondence the connectivity and the correspondence
   /// \param np as above
   /// \pre `correspondence.is_prepared()`
   /// \exception Integer_overflow_error as above

@@ -62,7 +62,7 @@ struct Tufted_cover_report
   std::size_t border_edges = 0;         ///< edges with one face
   bool is_orientable = true; ///< whether all faces can be turned so that they agree across each edge with two faces
   std::size_t repeated_corner_faces = 0; ///< faces dropped because they name a vertex twice
-  std::size_t collapsed_faces = 0;       ///< faces dropped because corners of theirs were merged
+  std::size_t collapsed_faces = 0;       ///< faces dropped because some of their corners were merged
   std::size_t zero_length_faces = 0;     ///< faces dropped by `Coincident_vertices::DROP`
   std::size_t faces_without_area = 0;    ///< faces dropped because their whole part has zero area
   std::size_t merged_vertices = 0;       ///< vertices merged into another one
@@ -82,8 +82,8 @@ struct Tufted_cover_report
 ///
 /// A connected part of the input that is closed, orientable and has two faces at each edge is its own cover. All others
 /// are covered by two copies of each face, one of them turned over; such a part counts half. The first vertices of the
-/// cover are those of the input, with the same numbers. Further ones follow where the faces
-/// at an input vertex form several fans in the cover. Vertices without faces are isolated.
+/// cover are the input vertices, with the same numbers. More follow where the faces at an input vertex form several
+/// fans in the cover. Vertices without faces are isolated.
 struct Tufted_cover
 {
   /// the cover with its exact metric, before any flip

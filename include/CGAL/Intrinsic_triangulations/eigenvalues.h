@@ -157,8 +157,8 @@ inline std::vector<Eigenpair> smallest_eigenpairs(const Eigen::SparseMatrix<doub
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the smallest solutions λ of `L u = λ M u`, in increasing order.
 ///
-/// Rows without mass, those of vertices without faces, are left out. Each connected component is solved separately, so
-/// zero appears once for each.
+/// Rows without mass, which belong to vertices without faces, are left out. Each connected component is solved
+/// separately, so zero appears once for each.
 ///
 /// Method: Lanczos (Spectra) for the inverse of `L + c M`, with one sparse Cholesky factorization; small components
 /// with dense matrices. The error of an eigenvalue is about 1e-10 times the sum of itself and the first positive one.
@@ -377,9 +377,8 @@ double largest_eigenvalue(Operator& op)
 /// Dirichlet conditions. The remaining matrix has one zero eigenvalue for each closed component,
 /// which is ignored; all others are positive. The mass matrix is not used.
 ///
-/// Method: Lanczos (Spectra) for the largest eigenvalue of the matrix and that of
-/// its pseudoinverse, with one sparse Cholesky factorization. The relative error of an
-/// eigenvalue is about 1e-10, or 1e-16 times the condition number.
+/// Method: Lanczos (Spectra) for the largest eigenvalues of the matrix and of its pseudoinverse, with one sparse
+/// Cholesky factorization. The relative error of an eigenvalue is about 1e-10, or 1e-16 times the condition number.
 ///
 /// \param complex the triangles
 /// \param stiffness their matrix, as returned by `stiffness_matrix()`

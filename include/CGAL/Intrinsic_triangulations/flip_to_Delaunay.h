@@ -107,14 +107,14 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief flips edges until the triangulation is Delaunay.
 ///
-/// All edges are visited in order, a thousand at a time. When one is not Delaunay it is flipped, and the four edges
-/// around it go on a list unless they are on it already or still to be visited; the list is worked off, round by round,
-/// before further edges are visited. (The paper uses a stack. The order does not affect the result, but here most steps
+/// All edges are visited in order, a thousand at a time. An edge that is not Delaunay is flipped, and the four edges
+/// around it join a list unless they are already on it or still to be visited. The list is processed, round by round,
+/// before more edges are visited. (The paper uses a stack. The order does not affect the result, but here most steps
 /// need not wait for the previous one.) With exact decisions the algorithm ends, and then every edge that is not
 /// constrained is Delaunay.
 ///
-/// Because of rounding, an edge that is not Delaunay may seem to have no other diagonal. It is left as it is and
-/// reported, and so is an edge that an interval cannot decide.
+/// Because of rounding, an edge that is not Delaunay may seem to have no other diagonal. It is kept and reported, like
+/// an edge that an interval cannot decide.
 ///
 /// With `Parallel_tag`, the threads of TBB flip edges within blocks of 65,536 consecutive edges, then within other such
 /// blocks. After that they test the edges that are still open, such as ties, while nothing is flipped, and one thread

@@ -36,8 +36,7 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
-/// \brief points of the plane: the UV coordinates of all vertices in their order, or those of
-/// the corners of a polygon.
+/// \brief points of the plane: the UV coordinates of all vertices, in their order, or of the corners of a polygon.
 using Planar_points = std::vector<std::array<double, 2>>;
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
@@ -47,8 +46,8 @@ using Planar_points = std::vector<std::array<double, 2>>;
 /// same boundary. The first halfedge is `opposite(h)` of the first border halfedge h. Isolated
 /// vertices are ignored.
 /// \param complex the triangles
-/// \exception Invalid_surface_error if the surface is not a disk; the message says what it is
-///   and what is needed. O(size).
+/// \exception Invalid_surface_error if the surface is not a disk; the message says why not and suggests a remedy.
+///   O(size).
 inline std::vector<Halfedge_index> disk_boundary(const Delta_complex& complex)
 {
   const std::size_t components = internal::number_of_components(complex),

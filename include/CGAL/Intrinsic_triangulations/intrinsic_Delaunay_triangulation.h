@@ -263,7 +263,7 @@ auto intrinsic_Delaunay_triangulation(const TriangleMesh& mesh,
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief builds an intrinsic triangulation from points and triangles, without flipping anything.
 ///
-/// Numbers of vertices, edges and faces are those of `make_Delta_complex_from_triangles()`. `ConcurrencyTag`, points,
+/// Vertices, edges and faces are numbered as by `make_Delta_complex_from_triangles()`. `ConcurrencyTag`, points,
 /// triangles, the named parameter `geom_traits` and the exceptions are as for `intrinsic_Delaunay_triangulation()`.
 /// O(size).
 /// \param points, triangles, np as for `intrinsic_Delaunay_triangulation()`

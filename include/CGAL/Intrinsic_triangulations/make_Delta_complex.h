@@ -27,7 +27,7 @@ namespace Intrinsic_triangulations {
 ///
 /// The i-th vertex, edge and face of the result are the i-th of `vertices(graph)`,
 /// `edges(graph)` and `faces(graph)`; halfedge `2e` is `halfedge(e, graph)`. For a
-/// `CGAL::Surface_mesh` without garbage the positions are those of its own descriptors.
+/// `CGAL::Surface_mesh` without garbage these are the numbers of its own descriptors.
 /// O(size).
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`

@@ -30,7 +30,7 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// \brief the progress of a computation. Each algorithm sets what it knows; the rest is zero.
+/// \brief the progress of a computation. Each algorithm sets the members that it knows; the others are zero.
 struct Progress
 {
   double fraction = 0;          ///< the part that is done, from 0 to 1

@@ -269,13 +269,13 @@ struct Cut_surface
 /// \param complex the input; no two of its edges have the same two ends
 /// \param points a random access range of the points of its vertices, each with three coordinates
 /// \param path points of the input, two consecutive ones in the face of the first, as `Geodesic_path::points` and
-///   `geodesic_points()`. Its segments do not cross. A closed one ends where it begins
-/// \return the triangles; those of the input if there are fewer than two points
+///   `geodesic_points()`. Its segments do not cross. A closed path ends where it begins
+/// \return the triangles; the input triangles if the path has fewer than two points
 /// \exception Invalid_surface_error if two edges have the same two ends
 /// \exception Invalid_point_error if a point does not lie on the surface, or two consecutive ones do not lie in the
 ///   face of the first, or segments cross
 ///
-/// O(size), and for each face the number of segments there times that of its pieces.
+/// O(size), and for each face O(number of its segments times number of its pieces).
 template <class PointRange>
 Cut_surface cut_along_path(const Delta_complex& complex, const PointRange& points,
                            const std::vector<Surface_point>& path)

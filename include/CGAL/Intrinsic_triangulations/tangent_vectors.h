@@ -126,7 +126,7 @@ std::pair<Halfedge_index, double> halfedge_with_direction(const Intrinsic_triang
 /// \return a vector for each halfedge, in their order, with an error of at most 2^-45 + 2^-49 n of its length for n
 ///   faces at the vertex, in the input or now; with traits without exact geometry, with the error of their lengths and
 ///   cotangents
-/// \exception Undecided_error as `angle()`. O(size), and the crossings of one edge at each vertex.
+/// \exception Undecided_error as `angle()`. O(size + crossings of one edge at each vertex).
 ///
 /// Source: F. Knöppel, K. Crane, U. Pinkall, P. Schröder, "Globally optimal direction fields" (2013).
 template <class Traits>

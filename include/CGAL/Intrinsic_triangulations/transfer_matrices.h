@@ -105,8 +105,8 @@ struct Transfer_mass_matrices
 /// \brief integrates the products of the hat functions of the two triangulations exactly.
 ///
 /// On each face of the overlay all hat functions are linear and their products quadratic. If several
-/// corners of a face are at the same vertex, the hat function of the vertex is the sum of those of the
-/// corners. Integrals are in the squared unit of the input, up to rounding. O(size of the overlay).
+/// corners of a face are at the same vertex, its hat function is the sum of the corners' hat functions. Integrals are
+/// in the squared unit of the input, up to rounding. O(size of the overlay).
 /// \param subdivision the common subdivision
 /// \exception Invalid_surface_error as `area()` of `Intrinsic_triangulation`
 inline Transfer_mass_matrices transfer_mass_matrices(const Common_subdivision& subdivision)

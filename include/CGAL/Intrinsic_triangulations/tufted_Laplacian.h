@@ -179,7 +179,7 @@ Tufted_Laplacian operator_of_cover(Tufted_cover cover, const NamedParameters& np
 ///     auto result = tufted_Laplacian(points, triangles);
 ///     // result.stiffness, result.mass
 ///
-/// Rows are those of the input vertices. `L` is symmetric and positive semidefinite; its rows sum to zero; no entry off
+/// Rows belong to the input vertices. `L` is symmetric and positive semidefinite; its rows sum to zero; no entry off
 /// the diagonal is positive. Neither depends on a tolerance, and no length is changed unless you ask for mollification.
 /// Scale and sign are as for `intrinsic_Delaunay_Laplacian()`; on a closed oriented surface both operators are the
 /// same. On a surface with border they differ, because edges at the border are flipped here as well. Entries are
@@ -203,7 +203,7 @@ Tufted_Laplacian operator_of_cover(Tufted_cover cover, const NamedParameters& np
 ///   can happen only at a border
 /// \exception Cancelled_error if the visitor asks for it
 ///
-/// Complexity: that of `make_tufted_cover()` and the flips.
+/// Complexity: as `make_tufted_cover()`, plus the flips.
 ///
 /// Source: N. Sharp, K. Crane, "A Laplacian for nonmanifold triangle meshes", 2020.
 template <class PointRange, class TriangleRange, class NamedParameters = parameters::Default_named_parameters>
