@@ -401,7 +401,7 @@ class Triangulation:
 
         Raises
         ------
-        InvalidArgumentError
+        ValueError
             If a criterion is out of range.
         UndecidedError
             As `flip_to_delaunay`.
