@@ -140,11 +140,31 @@ private:
              counted(soup_.points.size(), "vertex", "vertices") + " and " +
              counted(soup_.number_of_faces(), "face", "faces") +
              "): correct it, or put # before it if it has no part of the surface");
+    if (!is("parm") && !is("bmat"))
+      check_others();
     if (has_curved_surfaces_ || !(is("surf") || is("bsp") || is("bzp") || is("cdp")))
       return;
     has_curved_surfaces_ = true;
     soup_.warnings.push_back(line() +
                              ": this and all other curved surfaces are left out, because they are not polygons");
+  }
+
+  // A vertex or face behind something else would be lost.
+  void check_others()
+  {
+    std::string_view element; // v or f
+    std::size_t numbers = 0;  // words behind it that begin as numbers do
+    while (lines_.find_word_on_line()) {
+      const std::string_view word = lines_.take_word();
+      if (is_keyword(word, "v") || is_keyword(word, "f")) {
+        element = word;
+        numbers = 0;
+      } else if (!is_digit(word[0]) && word[0] != '-')
+        element = {};
+      else if (!element.empty() && ++numbers == 3)
+        refuse(line() + ": " + quote(element) +
+               " is within another element: begin each vertex and each face on a line of its own");
+    }
   }
 
   // Three coordinates, and perhaps a weight and a color.

@@ -159,12 +159,16 @@ inline Ply_header read_ply_header(const std::string& path, const Text_encoding& 
 }
 
 // That properties have types that are known, and that there are x, y and z.
-inline void check_types(const std::string& path, const std::vector<Ply_element>& elements)
+inline void check_types(const std::string& path, const std::vector<Ply_element>& elements, Polygon_soup& soup)
 {
   bool has_vertices = false, has_faces = false;
   for (const Ply_element& element : elements) {
     has_vertices = has_vertices || element.is_vertex();
     has_faces = has_faces || element.is_face() || element.is_strips();
+    if (!element.is_face() && !element.is_strips() && element.find_corners() != nullptr && element.count > 0)
+      soup.warnings.push_back("the header announces " + counted(element.count, "element", "elements") + " " +
+                              quote(element.name) +
+                              " that name vertices: they are left out, as they are not called face");
     if (element.is_vertex())
       for (const char* const name : {"x", "y", "z"}) {
         const Ply_property* const property = element.find(name);
@@ -710,7 +714,7 @@ inline void read_ply(const std::string& path, const std::uintmax_t size, const P
 {
   const Text_encoding encoding = find_ply_encoding(path);
   const Ply_header header = read_ply_header(path, encoding);
-  check_types(path, header.elements);
+  check_types(path, header.elements, soup);
   check_counts(path, header, size);
   if (header.format == "ascii")
     return Ply_text_reader(path, header, soup, size, progress, encoding.line_end).read();
