@@ -211,6 +211,7 @@ inline Faces of_ts(const std::string& text)
   Collector result;
   std::map<std::string, long long> names; // of the vertices of a part
   std::vector<Row> triangles;
+  bool is_other = false; // the part is no surface
   const auto end_part = [&] {
     for (const Row& row : triangles) {
       std::vector<long long> face;
@@ -229,8 +230,11 @@ inline Faces of_ts(const std::string& text)
     for (std::size_t i = 1; i + 1 < row.size(); ++i)
       expect(lower(row[i]) != "trgl" || row[i + 1].find_first_of("0123456789") != 0, "a triangle begins no line");
     const auto name = [&](std::size_t i) { return std::to_string(integer(i < row.size() ? row[i] : "")); };
-    if (word == "gocad" || word == "end")
+    if (word == "gocad" || word == "end") {
       end_part();
+      is_other = word == "gocad" && row.size() > 1 && lower(row[1]) != "tsurf";
+    } else if (is_other)
+      expect(word != "trgl", "a triangle in another part");
     else if (word == "vrtx" || word == "pvrtx") {
       names[name(1)] = (long long)(result.number_of_points());
       result.add_point(point(row, 2));

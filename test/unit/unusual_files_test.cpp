@@ -152,6 +152,16 @@ std::vector<Case> cases()
     {"stl", "byte order mark", [](S& s, E&) { return "\xef\xbb\xbf" + stl_text(s); }},
     {"stl", "CR alone", [](S& s, E&) { return replaced(stl_text(s), "\n", "\r"); }},
     {"stl", "one line", [](S& s, E&) { return replaced(stl_text(s), "\n", " "); }},
+    {"stl", "several solids in one line",
+     [](S& s, E& e) {
+       e.faces = 2 * s.f();
+       return replaced(stl_text(s) + stl_text(s), "\n", " ");
+     }},
+    {"stl", "one line, no solid behind endsolid",
+     [](S& s, E& e) {
+       e.error = at(1, "facet", s.f()) + ": \"facet normal\" where solid is expected";
+       return replaced(stl_text(s) + without_line(stl_text(s), 1), "\n", " ");
+     }},
     {"stl", "one line, colors everywhere",
      [](S& s, E&) {
        return replaced(replaced(replaced(stl_text(s), "\n", " "), "outer", "color 1 0 0 outer"), "endfacet",
@@ -302,6 +312,13 @@ std::vector<Case> cases()
      [](S& s, E& e) {
        e.warning = "the header announces 0 facets; all " + s.number_of_faces();
        return stl_bytes(s, "x", 0);
+     }},
+    {"stl", "count 0, cut off",
+     [](S& s, E& e) {
+       e.error = "it ends within facet " + std::to_string(s.f() - 1);
+       std::string b = stl_bytes(s, "x", 0);
+       b.pop_back();
+       return b;
      }},
     {"stl", "count -1",
      [](S& s, E& e) {
@@ -545,6 +562,16 @@ std::vector<Case> cases()
        e.error = "line 2: \"V\" is within another element";
        return with_line(obj_text(s), 2, "o sheet\rV -1 2 3");
      }},
+    {"obj", "a face that has lost its line end",
+     [](S& s, E& e) {
+       e.error = "line " + std::to_string(s.obj_face(0) - 1) + ": \"f\" is within another element";
+       return with_line(obj_text(s), s.obj_face(0) - 1, "s offf 1 2 3");
+     }},
+    {"obj", "a vertex that has lost its line end",
+     [](S& s, E& e) {
+       e.error = "line 2: \"v\" is within another element";
+       return with_line(obj_text(s), 2, "vt 0 0v 1 2 3");
+     }},
     {"obj", "a comment that ends as no other line",
      [](S& s, E& e) {
        e.error = "line 1: a CR ends the comment";
@@ -718,6 +745,19 @@ std::vector<Case> cases()
      [](S& s, E& e) {
        e.error = "element face " + s.number_of_faces() + ": the file ends within vertex_indices";
        return ply_with_count(ply_text(s, {"binary_little_endian"}), "face", s.f(), s.f() + 1);
+     }},
+    {"ply", "binary, more vertices announced",
+     [](S& s, E& e) {
+       e.error =
+         "element face 0: the list vertex_indices is empty: remove the face, or correct the header (the element "
+         "begins at byte ";
+       return ply_with_count(ply_text(s, {"binary_little_endian"}), "vertex", s.v(), s.v() + 1);
+     }},
+    {"ply", "binary, a byte missing",
+     [](S& s, E& e) {
+       e.error = "; the first face that names a vertex that is not there is face " + std::to_string(s.middle());
+       std::string t = ply_text(s, {"binary_little_endian"});
+       return t.erase(t.size() - 13 * (s.f() - s.middle()) + 8, 1);
      }},
     {"ply", "binary, cut off",
      [](S& s, E& e) {

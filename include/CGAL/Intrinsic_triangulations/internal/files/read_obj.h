@@ -149,15 +149,17 @@ private:
                              ": this and all other curved surfaces are left out, because they are not polygons");
   }
 
-  // A vertex or face behind something else would be lost.
+  // A vertex or face behind something else would be lost, also where a line end is missing before it: s offf 1 2 3.
   void check_others()
   {
     std::string_view element; // v or f
     std::size_t numbers = 0;  // words behind it that begin as numbers do
     while (lines_.find_word_on_line()) {
-      const std::string_view word = lines_.take_word();
-      if (is_keyword(word, "v") || is_keyword(word, "f")) {
-        element = word;
+      const std::string_view word = lines_.take_word(), before = word.substr(0, word.size() - 1),
+                             letter = word.substr(before.size());
+      if ((is_keyword(letter, "v") || is_keyword(letter, "f")) &&
+          (before.empty() || is_digit(before.back()) || is_keyword(before, "off"))) {
+        element = letter;
         numbers = 0;
       } else if (!is_digit(word[0]) && word[0] != '-')
         element = {};

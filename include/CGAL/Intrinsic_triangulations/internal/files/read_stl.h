@@ -335,7 +335,7 @@ private:
     facet_words_ = is_name                    ? 1
                    : number_ == line_of_word_ ? in_comment
                                               : 0; // facets may be commented out by whole lines
-    is_second_ = has_other_end_ = false;
+    is_second_ = has_other_end_ = is_solid_begun_ = false;
     line_of_rest_ = number_;
   }
   void take_rest(const std::string_view word)
@@ -353,13 +353,14 @@ private:
       refuse_word(std::string(word)); // of a facet whose first words are misspelt, in a file of one line
     if (facet_words_ == in_comment)
       return;
+    is_solid_begun_ = is_solid_begun_ || is_keyword(word, "solid");
     facet_words_ = is_keyword(word, "facet")                           ? 2
                    : facet_words_ == 2 && is_keyword(word, "normal")   ? 3
                    : facet_words_ == 3 && is_number(std::string(word)) ? 4
                                                                        : 1;
     if (facet_words_ < 4)
       return;
-    if (state_ == OUTSIDE)
+    if (state_ == OUTSIDE && !is_solid_begun_)
       refuse_word("facet normal");
     line_of_rest_ = facet_words_ = 0;
     begin_facet();
@@ -425,6 +426,7 @@ private:
   static constexpr int in_comment = -1;                 // behind other words
   int facet_words_ = 0;                                 // in a name, one more than there are words of a facet
   bool is_second_ = false;                              // the word before is the first half of a keyword
+  bool is_solid_begun_ = false;                         // perhaps: the name of another has that word
   bool has_other_end_ = false;                          // the rest has a CR or LF that ends no line
   int color_ = 0;                                       // how many of its numbers may come
   std::array<double, 3> point_{};
@@ -443,13 +445,15 @@ inline void read_binary_stl(const std::string& path, const std::string& head, co
   const std::uintmax_t stored = (size - 84) / 50, surplus = (size - 84) % 50;
   const std::string both = "the header announces " + counted(announced, "facet", "facets") +
                            ", the file has room for " + std::to_string(stored);
-  // Who writes facets as they come may not know their number in time.
-  const bool is_unknown = (announced == 0 || announced == unknown_number) && stored > 0 && surplus == 0;
+  // Who writes facets as they come may not know their number in time. A damaged text may have these bytes, but no zero.
+  const bool is_unknown = (announced == 0 || (announced == unknown_number && head.find('\0') != std::string::npos)) &&
+                          stored > 0 && surplus == 0;
   const std::uintmax_t facets = is_unknown ? stored : announced;
-  if (facets > stored)
+  if (facets > stored || (announced == 0 && stored > 0 && surplus > 0))
     refuse_neither(path, head,
                    both + ": it ends within facet " + std::to_string(stored) + ", which begins at byte " +
-                     std::to_string(84 + 50 * stored));
+                     std::to_string(84 + 50 * stored) +
+                     "; it was cut off, or the number, of four bytes at byte 80, is wrong");
   if (is_unknown) {
     soup.warnings.push_back("the header announces " + counted(announced, "facet", "facets") + "; all " +
                             std::to_string(stored) + " that are in the file were read");
@@ -474,7 +478,10 @@ inline void read_binary_stl(const std::string& path, const std::string& head, co
         float coordinate;
         std::memcpy(&coordinate, file.first + 12 + 12 * i + 4 * j, 4);
         if (!std::isfinite(coordinate))
-          refuse_file(path, "facet " + std::to_string(f) + ": a coordinate is not finite", Defect::NOT_FINITE, f);
+          refuse_file(path,
+                      "facet " + std::to_string(f) + ": a coordinate is not finite (the facet begins at byte " +
+                        std::to_string(84 + 50 * f) + ")",
+                      Defect::NOT_FINITE, f);
         point[j] = coordinate;
       }
       triangle[i] = corners.vertex(point);

@@ -77,7 +77,7 @@ private:
     if (is_other_ && (is_triangle || is("tface")))
       refuse_line(word, "the part is not a TSurf according to its line GOCAD");
     if (is_other_)
-      return;
+      return check_rest();
     is_begun_ = is_begun_ || is_data;
     if (is_vertex)
       vertex();
