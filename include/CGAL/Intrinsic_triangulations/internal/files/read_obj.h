@@ -15,6 +15,7 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <iterator>
 #include <limits>
 #include <string>
@@ -152,6 +153,12 @@ private:
   // A vertex or face behind something else would be lost, also where a line end is missing before it: s offf 1 2 3.
   void check_others()
   {
+    lines_.p = skip_word(skip_white(lines_.p, lines_.last), lines_.last);
+    const auto has = [this](const char c) {
+      return std::memchr(lines_.p, c, static_cast<std::size_t>(lines_.last - lines_.p)) != nullptr;
+    };
+    if (!has('f') && !has('v') && !has('F') && !has('V')) // nearly all
+      return;
     std::string_view element; // v or f
     std::size_t numbers = 0;  // words behind it that begin as numbers do
     while (lines_.find_word_on_line()) {
