@@ -76,8 +76,12 @@ inline std::vector<Row> rows(std::string text, char comment)
   std::vector<Row> result;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
-    if (comment != 0)
-      line = line.substr(0, line.find(comment));
+    if (comment != 0) {
+      const std::size_t begin = (std::min)(line.find(comment), line.size()), end = line.find('\r', begin);
+      expect(end == std::string::npos || line.find_first_not_of(" \t\r\v\f", end) == std::string::npos,
+             "a comment has two ends");
+      line.resize(begin);
+    }
     std::istringstream words(line);
     Row row;
     for (std::string word; words >> word;)
@@ -182,7 +186,12 @@ inline Faces of_obj(std::string text)
       text.replace(at, end == std::string::npos ? end : end - at + 1, " ");
   }
   Collector result;
-  for (const Row& row : rows(text, '#'))
+  for (const Row& row : rows(text, '#')) {
+    for (std::size_t i = 1; i + 3 < row.size() && lower(row[0]) != "parm" && lower(row[0]) != "bmat"; ++i)
+      expect((lower(row[i]) != "f" && lower(row[i]) != "v") ||
+               !std::all_of(row.begin() + std::ptrdiff_t(i) + 1, row.begin() + std::ptrdiff_t(i) + 4,
+                            [](const auto& word) { return word.find_first_of("0123456789-") == 0; }),
+             "a vertex or face is within another element");
     if (lower(row[0]) == "v")
       result.add_point(point(row, 1));
     else if (lower(row[0]) == "f") {
@@ -193,6 +202,7 @@ inline Faces of_obj(std::string text)
       }
       result.add_face(face);
     }
+  }
   return result.faces();
 }
 
@@ -201,6 +211,7 @@ inline Faces of_ts(const std::string& text)
   Collector result;
   std::map<std::string, long long> names; // of the vertices of a part
   std::vector<Row> triangles;
+  bool is_other = false; // the part is no surface
   const auto end_part = [&] {
     for (const Row& row : triangles) {
       std::vector<long long> face;
@@ -216,9 +227,14 @@ inline Faces of_ts(const std::string& text)
   };
   for (const Row& row : rows(text, '#')) {
     const std::string word = lower(row[0]);
+    for (std::size_t i = 1; i + 1 < row.size(); ++i)
+      expect(lower(row[i]) != "trgl" || row[i + 1].find_first_of("0123456789") != 0, "a triangle begins no line");
     const auto name = [&](std::size_t i) { return std::to_string(integer(i < row.size() ? row[i] : "")); };
-    if (word == "gocad" || word == "end")
+    if (word == "gocad" || word == "end") {
       end_part();
+      is_other = word == "gocad" && row.size() > 1 && lower(row[1]) != "tsurf";
+    } else if (is_other)
+      expect(word != "trgl", "a triangle in another part");
     else if (word == "vrtx" || word == "pvrtx") {
       names[name(1)] = (long long)(result.number_of_points());
       result.add_point(point(row, 2));
@@ -247,8 +263,9 @@ T raw(const std::string& bytes, std::size_t at, bool is_big_endian = false)
 inline Faces of_stl(const std::string& bytes)
 {
   Faces result;
-  std::vector<Row> all = rows(bytes, '#');
-  if (all.empty() || lower(all[0][0]) != "solid" || bytes.substr(0, 4096).find('\0') != std::string::npos) {
+  std::string first;
+  std::istringstream(bytes.substr(bytes.compare(0, 3, "\xef\xbb\xbf") == 0 ? 3 : 0, 4096)) >> first;
+  if (lower(first) != "solid" || bytes.substr(0, 4096).find('\0') != std::string::npos) {
     for (std::size_t at = 84; at + 50 <= bytes.size(); at += 50) {
       result.emplace_back();
       for (std::size_t i = 0; i < 3; ++i)
@@ -258,11 +275,9 @@ inline Faces of_stl(const std::string& bytes)
     return result;
   }
   Row words;
-  for (const Row& row : all)
+  for (const Row& row : rows(bytes, '#'))
     for (std::size_t i = 0; i < row.size(); ++i) {
       const std::string word = lower(row[i]);
-      if (word.compare(0, 5, "color") == 0)
-        break;
       words.push_back(word);
       // A name, unless a facet is behind it.
       if (word == "solid" || word == "endsolid") {

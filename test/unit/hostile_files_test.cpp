@@ -238,7 +238,11 @@ TEST_F(Hostile_files, beginnings_of_stl)
   binary.resize(binary.size() - 50);
   refused("a.stl", binary,
           "the file begins as text STL does, but has bytes that are in no text; nor is it binary STL (the header"
-          " announces 2 facets, the file has room for 1: it ends within facet 1, which begins at byte 134)");
+          " announces 2 facets, the file has room for 1: it ends within facet 1, which begins at byte 134; it was cut "
+          "off, or the number, of four bytes at byte 80, is wrong)");
+  // Bytes of a damaged text at the place of the number.
+  refused("a.stl", "solid " + std::string(74, 'x') + "\xff\xff\xff\xff" + std::string(50, '\x19'),
+          "the file begins as text STL does, but has bytes that are in no text");
 }
 
 TEST_F(Hostile_files, encodings)

@@ -152,6 +152,51 @@ std::vector<Case> cases()
     {"stl", "byte order mark", [](S& s, E&) { return "\xef\xbb\xbf" + stl_text(s); }},
     {"stl", "CR alone", [](S& s, E&) { return replaced(stl_text(s), "\n", "\r"); }},
     {"stl", "one line", [](S& s, E&) { return replaced(stl_text(s), "\n", " "); }},
+    {"stl", "several solids in one line",
+     [](S& s, E& e) {
+       e.faces = 2 * s.f();
+       return replaced(stl_text(s) + stl_text(s), "\n", " ");
+     }},
+    {"stl", "one line, no solid behind endsolid",
+     [](S& s, E& e) {
+       e.error = at(1, "facet", s.f()) + ": \"facet normal\" where solid is expected";
+       return replaced(stl_text(s) + without_line(stl_text(s), 1), "\n", " ");
+     }},
+    {"stl", "one line, colors everywhere",
+     [](S& s, E&) {
+       return replaced(replaced(replaced(stl_text(s), "\n", " "), "outer", "color 1 0 0 outer"), "endfacet",
+                       "color 1 0.5 0 1 endfacet colour 1 1 1");
+     }},
+    {"stl", "one line, a facet misspelt behind a color",
+     [](S& s, E& e) {
+       e.error = at(1, "facet", s.middle()) + ": \"facett\" where facet or endsolid is expected";
+       return replaced(with_line(stl_text(s), s.stl_facet(s.middle()), "color 1 0 0 facett normal 0 0 1"), "\n", " ");
+     }},
+    {"stl", "one line, a number too many behind a color",
+     [](S& s, E& e) {
+       e.error = at(1, "facet", s.middle()) + ": \"5\" where facet or endsolid is expected";
+       return replaced(with_line(stl_text(s), s.stl_facet(s.middle()), "color 1 2 3 4 5 facet normal 0 0 1"), "\n",
+                       " ");
+     }},
+    {"stl", "one line, a comment",
+     [](S& s, E& e) {
+       e.error = at(1, "facet", s.middle()) + ": \"loop\" is in the comment that begins with # on this line";
+       return replaced(with_line(stl_text(s), s.stl_facet(s.middle()), "# middle facet normal 0 0 1"), "\n", " ");
+     }},
+    {"stl", "a facet that is a comment",
+     [](S& s, E&) {
+       return with_line(stl_text(s), 1, "solid\n # facet normal 0 0 1 outer loop vertex 0 0 0 endloop endfacet");
+     }},
+    {"stl", "one line, facett at first, end loop",
+     [](S& s, E& e) {
+       e.error = at(1, "facet", 0) + ": \"loop\" where facet or endsolid is expected";
+       return replaced(replaced(with_line(stl_text(s), 2, "facett normal 0 0 1"), "\n", " "), "end", "end ");
+     }},
+    {"stl", "a comment that ends as no other line",
+     [](S& s, E& e) {
+       e.error = "line 2: a CR ends the comment, but lines end with LF before it";
+       return with_line(stl_text(s), 1, "solid\n# a comment \r facet normal 0 0 1\r");
+     }},
     {"stl", "normals that are NaN or missing",
      [](S& s, E&) {
        return replaced(with_line(stl_text(s), s.stl_facet(s.middle()), "facet normal"), "normal 0 0 1",
@@ -220,8 +265,7 @@ std::vector<Case> cases()
      }},
     {"stl", "one line, facett at first",
      [](S& s, E& e) {
-       e.error =
-         at(1, "facet", 0) + ": \"endloop\" where facet or endsolid is expected: the line facet normal is missing";
+       e.error = at(1, "facet", 0) + ": \"loop\" where facet or endsolid is expected: the line facet normal is missing";
        return replaced(with_line(stl_text(s), 2, "facett normal 0 0 1"), "\n", " ");
      }},
     {"stl", "vertx",
@@ -268,6 +312,13 @@ std::vector<Case> cases()
      [](S& s, E& e) {
        e.warning = "the header announces 0 facets; all " + s.number_of_faces();
        return stl_bytes(s, "x", 0);
+     }},
+    {"stl", "count 0, cut off",
+     [](S& s, E& e) {
+       e.error = "it ends within facet " + std::to_string(s.f() - 1);
+       std::string b = stl_bytes(s, "x", 0);
+       b.pop_back();
+       return b;
      }},
     {"stl", "count -1",
      [](S& s, E& e) {
@@ -501,6 +552,33 @@ std::vector<Case> cases()
        e.error = "line 1: \"call b.obj\" runs another file or program";
        return "call b.obj\n" + obj_text(s);
      }},
+    {"obj", "a face behind another element",
+     [](S& s, E& e) {
+       e.error = "line " + std::to_string(s.obj_face(0) - 1) + ": \"f\" is within another element";
+       return with_line(obj_text(s), s.obj_face(0) - 1, "s off f 1 2 3");
+     }},
+    {"obj", "a vertex behind another element, with another line end",
+     [](S& s, E& e) {
+       e.error = "line 2: \"V\" is within another element";
+       return with_line(obj_text(s), 2, "o sheet\rV -1 2 3");
+     }},
+    {"obj", "a face that has lost its line end",
+     [](S& s, E& e) {
+       e.error = "line " + std::to_string(s.obj_face(0) - 1) + ": \"f\" is within another element";
+       return with_line(obj_text(s), s.obj_face(0) - 1, "s offf 1 2 3");
+     }},
+    {"obj", "a vertex that has lost its line end",
+     [](S& s, E& e) {
+       e.error = "line 2: \"v\" is within another element";
+       return with_line(obj_text(s), 2, "vt 0 0v 1 2 3");
+     }},
+    {"obj", "a comment that ends as no other line",
+     [](S& s, E& e) {
+       e.error = "line 1: a CR ends the comment";
+       return with_line(obj_text(s), 1, "# a sheet\rf 1 2 3");
+     }},
+    {"obj", "names with f and v",
+     [](S& s, E&) { return "o sheet v 1 2\ng f 1 2 f a 3 # f 1 2 3\nparm v 0 0 1\n" + obj_text(s); }},
     {"obj", "curved surfaces",
      [](S& s, E& e) {
        e.warning = "line 1: this and all other curved surfaces are left out";
@@ -641,6 +719,13 @@ std::vector<Case> cases()
               "3\n0 4\n" +
               t.substr(faces) + replaced(t.substr(end, faces - end), "\n", " 2 8 9\n");
      }},
+    {"ply", "faces by another name",
+     [](S& s, E& e) {
+       e.warning = "the header announces 1 element \"polygon\" that name vertices: they are left out";
+       return replaced(ply_text(s, {}), "end_header",
+                       "element polygon 1\nproperty list uchar int vertex_index\nend_header") +
+              "3 0 1 2\n";
+     }},
     // ---- PLY, binary
     {"ply", "big endian, ushort",
      [](S& s, E&) {
@@ -660,6 +745,19 @@ std::vector<Case> cases()
      [](S& s, E& e) {
        e.error = "element face " + s.number_of_faces() + ": the file ends within vertex_indices";
        return ply_with_count(ply_text(s, {"binary_little_endian"}), "face", s.f(), s.f() + 1);
+     }},
+    {"ply", "binary, more vertices announced",
+     [](S& s, E& e) {
+       e.error =
+         "element face 0: the list vertex_indices is empty: remove the face, or correct the header (the element "
+         "begins at byte ";
+       return ply_with_count(ply_text(s, {"binary_little_endian"}), "vertex", s.v(), s.v() + 1);
+     }},
+    {"ply", "binary, a byte missing",
+     [](S& s, E& e) {
+       e.error = "; the first face that names a vertex that is not there is face " + std::to_string(s.middle());
+       std::string t = ply_text(s, {"binary_little_endian"});
+       return t.erase(t.size() - 13 * (s.f() - s.middle()) + 8, 1);
      }},
     {"ply", "binary, cut off",
      [](S& s, E& e) {
@@ -726,6 +824,11 @@ std::vector<Case> cases()
      [](S& s, E& e) {
        e.error = "the face names vertex 1, but its part has no vertex of this number";
        return without_line(ts_text(s), s.ts_vertex(0));
+     }},
+    {"ts", "TRGL behind another word",
+     [](S& s, E& e) {
+       e.error = "line " + std::to_string(s.ts_face(0)) + ", \"TRGL\": it is not at the begin of a line";
+       return with_line(ts_text(s), s.ts_face(0), "TFACE TRGL 1 2 3");
      }},
     {"ts", "no TFACE", [](S& s, E&) { return replaced(ts_text(s), "TFACE\n", ""); }},
     {"ts", "an open brace",

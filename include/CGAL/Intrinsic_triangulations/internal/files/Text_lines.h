@@ -32,8 +32,8 @@ public:
   // \param comment begins a comment
   Text_lines(const std::string& path, const std::uintmax_t size, const Progress_function& progress,
              const Text_encoding& encoding, const std::size_t number = 0, const char comment = '#')
-    : file_(path, size, encoding.begin, progress, encoding.line_end), number_(number), last_number_(number),
-      comment_(comment)
+    : path_(path), file_(path, size, encoding.begin, progress, encoding.line_end), line_end_(encoding.line_end),
+      number_(number), last_number_(number), comment_(comment)
   {}
   Text_lines(const std::string& path, const std::uintmax_t size, const Progress_function& progress)
     : Text_lines(path, size, progress, find_encoding(path))
@@ -69,7 +69,7 @@ public:
   {
     p = skip_white(p, last);
     if (p != last && *p == comment_)
-      p = last;
+      skip_comment();
     return p != last;
   }
   // Goes to the next word anywhere; false at the end of the file.
@@ -99,7 +99,17 @@ public:
   }
 
 private:
+  void skip_comment()
+  {
+    const char* const other = std::find(p, last, line_end_ == '\n' ? '\r' : '\n');
+    if (skip_white(other, last) != last)
+      refuse_line_end(path_, number_, line_end_);
+    p = last;
+  }
+
+  const std::string path_;
   File_blocks file_;
+  const char line_end_;
   std::size_t number_, last_number_;
   const char comment_;
 };

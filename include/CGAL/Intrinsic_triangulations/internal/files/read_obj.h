@@ -15,6 +15,7 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <iterator>
 #include <limits>
 #include <string>
@@ -140,11 +141,39 @@ private:
              counted(soup_.points.size(), "vertex", "vertices") + " and " +
              counted(soup_.number_of_faces(), "face", "faces") +
              "): correct it, or put # before it if it has no part of the surface");
+    if (!is("parm") && !is("bmat"))
+      check_others();
     if (has_curved_surfaces_ || !(is("surf") || is("bsp") || is("bzp") || is("cdp")))
       return;
     has_curved_surfaces_ = true;
     soup_.warnings.push_back(line() +
                              ": this and all other curved surfaces are left out, because they are not polygons");
+  }
+
+  // A vertex or face behind something else would be lost, also where a line end is missing before it: s offf 1 2 3.
+  void check_others()
+  {
+    lines_.p = skip_word(skip_white(lines_.p, lines_.last), lines_.last);
+    const auto has = [this](const char c) {
+      return std::memchr(lines_.p, c, static_cast<std::size_t>(lines_.last - lines_.p)) != nullptr;
+    };
+    if (!has('f') && !has('v') && !has('F') && !has('V')) // nearly all
+      return;
+    std::string_view element; // v or f
+    std::size_t numbers = 0;  // words behind it that begin as numbers do
+    while (lines_.find_word_on_line()) {
+      const std::string_view word = lines_.take_word(), before = word.substr(0, word.size() - 1),
+                             letter = word.substr(before.size());
+      if ((is_keyword(letter, "v") || is_keyword(letter, "f")) &&
+          (before.empty() || is_digit(before.back()) || is_keyword(before, "off"))) {
+        element = letter;
+        numbers = 0;
+      } else if (!is_digit(word[0]) && word[0] != '-')
+        element = {};
+      else if (!element.empty() && ++numbers == 3)
+        refuse(line() + ": " + quote(element) +
+               " is within another element: begin each vertex and each face on a line of its own");
+    }
   }
 
   // Three coordinates, and perhaps a weight and a color.

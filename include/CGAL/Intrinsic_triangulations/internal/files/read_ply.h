@@ -159,12 +159,16 @@ inline Ply_header read_ply_header(const std::string& path, const Text_encoding& 
 }
 
 // That properties have types that are known, and that there are x, y and z.
-inline void check_types(const std::string& path, const std::vector<Ply_element>& elements)
+inline void check_types(const std::string& path, const std::vector<Ply_element>& elements, Polygon_soup& soup)
 {
   bool has_vertices = false, has_faces = false;
   for (const Ply_element& element : elements) {
     has_vertices = has_vertices || element.is_vertex();
     has_faces = has_faces || element.is_face() || element.is_strips();
+    if (!element.is_face() && !element.is_strips() && element.find_corners() != nullptr && element.count > 0)
+      soup.warnings.push_back("the header announces " + counted(element.count, "element", "elements") + " " +
+                              quote(element.name) +
+                              " that name vertices: they are left out, as they are not called face");
     if (element.is_vertex())
       for (const char* const name : {"x", "y", "z"}) {
         const Ply_property* const property = element.find(name);
@@ -371,14 +375,33 @@ private:
     }
     if (count == 0)
       return;
-    std::string announced;
-    for (const Ply_element& element : header_.elements)
-      announced += (announced.empty() ? "" : ", ") + std::to_string(element.count) + " " + element.name;
     const std::string text = "from byte " + std::to_string(begin) + " on there " + are_counted(count, "byte", "bytes") +
-                             " behind the elements that the header announces (" + announced + ")";
+                             " behind the elements that the header announces (" + announced() + ")";
     if (!is_empty)
-      refuse_file(path_, text);
+      refuse_file(path_, text + ": correct these numbers, or cut off what is behind" + hint());
     soup_.warnings.push_back(text + ", which are zeros or blanks");
+  }
+
+  std::string announced() const
+  {
+    std::string result;
+    for (const Ply_element& element : header_.elements)
+      result += (result.empty() ? "" : ", ") + std::to_string(element.count) + " " + element.name;
+    return result;
+  }
+
+  // Where to look for the mistake: behind a byte too few or too many, faces name vertices that are not there.
+  std::string hint() const
+  {
+    std::size_t vertices = 0;
+    for (const Ply_element& element : header_.elements)
+      vertices += element.is_vertex() ? element.count : 0;
+    for (std::size_t f = 0; f < soup_.number_of_faces(); ++f)
+      for (const std::uint32_t v : soup_.polygon(f))
+        if (v >= vertices)
+          return "; the first face that names a vertex that is not there is face " + std::to_string(f) +
+                 ": the file may be damaged before it";
+    return std::string();
   }
 
   // Each has the same number of bytes, and coordinates of one real type: none is taken otherwise. Returns how many
@@ -440,10 +463,13 @@ private:
   void take_element(const Ply_element& element, const std::vector<Ply_layout>& layout, const std::size_t index)
   {
     std::array<double, 3> point{};
+    const std::uintmax_t begin = file_.offset();
     for (std::size_t k = 0; k < layout.size(); ++k) {
       const Ply_layout& l = layout[k];
       const auto refuse = [&](const std::string& text) {
-        refuse_file(path_, "element " + element.name + " " + std::to_string(index) + ": " + text);
+        refuse_file(path_, "element " + element.name + " " + std::to_string(index) + ": " + text +
+                             " (the element begins at byte " + std::to_string(begin) + "; the header announces " +
+                             announced() + ")" + hint());
       };
       const std::string& name = element.properties[k].name;
       std::uintmax_t count = 1;
@@ -459,6 +485,9 @@ private:
           refuse("the list " + name + " claims a negative number of entries");
         if (bits > file_.left())
           refuse("the list " + name + " claims more entries than the file has");
+        // The zeros of an index are taken for it if the header has a number that is wrong, and would hide that.
+        if (bits == 0 && l.role == Ply_layout::CORNERS)
+          refuse("the list " + name + " is empty: remove the face, or correct the header");
         count = bits;
       }
       const std::uintmax_t bytes = count * l.size;
@@ -710,7 +739,7 @@ inline void read_ply(const std::string& path, const std::uintmax_t size, const P
 {
   const Text_encoding encoding = find_ply_encoding(path);
   const Ply_header header = read_ply_header(path, encoding);
-  check_types(path, header.elements);
+  check_types(path, header.elements, soup);
   check_counts(path, header, size);
   if (header.format == "ascii")
     return Ply_text_reader(path, header, soup, size, progress, encoding.line_end).read();

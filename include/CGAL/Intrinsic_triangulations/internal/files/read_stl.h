@@ -108,8 +108,8 @@ private:
 
 // solid [name] { facet [normal x y z] [outer loop] 3 vertex x y z [endloop] endfacet } endsolid [name]
 //
-// Line ends count behind solid and endsolid alone, whose names end there, and behind color, which some programs add,
-// and #.
+// Line ends count behind solid and endsolid alone, whose names end there, and behind #. Some programs add color and its
+// numbers anywhere.
 class Stl_text_reader
 {
 public:
@@ -124,8 +124,10 @@ public:
     while (file.take_words()) {
       const char *p = file.first, *const last = file.last;
       for (;;) {
-        for (; p != last && is_white(*p); ++p)
+        for (; p != last && is_white(*p); ++p) {
           number_ += *p == line_end_;
+          has_other_end_ = has_other_end_ || *p == (line_end_ == '\n' ? '\r' : '\n');
+        }
         if (p == last)
           break;
         if (coordinates_ < 3)
@@ -135,6 +137,7 @@ public:
           p = skip_word(begin, last);
           take_word(std::string_view(begin, static_cast<std::size_t>(p - begin)));
         }
+        line_of_word_ = number_;
       }
       file.first = last;
     }
@@ -200,6 +203,7 @@ private:
       triangle_[i] = corners_.vertex(points[i]);
     soup_.triangles.push_back(triangle_);
     number_ += lines;
+    color_ = 0;
     begin = p;
     return true;
   }
@@ -208,6 +212,11 @@ private:
   {
     if (number_ == line_of_rest_)
       return take_rest(word);
+    if (color_ > 0 && is_number(word)) {
+      --color_;
+      return;
+    }
+    color_ = 0;
     if (take_usual_word(word))
       return;
     if (prefix_.empty() && word[0] == '#')
@@ -300,7 +309,7 @@ private:
       state_ = OUTSIDE;
       begin_rest(true);
     } else if (state_ != OUTSIDE && (word == "color" || word == "colour"))
-      begin_rest(false);
+      color_ = 4;
     else
       refuse_word(shown);
   }
@@ -323,22 +332,35 @@ private:
   // A comment to the end of the line, or a name, which ends at a facet, too: some files are one line.
   void begin_rest(const bool is_name)
   {
+    facet_words_ = is_name                    ? 1
+                   : number_ == line_of_word_ ? in_comment
+                                              : 0; // facets may be commented out by whole lines
+    is_second_ = has_other_end_ = is_solid_begun_ = false;
     line_of_rest_ = number_;
-    facet_words_ = is_name;
   }
   void take_rest(const std::string_view word)
   {
+    if (facet_words_ < 1 && has_other_end_)
+      refuse_line_end(path_, number_, line_end_);
     if (facet_words_ == 0)
       return;
-    if (is_keyword(word, "endfacet") || is_keyword(word, "endloop"))
+    const bool is_end = is_keyword(word, "endfacet") || is_keyword(word, "endloop") ||
+                        (is_second_ && (is_keyword(word, "facet") || is_keyword(word, "loop")));
+    is_second_ = is_keyword(word, "outer") || is_keyword(word, "end");
+    if (is_end && facet_words_ == in_comment)
+      refuse(quote(word) + " is in the comment that begins with # on this line: end the line before the facet");
+    if (is_end)
       refuse_word(std::string(word)); // of a facet whose first words are misspelt, in a file of one line
+    if (facet_words_ == in_comment)
+      return;
+    is_solid_begun_ = is_solid_begun_ || is_keyword(word, "solid");
     facet_words_ = is_keyword(word, "facet")                           ? 2
                    : facet_words_ == 2 && is_keyword(word, "normal")   ? 3
                    : facet_words_ == 3 && is_number(std::string(word)) ? 4
                                                                        : 1;
     if (facet_words_ < 4)
       return;
-    if (state_ == OUTSIDE)
+    if (state_ == OUTSIDE && !is_solid_begun_)
       refuse_word("facet normal");
     line_of_rest_ = facet_words_ = 0;
     begin_facet();
@@ -374,7 +396,7 @@ private:
   [[noreturn]] void refuse_word(const std::string& word) const
   {
     const bool is_within_facet = [&word] {
-      for (const char* const part : {"outer", "vertex", "normal", "endloop", "endfacet"})
+      for (const char* const part : {"outer", "loop", "vertex", "normal", "endloop", "endfacet"})
         if (is_keyword(word, part))
           return true;
       return false;
@@ -400,7 +422,13 @@ private:
   std::size_t number_of_corners_ = 0, coordinates_ = 3; // coordinates of the corner
   std::string_view prefix_;                             // the first half of a keyword of two words
   std::size_t line_of_rest_ = 0, line_of_vertex_ = 0;   // the rest of that line is a name or a comment
+  std::size_t line_of_word_ = 0;                        // of the word before
+  static constexpr int in_comment = -1;                 // behind other words
   int facet_words_ = 0;                                 // in a name, one more than there are words of a facet
+  bool is_second_ = false;                              // the word before is the first half of a keyword
+  bool is_solid_begun_ = false;                         // perhaps: the name of another has that word
+  bool has_other_end_ = false;                          // the rest has a CR or LF that ends no line
+  int color_ = 0;                                       // how many of its numbers may come
   std::array<double, 3> point_{};
   std::array<std::uint32_t, 3> triangle_{};
 };
@@ -417,13 +445,15 @@ inline void read_binary_stl(const std::string& path, const std::string& head, co
   const std::uintmax_t stored = (size - 84) / 50, surplus = (size - 84) % 50;
   const std::string both = "the header announces " + counted(announced, "facet", "facets") +
                            ", the file has room for " + std::to_string(stored);
-  // Who writes facets as they come may not know their number in time.
-  const bool is_unknown = (announced == 0 || announced == unknown_number) && stored > 0 && surplus == 0;
+  // Who writes facets as they come may not know their number in time. A damaged text may have these bytes, but no zero.
+  const bool is_unknown = (announced == 0 || (announced == unknown_number && head.find('\0') != std::string::npos)) &&
+                          stored > 0 && surplus == 0;
   const std::uintmax_t facets = is_unknown ? stored : announced;
-  if (facets > stored)
+  if (facets > stored || (announced == 0 && stored > 0 && surplus > 0))
     refuse_neither(path, head,
                    both + ": it ends within facet " + std::to_string(stored) + ", which begins at byte " +
-                     std::to_string(84 + 50 * stored));
+                     std::to_string(84 + 50 * stored) +
+                     "; it was cut off, or the number, of four bytes at byte 80, is wrong");
   if (is_unknown) {
     soup.warnings.push_back("the header announces " + counted(announced, "facet", "facets") + "; all " +
                             std::to_string(stored) + " that are in the file were read");
@@ -448,7 +478,10 @@ inline void read_binary_stl(const std::string& path, const std::string& head, co
         float coordinate;
         std::memcpy(&coordinate, file.first + 12 + 12 * i + 4 * j, 4);
         if (!std::isfinite(coordinate))
-          refuse_file(path, "facet " + std::to_string(f) + ": a coordinate is not finite", Defect::NOT_FINITE, f);
+          refuse_file(path,
+                      "facet " + std::to_string(f) + ": a coordinate is not finite (the facet begins at byte " +
+                        std::to_string(84 + 50 * f) + ")",
+                      Defect::NOT_FINITE, f);
         point[j] = coordinate;
       }
       triangle[i] = corners.vertex(point);

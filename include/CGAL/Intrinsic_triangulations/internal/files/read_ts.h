@@ -62,20 +62,22 @@ private:
         refuse_line(word, "the brace on line " + std::to_string(brace_line_) + " is not closed before it");
       if (word[0] == '}')
         brace_line_ = 0;
-      return;
+      return check_rest();
     }
-    if (is("gocad"))
-      return begin_part();
+    if (is("gocad")) {
+      begin_part();
+      return check_rest();
+    }
     if (is_ended_)
       refuse_line(word, "nothing but a line GOCAD may follow a line END");
     if (is("end")) {
       is_ended_ = true;
-      return;
+      return check_rest();
     }
     if (is_other_ && (is_triangle || is("tface")))
       refuse_line(word, "the part is not a TSurf according to its line GOCAD");
     if (is_other_)
-      return;
+      return check_rest();
     is_begun_ = is_begun_ || is_data;
     if (is_vertex)
       vertex();
@@ -84,13 +86,27 @@ private:
     else if (is_triangle)
       triangle();
     else if (is_data)
-      return;
+      check_rest();
     else if (is("trgl_properties") || is("trgl_esizes"))
       count_properties(is("trgl_esizes"));
     else if (const std::string rest = lines_.rest(); word.back() == '{' || (!rest.empty() && rest.back() == '{'))
       brace_line_ = lines_.number();
     else if ((is_begun_ || is_nearly_trgl(word)) && !is("bstone") && !is("border") && !is("control_node"))
       refuse_line(word, "it is not understood (VRTX, PVRTX, ATOM, PATOM, TRGL, TFACE, BSTONE, BORDER or END)");
+    else
+      check_rest();
+  }
+
+  // A triangle behind something else would be lost.
+  void check_rest()
+  {
+    bool is_triangle = false;
+    while (lines_.find_word_on_line()) {
+      const std::string_view word = lines_.take_word();
+      if (is_triangle && is_digit(word[0]))
+        refuse_line("TRGL", "it is not at the begin of a line: begin each triangle on a line of its own");
+      is_triangle = is_keyword(word, "trgl");
+    }
   }
 
   // The header may have any words: this is a triangle that is misspelt, and would be lost.

@@ -98,6 +98,15 @@ inline std::string in_small_letters(std::string text)
   return text;
 }
 
+// Of a comment in which a line ends as no other line of the file does: what follows would be lost.
+[[noreturn]] inline void refuse_line_end(const std::string& path, const std::size_t line, const char line_end)
+{
+  const bool is_lf = line_end == '\n';
+  refuse_file(path, "line " + std::to_string(line) + ": a " + (is_lf ? "CR" : "LF") +
+                      " ends the comment, but lines end with " + (is_lf ? "LF" : "CR") +
+                      " before it: write all line ends alike");
+}
+
 // Whether a word is a keyword, which is in small letters, in letters of any case.
 inline bool is_keyword(const std::string_view word, const std::string_view keyword)
 {
