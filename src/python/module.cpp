@@ -9,7 +9,7 @@
 
 PYBIND11_MODULE(_core, module)
 {
-  module.doc() = "What the package intrinsic_triangulations calls.";
+  module.doc() = "The compiled core of the package intrinsic_triangulations.";
   module.attr("version") = INTRINSIC_TRIANGULATIONS_VERSION;
   idt_python::register_errors();
   idt_python::add_files(module);

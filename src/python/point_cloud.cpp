@@ -27,7 +27,7 @@ py::tuple point_cloud_Laplacian(const Doubles& points, std::size_t number_of_nei
 
 PYBIND11_MODULE(_point_cloud, module)
 {
-  module.doc() = "The Laplacian of points of the package intrinsic_triangulations, which is under the GPL.";
+  module.doc() = "Point cloud Laplacians for the package intrinsic_triangulations, under the GPL.";
   idt_python::register_errors();
   module.def("laplacian", &idt_python::point_cloud_Laplacian, pybind11::arg("points").noconvert(),
              pybind11::arg("number_of_neighbors"));

@@ -55,7 +55,7 @@ py::tuple repair(const Doubles& points, const Indices& corners, const std::vecto
 
 PYBIND11_MODULE(_repair, module)
 {
-  module.doc() = "The repair of the package intrinsic_triangulations, which is under the GPL.";
+  module.doc() = "Mesh repair for the package intrinsic_triangulations, under the GPL.";
   idt_python::register_errors();
   module.def("repair", &idt_python::repair, pybind11::arg("points").noconvert(), pybind11::arg("corners").noconvert(),
              pybind11::arg("first_corner"));

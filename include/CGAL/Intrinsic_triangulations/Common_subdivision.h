@@ -354,8 +354,8 @@ private:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsOverlay
-/// \brief returns the triangles of a convex polygon, such as a face of the overlay, so that the smallest has the
-/// largest area.
+/// \brief triangulates a convex polygon, such as a face of the overlay, so that its smallest triangle is as large as
+/// possible.
 /// \param corners the polygon, counterclockwise; three at least
 /// \return three indices of corners for each triangle, counterclockwise. O(n³)
 inline std::vector<std::array<std::size_t, 3>>

@@ -80,7 +80,7 @@ struct Hinge_halfedges
 ///
 /// Faces are triangles; any gluing of their sides that gives an oriented surface is
 /// allowed: loops, several edges between the same two vertices, a face glued to itself,
-/// a surface with one vertex. So nothing is ever looked up by its end vertices.
+/// a surface with one vertex. So elements are never looked up by their end vertices.
 /// Isolated vertices are allowed, too.
 ///
 /// Descriptors of vertices, halfedges, edges and faces are integers counted from zero, and
@@ -90,8 +90,9 @@ struct Hinge_halfedges
 ///
 /// Memory: 32 bytes an edge, 4 a vertex and 4 a face.
 ///
-/// \cgalModels `FaceListGraph`, `HalfedgeListGraph`, `BidirectionalGraph` (by
-///   `CGAL/Intrinsic_triangulations/graph_traits_Delta_complex.h`)
+/// `CGAL/Intrinsic_triangulations/graph_traits_Delta_complex.h` makes it a graph of CGAL and BGL.
+///
+/// \cgalModels{FaceListGraph,HalfedgeListGraph,BidirectionalGraph}
 class Delta_complex
 {
 public:
@@ -429,6 +430,7 @@ private:
 /// This means that there is no loop, no two edges have the same end vertices, and no two faces have
 /// the same corners. Only then is it safe to look an element up by its vertices, as generic mesh
 /// algorithms and most file formats do. O(size).
+/// \param complex the complex
 bool is_simplicial(const Delta_complex& complex);
 
 } // namespace Intrinsic_triangulations

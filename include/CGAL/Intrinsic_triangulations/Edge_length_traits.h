@@ -28,17 +28,16 @@ namespace Intrinsic_triangulations {
 ///
 /// Each edge stores its squared length s, each face four times its area a. There is
 /// one square root per input face and none afterwards. A Delaunay test needs neither
-/// division nor root, a flip one division. The decisions are those of `FT_`: exact for
-/// an exact number type, rounded for a floating-point type. An interval that cannot
-/// decide gives an uncertain answer, never a guess.
+/// division nor root, a flip one division. Decisions are exact for an exact number type, and rounded for a
+/// floating-point type. An interval that cannot decide gives an uncertain answer, never a guess.
 ///
 /// \tparam FT_ a model of `FieldWithSqrt` and `RealEmbeddable`: `float`, `double`,
 ///   `long double`, `__float128`, any float of Boost.Multiprecision (`cpp_bin_float_50`,
 ///   `float128`, `mpfr_float_50`, ...), `Mpfr_float`, `CGAL::Interval_nt<>`, or
-///   `CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt::FT`. Other types fail to
-///   compile with one sentence that says so.
+///   `CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt::FT`. Other types fail to compile, with a
+///   one-sentence message.
 ///
-/// \cgalModels `IntrinsicTriangulationTraits`
+/// \cgalModels{IntrinsicTriangulationTraits}
 ///
 /// Source: the formulas of `flip_hinge()`; Delaunay criterion of Fisher, Springborn,
 /// Schroeder, Bobenko (2006), section 2.1.
@@ -60,7 +59,7 @@ public:
   using Flipped_hinge_data = Flipped_hinge<Edge_data, Face_data>;
   /// a point in space
   using Point_data = std::array<FT, 3>;
-  /// whether decisions are those of exact arithmetic
+  /// whether decisions are exact
   using Has_exact_decisions = typename Algebraic_structure_traits<FT>::Is_exact;
   /// no decision needs more than the data of the hinge
   using Uses_exact_geometry = Tag_false;
@@ -137,7 +136,7 @@ public:
     /// returns the squared length.
     FT operator()(const Edge_data& e) const { return e; }
   };
-  /// gives the length of an edge; rounded as the square root of `FT` is.
+  /// gives the length of an edge, rounded like the square root of `FT`.
   struct Compute_length
   {
     /// returns the length.
@@ -185,7 +184,7 @@ public:
   /// \name Functors
   /// @{
 
-  /// returns the functor; they have no state.
+  /// returns the functor, which has no state.
   Construct_edge_data construct_edge_data_object() const { return {}; }
   Construct_face_data construct_face_data_object() const { return {}; }
   Is_locally_Delaunay is_locally_Delaunay_object() const { return {}; }

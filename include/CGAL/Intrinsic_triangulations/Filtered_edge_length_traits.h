@@ -66,11 +66,9 @@ inline internal::Two_bounded_areas two(const Bounded_area& a, const Bounded_area
 ///
 /// \brief the metric of a triangulation in double, with exact decisions.
 ///
-/// Every Delaunay test gives the answer of exact real arithmetic on the piecewise-flat
-/// surface that the input defines, however many flips came before. The functors below
-/// are the first stage: they keep a running error bound for each face and answer if it
-/// suffices. If it does not, `Intrinsic_triangulation` asks its exact engine, whose
-/// result replaces the stored numbers.
+/// Every Delaunay test is exact for the piecewise-flat surface that the input defines, however many flips came before.
+/// The functors below are the first stage: they keep a running error bound for each face and answer if it suffices. If
+/// it does not, `Intrinsic_triangulation` asks its exact engine, whose result replaces the stored numbers.
 ///
 /// Invariants: let s be the stored squared lengths of the three sides of a face, a the stored
 /// value of four times its area, E its error bound, and s*, a* the true numbers. With u = 2^-53,
@@ -79,14 +77,14 @@ inline internal::Two_bounded_areas two(const Bounded_area& a, const Bounded_area
 ///     (2)  E >= 1.5 |a - a*|
 ///     (3)  E >= 12 u (sum of s).
 ///
-/// One bound for a face suffices for its sides as well, because what is computed from them,
+/// One bound for a face suffices for its sides as well, because the number computed from them,
 /// p = s + s' - s'', collects the errors of all three. The factor 1.5 and (3) let the bound cover
 /// rounding, too: since a* <= (sum of s*) / √3, u |a| is less than E / 20, and the error of a
 /// computed p is less than E / 1.5 + 2 u (sum of s) <= 0.84 E. Because of the maximum in (1), a side
 /// may be replaced by a number with a relative error of 6 u, as it has initially, without
 /// looking at the face beyond it.
 ///
-/// \cgalModels `IntrinsicTriangulationTraits`
+/// \cgalModels{IntrinsicTriangulationTraits}
 class Filtered_edge_length_traits
 {
   static constexpr double u = 0x1p-53;
@@ -113,7 +111,7 @@ public:
   using Flipped_hinge_data = Flipped_hinge<Edge_data, Face_data>;
   /// a point in space
   using Point_data = std::array<double, 3>;
-  /// decisions are those of exact arithmetic
+  /// decisions are exact
   using Has_exact_decisions = Tag_true;
   /// undecided tests are passed on to the exact engine of the triangulation
   using Uses_exact_geometry = Tag_true;
@@ -319,7 +317,7 @@ public:
       return s.error() <= 4.9 * u * s.hi();
     }
   };
-  /// decides whether the stored numbers of a face are so accurate that they need not be replaced.
+  /// decides whether the stored numbers of a face are accurate enough to be kept.
   struct Is_accurate
   {
     /// returns whether the error bound is below 2⁻³⁴ of the area.
@@ -383,7 +381,7 @@ public:
   /// \name Functors
   /// @{
 
-  /// returns the functor; they have no state.
+  /// returns the functor, which has no state.
   Construct_edge_data construct_edge_data_object() const { return {}; }
   Construct_face_data construct_face_data_object() const { return {}; }
   Construct_refined_data construct_refined_data_object() const { return {}; }

@@ -31,7 +31,7 @@ namespace Intrinsic_triangulations {
 ///
 /// \tparam FT_ as for `Edge_length_traits`
 ///
-/// \cgalModels `IntrinsicTriangulationTraits`
+/// \cgalModels{IntrinsicTriangulationTraits}
 ///
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 2.2.
 template <class FT_>
@@ -53,7 +53,7 @@ public:
   using Flipped_hinge_data = Flipped_hinge<Edge_data, Face_data>;
   /// a point in space
   using Point_data = std::array<FT, 3>;
-  /// whether decisions are those of exact arithmetic
+  /// whether decisions are exact
   using Has_exact_decisions = typename Algebraic_structure_traits<FT>::Is_exact;
   /// no decision needs more than the data of the hinge
   using Uses_exact_geometry = Tag_false;
@@ -89,8 +89,8 @@ public:
     Face_data from_lengths(const FT&, const FT&, const FT&) const { return {}; }
   };
 
-  /// decides `cot k + cot l >= 0` from the two cotangents. For a face of zero area, the result
-  /// is that of the number type's division by zero.
+  /// decides `cot k + cot l >= 0` from the two cotangents. For a face of zero area, the result depends on the number
+  /// type's division by zero.
   struct Is_locally_Delaunay
   {
     /// decides by the sum of the cotangents.
@@ -163,7 +163,7 @@ public:
   /// \name Functors
   /// @{
 
-  /// returns the functor; they have no state.
+  /// returns the functor, which has no state.
   Construct_edge_data construct_edge_data_object() const { return {}; }
   Construct_face_data construct_face_data_object() const { return {}; }
   Is_locally_Delaunay is_locally_Delaunay_object() const { return {}; }

@@ -46,11 +46,11 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
-/// \brief what heat does at the border of a surface.
+/// \brief the condition for heat at the border of a surface.
 enum class Heat_boundary {
-  NEUMANN,   ///< none leaves: isolines of the distance meet the border at right angles
+  NEUMANN,   ///< no heat leaves: isolines of the distance meet the border at right angles
   DIRICHLET, ///< the border is kept cold: isolines tend to run along it
-  AVERAGED   ///< the mean of both, which is often nearest to the truth
+  AVERAGED   ///< the mean of both, often the most accurate
 };
 
 /// \cond SKIP_IN_MANUAL
@@ -96,7 +96,7 @@ Heat_options heat_options_of(const NamedParameters& np)
 /// cheaper.
 ///
 /// These are not exact geodesic distances: the chapter on distances in the manual gives the errors. Faces of zero area
-/// count for nothing.
+/// are ignored.
 ///
 /// \tparam LinearSolver factorizes symmetric positive definite matrices; with a constructor and a member function
 ///   `factorize()` from an `Eigen::SparseMatrix<double>`, and `solve()` from and to an `Eigen::VectorXd`. By default
@@ -111,13 +111,14 @@ public:
   /// \brief factorizes the matrix of the heat equation.
   ///
   /// The triangulation is not needed afterwards. It should be Delaunay, and the angles opposite to border edges should
-  /// not be obtuse: otherwise heat can be negative, and distances far from right. The tufted cover has neither problem.
+  /// not be obtuse: otherwise heat can be negative, and distances very inaccurate. The tufted cover has neither
+  /// problem.
   /// \param triangulation the triangulation
   /// \param np an optional sequence of named parameters
   ///
   /// \cgalNamedParamsBegin
   ///   \cgalParamNBegin{heat_boundary}
-  ///     \cgalParamDescription{what heat does at the border}
+  ///     \cgalParamDescription{the condition at the border}
   ///     \cgalParamType{`Heat_boundary`}
   ///     \cgalParamDefault{`Heat_boundary::NEUMANN`}
   ///   \cgalParamNEnd
@@ -135,9 +136,9 @@ public:
   ///     \cgalParamDefault{`true`}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{visitor}
-  ///     \cgalParamDescription{is asked before each matrix is factorized or linear system is solved, by the constructor
-  ///       and by all functions, which throw `Cancelled_error` if it says no. A factorization that has begun is
-  ///       finished: with a million faces, it takes some ten seconds}
+  ///     \cgalParamDescription{is asked before each factorization or solution, by the constructor and by all functions;
+  ///       if it returns `false`, they throw `Cancelled_error`. It cannot interrupt a factorization, which takes some
+  ///       ten seconds with a million faces}
   ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
   ///     \cgalParamDefault{`Default_visitor`}
   ///   \cgalParamNEnd

@@ -39,7 +39,9 @@ namespace Intrinsic_triangulations {
 ///
 /// Memory: 32 bytes a segment, and two `Delta_complex`.
 ///
-/// \cgalModels `IntrinsicTriangulationVisitor`, to be passed as `std::ref(overlay)`
+/// As a visitor, pass it by `std::ref(overlay)`.
+///
+/// \cgalModels{IntrinsicTriangulationVisitor}
 ///
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 2.3 and figure 5.
 class Incremental_overlay

@@ -19,21 +19,26 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsMetric
-/// \brief a rational number, exact: Boost.Multiprecision's, without expression templates
+/// \brief an exact rational number of Boost.Multiprecision, without expression templates.
 using Rational = internal::Rational;
 
 /// \ingroup PkgIntrinsicTriangulationsMetric
 /// \brief constructs a metric from the exact squared length of each edge, for instance between points with rational
 /// coordinates. O(size).
+/// \param squared_lengths the squared length of each edge, in their order
 /// \exception Invalid_surface_error if a length leaves the range of `double`
 Input_metric metric_from_squared_lengths(std::vector<Rational> squared_lengths);
 
 /// \ingroup PkgIntrinsicTriangulationsMetric
 /// \brief returns the squared length of an input edge exactly, in the unit of the metric. O(1).
+/// \param metric, input the metric and the connectivity of the input
+/// \param e an edge of the input
 Rational squared_length(const Input_metric& metric, const Delta_complex& input, Edge_index e);
 
 /// \ingroup PkgIntrinsicTriangulationsMetric
 /// \brief returns the square of four times the area of an input face exactly, in the unit of the metric. O(1).
+/// \param metric, input the metric and the connectivity of the input
+/// \param f a face of the input
 Rational squared_four_areas(const Input_metric& metric, const Delta_complex& input, Face_index f);
 
 } // namespace Intrinsic_triangulations

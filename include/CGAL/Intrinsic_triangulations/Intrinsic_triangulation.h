@@ -222,7 +222,7 @@ public:
   /// \exception Integer_overflow_error if an edge crosses more than 2^60 input edges
   /// @{
 
-  /// returns the metric of the input, exactly.
+  /// returns the exact metric of the input.
   const Input_metric& input_metric() const
   {
     CGAL_precondition(keeps_input());
@@ -305,7 +305,7 @@ public:
 
   /// \brief returns whether `e` is Delaunay: whether the opposite angles sum to at most π.
   ///
-  /// Border edges and edges with the same face on both sides are.
+  /// Border edges and edges with the same face on both sides are Delaunay.
   /// \return an uncertain value if an interval number type cannot tell
   Boolean is_locally_Delaunay(Edge_index e) const
   {
@@ -338,7 +338,7 @@ public:
 
   /// \brief returns how many tests of `flip_to_Delaunay()` each stage decided.
   ///
-  /// With traits that use no exact geometry all are counted for the filter.
+  /// With traits without exact geometry, all count as decided by the filter.
   Stage_counts stage_counts() const
   {
     Stage_counts counts = uses_exact_geometry ? engine_.stage_counts() : Stage_counts();

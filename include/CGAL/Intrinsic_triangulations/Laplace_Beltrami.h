@@ -106,10 +106,12 @@ Eigen::SparseMatrix<double> stiffness_matrix(const Delta_complex& complex, const
 /// \brief returns the stiffness matrix of a triangulation.
 ///
 /// As above, with the weights of `cotangent_weights()`. For an intrinsic Delaunay
-/// triangulation it is that of the intrinsic Laplace-Beltrami operator: no off-diagonal entry
-/// is positive, except those of border edges. For a triangulation that was not
-/// flipped it is the usual, extrinsic one. One pass over the edges computes all weights.
+/// triangulation it represents the intrinsic Laplace-Beltrami operator: no off-diagonal entry is positive, except those
+/// of border edges. For a triangulation that was not flipped, it is the usual, extrinsic matrix. One pass over the
+/// edges computes all weights.
 /// \tparam ConcurrencyTag as above
+/// \param triangulation the triangulation
+/// \param factor the factor
 /// \exception Invalid_surface_error as `cotangent_weights()`
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 3.1.
 template <class ConcurrencyTag = Sequential_tag, class Traits>
@@ -145,6 +147,7 @@ inline Eigen::SparseMatrix<double> lumped_mass_matrix(const Delta_complex& compl
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief as above, with the areas of `face_areas()`.
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`, for the areas
+/// \param triangulation the triangulation
 template <class ConcurrencyTag = Sequential_tag, class Traits>
 Eigen::SparseMatrix<double> lumped_mass_matrix(const Intrinsic_triangulation<Traits>& triangulation)
 {
@@ -177,6 +180,7 @@ Eigen::SparseMatrix<double> Galerkin_mass_matrix(const Delta_complex& complex, c
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief as above, with the areas of `face_areas()`.
 /// \tparam ConcurrencyTag as above
+/// \param triangulation the triangulation
 template <class ConcurrencyTag = Sequential_tag, class Traits>
 Eigen::SparseMatrix<double> Galerkin_mass_matrix(const Intrinsic_triangulation<Traits>& triangulation)
 {
@@ -197,9 +201,10 @@ struct Laplace_Beltrami_operator
 ///
 ///     auto [L, M] = intrinsic_Delaunay_Laplacian(mesh);
 ///
-/// The i-th row belongs to the i-th vertex of the mesh. The conventions are those of
-/// `stiffness_matrix()`, parameters and exceptions those of `intrinsic_Delaunay_triangulation()`.
+/// The i-th row belongs to the i-th vertex of the mesh. Conventions are as for `stiffness_matrix()`, parameters and
+/// exceptions as for `intrinsic_Delaunay_triangulation()`. Entries are rounded.
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
+/// \param mesh, np as for `intrinsic_Delaunay_triangulation()`
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
           class NamedParameters = parameters::Default_named_parameters>
 Laplace_Beltrami_operator intrinsic_Delaunay_Laplacian(const TriangleMesh& mesh,
@@ -213,6 +218,7 @@ Laplace_Beltrami_operator intrinsic_Delaunay_Laplacian(const TriangleMesh& mesh,
 /// \brief returns the extrinsic operator, from the unchanged triangles of the mesh; otherwise
 /// as `intrinsic_Delaunay_Laplacian()`.
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
+/// \param mesh, np as for `intrinsic_Delaunay_Laplacian()`
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
           class NamedParameters = parameters::Default_named_parameters>
 Laplace_Beltrami_operator extrinsic_Laplacian(const TriangleMesh& mesh,
@@ -269,7 +275,8 @@ assemble_connection_Laplacian(const Delta_complex& complex, const std::vector<Pl
 /// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
-/// \brief returns the connection Laplacian: the operator on tangent vectors whose kernel are the parallel fields.
+/// \brief returns the connection Laplacian: the operator on tangent vectors whose kernel consists of the parallel
+/// fields.
 ///
 /// A vector at a vertex is a complex number in the tangent plane of `halfedge_vectors_in_vertex()`. The matrix L is
 /// Hermitian, and u* L u is the sum over the edges ij of w |u_i - r u_j|², with half the sum w of the cotangents, where
@@ -278,8 +285,8 @@ assemble_connection_Laplacian(const Delta_complex& complex, const std::vector<Pl
 /// and for real numbers instead of vectors, it is `stiffness_matrix()`.
 ///
 /// \param triangulation all of its faces have positive area
-/// \return a matrix with a row for each vertex; the weights and the turns are rounded as those of `cotangent_weights()`
-///   and `halfedge_vectors_in_vertex()`. The weight has no unit
+/// \return a matrix with a row for each vertex, without unit; weights and turns are rounded like those of
+///   `cotangent_weights()` and `halfedge_vectors_in_vertex()`
 /// \exception Invalid_surface_error if a face has zero area. \exception Undecided_error as `angle()`. O(size).
 ///
 /// Source: N. Sharp, Y. Soliman, K. Crane, "The vector heat method", 2019, section 3.

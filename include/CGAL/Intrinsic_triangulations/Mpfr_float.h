@@ -20,25 +20,25 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsNumbers
-/// \brief a floating-point number of MPFR, of the precision that is the default when it is
-/// constructed (see `Mpfr_precision`).
+/// \brief a floating-point number of MPFR, with the default precision at its construction (see `Mpfr_precision`).
 ///
 /// The result of an operation has the larger precision of its operands and is rounded to
-/// nearest. Without expression templates, so that `auto` is safe.
+/// nearest. There are no expression templates, so `auto` is safe.
 ///
-/// \cgalModels `FieldWithSqrt`, `RealEmbeddable`
+/// \cgalModels{FieldWithSqrt,RealEmbeddable}
 using Mpfr_float =
   boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>, boost::multiprecision::et_off>;
 
 /// \ingroup PkgIntrinsicTriangulationsNumbers
-/// \brief returns the precision of `x` in bits.
+/// \brief returns the precision of a number in bits.
+/// \param x the number
 inline int precision_in_bits(const Mpfr_float& x) { return int(mpfr_get_prec(x.backend().data())); }
 
 /// \ingroup PkgIntrinsicTriangulationsNumbers
 /// \brief sets the precision of new `Mpfr_float`s during its lifetime.
 ///
-/// Boost counts decimal digits; the precision is that of the least number of digits with
-/// at least the given number of bits: 65 for 64, 128 for 128, 257 for 256.
+/// Boost counts decimal digits; the precision becomes that of the fewest digits with at least the given number of bits:
+/// 65 for 64, 128 for 128, 257 for 256.
 ///
 /// \warning Only a Boost that has `thread_default_precision()` keeps a default for each thread. Boost 1.74 has one for
 /// all threads: there, do not use two precisions at the same time.

@@ -102,7 +102,7 @@ public:
 
   /// \brief builds the overlay of a triangulation and its input.
   ///
-  /// O(size of the overlay), which is that of the surface plus the number of crossings.
+  /// O(size of the overlay), that is, O(size of the surface + number of crossings).
   /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the overlay
   ///   is the same, and the visitor is asked only a few times
   /// \param triangulation the triangulation
@@ -129,7 +129,7 @@ public:
 
   /// \brief builds the overlay from the current connectivity and its correspondence to the input.
   /// \tparam ConcurrencyTag as above
-  /// \param intrinsic, correspondence those of the triangulation
+  /// \param intrinsic, correspondence the connectivity and the correspondence
   /// \param np as above
   /// \pre `correspondence.is_prepared()`
   /// \exception Integer_overflow_error as above
@@ -236,7 +236,7 @@ public:
   ///
   /// If `target(h)` is a vertex of the surface, this is the side that begins there,
   /// in the corner to the left of `h`, or the part of a side; the null descriptor if the vertex was inserted inside the
-  /// face. Finding it takes as many steps as intrinsic edges lie in that corner; otherwise O(1). \pre `!is_border(h)`
+  /// face. Finding it takes one step for each intrinsic edge in that corner; otherwise O(1). \pre `!is_border(h)`
   Halfedge_index input_side(Halfedge h) const
   {
     return side(h, [this](Halfedge g) { return input_halfedge(g); });

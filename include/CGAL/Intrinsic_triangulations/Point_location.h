@@ -41,14 +41,13 @@ namespace Intrinsic_triangulations {
 ///
 /// \brief maps points of the input to the intrinsic triangulation, and back.
 ///
-/// It is decided exactly whether a point is a vertex, lies on an edge, or inside a face. The
-/// coordinates of the query are taken as rational numbers and divided by their sum. On which side of
-/// an edge that crosses its face the point lies is the sign of an exact real number, found in stages
-/// as for the Delaunay test. So a result has a zero coordinate exactly if the point lies on an edge,
-/// and two exactly if it is a vertex. In and beside faces of zero area, several points of the
-/// faces are one point of the surface; there, the result may also be a point inside a face beside that
-/// edge. Nonzero coordinates of results are rounded: the result lies within a few units
-/// in the last place of the longest edge of either face from the exact point.
+/// Whether a point is a vertex, lies on an edge, or inside a face is decided exactly. The
+/// coordinates of the query are taken as rational numbers and divided by their sum. The side of an edge on which the
+/// point lies is the sign of an exact real number, found in stages like a Delaunay test. So a result has a zero
+/// coordinate exactly if the point lies on an edge, and two exactly if it is a vertex. In and beside faces of zero
+/// area, several points of the faces are one point of the surface; there, the result may also be a point inside a face
+/// beside that edge. Nonzero coordinates of results are rounded: the result lies within a few units in the last place
+/// of the longest edge of either face from the exact point.
 ///
 /// A query searches the edges that cross a face by bisection. It costs O(log n) for n such edges, unless the point is
 /// so close to one of them that `double` cannot tell the side. Then the strip of input triangles that the edge crosses

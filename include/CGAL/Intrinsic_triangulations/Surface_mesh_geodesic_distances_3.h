@@ -126,11 +126,11 @@ bool has_obtuse_border(const Triangulation& triangulation)
 /// \brief distances of all vertices of a mesh from source vertices, with the interface of
 /// `CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3`.
 ///
-/// `Heat_method` documents what is computed. Unlike in CGAL's class, all of several sources have distance zero and
-/// nothing near them is folded, distances are infinite instead of NaN where no source is connected, both modes accept
-/// faces of zero area, and the flips always end. Errors are exceptions. In the mode `Intrinsic_Delaunay`, the tufted
-/// cover is used where there are edges of length zero, whose ends are merged, and where an angle opposite to a border
-/// edge is obtuse.
+/// See `Heat_method` for the algorithm. Unlike in CGAL's class, each of several sources has distance zero,
+/// distances near them are not folded, they are infinite instead of NaN where no source is connected, both modes accept
+/// faces of zero area, and flips always end. Errors are exceptions. In the mode `Intrinsic_Delaunay`, the tufted cover
+/// is used where there are edges of length zero, whose ends are merged, and where an angle opposite to a border edge is
+/// obtuse.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam Mode `Direct` or `Intrinsic_Delaunay`

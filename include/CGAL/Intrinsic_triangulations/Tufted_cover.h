@@ -34,11 +34,11 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsCover
-/// \brief what is built over the triangles.
+/// \brief the surface that `make_tufted_cover()` builds over the triangles.
 enum class Surface_cover {
   /// The tufted cover, which takes any triangles and has no border.
   TUFTED,
-  /// The triangles themselves, turned over where neighbours disagree: no edge may have more than two faces, and
+  /// The triangles themselves, turned over where neighbors disagree: no edge may have more than two faces, and
   /// the surface must be orientable. Border edges stay border edges.
   NONE
 };
@@ -62,7 +62,7 @@ struct Tufted_cover_report
   std::size_t border_edges = 0;         ///< edges with one face
   bool is_orientable = true; ///< whether all faces can be turned so that they agree across each edge with two faces
   std::size_t repeated_corner_faces = 0; ///< faces dropped because they name a vertex twice
-  std::size_t collapsed_faces = 0;       ///< faces dropped because corners of theirs were merged
+  std::size_t collapsed_faces = 0;       ///< faces dropped because some of their corners were merged
   std::size_t zero_length_faces = 0;     ///< faces dropped by `Coincident_vertices::DROP`
   std::size_t faces_without_area = 0;    ///< faces dropped because their whole part has zero area
   std::size_t merged_vertices = 0;       ///< vertices merged into another one
@@ -82,8 +82,8 @@ struct Tufted_cover_report
 ///
 /// A connected part of the input that is closed, orientable and has two faces at each edge is its own cover. All others
 /// are covered by two copies of each face, one of them turned over; such a part counts half. The first vertices of the
-/// cover are those of the input, with the same numbers. Further ones follow where the faces
-/// at an input vertex form several fans in the cover. Vertices without faces are isolated.
+/// cover are the input vertices, with the same numbers. More follow where the faces at an input vertex form several
+/// fans in the cover. Vertices without faces are isolated.
 struct Tufted_cover
 {
   /// the cover with its exact metric, before any flip
@@ -94,7 +94,7 @@ struct Tufted_cover
   std::vector<std::uint32_t> face_of;
   /// for each face of the cover, whether it is the copy that is turned over
   std::vector<bool> is_back;
-  /// for each face of the cover, whether it counts half, as each other face that flips can join it with
+  /// for each face of the cover, whether it counts half, like all faces that flips can join with it
   std::vector<bool> is_half;
   /// for each input vertex, the vertex that represents it: another one if it was merged
   std::vector<std::uint32_t> representative;
@@ -194,7 +194,7 @@ Tufted_cover build_cover_of_complex(const Delta_complex& complex, const std::vec
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{surface_cover}
-///     \cgalParamDescription{what is built}
+///     \cgalParamDescription{the surface to build}
 ///     \cgalParamType{`Surface_cover`}
 ///     \cgalParamDefault{`Surface_cover::TUFTED`}
 ///   \cgalParamNEnd

@@ -39,14 +39,12 @@ namespace Intrinsic_triangulations {
 struct Circle_pattern
 {
   Planar_points uv; ///< the position of each vertex; the image has the area of the surface
-  /// the angles whose circle pattern it is: for each halfedge, the one opposite to it in its face, and 0 for a border
-  /// halfedge
+  /// the angles of the circle pattern: for each halfedge, the angle opposite to it in its face; 0 for a border halfedge
   std::vector<double> angles;
-  std::size_t number_of_clipped_edges =
-    0;                       ///< interior edges whose two angles on the surface sum to more than is allowed
-  double largest_change = 0; ///< of an angle on the surface, in radians
-  double gradient = 0;       ///< the largest component of the energy's gradient at the end
-  int iterations = 0;        ///< the number of steps of Newton's method
+  std::size_t number_of_clipped_edges = 0; ///< interior edges whose opposite angles on the surface have too large a sum
+  double largest_change = 0;               ///< the largest change of an angle, in radians
+  double gradient = 0;                     ///< the largest component of the energy's gradient at the end
+  int iterations = 0;                      ///< the number of steps of Newton's method
 };
 
 /// \cond SKIP_IN_MANUAL
@@ -261,12 +259,12 @@ inline Planar_points lay_out(const Delta_complex& complex, const Circle_pattern_
 /// \brief returns the discrete conformal map of a disk by a circle pattern: it preserves the intersection angles of the
 /// circumcircles of adjacent triangles as well as flatness allows.
 ///
-/// First the angles are changed to those of the flat Delaunay triangulation that are nearest in the least-squares
-/// sense: a convex quadratic program, solved by an interior-point method. Then the radii for which the circles fit
-/// together are found as the minimum of a convex energy, by Newton's method with sparse Cholesky factorizations, until
-/// no component of the gradient exceeds 1e-10. The boundary is free. The map preserves the orientation of each
-/// triangle, but the image can overlap itself. If circles differ in size by more than the spacing of doubles in the
-/// image allows, rounding collapses small triangles or turns them over; `check_parameterization()` reports them.
+/// First the angles are replaced by the nearest ones, in the least-squares sense, of a flat Delaunay triangulation: a
+/// convex quadratic program, solved by an interior-point method. Then the radii for which the circles fit together are
+/// found as the minimum of a convex energy, by Newton's method with sparse Cholesky factorizations, until no component
+/// of the gradient exceeds 1e-10. The boundary is free. The map preserves the orientation of each triangle, but the
+/// image can overlap itself. If circles differ in size by more than the spacing of doubles in the image allows,
+/// rounding collapses small triangles or turns them over; `check_parameterization()` reports them.
 ///
 /// An intrinsic Delaunay triangulation has no angles to clip, and so less distortion than its
 /// input.
@@ -327,8 +325,10 @@ Circle_pattern circle_pattern_parameterization(const Delta_complex& complex, con
 }
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
-/// as above, for a triangulation; named parameters as of
-/// `circle_pattern_parameterization()` of a complex, exceptions also as for `face_areas()`.
+/// as above, for a triangulation; named parameters as for `circle_pattern_parameterization()` of a complex, exceptions
+/// also as for `face_areas()`.
+/// \param triangulation the triangulation
+/// \param np as for a complex
 template <class Traits, class NamedParameters = parameters::Default_named_parameters>
 Circle_pattern circle_pattern_parameterization(const Intrinsic_triangulation<Traits>& triangulation,
                                                const NamedParameters& np = parameters::default_values())

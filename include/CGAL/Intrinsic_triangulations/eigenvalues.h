@@ -157,11 +157,11 @@ inline std::vector<Eigenpair> smallest_eigenpairs(const Eigen::SparseMatrix<doub
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the smallest solutions λ of `L u = λ M u`, in increasing order.
 ///
-/// Rows without mass, those of vertices without faces, are left out. Each connected component is solved separately, so
-/// zero appears once for each.
+/// Rows without mass, which belong to vertices without faces, are left out. Each connected component is solved
+/// separately, so zero appears once for each.
 ///
-/// Method: Lanczos (Spectra) for the inverse of `L + c M`, with one sparse Cholesky factorization; small parts as dense
-/// matrices. The error of an eigenvalue is about 1e-10 times the sum of itself and the first positive one.
+/// Method: Lanczos (Spectra) for the inverse of `L + c M`, with one sparse Cholesky factorization; small components
+/// with dense matrices. The error of an eigenvalue is about 1e-10 times the sum of itself and the first positive one.
 ///
 /// \param stiffness a positive semidefinite matrix, for instance from `stiffness_matrix()` or `tufted_Laplacian()`
 /// \param mass the mass matrix, lumped or Galerkin
@@ -184,7 +184,7 @@ inline std::vector<double> smallest_eigenvalues(const Eigen::SparseMatrix<double
 struct Eigenfunctions
 {
   std::vector<double> eigenvalues; ///< in increasing order
-  /// a column for each: the values at the vertices, which are zero on the other connected parts; the mass of its square is 1, and its
+  /// a column u for each: the values at the vertices, zero on other components; `uᵀ M u` is 1, and the entry with the
   /// largest absolute value is positive
   Eigen::MatrixXd functions;
 };
@@ -194,7 +194,7 @@ struct Eigenfunctions
 ///
 /// The functions of one eigenvalue are orthogonal: `uᵀ M v = 0`.
 /// \param stiffness, mass, number as for `smallest_eigenvalues()`
-/// \exception Numerical_error as there
+/// \exception Numerical_error as `smallest_eigenvalues()`
 inline Eigenfunctions smallest_eigenfunctions(const Eigen::SparseMatrix<double>& stiffness,
                                               const Eigen::SparseMatrix<double>& mass, std::size_t number)
 {
@@ -377,9 +377,8 @@ double largest_eigenvalue(Operator& op)
 /// Dirichlet conditions. The remaining matrix has one zero eigenvalue for each closed component,
 /// which is ignored; all others are positive. The mass matrix is not used.
 ///
-/// Method: Lanczos (Spectra) for the largest eigenvalue of the matrix and that of
-/// its pseudoinverse, with one sparse Cholesky factorization. The relative error of an
-/// eigenvalue is about 1e-10, or 1e-16 times the condition number.
+/// Method: Lanczos (Spectra) for the largest eigenvalues of the matrix and of its pseudoinverse, with one sparse
+/// Cholesky factorization. The relative error of an eigenvalue is about 1e-10, or 1e-16 times the condition number.
 ///
 /// \param complex the triangles
 /// \param stiffness their matrix, as returned by `stiffness_matrix()`

@@ -82,7 +82,7 @@ struct Element_numbers
 /// \brief returns lengths, areas and cotangent weights, equal to those that the member functions of
 /// `Intrinsic_triangulation` return for single elements.
 ///
-/// With traits that use exact geometry, one corner is laid out for each face, which takes a fraction of the time of
+/// With traits that use exact geometry, one corner is laid out for each face: this takes a fraction of the time of
 /// single queries. None of the numbers is NaN: beside a face of zero area the weight is infinite, and zero if two such
 /// faces have opposite angles of 0 and of π. The weight of an edge that the traits decide to be Delaunay is not
 /// negative.
@@ -118,6 +118,7 @@ Element_numbers element_numbers(const Intrinsic_triangulation<Traits>& triangula
 
 /// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the length of each edge, as `element_numbers()`.
+/// \param triangulation, np as for `element_numbers()`
 template <class ConcurrencyTag = Sequential_tag, class Traits,
           class NamedParameters = parameters::Default_named_parameters>
 std::vector<double> edge_lengths(const Intrinsic_triangulation<Traits>& triangulation,
@@ -130,6 +131,7 @@ std::vector<double> edge_lengths(const Intrinsic_triangulation<Traits>& triangul
 /// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the length of each edge, from the input and the connectivity alone: within one unit in the last
 /// place, whatever the number type.
+/// \param triangulation the triangulation
 /// \pre `triangulation.keeps_input()`
 /// \exception Cancelled_error if the function given to `set_interruption()` asks for it
 template <class Traits>
@@ -147,8 +149,9 @@ std::vector<double> exact_edge_lengths(const Intrinsic_triangulation<Traits>& tr
 /// \brief returns the cotangent of the angle opposite to each halfedge, in the order of the halfedges; 0 for border
 /// halfedges.
 ///
-/// As `element_numbers()`: up to `2^-50 (1 + |cot|)` with traits that use exact geometry. In a face of zero area it is
-/// infinite.
+/// With traits that use exact geometry, the error is at most `2^-50 (1 + |cot|)`. In a face of zero area, cotangents
+/// are infinite.
+/// \param triangulation, np as for `element_numbers()`
 template <class ConcurrencyTag = Sequential_tag, class Traits,
           class NamedParameters = parameters::Default_named_parameters>
 std::vector<double> cotangents(const Intrinsic_triangulation<Traits>& triangulation,
@@ -166,14 +169,13 @@ std::vector<double> cotangents(const Intrinsic_triangulation<Traits>& triangulat
 /// With `Filtered_edge_length_traits` each weight is within `2^-32 (1 + |cot k| + |cot l|)` of
 /// the exact one and has its sign, and the weight of a tie is exactly zero. So on an exact intrinsic
 /// Delaunay triangulation no weight of an interior edge is negative. The exact geometry is used only
-/// where the stored numbers are not accurate enough. With other traits
-/// the weights are those of their number type, and none is negative if its test says that
-/// the edge is Delaunay. A border edge has one angle, which may be obtuse.
-///
-/// \exception Invalid_surface_error if a face has zero area
+/// where the stored numbers are not accurate enough. With other traits, weights are computed in their number type, and
+/// none is negative if the traits decide that the edge is Delaunay. A border edge has one angle, which may be obtuse.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the weights are
 ///   the same
+/// \param triangulation the triangulation
+/// \exception Invalid_surface_error if a face has zero area
 ///
 /// O(size), except for the edges that need the exact geometry.
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 3.1.
@@ -188,11 +190,12 @@ std::vector<double> cotangent_weights(const Intrinsic_triangulation<Traits>& tri
 /// \brief returns the area of each face, in the order of the faces and in the unit of the
 /// input.
 ///
-/// With `Filtered_edge_length_traits` the relative error is at most `2^-32`; with other traits
-/// the areas are those of the number type. O(size), except for the faces that need the exact geometry.
+/// With `Filtered_edge_length_traits` the relative error is at most `2^-32`; with other traits, it is that of the
+/// number type. O(size), except for the faces that need the exact geometry.
 /// \exception Invalid_surface_error if the unit of the input is so large that an area is beyond the
 ///   range of `double`, or, with `Filtered_edge_length_traits`, so small that it is below
 /// \tparam ConcurrencyTag as for `cotangent_weights()`
+/// \param triangulation the triangulation
 template <class ConcurrencyTag = Sequential_tag, class Traits>
 std::vector<double> face_areas(const Intrinsic_triangulation<Traits>& triangulation)
 {
@@ -214,6 +217,7 @@ struct Weight_summary
 ///
 /// The weights are those of `element_numbers()`, but with `Filtered_edge_length_traits` the exact geometry computes
 /// only the few that can be the smallest. O(size), except for the edges that need the exact geometry.
+/// \param triangulation the triangulation
 /// \exception Cancelled_error if the function given to `set_interruption()` asks for it
 template <class Traits>
 Weight_summary summarize_cotangent_weights(const Intrinsic_triangulation<Traits>& triangulation)
@@ -232,6 +236,8 @@ Weight_summary summarize_cotangent_weights(const Intrinsic_triangulation<Traits>
 /// thin the face is. With other traits, the angle is computed from their cotangent. A face of zero area has one angle
 /// of π and two of 0; the angle of π is the one that the flips use. An angle is never NaN.
 ///
+/// \param triangulation the triangulation
+/// \param h a halfedge of it
 /// \pre `h` is not a border halfedge
 /// \exception Undecided_error as `sign_of_cotangent_weight()`
 template <class Traits>
@@ -269,6 +275,8 @@ std::vector<double> opposite_angles(const Intrinsic_triangulation<Traits>& trian
 ///
 /// It is a property of the surface: flips change it by no more than rounding, a relative error of 2^-49, and 2^-53 for
 /// each face at `v`. It is 2π where the surface is flat around `v`, and 0 for an isolated vertex.
+/// \param triangulation the triangulation
+/// \param v a vertex of it
 /// \exception Undecided_error as `angle()`
 template <class Traits>
 double cone_angle(const Intrinsic_triangulation<Traits>& triangulation, Vertex_index v)
@@ -287,6 +295,8 @@ double cone_angle(const Intrinsic_triangulation<Traits>& triangulation, Vertex_i
 ///
 /// It is the integral of the Gaussian curvature at an interior vertex, and of the geodesic curvature of the border at
 /// a border vertex. The sum over all vertices is 2π times the Euler characteristic (Gauss–Bonnet).
+/// \param triangulation the triangulation
+/// \param v a vertex of it
 /// \exception Undecided_error as `angle()`
 template <class Traits>
 double angle_defect(const Intrinsic_triangulation<Traits>& triangulation, Vertex_index v)

@@ -31,7 +31,7 @@ public:
 class Invalid_surface_error : public Error
 {
 public:
-  /// what is wrong with the input: first what `examine_polygons()` finds, in the order in which it should be fixed.
+  /// the kinds of defects: first those that `examine_polygons()` finds, in the order in which to fix them.
   enum class Defect {
     EMPTY,                    ///< there is no face
     BAD_INDEX,                ///< a face names a vertex that does not exist
@@ -48,18 +48,18 @@ public:
     UNREFERENCED_VERTEX,      ///< a vertex belongs to no face: never an error
     SEVERAL_COMPONENTS,       ///< the surface is in several pieces: never an error
     INVALID_GLUING,           ///< a side is glued twice, to itself, or out of range
-    TRIANGLE_INEQUALITY,      ///< three lengths that no triangle has
-    WRONG_TOPOLOGY,           ///< a surface of another topological type than is asked for
-    UNREADABLE                ///< the text or file is not of the expected form
+    TRIANGLE_INEQUALITY,      ///< three lengths violate the triangle inequality
+    WRONG_TOPOLOGY,           ///< the surface has the wrong topological type
+    UNREADABLE                ///< the text or file does not have the expected format
   };
 
-  /// constructs the error from what is wrong, the first offending element, how many there are, and the
-  /// message that names them.
+  /// constructs the error from the defect, the first offending element, the number of offending elements, and a message
+  /// that names them.
   Invalid_surface_error(Defect defect, std::size_t element, std::size_t count, const std::string& message)
     : Error(message), defect_(defect), element_(element), count_(count)
   {}
 
-  /// returns what is wrong.
+  /// returns the defect.
   Defect defect() const { return defect_; }
   /// returns the index of the first offending vertex, edge or face, as the message names it.
   std::size_t element() const { return element_; }

@@ -38,10 +38,10 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// \brief returns the default bound on the number of flips for a surface with
-/// `number_of_edges` edges and an inexact number type.
+/// \brief returns the default bound on the number of flips for an inexact number type.
 ///
 /// Rounded decisions can flip forever; the bound is far beyond what a surface needs.
+/// \param number_of_edges the number of edges of the surface
 inline std::uint64_t default_maximum_number_of_flips(std::size_t number_of_edges)
 {
   return (std::max)(std::uint64_t(10000000), 100 * std::uint64_t(number_of_edges));
@@ -107,14 +107,14 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief flips edges until the triangulation is Delaunay.
 ///
-/// All edges are visited in order, a thousand at a time. When one is not Delaunay it is flipped, and the four edges
-/// around it go on a list unless they are on it already or still to be visited; the list is worked off, round by round,
-/// before further edges are visited. (The paper uses a stack. The order does not affect the result, but here most steps
+/// All edges are visited in order, a thousand at a time. An edge that is not Delaunay is flipped, and the four edges
+/// around it join a list unless they are already on it or still to be visited. The list is processed, round by round,
+/// before more edges are visited. (The paper uses a stack. The order does not affect the result, but here most steps
 /// need not wait for the previous one.) With exact decisions the algorithm ends, and then every edge that is not
 /// constrained is Delaunay.
 ///
-/// Because of rounding, an edge that is not Delaunay may seem to have no other diagonal. It is left as it is and
-/// reported, and so is an edge that an interval cannot decide.
+/// Because of rounding, an edge that is not Delaunay may seem to have no other diagonal. It is kept and reported, like
+/// an edge that an interval cannot decide.
 ///
 /// With `Parallel_tag`, the threads of TBB flip edges within blocks of 65,536 consecutive edges, then within other such
 /// blocks. After that they test the edges that are still open, such as ties, while nothing is flipped, and one thread
@@ -126,6 +126,8 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
 /// \tparam NamedParameters a sequence of named parameters
+/// \param triangulation the triangulation, which is flipped
+/// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{edge_is_constrained_map}
@@ -154,9 +156,9 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
 ///
 /// \return the report. The triangulation is valid with any status.
 /// \exception Cancelled_error if the visitor asks for it
-/// \exception Undecided_error if proofs of ties are demanded (`tie_proof`), and one takes too long. After any
-///   exception, including those of a visitor and `std::bad_alloc`, the triangulation is valid, and another call
-///   continues
+/// \exception Undecided_error if an edge crosses more than 2<sup>20</sup> input edges, or a demanded proof of a tie
+///   (`tie_proof`) takes too long. After any exception, including those of a visitor and `std::bad_alloc`, the
+///   triangulation is valid, and another call continues
 ///
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 2.2.
 template <class ConcurrencyTag = Sequential_tag, class Traits,

@@ -38,8 +38,8 @@ namespace Intrinsic_triangulations {
 struct Geodesic_distances
 {
   std::vector<double> distances; ///< of all vertices, in the unit of the input; infinite where no source is connected
-  std::uint64_t number_of_ways = 0; ///< how many bundles of straight ways were followed from a face to the next
-  bool is_complete = true;          ///< whether all of them were. If not, distances may be as large as along edges
+  std::uint64_t number_of_ways = 0; ///< how often a bundle of straight lines was followed to the next face
+  bool is_complete = true;          ///< whether all were followed; if not, distances may be as large as along edges
 };
 
 /// \cond SKIP_IN_MANUAL
@@ -82,11 +82,11 @@ Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& t
 /// \ingroup PkgIntrinsicTriangulationsHeat
 /// \brief returns the length of the shortest path on the surface from the nearest source to each vertex.
 ///
-/// Straight ways that cross the same edges are followed together, from face to face, the nearest first. They bend at
-/// vertices whose angles sum to more than 2π, and at the border. With a positive tolerance, bundles of ways that meet
-/// at an edge are merged if that changes no length by more than the tolerance. On a Delaunay triangulation there are
-/// about ten such bundles for each face. Their number may grow quadratically with the number of faces if the tolerance
-/// is zero, or if many thin faces meet.
+/// Straight lines that cross the same edges are followed together, from face to face, the nearest first. Paths bend at
+/// vertices whose angles sum to more than 2π, and at the border. With a positive tolerance, bundles that meet at an
+/// edge are merged if that changes no length by more than the tolerance. On a Delaunay triangulation there are about
+/// ten such bundles for each face. Their number may grow quadratically with the number of faces if the tolerance is
+/// zero, or if many thin faces meet.
 ///
 /// Distances are zero only at the sources. They never exceed the shortest path along edges of the triangulation or of
 /// its input and, for a surface in space, are never shorter than the straight line. They do not depend on other
@@ -139,6 +139,9 @@ Geodesic_distances geodesic_distances(const Intrinsic_triangulation<Traits>& tri
 /// \ingroup PkgIntrinsicTriangulationsHeat
 /// \brief as `geodesic_distances()` of a triangulation, for any triangles. The vertices are those of the input; merged
 /// vertices have the same distance.
+/// \param cover a cover
+/// \param sources vertices of the input
+/// \param np as above
 /// \pre the cover was made Delaunay by `flip_to_Delaunay(cover.triangulation)`, or the faces are the given ones
 template <class NamedParameters = parameters::Default_named_parameters>
 Geodesic_distances geodesic_distances(const Tufted_cover& cover, const std::vector<Vertex_index>& sources,

@@ -39,6 +39,8 @@ namespace Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief finds a shortest path from `source` to `target` along the edges of a triangulation, by Dijkstra's algorithm.
 ///
+/// \param triangulation the triangulation
+/// \param source, target vertices
 /// \return its halfedges, in order; none if both vertices are the same. Lengths are rounded, so any of several paths of
 ///   nearly the same length may be returned
 /// \exception Invalid_argument_error if there is no such vertex, or no path
@@ -95,8 +97,8 @@ struct Geodesic_path
 {
   std::vector<Surface_point> points;            ///< what `geodesic_points()` returns, on the input
   std::vector<std::array<double, 3>> positions; ///< the same points in space, within a few units in the last place
-  double initial_length = 0;                    ///< of the shortest path along edges
-  double length = 0;                            ///< as of `Geodesic_path_network`
+  double initial_length = 0;                    ///< the length of the shortest path along edges
+  double length = 0;                            ///< its length, as by `Geodesic_path_network`
   bool is_geodesic = false;                     ///< whether it is locally shortest, by an exact decision
   Geodesic_report report;                       ///< the report of the shortening
 };
@@ -206,10 +208,10 @@ Geodesic_path shortened_edge_path(const TriangleMesh& mesh, Intrinsic_triangulat
 /// the shortest of all.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \param mesh the mesh. The i-th edge of its range is edge i in what is returned
+/// \param mesh the mesh. The i-th edge of its range is edge i of the result
 /// \param source, target the ends of the path
-/// \param np named parameters: `vertex_point_map` as of `intrinsic_triangulation()`, `visitor` and `maximum_number` as
-///   of the function `shorten` of `Geodesic_path_network`
+/// \param np named parameters: `vertex_point_map` as for `intrinsic_triangulation()`, `visitor` and `maximum_number` as
+///   for the function `shorten` of `Geodesic_path_network`
 ///
 /// \exception Invalid_surface_error as `intrinsic_triangulation()`
 /// \exception Invalid_argument_error if no path along edges joins the two vertices

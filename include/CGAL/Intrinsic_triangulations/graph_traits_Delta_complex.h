@@ -171,8 +171,7 @@ namespace boost {
 /// the positions of the descriptors, which a flip does not change. The dynamic
 /// properties of CGAL are stored in arrays.
 ///
-/// \cgalModels `FaceListGraph`, `HalfedgeListGraph`, `BidirectionalGraph`, `VertexListGraph`,
-///   `EdgeListGraph`, `AdjacencyGraph`
+/// \cgalModels{FaceListGraph,HalfedgeListGraph,BidirectionalGraph,VertexListGraph,EdgeListGraph,AdjacencyGraph}
 template <>
 struct graph_traits<CGAL::Intrinsic_triangulations::Delta_complex>
 {

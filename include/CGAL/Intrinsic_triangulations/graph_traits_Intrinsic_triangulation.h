@@ -119,11 +119,11 @@ struct Property_map_of<Traits, boost::face_index_t> : Index_map_of<Traits, boost
 namespace boost {
 
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
-/// \brief makes an `Intrinsic_triangulation` a graph of the Boost Graph Library and CGAL: that of its
+/// \brief makes an `Intrinsic_triangulation` a graph of the Boost Graph Library and CGAL: the graph of its
 /// `connectivity()`.
 ///
-/// Descriptors, iterators, costs and the warning are those of
-/// `graph_traits<Delta_complex>`. Flips do not invalidate descriptors.
+/// Descriptors, iterators, costs and the warning are as for `graph_traits<Delta_complex>`. Flips do not invalidate
+/// descriptors.
 ///
 /// Property maps, in addition to the four index maps. Their keys are of type `Edge_index`, to which the edge descriptor
 /// converts. They are models of `ReadablePropertyMap`: a number is computed on access, so it always belongs to the
@@ -137,8 +137,7 @@ namespace boost {
 ///
 /// \tparam Traits a model of `IntrinsicTriangulationTraits`
 ///
-/// \cgalModels `FaceListGraph`, `HalfedgeListGraph`, `BidirectionalGraph`, `VertexListGraph`,
-///   `EdgeListGraph`, `AdjacencyGraph`
+/// \cgalModels{FaceListGraph,HalfedgeListGraph,BidirectionalGraph,VertexListGraph,EdgeListGraph,AdjacencyGraph}
 template <class Traits>
 struct graph_traits<CGAL::Intrinsic_triangulations::Intrinsic_triangulation<Traits>>
   : graph_traits<CGAL::Intrinsic_triangulations::Delta_complex>

@@ -36,8 +36,7 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
-/// \brief points of the plane: the UV coordinates of all vertices in their order, or those of
-/// the corners of a polygon.
+/// \brief points of the plane: the UV coordinates of all vertices, in their order, or of the corners of a polygon.
 using Planar_points = std::vector<std::array<double, 2>>;
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
@@ -46,8 +45,9 @@ using Planar_points = std::vector<std::array<double, 2>>;
 /// Border edges are never flipped, so an intrinsic triangulation and its input have the
 /// same boundary. The first halfedge is `opposite(h)` of the first border halfedge h. Isolated
 /// vertices are ignored.
-/// \exception Invalid_surface_error if the surface is not a disk; the message says what it is
-///   and what is needed. O(size).
+/// \param complex the triangles
+/// \exception Invalid_surface_error if the surface is not a disk; the message says why not and suggests a remedy.
+///   O(size).
 inline std::vector<Halfedge_index> disk_boundary(const Delta_complex& complex)
 {
   const std::size_t components = internal::number_of_components(complex),
@@ -172,10 +172,10 @@ inline Planar_points positions_on_polygon(const std::vector<double>& boundary_le
 /// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief returns the discrete harmonic map of a disk whose boundary is fixed.
 ///
-/// Each interior vertex is the average of its neighbours, weighted with the cotangent weights.
+/// Each interior vertex is the average of its neighbors, weighted with the cotangent weights.
 /// If these are positive and the boundary is a convex polygon, the map is
 /// one-to-one, by the theorem of Tutte and Floater. Negative weights can fold it. Edges with
-/// weight zero (ties) do not count. If the other neighbours of a vertex lie on
+/// weight zero (ties) do not count. If the other neighbors of a vertex lie on
 /// a line, or if loops or double edges separate the disk, triangles
 /// collapse, and rounding may turn such a triangle over. `check_parameterization()` reports this.
 ///
@@ -221,6 +221,7 @@ inline Planar_points harmonic_parameterization(const Delta_complex& complex, con
 /// The map of an intrinsic Delaunay triangulation is piecewise linear on the intrinsic
 /// triangles. A triangulation that was not flipped gives the usual, extrinsic map.
 /// Otherwise as above; exceptions also as for `cotangent_weights()`.
+/// \param triangulation the triangulation
 template <class Traits>
 Planar_points harmonic_parameterization(const Intrinsic_triangulation<Traits>& triangulation)
 {
@@ -237,6 +238,8 @@ Planar_points harmonic_parameterization(const Intrinsic_triangulation<Traits>& t
 /// A triangle with all three corners on one side of the polygon collapses, up to rounding:
 /// on a side that is not parallel to an axis, the check may find it turned over.
 /// Otherwise as above; exceptions also as for `positions_on_polygon()`.
+/// \param triangulation the triangulation
+/// \param polygon the corners of the polygon, as for `positions_on_polygon()`
 template <class Traits>
 Planar_points harmonic_parameterization(const Intrinsic_triangulation<Traits>& triangulation,
                                         const Planar_points& polygon)
@@ -327,6 +330,7 @@ inline Planar_points natural_parameterization(const Delta_complex& complex, cons
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
 /// as above, for a triangulation.
+/// \param triangulation the triangulation
 template <class Traits>
 Planar_points natural_parameterization(const Intrinsic_triangulation<Traits>& triangulation)
 {
@@ -432,6 +436,8 @@ struct Distortion_summary
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief summarizes the distortion of the faces. Faces of zero area are ignored. O(n log n).
+/// \param distortion, areas the distortion and the area of each face
+/// \pre both have the same size
 inline Distortion_summary summarize_distortion(const std::vector<double>& distortion, const std::vector<double>& areas)
 {
   CGAL_precondition(distortion.size() == areas.size());

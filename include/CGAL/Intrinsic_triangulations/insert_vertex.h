@@ -131,13 +131,12 @@ inline void check_area(const internal::Exact_engine& engine, const Surface_point
 /// Lengths and decisions follow exactly from them and from the input. The triangle that contains the point is found
 /// exactly, too. No descriptor changes; the new vertex, its edges and faces have the next ones.
 ///
-/// Input faces of zero area have no interior: their points coincide with those of their sides. No vertex is inserted
-/// there, nor on those of their sides that remain, at the border or a constrained edge.
+/// Input faces of zero area have no interior: their points coincide with points of their sides. No vertex is inserted
+/// there, nor on sides of such faces that cannot be flipped away, at the border or at a constrained edge.
 ///
 /// \param triangulation a Delaunay triangulation, or a constrained one
-/// \param point a point strictly inside a face of `triangulation.input()`, or on an edge of it that coincides with an
-///   edge of the triangulation, as those on the border and those that were never flipped do, with faces of positive
-///   area
+/// \param point a point strictly inside a face of `triangulation.input()`, or on an input edge that coincides with an
+///   edge of the triangulation (a border edge, or one that was never flipped) and has faces of positive area
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
@@ -243,7 +242,7 @@ Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const
 /// After any exception but the first, the triangulation is valid, but may not be Delaunay near `v`, nor near the edges
 /// opposite to it. If the number of vertices has decreased, `v` was removed, and descriptors have moved as described.
 ///
-/// Complexity: at most the square of the degree of `v`, that of the vertex that moves, and the number of flips
+/// Complexity: O(d² + e + f) at most, for the degree d of `v`, the degree e of the vertex that moves, and f flips
 /// afterwards.
 template <class Traits, class NamedParameters = parameters::Default_named_parameters>
 Removed_elements remove_vertex(Intrinsic_triangulation<Traits>& triangulation, Vertex_index v,

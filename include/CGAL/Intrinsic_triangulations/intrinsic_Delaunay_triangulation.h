@@ -147,7 +147,9 @@ using Default_intrinsic_triangulation_traits =
 ///
 /// The i-th vertex, edge and face of the result are the i-th of the mesh's ranges. `ConcurrencyTag` and the
 /// named parameters `vertex_point_map` and `geom_traits` are as for
-/// `intrinsic_Delaunay_triangulation()`.
+/// `intrinsic_Delaunay_triangulation()`. O(size).
+/// \param mesh the mesh
+/// \param np an optional sequence of named parameters
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING
@@ -212,6 +214,8 @@ auto intrinsic_triangulation(const TriangleMesh& mesh, const NamedParameters& np
 ///   `flip_to_Delaunay()`; the mesh is copied by several threads if its iterators have random access
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
 /// \tparam NamedParameters a sequence of named parameters
+/// \param mesh the mesh, which is not changed
+/// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}
@@ -259,8 +263,10 @@ auto intrinsic_Delaunay_triangulation(const TriangleMesh& mesh,
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief builds an intrinsic triangulation from points and triangles, without flipping anything.
 ///
-/// Numbers of vertices, edges and faces are those of `make_Delta_complex_from_triangles()`. `ConcurrencyTag`, points,
+/// Vertices, edges and faces are numbered as by `make_Delta_complex_from_triangles()`. `ConcurrencyTag`, points,
 /// triangles, the named parameter `geom_traits` and the exceptions are as for `intrinsic_Delaunay_triangulation()`.
+/// O(size).
+/// \param points, triangles, np as for `intrinsic_Delaunay_triangulation()`
 template <class ConcurrencyTag = Sequential_tag, class PointRange, class TriangleRange,
           class NamedParameters = parameters::Default_named_parameters
 #ifndef DOXYGEN_RUNNING

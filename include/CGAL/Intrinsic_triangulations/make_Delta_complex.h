@@ -27,11 +27,12 @@ namespace Intrinsic_triangulations {
 ///
 /// The i-th vertex, edge and face of the result are the i-th of `vertices(graph)`,
 /// `edges(graph)` and `faces(graph)`; halfedge `2e` is `halfedge(e, graph)`. For a
-/// `CGAL::Surface_mesh` without garbage the positions are those of its own descriptors.
+/// `CGAL::Surface_mesh` without garbage these are the numbers of its own descriptors.
 /// O(size).
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
 /// \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph`
+/// \param graph the mesh
 /// \exception Invalid_surface_error if a face is not a triangle or there are too many edges
 template <class ConcurrencyTag = Sequential_tag, class FaceGraph>
 Delta_complex make_Delta_complex(const FaceGraph& graph)
@@ -49,6 +50,8 @@ Delta_complex make_Delta_complex(const FaceGraph& graph)
 /// Vertices that belong to no face become isolated vertices. O(size), no hashing.
 ///
 /// \tparam TriangleRange a range of random access ranges of three vertex indices each
+/// \param number_of_vertices the number of vertices
+/// \param triangles the corners of the triangles
 /// \exception Invalid_surface_error if an index is out of range or repeated, an edge has
 ///   more than two faces, two faces traverse an edge in the same direction, or the faces
 ///   around a vertex form more than one fan
@@ -67,6 +70,8 @@ Delta_complex make_Delta_complex_from_triangles(std::size_t number_of_vertices, 
 /// in the order of their first sides, vertices in the order of their first corners. O(size).
 ///
 /// \tparam SidePairRange a range of pairs (random access ranges of two) of side numbers
+/// \param number_of_faces the number of triangles
+/// \param glued_sides the pairs of glued sides
 /// \exception Invalid_surface_error if a side is out of range, glued twice or to itself
 template <class SidePairRange>
 Delta_complex make_Delta_complex_from_gluing(std::size_t number_of_faces, const SidePairRange& glued_sides)
@@ -114,7 +119,8 @@ void write_gluing(std::ostream& os, const Delta_complex& complex, const std::vec
 ///
 /// The output of `write_gluing()` gives an equal complex and the same lengths.
 ///
-/// \exception Invalid_surface_error if anything is wrong with the text. The message and
+/// \param is the stream
+/// \exception Invalid_surface_error if the text is invalid. The message and
 ///   `element()` name the line; only if faces form more than one fan around a vertex, they
 ///   name that vertex. The triangle inequality is not checked here, but in
 ///   `Intrinsic_triangulation::from_lengths()`. O(size).

@@ -169,7 +169,7 @@ private:
 /// O(n log n). In each triangle the longest side has the margin against the other two,
 /// which implies the same for these.
 ///
-/// A triangle that has the margin, and no edge that a neighbour had to raise, keeps its
+/// A triangle that has the margin, and no edge that a neighbor had to raise, keeps its
 /// lengths bit for bit. If all triangles have the margin, nothing changes.
 ///
 /// \param complex the triangles
@@ -179,7 +179,7 @@ private:
 ///   only the triangle inequality, with equality
 /// \param is_local whether only edges of triangles without the margin are lengthened
 ///
-/// \return how much was changed
+/// \return the changes
 /// \exception Invalid_surface_error if a length, or the margin, is negative or not finite
 /// \pre there is one length for each edge
 ///

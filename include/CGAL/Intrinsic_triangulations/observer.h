@@ -30,7 +30,7 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
-/// \brief the progress of a computation. Each algorithm sets what it knows; the rest is zero.
+/// \brief the progress of a computation. Each algorithm sets the members that it knows; the others are zero.
 struct Progress
 {
   double fraction = 0;          ///< the part that is done, from 0 to 1
@@ -42,7 +42,7 @@ struct Progress
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief the default of the named parameter `visitor`: it does nothing and never cancels.
 ///
-/// \cgalModels `IntrinsicTriangulationVisitor`
+/// \cgalModels{IntrinsicTriangulationVisitor}
 struct Default_visitor
 {
   /// is called from time to time: the algorithm throws `Cancelled_error` if it returns `false`.

@@ -136,16 +136,16 @@ inline Eigen::SparseMatrix<double> with_rows(const Eigen::SparseMatrix<double>& 
 /// \ingroup PkgIntrinsicTriangulationsCover
 /// \brief returns the Laplace-Beltrami operator of points that lie near an unknown surface.
 ///
-/// The nearest neighbours of each point are projected to the plane that fits them best, and the triangles around it in
-/// their Delaunay triangulation are taken. The operator is the operator of the tufted cover of all these triangles,
-/// divided by three, because ideally each triangle appears at all three corners. So it has all properties of
-/// `tufted_Laplacian()`, wherever the points are: no positive entry off the diagonal, and no tolerance. It is under the
-/// GPL, like the parts of CGAL that it uses.
+/// The nearest neighbors of each point are projected to the plane that fits them best; their Delaunay triangulation
+/// provides the triangles around the point. The operator belongs to the tufted cover of all these triangles, divided by
+/// three, because ideally each triangle appears at all three corners. So it has all properties of `tufted_Laplacian()`,
+/// wherever the points are: no positive entry off the diagonal, and no tolerance. It is under the GPL, like the parts
+/// of CGAL that it uses.
 ///
 /// \tparam PointRange a range of points whose coordinates are `p[0]`, `p[1]` and `p[2]`; they are rounded to `double`
 ///
 /// \param points the points; the first of several at the same place represents all, and the others have rows of zeros
-/// \param n_neighbors the number of neighbours
+/// \param n_neighbors the number of neighbors
 ///
 /// \exception Invalid_surface_error if a coordinate is not finite, there are fewer than three different points, or all
 ///   triangles have zero area

@@ -25,8 +25,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsIO
-/// \brief reads the points and polygons of an OFF, OBJ, PLY, STL or TS file; the extension of its name, in small
-/// letters or capitals, tells the format.
+/// \brief reads the points and polygons of an OFF, OBJ, PLY, STL or TS file; its extension, in lower or upper case,
+/// determines the format.
 ///
 /// Nothing is merged, turned or left out. But STL has no vertices, only corners: those at the same position become one
 /// vertex. Colors, normals and textures are skipped, and in OBJ everything but vertices and faces. Anything else that
@@ -40,8 +40,8 @@ namespace Intrinsic_triangulations {
 /// \return the points and polygons, which need not form a surface; see `examine_polygons()`
 ///
 /// \exception Invalid_surface_error if the file cannot be read. The message begins with the name of the file, and
-///   names the line or the element at fault. Header counts are checked against the file size: so memory is bounded
-///   by the size of the file
+///   names the line or the element at fault. Header counts are checked against the file size, so the size of the file
+///   bounds the memory
 /// \exception Cancelled_error if `progress` returns `false`
 ///
 /// O(size of the file); in STL files, vertices are found by hashing.
@@ -49,11 +49,13 @@ Polygon_soup read_polygon_soup(const std::string& file_name, const Progress_func
 
 /// \ingroup PkgIntrinsicTriangulationsIO
 /// \brief returns the size of a regular file that can be opened, in bytes.
+/// \param file_name the name of the file
 /// \exception Invalid_surface_error if there is no such regular file; the message begins with the name of the file
 std::uintmax_t readable_file_size(const std::string& file_name);
 
 /// \ingroup PkgIntrinsicTriangulationsIO
 /// \brief returns which program converts an unsupported file to a supported format, judged by its extension.
+/// \param file_name the name of the file
 /// \return for example "; Assimp reads it: assimp export a.glb a.obj", with a command for the shell; the empty string
 /// if no program is known
 std::string conversion_advice(const std::string& file_name);
@@ -82,8 +84,8 @@ void require_triangles(const std::string& file_name, const Polygon_soup& soup);
 /// braces can initialize
 ///
 /// \param file_name as for `read_polygon_soup()`
-/// \param points become those of the file
-/// \param triangles become those of the file, as indices into `points`
+/// \param points receives the points of the file
+/// \param triangles receives the triangles of the file, as indices into `points`
 /// \param progress as for `read_polygon_soup()`
 ///
 /// \exception Invalid_surface_error as `read_polygon_soup()`, and if a face is not a triangle. The ranges are unchanged

@@ -61,8 +61,8 @@ struct Flips_before_refinement
 /// No vertex is inserted for a face with a side shorter than the smallest size, if one is given.
 ///
 /// A vertex inside the surface whose angles sum to less than 60 degrees gets one neighbor close to it, and the triangle
-/// between them is left as it is. Edges that end in a corner of less than 60 degrees between two edges that are not
-/// flipped are split at powers of two.
+/// between them is kept. Two edges that are not flipped and form a corner of less than 60 degrees are split at powers
+/// of two.
 ///
 /// \tparam Traits traits with exact geometry
 /// \param triangulation a triangulation that keeps its input
@@ -86,13 +86,13 @@ struct Flips_before_refinement
 ///     \cgalParamDefault{infinity}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{splits_encroached_edges}
-///     \cgalParamDescription{whether edges that are not flipped are split, before all else, until no angle opposite to
-///       them is obtuse, even if no face needs it. Then no cotangent weight of the border is negative}
+///     \cgalParamDescription{whether to first split edges that are not flipped until no angle opposite to them is
+///       obtuse, even if no face needs it. Then no cotangent weight of the border is negative}
 ///     \cgalParamType{`bool`}
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_size}
-///     \cgalParamDescription{no vertex is inserted for a face whose shortest side is shorter, in the unit of the input:
+///     \cgalParamDescription{no vertex is inserted for a face with a side shorter than this, in the unit of the input,
 ///       so refinement ends early at irrelevantly thin sheets, tubes or slivers}
 ///     \cgalParamType{`double`, not negative}
 ///     \cgalParamDefault{0}

@@ -29,7 +29,7 @@ enum class Repair_kind {
   MERGED_VERTEX,     ///< a vertex was merged with another at the same position
   COLLAPSED_FACE,    ///< a face with fewer than three different corners was removed
   DUPLICATE_FACE,    ///< a face with the same corners as another was removed
-  DUPLICATE_PART,    ///< some or all parts of a face that was cut were removed, as other faces have the same corners
+  DUPLICATE_PART,    ///< some or all parts of a face that was cut were removed: other faces have the same corners
   TRIANGULATED_FACE, ///< a face was cut into triangles
   REVERSED_FACE,     ///< a face was turned over
   SPLIT_VERTEX,      ///< a vertex was copied for each fan of faces after the first
@@ -53,23 +53,24 @@ struct Repair
 };
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
-/// \brief triangles, and where they come from.
+/// \brief triangles and their origins in the input.
 struct Repaired_polygons
 {
   /// the vertices.
   std::vector<std::array<double, 3>> points;
   /// the faces, as indices into `points`.
   std::vector<std::array<std::size_t, 3>> triangles;
-  /// for each vertex, the vertex of the input that it is: the first of those merged into it.
+  /// the input vertex of each vertex: the first of those merged into it.
   std::vector<std::size_t> input_vertices;
-  /// for each face, the face of the input that it is, or is a part of.
+  /// the input face that each face is, or is part of.
   std::vector<std::size_t> input_faces;
   /// one entry for each kind of repair that was made, in the order of `Repair_kind`.
   std::vector<Repair> repairs;
 };
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
-/// \brief returns what a kind of repair is called in files, for example "reversed faces". Complexity: constant.
+/// \brief returns the name of a kind of repair in files, for example "reversed faces". Complexity: constant.
+/// \param kind the kind
 inline const char* name(Repair_kind kind)
 {
   switch (kind) {
@@ -124,6 +125,7 @@ inline Repaired_polygons repair(std::vector<std::array<double, 3>> points,
 ///
 /// It repairs the connectivity. Invalid indices and coordinates are damage to
 /// the data, which cannot be repaired. Complexity: constant.
+/// \param defect the defect
 inline bool is_repairable(Invalid_surface_error::Defect defect)
 {
   using Defect = Invalid_surface_error::Defect;
@@ -144,7 +146,8 @@ inline bool is_repairable(Invalid_surface_error::Defect defect)
 ///   cut.
 /// - At an edge with more than two faces, those that bound the same piece of a solid stay together: they are found by
 ///   their exact order around the edge and by their orientation. Closed oriented parts, and boundaries of solids with
-///   faces of any orientation, stay closed. Where faces do not pair up, as three sheets at an edge, the surface is cut.
+///   faces of any orientation, stay closed. Where faces do not pair up, such as three sheets at an edge, the surface is
+///   cut.
 /// - Vertices are copied for each fan of faces.
 /// - Vertices that belong to no triangle are removed.
 ///
@@ -211,7 +214,7 @@ inline std::string message(const Repair& repair)
 /// \return the corners of the triangles by their positions in the polygon, in its orientation; there are two fewer
 /// triangles than corners
 ///
-/// Complexity as of `repair_polygons()` for a face.
+/// Complexity as for a face in `repair_polygons()`.
 std::vector<std::array<std::size_t, 3>> triangulate_polygon(const std::vector<std::array<double, 3>>& polygon);
 
 } // namespace Intrinsic_triangulations

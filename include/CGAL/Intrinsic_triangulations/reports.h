@@ -160,8 +160,8 @@ struct Stage_counts
 /// That a number is *not* zero, and its sign, is always proven.
 enum class Tie_proof {
   /// A tie is proven if that takes little time. If not, it is accepted after a test that takes a nonzero number for
-  /// zero with a probability below 2<sup>-128</sup>, over the choice of random primes from a fixed seed. Every decision
-  /// is made.
+  /// zero with a probability below 2<sup>-128</sup>, over the choice of random primes from a fixed seed. So every
+  /// decision succeeds.
   PROBABLE_IF_COSTLY,
   /// A tie is proven, or the decision ends with an `Undecided_error`: the time that the proof takes can double with
   /// each square root that is independent of the others.

@@ -20,6 +20,7 @@ namespace Intrinsic_triangulations {
 /// \ingroup PkgIntrinsicTriangulationsInsertion
 /// \brief returns the spacing of the coordinates: a unit in the last place of the largest one, as a `float` if all of
 /// them are floats, as in STL files, and as a `double` otherwise.
+/// \param points the points
 /// \return the spacing in the unit of the points; 0 if all coordinates are 0
 ///
 /// \pre the coordinates are finite
@@ -30,7 +31,7 @@ double coordinate_spacing(const std::vector<std::array<double, 3>>& points);
 /// `refine_Delaunay()`.
 ///
 /// The direction of a face is that of its normal. The normal of a face that is thinner than `minimum_size`, or than
-/// four times `coordinate_spacing()`, means nothing. Such a face takes the direction of the face beyond its longest
+/// four times `coordinate_spacing()`, is meaningless. Such a face takes the direction of the face beyond its longest
 /// side, which may be as thin itself. So a sliver between two sides of a part has one sharp edge and not two.
 ///
 /// Sharp edges with common vertices make chains; those whose edges have a total length below `minimum_size` are

@@ -48,7 +48,7 @@ struct Shortest_path
 {
   std::vector<Halfedge_index> halfedges; ///< each begins where the previous one ends
   double distance = 0;                   ///< the length of the shortest path, up to rounding, in the unit of the input
-  bool is_complete = true;               ///< whether it was found; if not, `halfedges` are any path
+  bool is_complete = true;               ///< whether it was found; if not, `halfedges` are some path
 };
 
 /// \cond SKIP_IN_MANUAL
@@ -201,9 +201,9 @@ private:
 /// \ingroup PkgIntrinsicTriangulationsHeat
 /// \brief finds a shortest path between two vertices, and flips edges until it consists of edges.
 ///
-/// The distances from the source are found as by `geodesic_distances()` without a tolerance, the straight ways are
-/// followed back, and edges that these cross are flipped until the ways are edges. `Geodesic_path_network` proves that
-/// the path is locally shortest; its length then equals `distance` up to rounding.
+/// The distances from the source are found as by `geodesic_distances()` without a tolerance, the straight lines are
+/// traced back, and the edges that they cross are flipped until the lines are edges. `Geodesic_path_network` proves
+/// that the path is locally shortest; its length then equals `distance` up to rounding.
 ///
 /// \param triangulation a triangulation, preferably Delaunay, so that paths cross few faces. It is flipped along the
 ///   path
@@ -251,12 +251,11 @@ Shortest_path shortest_path(Intrinsic_triangulation<Traits>& triangulation, Vert
 /// \brief the result of `cut_along_path()`.
 struct Cut_surface
 {
-  /// of the vertices: first those of the input, then the others
+  /// the points of the vertices; input vertices come first
   std::vector<std::array<double, 3>> points;
-  std::vector<std::array<std::uint32_t, 3>> triangles; ///< their corners
-  std::vector<std::uint32_t> input_faces; ///< for each triangle, the face of the input that it is a part of
-  /// for each vertex after those of the input, its position on the input: `interpolate()` gives the values of vertex
-  /// data there
+  std::vector<std::array<std::uint32_t, 3>> triangles; ///< the corners of the triangles
+  std::vector<std::uint32_t> input_faces;              ///< for each triangle, the input face that it is part of
+  /// for each new vertex, its position on the input: `interpolate()` gives the values of vertex data there
   std::vector<Surface_point> locations;
 };
 
@@ -270,13 +269,13 @@ struct Cut_surface
 /// \param complex the input; no two of its edges have the same two ends
 /// \param points a random access range of the points of its vertices, each with three coordinates
 /// \param path points of the input, two consecutive ones in the face of the first, as `Geodesic_path::points` and
-///   `geodesic_points()`. Its segments do not cross. A closed one ends where it begins
-/// \return the triangles; those of the input if there are fewer than two points
+///   `geodesic_points()`. Its segments do not cross. A closed path ends where it begins
+/// \return the triangles; the input triangles if the path has fewer than two points
 /// \exception Invalid_surface_error if two edges have the same two ends
 /// \exception Invalid_point_error if a point does not lie on the surface, or two consecutive ones do not lie in the
 ///   face of the first, or segments cross
 ///
-/// O(size), and for each face the number of segments there times that of its pieces.
+/// O(size), and for each face O(number of its segments times number of its pieces).
 template <class PointRange>
 Cut_surface cut_along_path(const Delta_complex& complex, const PointRange& points,
                            const std::vector<Surface_point>& path)

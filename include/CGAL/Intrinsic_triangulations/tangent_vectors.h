@@ -113,19 +113,20 @@ std::pair<Halfedge_index, double> halfedge_with_direction(const Intrinsic_triang
 /// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns each halfedge as a vector in the tangent plane of its source.
 ///
-/// In polar coordinates, the radius is the length of the edge. The angle is that from the first axis, counterclockwise,
-/// scaled so that the angles around the vertex sum to 2π. On the border it is not scaled, because the faces there can
-/// be laid out in a plane. If the cone angle of the vertex is zero, all angles are.
+/// In polar coordinates, the radius is the length of the edge. The angle is measured counterclockwise from the first
+/// axis, and scaled so that the angles around the vertex sum to 2π. On the border it is not scaled, because the faces
+/// there can be laid out in a plane. If the cone angle of the vertex is zero, all angles are zero.
 ///
 /// With traits that use exact geometry, the first axis belongs to the input, so that a vector remains valid after flips
-/// and insertions. It is the first halfedge of the input that leaves the vertex, by its number, or on the border that
-/// from which the faces follow counterclockwise; at an inserted vertex, the halfedge of its location. With other
-/// traits, it is such a halfedge of the current triangulation.
+/// and insertions. It is the input halfedge with the smallest number that leaves the vertex; on the border, the
+/// halfedge from which the faces follow counterclockwise; at an inserted vertex, the halfedge of its location. With
+/// other traits, the same rule selects a halfedge of the current triangulation.
 ///
+/// \param triangulation the triangulation
 /// \return a vector for each halfedge, in their order, with an error of at most 2^-45 + 2^-49 n of its length for n
 ///   faces at the vertex, in the input or now; with traits without exact geometry, with the error of their lengths and
 ///   cotangents
-/// \exception Undecided_error as `angle()`. O(size), and the crossings of one edge at each vertex.
+/// \exception Undecided_error as `angle()`. O(size + crossings of one edge at each vertex).
 ///
 /// Source: F. Knöppel, K. Crane, U. Pinkall, P. Schröder, "Globally optimal direction fields" (2013).
 template <class Traits>
@@ -163,6 +164,7 @@ std::vector<Planar_vector<double>> halfedge_vectors_in_vertex(const Intrinsic_tr
 /// The face lies to the left of its halfedges, and `halfedge(f)` has the direction (1, 0). The vectors of a face
 /// sum to zero, and in a face of zero area all lie on the first axis, up to rounding.
 ///
+/// \param triangulation the triangulation
 /// \return a vector for each halfedge, in their order, with an error of at most 2^-46 of its length, or with the error
 ///   of their lengths and cotangents for traits without exact geometry; (0, 0) for a border halfedge
 /// \exception Undecided_error as `angle()`. O(size).

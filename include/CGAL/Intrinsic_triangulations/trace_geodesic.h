@@ -86,10 +86,10 @@ Traced_geodesic trace_geodesic(const Intrinsic_triangulation<Traits>& triangulat
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief follows the same line over the faces of the current triangulation.
 ///
-/// The start is a point of the input, as for `trace_geodesic()`; the points of the result, and its vertex, are those of
-/// the triangulation. An inserted vertex does not end the line, because the surface is flat there: the line continues
-/// in another face at that vertex, with a point at the corner. On an edge of the triangulation, the line runs along one
-/// of the two faces beside it.
+/// The start is a point of the input, as for `trace_geodesic()`; the points and the vertex of the result belong to the
+/// triangulation. An inserted vertex does not end the line, because the surface is flat there: the line continues in
+/// another face at that vertex, with a point at the corner. On an edge of the triangulation, the line runs along one of
+/// the two faces beside it.
 ///
 /// Each decision is exact, as for `trace_geodesic()`, and needs the layout of the edges of a face: its cost is
 /// proportional to the crossings of these edges.

@@ -74,6 +74,7 @@ inline std::array<int, 3> corner_vertices(const Delta_complex& complex, Face_ind
 /// \ingroup PkgIntrinsicTriangulationsTransfer
 /// \brief returns `interpolate_input_values()` as a matrix: a row for each vertex of the overlay, a
 /// column for each vertex of the surface.
+/// \param subdivision the common subdivision. O(size of the overlay).
 inline Eigen::SparseMatrix<double> input_interpolation_matrix(const Common_subdivision& subdivision)
 {
   return internal::interpolation_matrix(
@@ -83,6 +84,7 @@ inline Eigen::SparseMatrix<double> input_interpolation_matrix(const Common_subdi
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
 /// \brief returns `interpolate_intrinsic_values()` as a matrix.
+/// \param subdivision the common subdivision. O(size of the overlay).
 inline Eigen::SparseMatrix<double> intrinsic_interpolation_matrix(const Common_subdivision& subdivision)
 {
   return internal::interpolation_matrix(
@@ -103,8 +105,8 @@ struct Transfer_mass_matrices
 /// \brief integrates the products of the hat functions of the two triangulations exactly.
 ///
 /// On each face of the overlay all hat functions are linear and their products quadratic. If several
-/// corners of a face are at the same vertex, the hat function of the vertex is the sum of those of the
-/// corners. Integrals are in the squared unit of the input, up to rounding. O(size of the overlay).
+/// corners of a face are at the same vertex, its hat function is the sum of the corners' hat functions. Integrals are
+/// in the squared unit of the input, up to rounding. O(size of the overlay).
 /// \param subdivision the common subdivision
 /// \exception Invalid_surface_error as `area()` of `Intrinsic_triangulation`
 inline Transfer_mass_matrices transfer_mass_matrices(const Common_subdivision& subdivision)
@@ -195,6 +197,7 @@ private:
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
 /// returns the projection of vertex data of the intrinsic triangulation to the input.
+/// \param matrices the integrals, as returned by `transfer_mass_matrices()`
 inline L2_projection L2_projection_to_input(const Transfer_mass_matrices& matrices)
 {
   return L2_projection(matrices.input, matrices.mixed.transpose());
@@ -202,6 +205,7 @@ inline L2_projection L2_projection_to_input(const Transfer_mass_matrices& matric
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
 /// returns the projection of vertex data of the input to the intrinsic triangulation.
+/// \param matrices as above
 inline L2_projection L2_projection_to_intrinsic(const Transfer_mass_matrices& matrices)
 {
   return L2_projection(matrices.intrinsic, matrices.mixed);

@@ -33,10 +33,11 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsIO
-/// \brief as `write_triangulation()`, with the corners of the input faces in the order in which they were given: flips may have turned
-/// `input().halfedge(f)`.
-/// \param os, triangulation, np as there
-/// \param first_sides for each face of the input the halfedge from its first corner to its second; empty for `input().halfedge(f)`
+/// \brief as `write_triangulation()`, but keeps the order in which the corners of the input faces were given, because
+/// flips may have changed `input().halfedge(f)`.
+/// \param os, triangulation, np as for `write_triangulation()`
+/// \param first_sides for each input face, the halfedge from its first to its second corner; empty for
+///   `input().halfedge(f)`
 /// \pre `input().face(first_sides[f]) == f`
 template <class NamedParameters = parameters::Default_named_parameters>
 void write_triangulation(std::ostream& os, const Intrinsic_triangulation<Filtered_edge_length_traits>& triangulation,
@@ -64,33 +65,32 @@ void write_triangulation(std::ostream& os, const Intrinsic_triangulation<Filtere
 
 /// \ingroup PkgIntrinsicTriangulationsIO
 ///
-/// \brief writes a triangulation and its input, from which `read_triangulation()` makes the same triangulation.
+/// \brief writes a triangulation and its input, from which `read_triangulation()` restores the same triangulation.
 ///
-/// The file is a binary PLY file of the input, which other programs read as a mesh if it has points, with further elements for the
-/// triangulation: \ref idt_files_saved describes each byte.
+/// The file is a binary PLY file of the input, with additional elements for the triangulation. If the input has points,
+/// other programs read it as a mesh. The page "Saved triangulations" describes each byte.
 ///
 /// \tparam NamedParameters a sequence of named parameters
-/// \param os a stream that was opened in binary mode; its state tells whether all was written
+/// \param os a stream opened in binary mode; check its state afterwards
 /// \param triangulation the triangulation
 /// \param np an optional sequence of named parameters among those listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that tells which edges are constrained, to be written as well}
+///     \cgalParamDescription{a property map that tells which edges are constrained, to be written, too}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
-///     \cgalParamDefault{nothing is written of constraints}
+///     \cgalParamDefault{no constraints are written}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{a visitor that is asked whether to go on}
+///     \cgalParamDescription{is asked from time to time whether to continue}
 ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`, or a function that returns `bool`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \exception Undecided_error if an edge crosses more than 2<sup>20</sup> input edges: a reader could not lay it out
-/// \exception Cancelled_error if the visitor says so
-/// \exception Integer_overflow_error if an edge crosses more than 2<sup>60</sup>
-/// O(size).
+/// \exception Undecided_error if an edge crosses more than 2<sup>20</sup> input edges: no reader could lay it out
+/// \exception Cancelled_error if the visitor asks for it
+/// \exception Integer_overflow_error if an edge crosses more than 2<sup>60</sup> input edges. O(size).
 template <class NamedParameters = parameters::Default_named_parameters>
 void write_triangulation(std::ostream& os, const Intrinsic_triangulation<Filtered_edge_length_traits>& triangulation,
                          const NamedParameters& np = parameters::default_values())
@@ -99,8 +99,8 @@ void write_triangulation(std::ostream& os, const Intrinsic_triangulation<Filtere
 }
 
 /// \ingroup PkgIntrinsicTriangulationsIO
-/// \brief as above, for the triangulation of a common subdivision: from it, the same subdivision can be made. Its stored
-/// numbers are not written; a reader replaces them by the true ones.
+/// \brief as above, for the triangulation of a common subdivision, from which the same subdivision can be built. Stored
+/// numbers are not written; the reader computes the true ones.
 /// \param os, first_sides, np as above
 /// \param subdivision the subdivision
 template <class NamedParameters = parameters::Default_named_parameters>
@@ -125,34 +125,35 @@ void write_triangulation(std::ostream& os, const Common_subdivision& subdivision
 ///
 /// \brief reads a triangulation that `write_triangulation()` has written.
 ///
-/// It is the triangulation that was written, with the same descriptors: every query returns the same, in each bit. Flips, insertions and
-/// removals go on from there.
+/// The result has the same descriptors, and every query returns the same bits. You can continue to flip, insert and
+/// remove.
 ///
-/// A file is not believed. Connectivity, integers, inserted vertices and numbers are checked against each other and against the input,
-/// by exact layouts, so that what is returned is a triangulation of the input surface whatever the bytes are.
+/// The file is not trusted. Connectivity, integers, inserted vertices and numbers are checked against each other and
+/// against the input, by exact layouts. So whatever the bytes are, the result is a triangulation of the input surface.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`, for the checks
 /// \tparam NamedParameters a sequence of named parameters
-/// \param is a stream that was opened in binary mode. What follows the triangulation is not read
+/// \param is a stream opened in binary mode. Nothing is read beyond the triangulation
 /// \param np an optional sequence of named parameters among those listed below
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that receives for each edge whether it is constrained: nothing if the file does not tell}
+///     \cgalParamDescription{a property map that receives whether each edge is constrained, if the file says so}
 ///     \cgalParamType{a model of `WritablePropertyMap` with `Edge_index` as key type and `bool` as value type}
-///     \cgalParamDefault{what the file tells of constraints is not used}
+///     \cgalParamDefault{constraints in the file are ignored}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{a visitor that is asked whether to go on}
+///     \cgalParamDescription{is asked from time to time whether to continue}
 ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`, or a function that returns `bool`}
 ///     \cgalParamDefault{none}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \exception Invalid_surface_error with the defect `UNREADABLE` and the byte or element that is wrong, or another defect if the input is
-///   no surface
-/// \exception Cancelled_error if the visitor says so
-/// Time: O(size + number of crossings). Memory: proportional to what was read, whatever the header says.
+/// \exception Invalid_surface_error with the defect `UNREADABLE` and the byte or element at fault, or with another one
+///   if the input is not a surface
+/// \exception Cancelled_error if the visitor asks for it
+///
+/// Time: O(size + number of crossings). Memory: proportional to the bytes read, whatever the header says.
 template <class ConcurrencyTag = Sequential_tag, class NamedParameters = parameters::Default_named_parameters>
 Intrinsic_triangulation<Filtered_edge_length_traits>
 read_triangulation(std::istream& is, const NamedParameters& np = parameters::default_values())
@@ -186,7 +187,9 @@ read_triangulation(std::istream& is, const NamedParameters& np = parameters::def
 
 /// \ingroup PkgIntrinsicTriangulationsIO
 /// \brief as `write_triangulation()`, for the name of a file.
-/// \exception Error if it cannot be written; what is there then is not removed
+/// \param file_name the name of the file
+/// \param triangulation, np as for a stream
+/// \exception Error if it cannot be written; an incomplete file is not removed
 template <class NamedParameters = parameters::Default_named_parameters>
 void write_triangulation(const std::string& file_name,
                          const Intrinsic_triangulation<Filtered_edge_length_traits>& triangulation,
@@ -199,7 +202,10 @@ void write_triangulation(const std::string& file_name,
 }
 
 /// \ingroup PkgIntrinsicTriangulationsIO
-/// \brief as `read_triangulation()`, for the name of a file, with which messages begin. Nothing may follow the triangulation.
+/// \brief as `read_triangulation()`, for the name of a file, with which messages begin. Nothing may follow the
+/// triangulation.
+/// \param file_name the name of the file
+/// \param np as for a stream
 template <class ConcurrencyTag = Sequential_tag, class NamedParameters = parameters::Default_named_parameters>
 Intrinsic_triangulation<Filtered_edge_length_traits>
 read_triangulation(const std::string& file_name, const NamedParameters& np = parameters::default_values())

@@ -33,7 +33,7 @@ namespace Intrinsic_triangulations {
 /// \brief the kind of a mass matrix.
 enum class Mass_type {
   LUMPED,  ///< diagonal: a third of the area around each vertex
-  GALERKIN ///< that of linear finite elements
+  GALERKIN ///< the matrix of linear finite elements
 };
 
 /// \ingroup PkgIntrinsicTriangulationsCover
@@ -79,9 +79,9 @@ inline double share(const Tufted_cover& cover, Edge_index e)
 /// \ingroup PkgIntrinsicTriangulationsCover
 /// \brief returns the stiffness matrix of a cover for the vertices of the input.
 ///
-/// As `stiffness_matrix()` of a triangulation, adding up the edges between all vertices of the cover over the same two
-/// input vertices, and halving where there are two copies of each face. If the cover was made Delaunay and has no
-/// border, no entry off the diagonal is positive. O(size).
+/// This is `stiffness_matrix()` of the cover, summed over all cover edges above the same two input vertices, and halved
+/// where there are two copies of each face. If the cover was made Delaunay and has no border, no entry off the diagonal
+/// is positive. O(size).
 /// \param cover the cover, flipped or not
 /// \param minimum_weight if not null, becomes the smallest `(cot k + cot l)/2` of an edge between different vertices of
 ///   the input; 0 if there is none
@@ -106,6 +106,7 @@ inline Eigen::SparseMatrix<double> stiffness_matrix(const Tufted_cover& cover, d
 /// \ingroup PkgIntrinsicTriangulationsCover
 /// \brief returns the lumped mass matrix of a cover for the vertices of the input: a third of the area of the faces at
 /// each vertex. O(size).
+/// \param cover the cover
 /// \exception Invalid_surface_error as `face_areas()`
 inline Eigen::SparseMatrix<double> lumped_mass_matrix(const Tufted_cover& cover)
 {
@@ -125,6 +126,7 @@ inline Eigen::SparseMatrix<double> lumped_mass_matrix(const Tufted_cover& cover)
 
 /// \ingroup PkgIntrinsicTriangulationsCover
 /// \brief returns the Galerkin mass matrix of a cover for the vertices of the input. O(size).
+/// \param cover the cover
 /// \exception Invalid_surface_error as `face_areas()`
 inline Eigen::SparseMatrix<double> Galerkin_mass_matrix(const Tufted_cover& cover)
 {
@@ -177,13 +179,14 @@ Tufted_Laplacian operator_of_cover(Tufted_cover cover, const NamedParameters& np
 ///     auto result = tufted_Laplacian(points, triangles);
 ///     // result.stiffness, result.mass
 ///
-/// Rows are those of the input vertices. `L` is symmetric and positive semidefinite; its rows sum to zero; no entry off
+/// Rows belong to the input vertices. `L` is symmetric and positive semidefinite; its rows sum to zero; no entry off
 /// the diagonal is positive. Neither depends on a tolerance, and no length is changed unless you ask for mollification.
-/// Scale and sign are those of `intrinsic_Delaunay_Laplacian()`, and on a closed oriented surface both operators are
-/// the same. On a surface with border they differ, because here edges at the border are flipped as well.
+/// Scale and sign are as for `intrinsic_Delaunay_Laplacian()`; on a closed oriented surface both operators are the
+/// same. On a surface with border they differ, because edges at the border are flipped here as well. Entries are
+/// rounded.
 ///
-/// A vertex without faces, or whose faces were all dropped or collapsed, has a row of zeros in both matrices, and so
-/// has one that was merged with another, its `representative`.
+/// A vertex has a row of zeros in both matrices if it has no faces, if all of them were dropped or collapsed, or if it
+/// was merged with another vertex, its `representative`.
 ///
 /// \param points, triangles as for `make_tufted_cover()`
 /// \param np an optional sequence of named parameters: those of `make_tufted_cover()` and `flip_to_Delaunay()`, and
@@ -200,7 +203,7 @@ Tufted_Laplacian operator_of_cover(Tufted_cover cover, const NamedParameters& np
 ///   can happen only at a border
 /// \exception Cancelled_error if the visitor asks for it
 ///
-/// Complexity: that of `make_tufted_cover()` and the flips.
+/// Complexity: as `make_tufted_cover()`, plus the flips.
 ///
 /// Source: N. Sharp, K. Crane, "A Laplacian for nonmanifold triangle meshes", 2020.
 template <class PointRange, class TriangleRange, class NamedParameters = parameters::Default_named_parameters>

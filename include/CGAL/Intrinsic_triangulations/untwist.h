@@ -45,7 +45,8 @@ Untwisting untwist(Delta_complex& complex, std::vector<Rational>& squared_length
 /// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsTwists
-/// \brief returns the exact squares of lengths that are doubles, for `untwist()`.
+/// \brief returns the exact squares of lengths that are doubles, for `untwist()`. O(size).
+/// \param lengths the length of each edge
 /// \exception Invalid_surface_error if a length is not positive and finite
 std::vector<Rational> squared_lengths(const std::vector<double>& lengths);
 
@@ -57,7 +58,7 @@ std::vector<Rational> squared_lengths(const std::vector<double>& lengths);
 /// the resulting squared lengths and numbers of crossings are found at once. A torus with one vertex consists of three
 /// such tubes at a time, which are untwisted in turn, as in Gauss's reduction of a lattice.
 ///
-/// All flips are those that `flip_to_Delaunay()` could have made. So flipping the result gives the intrinsic Delaunay
+/// `flip_to_Delaunay()` could have made all of these flips. So flipping the result gives the intrinsic Delaunay
 /// triangulation of the given surface. The squared lengths stay rational, and `Intrinsic_triangulation::from_metric()`
 /// takes them as a new input, to which overlays and points refer.
 ///
@@ -84,15 +85,14 @@ std::vector<Rational> squared_lengths(const std::vector<double>& lengths);
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return the twists, and how often the edges cross those of the given complex
+/// \return the twists, and how often the edges cross the edges of the given complex
 /// \exception Invalid_surface_error if there are not as many squared lengths as edges
 ///
 /// Any exception, including those of a visitor, leaves everything unchanged. O(size), and for each twist O(1)
 /// operations with integers of the size of its power and of the lengths. For a torus with one vertex, the number of
 /// twists is logarithmic in the ratio of lengths.
 ///
-/// Source: the idea of jumping over flips is that of L. Dubois, arXiv 2601.03954 (2026), for tubes of any number of
-/// faces.
+/// Source: L. Dubois, arXiv 2601.03954 (2026), had the idea of jumping over flips, for tubes of any number of faces.
 template <class NamedParameters = parameters::Default_named_parameters>
 Untwisting untwist(Delta_complex& complex, std::vector<Rational>& squared_lengths,
                    const NamedParameters& np = parameters::default_values())
@@ -122,7 +122,7 @@ struct Gluing_triangulation
 {
   Intrinsic_triangulation<Traits> triangulation; ///< its input is the gluing after the twists
   Flip_report report;                            ///< the report of the flips after the twists
-  Untwisting untwisting; ///< the twists; `crossings` are those of the triangulation with the given gluing
+  Untwisting untwisting; ///< the twists; `crossings` count how often its edges cross the given ones
 };
 
 /// \cond SKIP_IN_MANUAL
@@ -185,7 +185,7 @@ private:
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return the triangulation; overlays and points refer to the gluing after the twists. `untwisting.crossings` tells
+/// \return the triangulation; overlays and points refer to the gluing after the twists. `untwisting.crossings` counts
 ///   how often its edges cross those of the given gluing, with or without twists
 ///
 /// \exception Invalid_surface_error if a length is not positive, or the lengths of a face violate the triangle

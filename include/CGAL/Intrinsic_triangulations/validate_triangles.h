@@ -98,7 +98,7 @@ struct Surface_report
 std::string message(const Finding& finding, const std::optional<std::string>& advice = std::nullopt);
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
-/// \brief returns a text that says what is wrong with a surface.
+/// \brief returns a text that describes the defects of a surface.
 /// \param report what `examine_polygons()` returned
 /// \param name the name of the surface, e.g. of its file; it precedes the text unless it is empty
 /// \param advice what to do about the first fatal entry, instead of the default advice for programmers
@@ -129,10 +129,10 @@ Surface_report examine(const std::vector<std::array<double, 3>>& points, Polygon
 /// \ingroup PkgIntrinsicTriangulationsValidation
 /// \brief examines whether polygons form an oriented 2-manifold of triangles with usable edge lengths.
 ///
-/// The function looks for every kind of defect that earlier findings allow to check: a face with an invalid index is
+/// Every kind of defect is checked unless earlier findings prevent it: a face with an invalid index is
 /// ignored in all later checks, and lengths and areas are not checked where a coordinate is not finite. No topological
 /// check assumes an orientation. Coordinates are examined as `double`. Their range is checked as by the constructors of
-/// `Intrinsic_triangulation` with traits on `double`: what is not refused here is not refused there.
+/// `Intrinsic_triangulation` with traits on `double`: a surface accepted here is accepted there.
 ///
 /// \tparam PointRange a model of `RandomAccessRange`, of points whose coordinates are `p[0]`, `p[1]` and `p[2]`
 /// \tparam PolygonRange a model of `ForwardRange`, of ranges of integers of any length

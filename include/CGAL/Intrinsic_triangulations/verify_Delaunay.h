@@ -154,10 +154,10 @@ private:
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief decides every interior edge again, exactly, from the input and the connectivity alone.
 ///
-/// Nothing that the traits stored is used: lengths and angles come from the unfolding over the input triangles, and
+/// No number stored by the traits is used: lengths and angles come from the unfolding over the input triangles, and
 /// each sign is exact (for ties see `Tie_proof`). So the check is valid for results of any number type.
 ///
-/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: what is found, or
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the result, or
 ///   the edge that cannot be decided, is the same
 /// \tparam Triangulation an `Intrinsic_triangulation`
 /// \param triangulation a triangulation that keeps its input
@@ -197,6 +197,8 @@ Delaunay_verification verify_Delaunay(const Triangulation& triangulation,
 /// `verify_Delaunay()` decides this from the input alone, exactly for any traits, and names the edges.
 ///
 /// \tparam NamedParameters a sequence of named parameters
+/// \param triangulation the triangulation
+/// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{edge_is_constrained_map}
@@ -231,8 +233,7 @@ typename Traits::Boolean is_Delaunay(const Intrinsic_triangulation<Traits>& tria
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 ///
-/// \brief the cells that are left of a Delaunay triangulation when all ties are removed:
-/// all edges whose opposite angles sum to exactly π.
+/// \brief the cells of a Delaunay triangulation without its ties, the edges whose opposite angles sum to exactly π.
 ///
 /// The faces of a cell have a common empty circumcircle. A surface has many Delaunay triangulations if it has ties, but
 /// only one Delaunay tessellation (Indermitte, Liebling, Troyanov, Clémençon 2001; Bobenko, Springborn 2007), so the

@@ -5,12 +5,12 @@
 
 """Intrinsic Delaunay triangulations of triangulated surfaces, with exact decisions.
 
-Arrays of NumPy in, arrays of NumPy and matrices of SciPy out. `laplacian(V, F)` and `Triangulation(V, F)` are where to begin.
+NumPy arrays in, NumPy arrays and SciPy matrices out. Start with `laplacian(V, F)` or `Triangulation(V, F)`.
 
-Arrays may have any type of integers or floats whose numbers doubles can hold, any order and any strides, and are never changed; what is
-not of the type or the shape that is asked for raises `ValueError`. Long calls let other threads run, and Ctrl-C ends them.
+Arrays may have any integer or float type, order and strides, but doubles must hold their numbers exactly. They are
+never changed. A wrong type or shape raises `ValueError`. Long calls let other threads run, and Ctrl-C ends them.
 
-The package is under the LGPL, but for `point_cloud_laplacian` and `repair`, which are under the GPL.
+The package is under the LGPL, except for `point_cloud_laplacian` and `repair`, which are under the GPL.
 """
 
 from ._core import version as __version__

@@ -1,9 +1,9 @@
 # Copyright (c) 2026 The Intrinsic_triangulations developers.
 # SPDX-License-Identifier: LGPL-3.0-or-later
 #
-# Arguments are checked here, and become arrays of the very type that the extension modules take.
+# Checks arguments and converts them to the array types of the extension modules.
 
-"""Arguments: what callers give becomes an array of the type that the extension module takes, or an exception."""
+"""Checks arguments and converts them to the array types of the extension modules."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ LARGEST_INDEX = 2**32 - 2
 
 
 def as_array(value: Any, name: str, kinds: str, what: str) -> numpy.ndarray:
-    """an array of numbers, as it was given. `kinds` are letters of NumPy for types of numbers."""
+    """Returns the given array of numbers, unconverted. `kinds` are NumPy's letters for number types."""
     if numpy.ma.is_masked(value):
         raise ValueError(f"{name} has masked entries: leave them out, or fill them")
     try:
@@ -32,7 +32,8 @@ def as_array(value: Any, name: str, kinds: str, what: str) -> numpy.ndarray:
 
 
 def doubles(value: Any, name: str, shape: Sequence[Optional[int]]) -> numpy.ndarray:
-    """an array of doubles of this shape, where None stands for any size. Nothing is rounded, and copied only if need be."""
+    """Returns an array of doubles of this shape, in which None is any size. Never rounds, and copies only if
+    necessary."""
     array = as_array(value, name, "iuf", "real numbers")
     check_shape(array, name, shape)
     if array.dtype == numpy.float64 and array.dtype.isnative:
@@ -44,7 +45,7 @@ def doubles(value: Any, name: str, shape: Sequence[Optional[int]]) -> numpy.ndar
 
 
 def finite(value: Any, name: str, shape: Sequence[Optional[int]]) -> numpy.ndarray:
-    """as doubles(), and all of them are finite."""
+    """Like doubles(), but refuses numbers that are not finite."""
     array = doubles(value, name, shape)
     is_bad = ~numpy.isfinite(array)
     if is_bad.any():
@@ -62,7 +63,7 @@ def _are_equal(array: numpy.ndarray, result: numpy.ndarray) -> bool:
 
 def indices(value: Any, name: str, shape: Sequence[Optional[int]], number: Optional[int] = None,
             of_what: str = "vertex") -> numpy.ndarray:
-    """an array of 32-bit indices. What is negative or too large is refused with the number of the row."""
+    """Returns an array of 32-bit indices. The message about a negative or too large one names its row."""
     array = as_array(value, name, "iu", "integers")
     check_shape(array, name, shape)
     if array.size > 0:
@@ -79,7 +80,7 @@ def indices(value: Any, name: str, shape: Sequence[Optional[int]], number: Optio
 
 
 def bad_index(name: str, row: int, of_what: str, bad: int, array: numpy.ndarray, number: int) -> str:
-    """what is said of an array of indices with a bad one in a row."""
+    """Returns the message about a bad index in a row."""
     message = f"{name}[{row}] names {of_what} {bad}, but "
     message += "indices are not negative" if bad < 0 else f"there are only {number}, counted from 0"
     if name == "F" and array.min() == 1 and array.max() == number:
@@ -107,7 +108,7 @@ def points_and_faces(V: Any, F: Any) -> Tuple[numpy.ndarray, numpy.ndarray]:
 
 
 def _refuse_polygons(F: Any) -> None:
-    """raises if these are faces as `repair` takes them, and some of them are no triangles."""
+    """Raises if these are faces for `repair` that are not all triangles."""
     try:
         sizes = numpy.array([len(face) if numpy.ndim(face) == 1 else 3 for face in F])
     except (TypeError, ValueError):
@@ -128,7 +129,7 @@ def finite_points_and_faces(V: Any, F: Any) -> Tuple[numpy.ndarray, numpy.ndarra
 
 
 def marks(value: Any, name: str, number: int) -> Optional[numpy.ndarray]:
-    """an array of booleans, or None."""
+    """Returns an array of booleans, or None."""
     if value is None:
         return None
     array = as_array(value, name, "b", "booleans")
@@ -169,7 +170,7 @@ def choice(value: Any, name: str, choices: Sequence[str]) -> int:
 
 
 def vector(value: Any, name: str) -> Tuple[float, float, float]:
-    """three finite numbers."""
+    """Returns three finite numbers."""
     array = doubles(value, name, (3,))
     if not numpy.isfinite(array).all():
         raise InvalidPointError(f"{name} is not finite")
@@ -177,7 +178,7 @@ def vector(value: Any, name: str) -> Tuple[float, float, float]:
 
 
 def sparse(parts: Tuple[numpy.ndarray, numpy.ndarray, numpy.ndarray, Tuple[int, int]]) -> scipy.sparse.csc_matrix:
-    """the matrix that owns these arrays."""
+    """Returns the matrix that owns these arrays."""
     data, rows, columns, shape = parts
     matrix = scipy.sparse.csc_matrix((data, rows, columns), shape=shape)
     matrix.has_sorted_indices = True

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 
 class Error(Exception):
-    """The base of the exceptions that the library throws; each is also a `ValueError` or a `RuntimeError`."""
+    """The base of all exceptions of the library. Each subclass is also a built-in one, such as `ValueError`."""
 
 
 class InvalidSurfaceError(Error, ValueError):
@@ -18,13 +18,14 @@ class InvalidSurfaceError(Error, ValueError):
     Attributes
     ----------
     defect : str
-        What is wrong: one of ``EMPTY``, ``BAD_INDEX``, ``NOT_A_TRIANGLE``, ``REPEATED_CORNER``, ``DUPLICATE_FACE``,
-        ``NON_MANIFOLD_EDGE``, ``INCONSISTENT_ORIENTATION``, ``NON_MANIFOLD_VERTEX``, ``INVALID_GLUING``, ``NOT_FINITE``,
-        ``OUT_OF_RANGE``, ``ZERO_LENGTH_EDGE``, ``TRIANGLE_INEQUALITY``, ``DEGENERATE_FACE``, ``WRONG_TOPOLOGY``, ``UNREADABLE``.
+        The kind of defect: one of ``EMPTY``, ``BAD_INDEX``, ``NOT_A_TRIANGLE``, ``REPEATED_CORNER``,
+        ``DUPLICATE_FACE``, ``NON_MANIFOLD_EDGE``, ``INCONSISTENT_ORIENTATION``, ``NON_MANIFOLD_VERTEX``,
+        ``INVALID_GLUING``, ``NOT_FINITE``, ``OUT_OF_RANGE``, ``ZERO_LENGTH_EDGE``, ``TRIANGLE_INEQUALITY``,
+        ``DEGENERATE_FACE``, ``WRONG_TOPOLOGY``, ``UNREADABLE``.
     element : int
         The number of the first offending vertex, edge or face, as in the message.
     count : int
-        How many offending elements there are.
+        The number of offending elements.
     """
 
     def __init__(self, message: str, defect: str, element: int, count: int) -> None:
@@ -38,24 +39,24 @@ class InvalidSurfaceError(Error, ValueError):
 
 
 class InvalidArgumentError(Error, ValueError):
-    """An argument is wrong though the surface is fine: a vertex that does not exist or that no path leads to, or a number out of range."""
+    """The surface is valid, but an argument is not: a missing or unreachable vertex, or a number out of range."""
 
 
 class InvalidPointError(Error, ValueError):
-    """A point or a direction does not belong to the surface."""
+    """A point or direction does not lie on the surface."""
 
 
 class UndecidedError(Error, RuntimeError):
-    """Exact geometry gives no answer, where any answer might be wrong: an edge crosses too many input edges."""
+    """The exact geometry cannot decide because an edge crosses too many input edges."""
 
 
 class IntegerOverflowError(Error, OverflowError):
-    """An integer that counts crossings left the range of its type."""
+    """A count of crossings exceeds the range of its type."""
 
 
 class NumericalError(Error, ArithmeticError):
-    """A computation in doubles came to nothing, such as the factorization of a matrix."""
+    """A computation in doubles failed, such as the factorization of a matrix."""
 
 
 class CancelledError(Error, RuntimeError):
-    """A computation ended early. (Ctrl-C raises `KeyboardInterrupt` as always.)"""
+    """A computation was cancelled. (Ctrl-C raises `KeyboardInterrupt` as usual.)"""

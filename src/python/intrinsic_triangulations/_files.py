@@ -1,9 +1,9 @@
 # Copyright (c) 2026 The Intrinsic_triangulations developers.
 # SPDX-License-Identifier: LGPL-3.0-or-later
 #
-# Meshes from files, and what makes a surface of one.
+# Reads meshes from files, and orients and repairs them.
 
-"""Meshes from files, and what makes a surface of one."""
+"""Reads meshes from files, and orients and repairs them."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ from ._errors import InvalidSurfaceError
 class Repair(NamedTuple):
     """One kind of repair that `repair` or `orient` made."""
 
-    #: What was done, as in the files of the command: "reversed faces", "opened edges" and so on.
+    #: The kind of repair, as in the command's files: "reversed faces", "opened edges" and so on.
     kind: str
-    #: How many faces, vertices or edges are concerned.
+    #: The number of faces, vertices or edges affected.
     count: int
-    #: The smallest of their numbers in the input, at most ten; of an edge, that of its face.
+    #: The smallest of their input numbers, at most ten; for an edge, the number of its face.
     first: List[int]
     #: A sentence about the first one.
     message: str
@@ -38,30 +38,31 @@ class RepairedMesh(NamedTuple):
     V: numpy.ndarray
     #: (m, 3) array of int64: the corners of the triangles.
     F: numpy.ndarray
-    #: (n,) array of int64: for each vertex, which one of the input it is.
+    #: (n,) array of int64: the input vertex of each vertex.
     vertices: numpy.ndarray
-    #: (m,) array of int64: for each triangle, which face of the input it is, or is a part of.
+    #: (m,) array of int64: the input face that each triangle is, or is part of.
     faces: numpy.ndarray
-    #: What was done; an empty list if nothing had to be.
+    #: The repairs; empty if none was necessary.
     repairs: List[Repair]
 
 
 def read_mesh(file_name: Union[str, "os.PathLike[str]"]) -> Tuple[numpy.ndarray, Any]:
-    """The points and faces of an OFF, OBJ, PLY, STL or TS file, as the command reads it.
+    """Read the points and faces of an OFF, OBJ, PLY, STL or TS file, as the command does.
 
-    Nothing is merged, turned or left out, but corners at the same place in STL files, which have no vertices.
+    Nothing is merged, turned over or left out. But STL files have no vertices, so their corners are merged where they
+    coincide. Each coordinate becomes the nearest double. O(size of the file).
 
     Parameters
     ----------
     file_name : str or path
-        Its extension tells the format.
+        The extension determines the format.
 
     Returns
     -------
     V : (n, 3) array
         The positions of the vertices.
     F : (m, 3) array of int64, or list of lists
-        The corners of the faces: an array if all of them are triangles; if not, a list for each, which `repair` takes.
+        The corners of the faces: an array if all faces are triangles, otherwise one list per face, for `repair`.
 
     Raises
     ------
@@ -71,7 +72,7 @@ def read_mesh(file_name: Union[str, "os.PathLike[str]"]) -> Tuple[numpy.ndarray,
     Warns
     -----
     UserWarning
-        What is unusual about the file though it can be read, such as a wrong number of facets in its header.
+        If the file is readable but unusual, for example if its header has a wrong number of facets.
     """
     V, corners, first, unusual = _core.read_mesh(os.fspath(file_name))
     for text in unusual:
@@ -82,10 +83,11 @@ def read_mesh(file_name: Union[str, "os.PathLike[str]"]) -> Tuple[numpy.ndarray,
 
 
 def orient(V: ArrayLike, F: ArrayLike) -> Tuple[numpy.ndarray, List[Repair]]:
-    """The triangles, turned so that any two that share an edge agree.
+    """Turn triangles over until any two that share an edge agree.
 
-    The first triangle of all that edges join stays as it is. At an edge with more than two triangles, directions alternate, as they do
-    around a solid. No vertex is copied: edges with more than two triangles stay, and only `repair` makes a surface of them.
+    The first triangle of each edge-connected part keeps its orientation. At an edge with more than two triangles,
+    directions alternate as around a solid. Vertices are not copied, so such edges remain: only `repair` makes a surface
+    of them.
 
     Parameters
     ----------
@@ -99,12 +101,13 @@ def orient(V: ArrayLike, F: ArrayLike) -> Tuple[numpy.ndarray, List[Repair]]:
     F : (m, 3) array of int64
         The same triangles, some of them with their corners in reverse order.
     repairs : list of Repair
-        What was done: one entry, or none if no triangle was turned.
+        One entry, or none if no triangle was turned over.
 
     Raises
     ------
     InvalidSurfaceError
-        If the surface is one-sided, so that no choice of directions fits. `repair` cuts it open.
+        If an index is out of range or repeated, a coordinate is not finite, or the surface is one-sided, so that no
+        orientation fits. `repair` cuts it open.
 
     Examples
     --------
@@ -132,7 +135,7 @@ def orient(V: ArrayLike, F: ArrayLike) -> Tuple[numpy.ndarray, List[Repair]]:
 
 
 def _check_orientation(faces: numpy.ndarray) -> None:
-    """raises if the two triangles of an edge traverse it in the same direction."""
+    """Raises if the two triangles of an edge traverse it in the same direction."""
     sides = numpy.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
     ends = numpy.sort(sides, axis=1)
     edges, number, count = numpy.unique(ends, axis=0, return_inverse=True, return_counts=True)
@@ -147,18 +150,19 @@ def _check_orientation(faces: numpy.ndarray) -> None:
 
 
 def repair(V: ArrayLike, F: ArrayLike) -> RepairedMesh:
-    """An oriented surface of triangles, made of any polygons as far as their connectivity is at fault.
+    """Turn any polygons into an oriented triangle mesh by repairing their connectivity.
 
-    Polygons become triangles, seams are closed, faces oriented, duplicate faces and unused vertices removed. At an edge with more than two
-    faces, those that bound the same piece of a solid stay together, so that what is closed stays closed. No vertex is moved. This function is
-    under the GPL, as the parts of CGAL that it uses. It does the same as the option ``--repair`` of the command.
+    This cuts polygons into triangles, closes seams, orients faces, and removes duplicate faces and unused vertices. At
+    an edge with more than two faces, those that bound the same piece of a solid stay together, so closed parts stay
+    closed. No vertex moves. O(n log n), except for faces with many corners. The command's option ``--repair`` does the
+    same. This function is under the GPL, like the parts of CGAL that it uses.
 
     Parameters
     ----------
     V : (n, 3) array of integers or floats
         The positions of the vertices.
     F : (m, k) array of integers, or sequence of sequences
-        The corners of the faces, of any number of corners, counted from 0.
+        The corners of the faces, counted from 0; faces may have any number of corners.
 
     Returns
     -------

@@ -3,7 +3,7 @@
 #
 # Straight lines on a surface.
 
-"""Straight lines on a surface: paths that are shortened by flips, and lines in a direction; with the names of potpourri3d."""
+"""Straight lines on a surface, with potpourri3d's names: paths shortened by flips, and lines in a given direction."""
 
 from __future__ import annotations
 
@@ -22,24 +22,24 @@ class GeodesicPath(NamedTuple):
     """A line on a surface in space."""
 
     positions: numpy.ndarray
-    """(k, 3) array: its points in space, where it crosses edges, in the unit of the input."""
+    """(k, 3) array: the points in space where it crosses edges, in the unit of the input; rounded."""
     faces: numpy.ndarray
-    """(k,) array of int64: a face of the input for each point; for all but the last, the one that the line enters there."""
+    """(k,) array of int64: an input face for each point: except for the last, the face that the line enters there."""
     coordinates: numpy.ndarray
     """(k, 3) array: the barycentric coordinates of each point in its face."""
     length: float
     """The length of the line, in the unit of the input."""
     initial_length: float
-    """The length of the path along edges at the beginning; zero for a traced line."""
+    """The length of the initial path along edges; zero for a traced line."""
     is_geodesic: bool
-    """Whether it is locally shortest, by an exact decision. A path that ends early need not be."""
+    """Whether it is locally shortest, decided exactly. An unfinished path need not be."""
     status: str
-    """For paths: "geodesic", "contractible" (a closed curve that was shrunk to a point), "blocked", "not_improvable" or "unfinished".
-    For traced lines: "at_length", "at_border" or "at_vertex"."""
+    """For paths: "geodesic", "contractible" (a closed curve that was shrunk to a point), "blocked", "not_improvable" or
+    "unfinished". For traced lines: "at_length", "at_border" or "at_vertex"."""
     flips: int
     """The number of flips."""
     distance: Optional[float] = None
-    """The length of the shortest path, up to rounding, if it was asked for: if `length` is the same, this is one."""
+    """If requested, the length of a shortest path, up to rounding. If `length` is the same, this path is one."""
 
 
 def _path(parts: tuple) -> GeodesicPath:
@@ -51,15 +51,15 @@ class CutSurface(NamedTuple):
     """A surface that was cut open."""
 
     positions: numpy.ndarray
-    """(k, 3) array: the points of the vertices, first those of the input."""
+    """(k, 3) array: the positions of the vertices; the input vertices come first."""
     triangles: numpy.ndarray
-    """(l, 3) array of int64: their corners."""
+    """(l, 3) array of int64: the corners of the triangles."""
     input_faces: numpy.ndarray
-    """(l,) array of int64: the face of the input that each triangle is a part of."""
+    """(l,) array of int64: the input face that each triangle is part of."""
     faces: numpy.ndarray
-    """For each vertex behind those of the input, a face of the input that it lies in."""
+    """For each new vertex, an input face that contains it."""
     coordinates: numpy.ndarray
-    """The barycentric coordinates of these vertices there."""
+    """The barycentric coordinates of the new vertices in these faces."""
 
 
 class _Lines(Rebuilt):
@@ -71,7 +71,7 @@ class _Lines(Rebuilt):
         self._surface = _core.SurfaceInSpace(points, faces)
 
     def locate(self, point: ArrayLike) -> Tuple[int, numpy.ndarray]:
-        """The point of the surface that is nearest to a point in space, as one that was picked.
+        """Find the point of the surface nearest to a point in space, for example a picked one. O(size).
 
         Parameters
         ----------
@@ -83,16 +83,21 @@ class _Lines(Rebuilt):
         face : int
             A face of the input.
         coordinates : (3,) array
-            The barycentric coordinates there: exactly on an edge or at a vertex, if these are nearest.
+            The barycentric coordinates there, rounded, but exactly on an edge or at a vertex if these are nearest.
+
+        Raises
+        ------
+        InvalidPointError
+            If a coordinate is not finite, or there are no faces.
         """
         faces, coordinates = self._surface.locate(_arrays.vector(point, "point"))
         return int(faces[0]), coordinates[0]
 
     def cut_along_path(self, path: GeodesicPath) -> CutSurface:
-        """The surface, cut open along a path or a traced line.
+        """Cut the surface open along a path or a traced line.
 
-        Faces that it crosses are divided, and each vertex on it gets a copy for each side. The ends of an open path are not
-        divided, unless they lie on the border.
+        Faces that the path crosses are divided, and each vertex on it gets a copy for each side. The ends of an open
+        path are not divided unless they lie on the border.
 
         Parameters
         ----------
@@ -102,6 +107,13 @@ class _Lines(Rebuilt):
         Returns
         -------
         CutSurface
+
+        Raises
+        ------
+        InvalidSurfaceError
+            If two edges of the surface join the same vertices.
+        InvalidPointError
+            If the path does not lie on the surface, or crosses itself.
         """
         faces = _arrays.indices(path.faces, "path.faces", (None,), self._number_of_faces)
         points, triangles, input_faces, (new_faces, new_coordinates) = self._surface.cut_along_path(
@@ -111,10 +123,10 @@ class _Lines(Rebuilt):
 
 
 class EdgeFlipGeodesicSolver(_Lines):
-    """Locally shortest paths and closed curves, by flipping edges.
+    """Finds locally shortest paths and closed curves by flipping edges.
 
-    A path begins along edges, and is shortened until the angles on both sides are at least π at each vertex that it passes, which is
-    decided exactly. It need not be the shortest of all. A query does not depend on those before; it costs a copy of the
+    A path starts along edges, and is shortened until the angles on both sides of each vertex on it are at least π,
+    decided exactly. It need not be a shortest path. Queries are independent of each other; each copies the
     triangulation.
 
     Parameters
@@ -124,7 +136,12 @@ class EdgeFlipGeodesicSolver(_Lines):
     F : (m, 3) array of integers
         The corners of the triangles, counted from 0: an oriented manifold.
     t_coef : float
-        Without meaning; for programs that were written for potpourri3d.
+        Has no effect; it is for programs written for potpourri3d.
+
+    Raises
+    ------
+    InvalidSurfaceError
+        As `Triangulation`.
     """
 
     def __init__(self, V: ArrayLike, F: ArrayLike, t_coef: float = 1.0) -> None:
@@ -132,55 +149,61 @@ class EdgeFlipGeodesicSolver(_Lines):
 
     def find_geodesic_path(self, v_start: int, v_end: int, max_iterations: Optional[int] = None,
                            max_relative_length_decrease: Optional[float] = None) -> numpy.ndarray:
-        """A locally shortest path between two vertices.
+        """Return a locally shortest path between two vertices.
 
         Parameters
         ----------
         v_start, v_end : int
-            Its ends.
+            The ends of the path.
         max_iterations : int, optional
             The number of flips after which to stop.
         max_relative_length_decrease : float, optional
-            Only 0, the default of potpourri3d, is possible: the path is not left before it is straight.
+            Must be 0, potpourri3d's default: paths are straightened completely.
 
         Returns
         -------
         (k, 3) array
             The points of the path in space.
+
+        Raises
+        ------
+        InvalidArgumentError
+            If there is no such vertex, or no path along edges.
         """
         return self.find_path([v_start, v_end], False, max_iterations, max_relative_length_decrease).positions
 
     def find_geodesic_path_poly(self, v_list: Any, max_iterations: Optional[int] = None,
                                 max_relative_length_decrease: Optional[float] = None) -> numpy.ndarray:
-        """As `find_geodesic_path`; the path begins along edges from each vertex of `v_list` to the next, and need not pass
-        through those in between at the end."""
+        """Like `find_geodesic_path`, but start with edge paths from each vertex of `v_list` to the next. The result
+        need not pass through the vertices in between."""
         return self.find_path(v_list, False, max_iterations, max_relative_length_decrease).positions
 
     def find_geodesic_loop(self, v_list: Any, max_iterations: Optional[int] = None,
                            max_relative_length_decrease: Optional[float] = None) -> numpy.ndarray:
-        """A locally shortest closed curve, which begins along edges from each vertex of `v_list` to the next, and from the last
-        to the first. The last point is the first. A curve that can be shrunk to a point becomes one."""
+        """Return a locally shortest closed curve, starting with edge paths from each vertex of `v_list` to the next,
+        and from the last to the first. The first point is repeated as the last. A curve that can be shrunk to a point
+        becomes one."""
         return self.find_path(v_list, True, max_iterations, max_relative_length_decrease).positions
 
     def find_path(self, v_list: Any, is_closed: bool = False, max_iterations: Optional[int] = None,
                   max_relative_length_decrease: Optional[float] = None, *, is_shortest: bool = False) -> GeodesicPath:
-        """As the other functions, with all that is known of the path.
+        """Like the other functions, but return everything known about the path.
 
         Parameters
         ----------
-        v_list : (k,) array of integers, or a list in which there are also (3,) arrays of floats
-            The vertices, at least two; or points in space, for which the nearest points of the surface stand.
+        v_list : (k,) array of integers, or a list that also contains (3,) arrays of floats
+            At least two stops: vertices, or points in space, each of which stands for the nearest point of the surface.
         is_closed : bool
             Whether the curve returns to its first vertex.
         max_iterations, max_relative_length_decrease
             As for `find_geodesic_path`.
         is_shortest : bool
-            Whether the path begins beside the shortest one, from stop to stop, and `distance` tells its length; not for closed curves.
+            Whether to find a shortest path from stop to stop, with its length in `distance`; not for closed curves.
 
         Returns
         -------
         GeodesicPath
-            Without points, if an open path leads to where it begins.
+            It has no points if an open path ends where it starts.
 
         Raises
         ------
@@ -212,20 +235,25 @@ class EdgeFlipGeodesicSolver(_Lines):
 
 
 def geodesic_path(V: ArrayLike, F: ArrayLike, source: Any, target: Any, is_shortest: bool = False) -> GeodesicPath:
-    """A locally shortest path between two vertices or points, in one call.
+    """Return a locally shortest path between two vertices or points.
 
     Parameters
     ----------
     V, F
         As for `EdgeFlipGeodesicSolver`.
     source, target : int, or (3,) array of floats
-        Its ends: vertices, or points in space, for which the nearest points of the surface stand.
+        The ends: vertices, or points in space, each of which stands for the nearest point of the surface.
     is_shortest : bool
-        Whether it is to be the shortest of all.
+        Whether to find a shortest path.
 
     Returns
     -------
     GeodesicPath
+
+    Raises
+    ------
+    InvalidSurfaceError, InvalidArgumentError
+        As `EdgeFlipGeodesicSolver` and its `find_path`.
 
     Examples
     --------
@@ -239,7 +267,7 @@ def geodesic_path(V: ArrayLike, F: ArrayLike, source: Any, target: Any, is_short
 
 
 def cut_along_path(V: ArrayLike, F: ArrayLike, path: GeodesicPath) -> CutSurface:
-    """A surface that is cut open along a path, in one call.
+    """Cut a surface open along a path.
 
     Parameters
     ----------
@@ -251,6 +279,11 @@ def cut_along_path(V: ArrayLike, F: ArrayLike, path: GeodesicPath) -> CutSurface
     Returns
     -------
     CutSurface
+
+    Raises
+    ------
+    InvalidSurfaceError, InvalidPointError
+        As `EdgeFlipGeodesicSolver` and its `cut_along_path`.
 
     Examples
     --------
@@ -264,10 +297,11 @@ def cut_along_path(V: ArrayLike, F: ArrayLike, path: GeodesicPath) -> CutSurface
 
 
 class GeodesicTracer(_Lines):
-    """Straight lines on a surface from a point in a direction.
+    """Traces straight lines on a surface from a point in a given direction.
 
-    Which edge a line crosses next is decided exactly. It ends after the length of the vector, at the border, or exactly in a vertex.
-    A line that crosses a million faces is an error, unless `max_iterations` is given.
+    Which edge a line crosses next is decided exactly; points are rounded. A line ends after the length of the vector,
+    at the border, or if it hits a vertex exactly. Unless `max_iterations` is given, a line that crosses a million faces
+    is an error.
 
     Parameters
     ----------
@@ -276,22 +310,27 @@ class GeodesicTracer(_Lines):
     F : (m, 3) array of integers
         The corners of the triangles, counted from 0: an oriented manifold.
     t_coef : float
-        Without meaning; for programs that were written for potpourri3d.
+        Has no effect; it is for programs written for potpourri3d.
+
+    Raises
+    ------
+    InvalidSurfaceError
+        As `Triangulation`.
     """
 
     def __init__(self, V: ArrayLike, F: ArrayLike, t_coef: float = 1.0) -> None:
         super().__init__(V, F)
 
     def trace_geodesic_from_vertex(self, start_vert: int, direction_xyz: ArrayLike, max_iterations: Optional[int] = None) -> numpy.ndarray:
-        """The line from a vertex.
+        """Trace a line from a vertex.
 
         Parameters
         ----------
         start_vert : int
             The vertex.
         direction_xyz : (3,) array of integers or floats
-            A vector, which is projected to the tangent plane at the vertex. Between two neighboring edges, angles there and on the
-            surface are proportional.
+            A vector, projected to the tangent plane at the vertex. Between neighboring edges, angles in that plane and
+            on the surface are proportional.
         max_iterations : int, optional
             The number of faces after which the line is cut off, at least 1.
 
@@ -299,6 +338,11 @@ class GeodesicTracer(_Lines):
         -------
         (k, 3) array
             The points of the line in space.
+
+        Raises
+        ------
+        InvalidPointError
+            If the direction or the point is not finite, or not on the surface.
         """
         start = _arrays.vertex(start_vert, "start_vert", self._number_of_vertices)
         vector = _arrays.vector(direction_xyz, "direction_xyz")
@@ -306,16 +350,16 @@ class GeodesicTracer(_Lines):
 
     def trace_geodesic_from_face(self, start_face: int, bary_coords: ArrayLike, direction_xyz: ArrayLike,
                                  max_iterations: Optional[int] = None) -> numpy.ndarray:
-        """The line from a point in a face.
+        """Trace a line from a point in a face.
 
         Parameters
         ----------
         start_face : int
             The face.
         bary_coords : (3,) array of integers or floats
-            The coordinates of the point, for the corners of the face in order: not negative.
+            The nonnegative coordinates of the point, for the corners of the face in order.
         direction_xyz : (3,) array of integers or floats
-            A vector, which is projected to the plane of the face.
+            A vector, projected to the plane of the face.
         max_iterations : int, optional
             The number of faces after which the line is cut off, at least 1.
 
@@ -323,6 +367,11 @@ class GeodesicTracer(_Lines):
         -------
         (k, 3) array
             The points of the line in space.
+
+        Raises
+        ------
+        InvalidPointError
+            If the direction or the point is not finite, or not on the surface.
         """
         start = _arrays.integer(start_face, "start_face", 0, self._number_of_faces - 1)
         coordinates = _arrays.vector(bary_coords, "bary_coords")

@@ -1,9 +1,9 @@
 # Copyright (c) 2026 The Intrinsic_triangulations developers.
 # SPDX-License-Identifier: LGPL-3.0-or-later
 #
-# Distances by the heat method, and by shortest paths.
+# Distances by the heat method, and along shortest paths.
 
-"""Distances by the heat method, with the names of potpourri3d, and by shortest paths."""
+"""Distances by the heat method, with potpourri3d's names, and along shortest paths."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ BOUNDARIES = ("neumann", "dirichlet", "averaged")
 
 
 class MeshHeatMethodDistanceSolver(Rebuilt):
-    """Distances of all vertices from some of them, by the heat method.
+    """Approximates the distance of each vertex from a set of sources, by the heat method.
 
-    The matrices are factorized once; then each set of sources costs two solutions of linear systems, or three. Calls from several
-    threads are allowed; they wait for each other.
+    The matrices are factorized once; each set of sources then costs two or three solutions of linear systems. Several
+    threads may share a solver; their calls wait for each other.
 
     Parameters
     ----------
@@ -33,21 +33,21 @@ class MeshHeatMethodDistanceSolver(Rebuilt):
     F : (m, 3) array of integers
         The corners of the triangles, counted from 0.
     t_coef : float
-        For how long heat spreads, in units of the squared mean length of the edges: the larger, the smoother.
+        The time for which heat spreads, in units of the squared mean edge length: the longer, the smoother.
     use_robust : bool
-        True: on the intrinsic Delaunay triangulation of the tufted cover, which takes any triangles and has no border. False: on the
-        triangles themselves, which have to be an oriented manifold.
+        True: work on the intrinsic Delaunay triangulation of the tufted cover, which takes any triangles and has no
+        border. False: work on the triangles themselves, which must be an oriented manifold.
     boundary : {"neumann", "dirichlet", "averaged"}
-        What heat does at the border, without the cover: none leaves, it is cold there, or the mean of both.
+        The condition at the border, without the cover: no heat leaves, the border is cold, or the mean of both.
     keeps_ridges : bool
-        Whether distances are raised where they are less than those of the vertices around allow. Without that, as in potpourri3d,
-        the method rounds off ridges where fronts meet.
+        Whether to raise distances to the smallest values consistent with their neighbors. Otherwise the method rounds
+        off ridges where fronts meet, as potpourri3d does.
 
     Raises
     ------
     InvalidSurfaceError
-        If there is no face, an index is out of range, a coordinate is not finite, or, without the cover, the triangles are no oriented
-        manifold.
+        If there is no face, an index is out of range, a coordinate is not finite, or, without the cover, the triangles
+        are not an oriented manifold.
     NumericalError
         If a matrix cannot be factorized.
     """
@@ -67,14 +67,19 @@ class MeshHeatMethodDistanceSolver(Rebuilt):
     @classmethod
     def from_triangulation(cls, triangulation: Triangulation, t_coef: float = 1.0, *, boundary: str = "neumann",
                            keeps_ridges: bool = True) -> "MeshHeatMethodDistanceSolver":
-        """Distances on a triangulation as it is now: flipped, refined, or given by lengths.
+        """Make a solver for a triangulation as it is now: flipped, refined, or given by lengths.
 
         Parameters
         ----------
         triangulation : Triangulation
-            It should be Delaunay. Later flips do not change the solver.
+            It should be Delaunay. Later flips do not affect the solver.
         t_coef, boundary, keeps_ridges
             As for the constructor.
+
+        Raises
+        ------
+        InvalidSurfaceError, NumericalError
+            If a length leaves the range of doubles, or a matrix cannot be factorized.
         """
         if not isinstance(triangulation, Triangulation):
             raise ValueError(f"triangulation has to be a Triangulation, not {type(triangulation).__name__}")
@@ -88,7 +93,7 @@ class MeshHeatMethodDistanceSolver(Rebuilt):
         self._heat = _core.heat_on_surface(triangulation._surface, *_options(t_coef, boundary, keeps_ridges))
 
     def compute_distance(self, v_ind: int) -> numpy.ndarray:
-        """The distance of each vertex from one of them.
+        """Return the distance of each vertex from one source.
 
         Parameters
         ----------
@@ -98,18 +103,18 @@ class MeshHeatMethodDistanceSolver(Rebuilt):
         Returns
         -------
         (n,) array
-            In the unit of the input: zero at the source, and infinite where no source is connected.
+            In the unit of the input: exactly zero at the source, infinite where no source is connected.
         """
         source = _arrays.vertex(v_ind, "v_ind", self._number_of_vertices)
         return self._heat.distances(numpy.array([source], dtype=numpy.uint32))
 
     def compute_distance_multisource(self, v_inds: ArrayLike) -> numpy.ndarray:
-        """The distance of each vertex from the nearest of several.
+        """Return the distance of each vertex from the nearest of several sources.
 
         Parameters
         ----------
         v_inds : (k,) array of integers
-            The sources; all distances are infinite if there is none.
+            The sources. Without sources, all distances are infinite.
 
         Returns
         -------
@@ -119,7 +124,7 @@ class MeshHeatMethodDistanceSolver(Rebuilt):
         return self._heat.distances(_arrays.indices(v_inds, "v_inds", (None,), self._number_of_vertices))
 
     def extend_scalar(self, v_inds: ArrayLike, values: ArrayLike) -> numpy.ndarray:
-        """A function with given values at some vertices, and elsewhere about the value at the nearest of them.
+        """Extend values at some vertices to all: elsewhere, to about the value at the nearest of these vertices.
 
         Parameters
         ----------
@@ -131,17 +136,17 @@ class MeshHeatMethodDistanceSolver(Rebuilt):
         Returns
         -------
         (n,) array
-            Zero where none of the vertices can be reached.
+            Zero where no such vertex can be reached.
         """
         vertices = _arrays.indices(v_inds, "v_inds", (None,), self._number_of_vertices)
         return self._heat.extend(vertices, _arrays.finite(values, "values", (len(vertices),)), 0.0)
 
 
 def geodesic_distances(V: ArrayLike, F: ArrayLike, v_inds: ArrayLike, tolerance: float = 0.001) -> numpy.ndarray:
-    """The length of the shortest path on the surface from the nearest of several vertices to each vertex.
+    """Return the length of the shortest path on the surface from the nearest source to each vertex.
 
-    On any triangles, by straight ways over the intrinsic Delaunay triangulation. No distance is above the shortest path along edges or
-    below the straight line through space, and other parts of the surface play no role.
+    This takes any triangles, and follows straight lines over the intrinsic Delaunay triangulation. No distance exceeds
+    the shortest path along edges or falls below the straight line through space. Parts without a source have no effect.
 
     Parameters
     ----------
@@ -150,13 +155,13 @@ def geodesic_distances(V: ArrayLike, F: ArrayLike, v_inds: ArrayLike, tolerance:
     v_inds : integer, or (k,) array of integers
         The sources.
     tolerance : float
-        How much the length of a path may be changed at each edge that it crosses, as a part of the length of the edge: at least 0
-        and below 1. With 0, distances are exact up to rounding; that takes longer.
+        How much each edge that a path crosses may change the length of the path, as a fraction of the length of the
+        edge: at least 0, less than 1. With 0, distances are exact up to rounding, but take longer.
 
     Returns
     -------
     (n,) array
-        In the unit of the input: exactly zero at each source, and infinite where no source is connected.
+        In the unit of the input: exactly zero at each source, infinite where no source is connected.
 
     Raises
     ------
@@ -171,12 +176,12 @@ def geodesic_distances(V: ArrayLike, F: ArrayLike, v_inds: ArrayLike, tolerance:
 
 
 def compute_distance(V: ArrayLike, F: ArrayLike, v_ind: int) -> numpy.ndarray:
-    """As `MeshHeatMethodDistanceSolver.compute_distance`, in one call."""
+    """Construct a `MeshHeatMethodDistanceSolver` and return its `compute_distance`."""
     return MeshHeatMethodDistanceSolver(V, F).compute_distance(v_ind)
 
 
 def compute_distance_multisource(V: ArrayLike, F: ArrayLike, v_inds: ArrayLike) -> numpy.ndarray:
-    """As `MeshHeatMethodDistanceSolver.compute_distance_multisource`, in one call."""
+    """Construct a `MeshHeatMethodDistanceSolver` and return its `compute_distance_multisource`."""
     return MeshHeatMethodDistanceSolver(V, F).compute_distance_multisource(v_inds)
 
 

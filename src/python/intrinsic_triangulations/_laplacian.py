@@ -1,9 +1,9 @@
 # Copyright (c) 2026 The Intrinsic_triangulations developers.
 # SPDX-License-Identifier: LGPL-3.0-or-later
 #
-# Laplace-Beltrami operators of any triangles and of points.
+# Laplace-Beltrami operators of arbitrary triangles and of points.
 
-"""Laplace-Beltrami operators of any triangles and of points."""
+"""Laplace-Beltrami operators of arbitrary triangles and of points."""
 
 from __future__ import annotations
 
@@ -18,10 +18,11 @@ from . import _arrays, _core
 
 
 def laplacian(V: ArrayLike, F: ArrayLike, mass: str = "lumped") -> Tuple[scipy.sparse.csc_matrix, scipy.sparse.csc_matrix]:
-    """The Laplace-Beltrami operator of any triangles.
+    """Return the Laplace-Beltrami operator of arbitrary triangles.
 
-    It is that of the intrinsic Delaunay triangulation of the tufted cover: the triangles may be non-manifold, not orientable,
-    thin, without area, or given twice, and may have a border. There is no tolerance, and no length is changed.
+    It belongs to the intrinsic Delaunay triangulation of the tufted cover. The triangles may be non-manifold, not
+    orientable, thin, of zero area or duplicated, and may have a border. There is no tolerance, and no length changes.
+    All decisions are exact, so the signs are too; entries are rounded.
 
     Parameters
     ----------
@@ -30,14 +31,14 @@ def laplacian(V: ArrayLike, F: ArrayLike, mass: str = "lumped") -> Tuple[scipy.s
     F : (m, 3) array of integers
         The corners of the triangles, counted from 0.
     mass : {"lumped", "galerkin"}
-        Which mass matrix is returned: a third of the area around each vertex, or that of linear finite elements.
+        The mass matrix: a third of the area around each vertex, or the matrix of linear finite elements.
 
     Returns
     -------
     L : (n, n) scipy.sparse.csc_matrix
-        The stiffness matrix, without unit: symmetric, positive semidefinite, with zero row sums; no entry off the diagonal is
-        positive. `u @ L @ u` is the integral of the squared gradient of u. (The sign is that of `robust_laplacian`, and opposite to
-        that of libigl's `cotmatrix`.)
+        The stiffness matrix, without unit: symmetric, positive semidefinite, with zero row sums and no positive
+        off-diagonal entry. `u @ L @ u` is the integral of the squared gradient of u. (`robust_laplacian` has the same
+        sign, libigl's `cotmatrix` the opposite one.)
     M : (n, n) scipy.sparse.csc_matrix
         The mass matrix, in the squared unit of V. `L u = λ M u` is the eigenvalue problem of −Δ.
 
@@ -48,8 +49,8 @@ def laplacian(V: ArrayLike, F: ArrayLike, mass: str = "lumped") -> Tuple[scipy.s
 
     Notes
     -----
-    A vertex without faces has a row of zeros in both matrices. Of vertices joined by an edge of length zero, the first stands for
-    all, and the others have rows of zeros.
+    A vertex without faces has a row of zeros in both matrices. The first of several vertices joined by edges of length
+    zero represents all of them; the others have rows of zeros.
 
     Source: N. Sharp, K. Crane, "A Laplacian for nonmanifold triangle meshes", 2020.
 
@@ -68,7 +69,7 @@ def laplacian(V: ArrayLike, F: ArrayLike, mass: str = "lumped") -> Tuple[scipy.s
 
 def mesh_laplacian(verts: ArrayLike, faces: ArrayLike,
                    mollify_factor: float = 1e-5) -> Tuple[scipy.sparse.csc_matrix, scipy.sparse.csc_matrix]:
-    """As `robust_laplacian.mesh_laplacian`: the operator of any triangles, for programs that are to run unchanged.
+    """Return the operator of arbitrary triangles with the parameters of `robust_laplacian.mesh_laplacian`.
 
     Parameters
     ----------
@@ -77,14 +78,19 @@ def mesh_laplacian(verts: ArrayLike, faces: ArrayLike,
     faces : (m, 3) array of integers
         The corners of the triangles.
     mollify_factor : float
-        Edges are lengthened by the same length, as far as needed, until each two sides of a triangle exceed the third by this
-        factor of the mean length. 0 leaves all lengths as they are, which this library does not need: see `laplacian`.
+        All edges are lengthened by the same amount, the smallest for which any two sides of a triangle exceed the third
+        by this factor times the mean length. 0 changes no length; this library does not need mollification.
 
     Returns
     -------
     L, M : (n, n) scipy.sparse.csc_matrix
-        As those of `laplacian`, with lumped mass. The rows of vertices without faces have 1 on the diagonal of L, and a
-        thousandth of the smallest mass in M, so that both can be factorized.
+        As from `laplacian`, with lumped mass. Vertices without faces have 1 on the diagonal of L and a thousandth of
+        the smallest mass on that of M, so that both matrices can be factorized.
+
+    Raises
+    ------
+    InvalidSurfaceError
+        As `laplacian`.
     """
     factor = _nonnegative(mollify_factor, "mollify_factor")
     points, triangles = _arrays.points_and_faces(verts, faces)
@@ -94,23 +100,28 @@ def mesh_laplacian(verts: ArrayLike, faces: ArrayLike,
 
 def point_cloud_laplacian(points: ArrayLike, mollify_factor: float = 1e-5,
                           n_neighbors: int = 30) -> Tuple[scipy.sparse.csc_matrix, scipy.sparse.csc_matrix]:
-    """As `robust_laplacian.point_cloud_laplacian`: the operator of points near an unknown surface.
+    """Return the operator of points near an unknown surface, like `robust_laplacian.point_cloud_laplacian`.
 
-    This function is under the GPL, as the parts of CGAL that it uses; the rest of the package is under the LGPL.
+    O(n log n) in practice. This function is under the GPL, like the parts of CGAL that it uses.
 
     Parameters
     ----------
     points : (n, 3) array of integers or floats
-        The points. Of several at the same place the first stands for all.
+        The points. The first of several at the same place represents all of them.
     mollify_factor : float
-        It is checked, and changes nothing: the triangles around a point need no mollification here.
+        Checked, but without effect: the triangles around a point need no mollification here.
     n_neighbors : int
-        How many of the nearest points are taken for a tangent plane, at least 2.
+        The number of nearest points that determine a tangent plane, at least 2.
 
     Returns
     -------
     L, M : (n, n) scipy.sparse.csc_matrix
-        As those of `mesh_laplacian`.
+        As from `mesh_laplacian`.
+
+    Raises
+    ------
+    InvalidSurfaceError
+        If a coordinate is not finite, there are fewer than three different points, or all triangles have zero area.
     """
     from . import _point_cloud
 

@@ -1,9 +1,9 @@
 # Copyright (c) 2026 The Intrinsic_triangulations developers.
 # SPDX-License-Identifier: LGPL-3.0-or-later
 #
-# Areas and the cotangent Laplacian of the triangles as they are given.
+# Areas and the cotangent Laplacian of the given triangles.
 
-"""Areas and the cotangent Laplacian of the triangles as they are given."""
+"""Areas and the cotangent Laplacian of the given triangles."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ from ._laplacian import _nonnegative
 
 
 def cotan_laplacian(V: ArrayLike, F: ArrayLike, denom_eps: float = 0.0) -> scipy.sparse.csr_matrix:
-    """As `potpourri3d.cotan_laplacian`: the cotangent Laplacian of the triangles as they are given, without any flip.
+    """Return the cotangent Laplacian of the given triangles, without flips, like `potpourri3d.cotan_laplacian`.
 
-    For programs that are to run unchanged: unlike that of `laplacian`, it has positive entries off the diagonal wherever the mesh is not
-    Delaunay, and is useless where triangles have no area.
+    Use it to run existing programs unchanged. Unlike the matrix of `laplacian`, it has positive off-diagonal entries
+    wherever the mesh is not Delaunay, and it is useless near triangles of zero area. Entries are rounded. O(size).
 
     Parameters
     ----------
@@ -31,18 +31,18 @@ def cotan_laplacian(V: ArrayLike, F: ArrayLike, denom_eps: float = 0.0) -> scipy
     F : (m, 3) array of integers
         The corners of the triangles, counted from 0.
     denom_eps : float
-        What is added to twice the area of each triangle before it divides, in the squared unit of V.
+        Added to twice the area of each triangle before dividing by it, in the squared unit of V.
 
     Returns
     -------
     (n, n) scipy.sparse.csr_matrix
-        Symmetric, with zero row sums; positive semidefinite up to rounding if denom_eps is 0.
+        Symmetric with zero row sums; positive semidefinite up to rounding if denom_eps is 0.
 
     Raises
     ------
     InvalidSurfaceError
-        If an index is out of range, a coordinate is not finite, a triangle has no area while denom_eps is 0, or a number is beyond the
-        range of doubles.
+        If an index is out of range, a coordinate is not finite, a triangle has zero area and denom_eps is 0, or a
+        number leaves the range of doubles.
 
     Examples
     --------
@@ -70,7 +70,7 @@ def cotan_laplacian(V: ArrayLike, F: ArrayLike, denom_eps: float = 0.0) -> scipy
 
 
 def face_areas(V: ArrayLike, F: ArrayLike) -> numpy.ndarray:
-    """The areas of the triangles.
+    """Return the area of each triangle, rounded.
 
     Parameters
     ----------
@@ -84,6 +84,11 @@ def face_areas(V: ArrayLike, F: ArrayLike) -> numpy.ndarray:
     (m,) array
         In the squared unit of V.
 
+    Raises
+    ------
+    InvalidSurfaceError
+        If an index is out of range, a coordinate is not finite, or an area leaves the range of doubles.
+
     Examples
     --------
     >>> import intrinsic_triangulations as it
@@ -94,7 +99,7 @@ def face_areas(V: ArrayLike, F: ArrayLike) -> numpy.ndarray:
 
 
 def vertex_areas(V: ArrayLike, F: ArrayLike) -> numpy.ndarray:
-    """A third of the area of the triangles around each vertex.
+    """Return a third of the area of the triangles around each vertex, rounded.
 
     Parameters
     ----------
@@ -105,6 +110,11 @@ def vertex_areas(V: ArrayLike, F: ArrayLike) -> numpy.ndarray:
     -------
     (n,) array
         In the squared unit of V.
+
+    Raises
+    ------
+    InvalidSurfaceError
+        As `face_areas`.
 
     Examples
     --------

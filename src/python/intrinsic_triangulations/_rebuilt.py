@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Intrinsic_triangulations developers.
 # SPDX-License-Identifier: LGPL-3.0-or-later
 #
-# Objects that hold what a pickle cannot: factored matrices, say.
+# Objects that a pickle cannot hold, for example factorized matrices.
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ def _rebuild(cls: type, make: Callable[..., None], arguments: Any, keywords: Any
 
 
 class Rebuilt:
-    """An object that is pickled as what it was made of, and made anew from that."""
+    """An object that is pickled as its constructor arguments and reconstructed from them."""
 
     def _remember(self, make: Callable[..., None], *arguments: Any, **keywords: Any) -> None:
         self._recipe = (make, arguments, keywords)

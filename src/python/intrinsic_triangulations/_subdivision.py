@@ -3,7 +3,7 @@
 #
 # The common subdivision of the input and a triangulation.
 
-"""The common subdivision of the input and a triangulation, which carries values and points from one to the other."""
+"""The common subdivision of the input and a triangulation, which transfers values and points between them."""
 
 from __future__ import annotations
 
@@ -18,10 +18,11 @@ from . import _arrays
 
 
 class CommonSubdivision:
-    """The polygons into which the edges of the input and those of a triangulation cut the surface.
+    """The polygons into which the edges of the input and of a triangulation cut the surface.
 
-    `Triangulation.common_subdivision` returns it. Each polygon is convex, and lies in one face of the input and in one of the
-    triangulation. Its vertices are those of the input, then the inserted ones, then the crossings of edges.
+    `Triangulation.common_subdivision` returns it. Each polygon is convex and lies in one face of the input and in one
+    face of the triangulation. The vertices are the input vertices, then the inserted vertices, then the crossings of
+    edges. Which edges cross is exact; positions, coordinates and matrices are rounded.
 
     Examples
     --------
@@ -46,22 +47,22 @@ class CommonSubdivision:
 
     @property
     def number_of_input_vertices(self) -> int:
-        """The number of vertices of the input, which come first."""
+        """The number of input vertices, which come first."""
         return self._subdivision.number_of_input_vertices()
 
     @property
     def number_of_inserted_vertices(self) -> int:
-        """The number of inserted vertices of the triangulation, which come next."""
+        """The number of inserted vertices, which come next."""
         return self._subdivision.number_of_original_vertices() - self.number_of_input_vertices
 
     @property
     def number_of_crossings(self) -> int:
-        """The number of crossings of an edge of the input and one of the triangulation, which come last."""
+        """The number of crossings of input edges and edges of the triangulation, which come last."""
         return self.number_of_vertices - self._subdivision.number_of_original_vertices()
 
     @property
     def number_of_vertices(self) -> int:
-        """The number of all vertices."""
+        """The total number of vertices."""
         return self._subdivision.number_of_vertices()
 
     @property
@@ -75,12 +76,13 @@ class CommonSubdivision:
 
     @property
     def offsets(self) -> numpy.ndarray:
-        """(p + 1,) array of int64: the corners of polygon i are `corners[offsets[i]:offsets[i + 1]]`, counterclockwise."""
+        """(p + 1,) array of int64: the corners of polygon i are `corners[offsets[i]:offsets[i + 1]]`,
+        counterclockwise."""
         return self._polygons[0]
 
     @property
     def corners(self) -> numpy.ndarray:
-        """(c,) array of int64: the vertices of all polygons, one after the other."""
+        """(c,) array of int64: the vertices of all polygons, one polygon after another."""
         return self._polygons[1]
 
     @cached_property
@@ -89,12 +91,12 @@ class CommonSubdivision:
 
     @property
     def input_faces(self) -> numpy.ndarray:
-        """(p,) array of int64: the face of the input in which each polygon lies."""
+        """(p,) array of int64: the input face of each polygon."""
         return self._faces[0]
 
     @property
     def intrinsic_faces(self) -> numpy.ndarray:
-        """(p,) array of int64: the face of the triangulation in which each polygon lies."""
+        """(p,) array of int64: the face of the triangulation that contains each polygon."""
         return self._faces[1]
 
     @cached_property
@@ -103,36 +105,37 @@ class CommonSubdivision:
 
     @property
     def segments(self) -> numpy.ndarray:
-        """(s, 2) array of int64: the two ends of each side of a polygon, once for both polygons beside it."""
+        """(s, 2) array of int64: the ends of each side of a polygon; two adjacent polygons share one segment."""
         return self._segments[0]
 
     @property
     def segment_input_edges(self) -> numpy.ndarray:
-        """(s,) array of int64: the edge of the input that each segment is a part of, or -1."""
+        """(s,) array of int64: the input edge that contains each segment, or -1."""
         return self._segments[1]
 
     @property
     def segment_intrinsic_edges(self) -> numpy.ndarray:
-        """(s,) array of int64: the edge of the triangulation that each segment is a part of, or -1."""
+        """(s,) array of int64: the edge of the triangulation that contains each segment, or -1."""
         return self._segments[2]
 
     @cached_property
     def input_matrix(self) -> scipy.sparse.csc_matrix:
-        """(v, n) matrix: from values at the vertices of the input to values at all vertices. Its rows are coordinates in faces."""
+        """(v, n) matrix: maps values at the input vertices to values at all vertices. Its rows are coordinates in
+        faces."""
         return _arrays.sparse(self._subdivision.input_matrix())
 
     @cached_property
     def intrinsic_matrix(self) -> scipy.sparse.csc_matrix:
-        """(v, n') matrix: from values at the vertices of the triangulation to values at all vertices."""
+        """(v, n') matrix: maps values at the vertices of the triangulation to values at all vertices."""
         return _arrays.sparse(self._subdivision.intrinsic_matrix())
 
     def from_input(self, values: ArrayLike) -> numpy.ndarray:
-        """The function that is linear on the faces of the input, at all vertices.
+        """Interpolate values at the input vertices to all vertices, linearly on the input faces.
 
         Parameters
         ----------
         values : (n,) or (n, k) array of integers or floats
-            The value at each vertex of the input.
+            The value at each input vertex.
 
         Returns
         -------
@@ -141,7 +144,7 @@ class CommonSubdivision:
         return self.input_matrix @ _values(values, self.input_matrix.shape[1])
 
     def from_intrinsic(self, values: ArrayLike) -> numpy.ndarray:
-        """The function that is linear on the faces of the triangulation, at all vertices.
+        """Interpolate values at the vertices of the triangulation to all vertices, linearly on its faces.
 
         Parameters
         ----------
@@ -155,7 +158,7 @@ class CommonSubdivision:
         return self.intrinsic_matrix @ _values(values, self.intrinsic_matrix.shape[1])
 
     def from_input_corners(self, values: ArrayLike) -> numpy.ndarray:
-        """Values at the corners of the faces of the input, such as texture coordinates with seams.
+        """Interpolate values at the corners of the input faces, such as texture coordinates with seams.
 
         Parameters
         ----------
@@ -165,8 +168,8 @@ class CommonSubdivision:
         Returns
         -------
         (c,) or (c, k) array
-            The value at each corner of each polygon, in the order of `corners`. Where the values at both sides of an edge of the
-            input differ, so do these.
+            The value at each corner of each polygon, in the order of `corners`. Where values differ across an input
+            edge, the results do, too.
         """
         array = _arrays.as_array(values, "values", "iuf", "real numbers")
         if array.ndim not in (2, 3) or array.shape[1] != 3:
@@ -180,7 +183,7 @@ class CommonSubdivision:
 
     @cached_property
     def positions(self) -> numpy.ndarray:
-        """(v, 3) array: the positions of all vertices in space, in the unit of the input.
+        """(v, 3) array: the positions of all vertices in space, in the unit of the input, rounded.
 
         Raises
         ------
@@ -192,14 +195,14 @@ class CommonSubdivision:
         return self.input_matrix @ self._points
 
     def triangles(self) -> Tuple[numpy.ndarray, numpy.ndarray]:
-        """The polygons cut into triangles, for programs that draw nothing else.
+        """Cut the polygons into triangles, for programs that draw only triangles.
 
         Returns
         -------
         corners : (t, 3) array of int64
-            For each triangle, the positions of its corners in `corners`; so its vertices are `s.corners[corners]`.
+            For each triangle, the positions of its corners in `corners`: its vertices are `s.corners[corners]`.
         polygons : (t,) array of int64
-            The polygon in which it lies.
+            The polygon of each triangle.
         """
         counts = numpy.diff(self.offsets) - 2
         polygons = numpy.repeat(numpy.arange(len(counts)), counts)
@@ -208,36 +211,40 @@ class CommonSubdivision:
         return numpy.stack([first, first + number_in_polygon + 1, first + number_in_polygon + 2], axis=1), polygons
 
     def mesh(self) -> Tuple[numpy.ndarray, numpy.ndarray, numpy.ndarray, numpy.ndarray]:
-        """What a viewer needs: plain arrays of a mesh in space that shows both triangulations.
+        """Return plain arrays for a viewer: a mesh in space that shows both triangulations.
 
         Returns
         -------
         points : (v, 3) array
             `positions`.
         triangles : (t, 3) array of int64
-            The vertices of each triangle, for `polyscope.register_surface_mesh`, `pyvista.PolyData.from_regular_faces` and the like.
+            The vertices of each triangle, for example for `polyscope.register_surface_mesh` or
+            `pyvista.PolyData.from_regular_faces`.
         input_faces, intrinsic_faces : (t,) arrays of int64
-            The faces in which each triangle lies.
+            The two faces that contain each triangle.
         """
         corners, polygons = self.triangles()
         return self.positions, self.corners[corners], self.input_faces[polygons], self.intrinsic_faces[polygons]
 
     def to_intrinsic(self, faces: ArrayLike, coordinates: ArrayLike) -> Tuple[numpy.ndarray, numpy.ndarray]:
-        """Points of the input as points of the triangulation.
+        """Map points of the input to the triangulation.
+
+        The face of each point is decided exactly. Each point costs O(log n) for n edges that cross its input face,
+        unless it is extremely close to one of them.
 
         Parameters
         ----------
         faces : (k,) array of integers
-            The face of the input in which each point lies.
+            The input face of each point.
         coordinates : (k, 3) array of integers or floats
-            Its barycentric coordinates, for the corners of the face in order: not negative. They need not sum to 1.
+            Its nonnegative barycentric coordinates, for the corners of the face in order. They need not sum to 1.
 
         Returns
         -------
         faces : (k,) array of int64
             The face of the triangulation.
         coordinates : (k, 3) array
-            The coordinates there. One is zero exactly if the point lies on an edge, and two if it is a vertex.
+            The coordinates there, rounded; but one is zero exactly if the point lies on an edge, two if it is a vertex.
 
         Raises
         ------
@@ -249,21 +256,21 @@ class CommonSubdivision:
         return self._subdivision.to_intrinsic(*_surface_points(faces, coordinates))
 
     def to_input(self, faces: ArrayLike, coordinates: ArrayLike) -> Tuple[numpy.ndarray, numpy.ndarray]:
-        """Points of the triangulation as points of the input; otherwise as `to_intrinsic`."""
+        """Map points of the triangulation to the input; otherwise like `to_intrinsic`."""
         return self._subdivision.to_input(*_surface_points(faces, coordinates))
 
     def mass_matrices(self) -> Tuple[scipy.sparse.csc_matrix, scipy.sparse.csc_matrix, scipy.sparse.csc_matrix]:
-        """The integrals of the products of hat functions, in the squared unit of the input.
+        """Integrate the products of hat functions, in the squared unit of the input. O(size of the subdivision).
 
         Returns
         -------
         M_input : (n, n) scipy.sparse.csc_matrix
-            Both functions are those of the input.
+            Both functions belong to the input.
         M_intrinsic : (n', n') scipy.sparse.csc_matrix
-            Both functions are those of the triangulation.
+            Both functions belong to the triangulation.
         M_mixed : (n', n) scipy.sparse.csc_matrix
-            Rows for the triangulation, columns for the input: the solution u of `M_intrinsic u = M_mixed v` is, of all functions on the
-            triangulation, nearest to the function v on the input.
+            Rows belong to the triangulation, columns to the input. The solution u of `M_intrinsic u = M_mixed v` is the
+            function on the triangulation nearest to the function v on the input.
         """
         one, two, mixed = self._subdivision.mass_matrices()
         return _arrays.sparse(one), _arrays.sparse(two), _arrays.sparse(mixed)

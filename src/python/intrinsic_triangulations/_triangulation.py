@@ -21,7 +21,7 @@ from ._subdivision import CommonSubdivision
 
 
 class FlipReport(NamedTuple):
-    """What `Triangulation.flip_to_delaunay` did."""
+    """The result of `Triangulation.flip_to_delaunay`."""
 
     is_delaunay: bool
     """Whether every edge that is not constrained is Delaunay; False if `max_flips` did not suffice."""
@@ -32,25 +32,25 @@ class FlipReport(NamedTuple):
 
 
 class VerificationReport(NamedTuple):
-    """What `Triangulation.verify` found."""
+    """The result of `Triangulation.verify`."""
 
     is_delaunay: bool
     """Whether all edges are Delaunay, and all faces are triangles with the right orientation."""
     tests: int
-    """The number of edges that were tested."""
+    """The number of edges tested."""
     ties: int
     """The number of edges whose opposite angles sum to exactly π."""
     not_delaunay: numpy.ndarray
     """The numbers of the edges whose opposite angles sum to more than π."""
     inverted: numpy.ndarray
-    """The numbers of the faces with the wrong orientation: there is none."""
+    """The numbers of the faces with the wrong orientation; always empty."""
 
 
 class RefinementReport(NamedTuple):
-    """What `Triangulation.refine` did."""
+    """The result of `Triangulation.refine`."""
 
     is_refined: bool
-    """Whether all faces meet the criteria, but those in `unrefined`; False if `max_insertions` did not suffice."""
+    """Whether all faces except those in `unrefined` meet the criteria; False if `max_insertions` did not suffice."""
     insertions: int
     """The number of vertices inserted into faces."""
     segment_splits: int
@@ -60,17 +60,17 @@ class RefinementReport(NamedTuple):
     unrefined: numpy.ndarray
     """The numbers of the faces that do not meet the criteria."""
     reasons: List[str]
-    """Why not, for each of them: "cone", "small_input_angle", "unrepresentable", "too_small" or "budget"."""
+    """The reason for each of them: "cone", "small_input_angle", "unrepresentable", "too_small" or "budget"."""
 
 
 class Triangulation:
-    """A triangulation of a surface in space, or of one that is given by lengths.
+    """A triangulation of a surface in space, or of one given by lengths.
 
-    Edges are straight lines on the surface: flips change the triangulation, but not the surface. Every decision is the one that
-    exact arithmetic makes on the numbers that were given. Faces need not have three different corners, and several edges may
-    join the same two vertices: so edges and faces are known by their numbers, which a flip does not change.
+    Edges are straight lines on the surface: flips change the triangulation, but not the surface. Every decision is
+    exact for the given numbers. A face may have the same vertex at several corners, and several edges may join the same
+    two vertices, so edges and faces are identified by their numbers, which flips do not change.
 
-    Calls from several threads are allowed; they wait for each other.
+    Several threads may share a triangulation; their calls wait for each other.
 
     Parameters
     ----------
@@ -82,7 +82,7 @@ class Triangulation:
     Raises
     ------
     InvalidSurfaceError
-        If the triangles are no oriented manifold, an edge has length zero, or a coordinate is not finite.
+        If the triangles are not an oriented manifold, an edge has length zero, or a coordinate is not finite.
 
     Examples
     --------
@@ -103,20 +103,21 @@ class Triangulation:
 
     @classmethod
     def from_lengths(cls, F: ArrayLike, lengths: ArrayLike) -> "Triangulation":
-        """A surface given by triangles and the lengths of their sides.
+        """Make a triangulation from triangles and the lengths of their sides.
 
         Parameters
         ----------
         F : (m, 3) array of integers
             The corners of the triangles.
         lengths : (m, 3) array of integers or floats
-            The length of side i of a triangle, from corner i to corner i + 1. The two sides at an edge have the same length.
+            The length of side i of each triangle, from corner i to corner i + 1. Both sides at an edge have the same
+            length.
 
         Raises
         ------
         InvalidSurfaceError
-            If the triangles are no oriented manifold, a length is not positive and finite, two sides at an edge have different
-            lengths, or three lengths violate the triangle inequality. Equality is accepted.
+            If the triangles are not an oriented manifold, a length is not positive and finite, the two sides at an edge
+            have different lengths, or three lengths violate the triangle inequality. Equality is accepted.
         """
         faces = _arrays.indices(F, "F", (None, 3))
         sides = _arrays.doubles(lengths, "lengths", (len(faces), 3))
@@ -128,13 +129,13 @@ class Triangulation:
 
     @classmethod
     def from_gluing(cls, glued_sides: ArrayLike, lengths: ArrayLike) -> "Triangulation":
-        """A surface of triangles that are glued in any way, even a triangle to itself.
+        """Make a triangulation from triangles glued in any way, even a triangle to itself.
 
         Parameters
         ----------
         glued_sides : (k, 2) array of integers
             Pairs of sides. Side `3 f + i` runs from corner i of triangle f to corner i + 1; glued sides run in opposite
-            directions. Sides that are not glued form the border.
+            directions. The other sides form the border.
         lengths : (m, 3) array of integers or floats
             As for `from_lengths`.
 
@@ -145,7 +146,7 @@ class Triangulation:
 
         Examples
         --------
-        A flat torus with a single vertex, of two right triangles:
+        A flat torus with one vertex, made of two right triangles:
 
         >>> import intrinsic_triangulations as it
         >>> t = it.Triangulation.from_gluing([[0, 3], [1, 4], [2, 5]], [[3, 4, 5], [3, 4, 5]])
@@ -167,7 +168,7 @@ class Triangulation:
         return result
 
     def copy(self) -> "Triangulation":
-        """Another object of the same class with the same triangulation and the same input."""
+        """Return an independent copy, of the same class. O(size)."""
         result = type(self).__new__(type(self))
         result.__dict__.update(self.__dict__)
         result._surface = self._surface.copy()
@@ -188,19 +189,19 @@ class Triangulation:
             self._points.flags.writeable = False
 
     def show(self, values: Any = None) -> Any:
-        """A page that shows the input and this triangulation: a notebook shows it, elsewhere a browser opens it.
+        """Show the input and this triangulation, in the notebook or in a browser.
 
-        The command `idt view` writes it, which has to be installed.
+        The command `idt view`, which has to be installed, writes the page.
 
         Parameters
         ----------
-        values : (n,) array, or a dictionary of them by their names, or None
-            Numbers at the vertices of the input, which colour the surface.
+        values : (n,) array, or a dictionary of named ones, or None
+            Numbers at the input vertices, which color the surface.
 
         Returns
         -------
         Page
-            It can be saved.
+            The page, which you can save.
 
         Raises
         ------
@@ -220,21 +221,21 @@ class Triangulation:
         return page
 
     def save(self, path: Union[str, os.PathLike]) -> None:
-        """Write the triangulation, with its input and where that lies, to a file from which `load` makes the same triangulation.
+        """Write the triangulation and its input to a file from which `load` restores it exactly.
 
-        `pickle` keeps a triangulation in the same bytes. The file is a binary PLY file of the input with further elements.
+        The file is a binary PLY file of the input with additional elements; `pickle` writes the same bytes. O(size).
 
         Parameters
         ----------
         path : str or os.PathLike
-            The name of the file; the command `idt` knows such files by names that end in `.idt`.
+            The name of the file. The command `idt` recognizes such files by the extension `.idt`.
 
         Raises
         ------
         Error
             If the file cannot be written.
         UndecidedError
-            If an edge crosses more than 2**20 edges of the input.
+            If an edge crosses more than 2**20 input edges.
 
         Examples
         --------
@@ -253,7 +254,8 @@ class Triangulation:
     def load(cls, path: Union[str, os.PathLike]) -> "Triangulation":
         """Read a triangulation that `save` or the command has written.
 
-        Everything in the file is checked, exactly: what is returned is a triangulation of the input in the file, whatever that holds.
+        Everything in the file is checked exactly, so the result is always a triangulation of the input in the file.
+        O(size + number of crossings).
 
         Parameters
         ----------
@@ -263,7 +265,7 @@ class Triangulation:
         Raises
         ------
         InvalidSurfaceError
-            If the file holds no triangulation; the message says what is wrong, and at which byte or element.
+            If the file does not contain a triangulation. The message names the byte or element at fault.
         """
         surface = _core.Surface.load(os.fspath(path))
         points = surface.input_points()
@@ -278,7 +280,7 @@ class Triangulation:
 
     @property
     def number_of_vertices(self) -> int:
-        """The number of vertices: those of the input, with their numbers, and then those that were inserted."""
+        """The number of vertices: the input vertices, with their numbers, followed by the inserted ones."""
         return self._surface.number_of_vertices()
 
     @property
@@ -293,7 +295,7 @@ class Triangulation:
 
     @property
     def faces(self) -> numpy.ndarray:
-        """(m, 3) array of int64: the corners of the faces, counterclockwise. They need not be different."""
+        """(m, 3) array of int64: the corners of the faces, counterclockwise. Corners may coincide."""
         return self._surface.faces()
 
     @property
@@ -303,84 +305,106 @@ class Triangulation:
 
     @property
     def edges(self) -> numpy.ndarray:
-        """(k, 2) array of int64: the two ends of each edge. They need not be different, and several edges may have the same."""
+        """(k, 2) array of int64: the ends of each edge. They may coincide, and several edges may have the same ends."""
         return self._surface.edges()
 
     @property
     def lengths(self) -> numpy.ndarray:
-        """(k,) array: the length of each edge, in the unit of the input; within 1 ulp of the exact one."""
+        """(k,) array: the length of each edge, in the unit of the input; within 1 ulp of the exact length."""
         return self._surface.lengths()
 
     @property
     def weights(self) -> numpy.ndarray:
-        """(k,) array, without unit: (cot α + cot β) / 2 with the angles opposite to each edge, of which a border edge has one.
+        """(k,) array: half the sum of the cotangents of the one or two angles opposite to each edge; no unit.
 
-        If the triangulation is Delaunay, weights of edges inside the surface are not negative. Off the diagonal, L has the
-        negative sum of the weights of the edges that join the two vertices.
+        Weights are rounded, but have the exact sign: no interior weight of a Delaunay triangulation is negative. The
+        off-diagonal entries of L are the negated sums of the weights of all edges that join two vertices.
+
+        Raises
+        ------
+        InvalidSurfaceError
+            If a face has zero area.
         """
         return self._surface.weights()
 
     @property
     def areas(self) -> numpy.ndarray:
-        """(m,) array: the area of each face, in the squared unit of the input."""
+        """(m,) array: the area of each face, in the squared unit of the input; the relative error is at most 2**-32."""
         return self._surface.areas()
 
     @property
     def angles(self) -> numpy.ndarray:
-        """(m, 3) array: the angle at each corner of each face, in radians, as in `faces`."""
+        """(m, 3) array: the angle at each corner of each face in radians; the relative error is at most 2**-49."""
         return self._surface.corner_angles()
 
     def flip_to_delaunay(self, max_flips: Optional[int] = None, constrained: Optional[ArrayLike] = None) -> FlipReport:
-        """Flip edges until the triangulation is Delaunay.
+        """Flip edges until the triangulation is Delaunay. Every decision is exact.
 
         Parameters
         ----------
         max_flips : int, optional
-            The number of flips after which to give up. Without, it ends all the same: that is proven.
+            The number of flips after which to give up. The algorithm ends without it, too: that is proven.
         constrained : (k,) array of bool, optional
-            Which edges are not flipped.
+            The edges that must not be flipped.
 
         Returns
         -------
         FlipReport
+
+        Raises
+        ------
+        UndecidedError
+            If an edge crosses more than 2**20 input edges. The triangulation stays valid.
         """
         maximum = 2**64 - 1 if max_flips is None else _arrays.integer(max_flips, "max_flips")
         return FlipReport(*self._surface.flip_to_delaunay(self._constrained(constrained), maximum))
 
     def verify(self, constrained: Optional[ArrayLike] = None) -> VerificationReport:
-        """Decide of every edge, exactly and from the input alone, whether it is Delaunay.
+        """Decide for every edge, exactly and from the input alone, whether it is Delaunay.
 
         Parameters
         ----------
         constrained : (k,) array of bool, optional
-            Which edges are left out.
+            The edges to leave out.
 
         Returns
         -------
         VerificationReport
+
+        Raises
+        ------
+        UndecidedError
+            If an edge crosses more than 2**20 input edges.
         """
         return VerificationReport(*self._surface.verify(self._constrained(constrained)))
 
     def refine(self, minimum_angle: float = 25, maximum_circumradius: float = math.inf, maximum_edge_length: float = math.inf,
                constrained: Optional[ArrayLike] = None, max_insertions: Optional[int] = None, minimum_size: float = 0) -> RefinementReport:
-        """Flip edges, and insert vertices until no face is too thin or too large. The surface does not change.
+        """Flip edges and insert vertices until no face is too thin or too large. The surface does not change.
 
         Parameters
         ----------
         minimum_angle : float
-            No corner is to be smaller, in degrees; from 0 to 30.
+            The smallest angle allowed, in degrees, from 0 to 30.
         maximum_circumradius, maximum_edge_length : float
-            No circumradius and no edge is to be larger, in the unit of the input.
+            The largest circumradius and edge length allowed, in the unit of the input.
         constrained : (k,) array of bool, optional
-            Which edges are not flipped, but may be split. They have to be edges of the input, not flipped yet.
+            Edges that must not be flipped, but may be split. They must be input edges that were not flipped.
         max_insertions : int, optional
-            The largest number of new vertices; without, ten for each vertex, and a million.
+            The maximum number of new vertices. Default: ten for each vertex, and a million.
         minimum_size : float
-            No vertex is inserted for a face with a shorter side, in the unit of the input.
+            No vertex is inserted for a face with a side shorter than this, in the unit of the input.
 
         Returns
         -------
         RefinementReport
+
+        Raises
+        ------
+        ValueError
+            If a criterion is out of range.
+        UndecidedError
+            As `flip_to_delaunay`.
 
         Examples
         --------
@@ -399,17 +423,18 @@ class Triangulation:
                                                       _arrays.number(minimum_size, "minimum_size")))
 
     def sharp_edges(self, degrees: float, minimum_size: float = 0) -> numpy.ndarray:
-        """Which edges of the input are sharp, to be constrained in `refine` before any flip.
+        """Find the sharp edges of the input, to be constrained in `refine` before any flip.
 
-        Slivers, which are thinner than `minimum_size` or four units in the last place of the largest coordinate, have the direction of
-        what lies beyond their longest side. Chains of sharp edges that are shorter than `minimum_size` are dropped.
+        A sliver, thinner than `minimum_size` or four units in the last place of the largest coordinate, takes the
+        direction of the face beyond its longest side. Chains of sharp edges shorter than `minimum_size` are dropped.
+        Directions and lengths are rounded. O(n log n).
 
         Parameters
         ----------
         degrees : float
-            By how much the directions of two faces differ at least, from 0 to 180.
+            The minimum angle between the directions of the two faces, from 0 to 180.
         minimum_size : float
-            In the unit of the input.
+            The size of slivers and short chains, in the unit of the input.
 
         Returns
         -------
@@ -434,12 +459,12 @@ class Triangulation:
                                          _arrays.number(minimum_size, "minimum_size")).astype(bool)
 
     def edges_between(self, pairs: ArrayLike) -> numpy.ndarray:
-        """Which edges join two vertices of a list, to be constrained in `refine`.
+        """Find the edges that join given pairs of vertices, to be constrained in `refine`.
 
         Parameters
         ----------
         pairs : (p, 2) array of integers
-            Vertices, in any order. Consecutive vertices of a line `v` are `numpy.stack((v[:-1], v[1:]), axis=1)`.
+            The pairs, in any order. For a polyline `v` they are `numpy.stack((v[:-1], v[1:]), axis=1)`.
 
         Returns
         -------
@@ -472,18 +497,23 @@ class Triangulation:
         return _arrays.marks(constrained, "constrained", self.number_of_edges)
 
     def laplacian(self, mass: str = "lumped") -> Tuple[scipy.sparse.csc_matrix, scipy.sparse.csc_matrix]:
-        """The Laplace-Beltrami operator of this triangulation, flipped or not.
+        """Return the Laplace-Beltrami operator of this triangulation, flipped or not.
 
         Parameters
         ----------
         mass : {"lumped", "galerkin"}
-            Which mass matrix is returned.
+            The mass matrix.
 
         Returns
         -------
         L, M : (n, n) scipy.sparse.csc_matrix
-            As those of `intrinsic_triangulations.laplacian`, but there border edges are flipped, too, in a second layer of
-            the surface. Here, the entries of border edges can be positive.
+            As from `intrinsic_triangulations.laplacian`; but that function also flips border edges, in a second layer
+            of the surface. Here, entries of border edges can be positive.
+
+        Raises
+        ------
+        InvalidSurfaceError
+            If a face has zero area.
         """
         is_lumped = _arrays.choice(mass, "mass", ("lumped", "galerkin")) == 0
         return _arrays.sparse(self._surface.stiffness()), _arrays.sparse(self._surface.mass(is_lumped))
@@ -495,12 +525,12 @@ class Triangulation:
 
     @property
     def inserted_vertices(self) -> Tuple[numpy.ndarray, numpy.ndarray]:
-        """Where the inserted vertices lie: (i,) array of faces of the input, and (i, 3) array of coordinates in them."""
+        """(i,) array of input faces, and (i, 3) array of coordinates there: where the inserted vertices lie."""
         return self._surface.inserted_vertices()
 
     @property
     def positions(self) -> numpy.ndarray:
-        """(n, 3) array: the positions of all vertices in space, in the unit of the input.
+        """(n, 3) array: the positions of all vertices in space, in the unit of the input; rounded for new vertices.
 
         Raises
         ------
@@ -513,11 +543,18 @@ class Triangulation:
         return self._points.copy() if subdivision is None else subdivision.positions[:self.number_of_vertices]
 
     def common_subdivision(self) -> CommonSubdivision:
-        """The common subdivision of the input and this triangulation, as it is now.
+        """Return the common subdivision of the input and this triangulation, as it is now.
+
+        O(size + number of crossings).
 
         Returns
         -------
         CommonSubdivision
-            It carries values and points from one to the other. Later flips do not change it.
+            It transfers values and points between the two. Later flips do not change it.
+
+        Raises
+        ------
+        UndecidedError
+            If an edge crosses more than 2**20 input edges.
         """
         return CommonSubdivision(_core.subdivision(self._surface), self._points)

@@ -3,7 +3,7 @@
 #
 # Tangent vectors by the vector heat method.
 
-"""Tangent vectors that are carried over a surface, and logarithmic maps; with the names of potpourri3d."""
+"""Parallel transport of tangent vectors, and logarithmic maps, with potpourri3d's names."""
 
 from __future__ import annotations
 
@@ -21,10 +21,12 @@ STRATEGIES = ("VectorHeat", "AffineLocal", "AffineAdaptive")
 
 
 class MeshVectorHeatSolver(Rebuilt):
-    """Tangent vectors carried along shortest ways, and logarithmic maps, by the vector heat method.
+    """Parallel-transports tangent vectors along shortest paths, and computes logarithmic maps, by the vector heat
+    method.
 
-    The matrices are factorized once. A tangent vector has two coordinates in the frame of its vertex, which `get_tangent_frames`
-    gives in space. Calls from several threads are allowed.
+    The matrices are factorized once; each query then solves two or three linear systems. A tangent vector has two
+    coordinates in the frame of its vertex; `get_tangent_frames` returns these frames. Several threads may share a
+    solver. Results are approximate.
 
     Parameters
     ----------
@@ -33,10 +35,10 @@ class MeshVectorHeatSolver(Rebuilt):
     F : (m, 3) array of integers
         The corners of the triangles, counted from 0: an oriented manifold.
     t_coef : float, optional
-        For how long heat spreads, in units of the squared mean length of the edges: the larger, the smoother. By default 0.05 times
-        the cube root of the number of vertices of each component, and at least 0.5.
+        The time for which heat spreads, in units of the squared mean edge length: the longer, the smoother. Default:
+        0.05 times the cube root of the number of vertices of each component, but at least 0.5.
     use_intrinsic_delaunay : bool
-        Only True is possible: on other triangulations, the method has no guarantees.
+        Must be True: on other triangulations the method has no guarantees.
 
     Raises
     ------
@@ -61,27 +63,28 @@ class MeshVectorHeatSolver(Rebuilt):
         self._heat = _core.vector_heat(surface, time)
 
     def get_tangent_frames(self) -> Tuple[numpy.ndarray, numpy.ndarray, numpy.ndarray]:
-        """The tangent planes in space.
+        """Return the tangent planes in space.
 
         Returns
         -------
         basis_x, basis_y, basis_n : (n, 3) arrays
-            For each vertex, the two axes and the normal: unit vectors at right angles. The vector with the coordinates (a, b) is
-            `a * basis_x[v] + b * basis_y[v]`.
+            For each vertex, the two axes and the normal: rounded orthogonal unit vectors. The vector with coordinates
+            (a, b) is `a * basis_x[v] + b * basis_y[v]`.
         """
         return _core.tangent_frames(self._surface, self._points)
 
     def get_connection_laplacian(self) -> scipy.sparse.csc_matrix:
-        """The connection Laplacian for tangent vectors as complex numbers, without unit: Hermitian.
+        """Return the connection Laplacian for tangent vectors as complex numbers.
 
         Returns
         -------
         (n, n) scipy.sparse.csc_matrix of complex numbers
+            Hermitian, without unit.
         """
         return _arrays.sparse(_core.connection_laplacian(self._surface))
 
     def transport_tangent_vector(self, v_ind: int, vector: Any) -> numpy.ndarray:
-        """A tangent vector at one vertex, carried to all others along shortest ways.
+        """Parallel-transport a tangent vector from one vertex to all others along shortest paths.
 
         Parameters
         ----------
@@ -93,20 +96,21 @@ class MeshVectorHeatSolver(Rebuilt):
         Returns
         -------
         (n, 2) array
-            The coordinates in the frame of each vertex; (0, 0) where nothing is connected with the source.
+            The coordinates in the frame of each vertex; (0, 0) where the source is not connected.
         """
         source = _arrays.vertex(v_ind, "v_ind", len(self._points))
         return self.transport_tangent_vectors([source], _arrays.doubles(vector, "vector", (2,))[None])
 
     def transport_tangent_vectors(self, v_inds: ArrayLike, vectors: Any) -> numpy.ndarray:
-        """Tangent vectors at several vertices; each other one gets that of the nearest.
+        """Parallel-transport tangent vectors from several vertices: every other vertex gets the vector of the nearest
+        one.
 
         Parameters
         ----------
         v_inds : (k,) array of integers
             Different vertices.
         vectors : (k, 2) array of integers or floats
-            The coordinates in their frames.
+            Coordinates in their frames.
 
         Returns
         -------
@@ -120,25 +124,26 @@ class MeshVectorHeatSolver(Rebuilt):
         return self._heat.transport(vertices, array[:, 0], array[:, 1])
 
     def compute_log_map(self, v_ind: int, strategy: str = "AffineLocal") -> numpy.ndarray:
-        """The logarithmic map at a vertex: in which direction, and how far, each other one lies.
+        """Return the logarithmic map at a vertex: direction and distance of every other vertex.
 
         Parameters
         ----------
         v_ind : int
             The vertex.
         strategy : {"VectorHeat", "AffineLocal", "AffineAdaptive"}
-            Without meaning; for programs that were written for potpourri3d. The method is that of Soliman and Sharp (2025).
+            Has no effect; it is for programs written for potpourri3d. The method is by Soliman and Sharp (2025).
 
         Returns
         -------
         (n, 2) array
-            In the frame of the vertex and in the unit of the input: (0, 0) at the vertex, infinite where it is not connected.
+            In the frame of the vertex, in the unit of the input: (0, 0) at the vertex, infinite where it is not
+            connected.
         """
         _arrays.choice(strategy, "strategy", STRATEGIES)
         return self._heat.log_map(_arrays.vertex(v_ind, "v_ind", len(self._points)))
 
     def extend_scalar(self, v_inds: ArrayLike, values: ArrayLike) -> numpy.ndarray:
-        """A function with given values at some vertices, and elsewhere about the value at the nearest of them.
+        """Extend values at some vertices to all: elsewhere, to about the value at the nearest of these vertices.
 
         Parameters
         ----------
@@ -150,7 +155,7 @@ class MeshVectorHeatSolver(Rebuilt):
         Returns
         -------
         (n,) array
-            Zero where none of the vertices can be reached.
+            Zero where no such vertex can be reached.
         """
         vertices = _arrays.indices(v_inds, "v_inds", (None,), len(self._points))
         return self._heat.extend(vertices, _arrays.finite(values, "values", (len(vertices),)))

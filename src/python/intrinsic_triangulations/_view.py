@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Intrinsic_triangulations developers.
 # SPDX-License-Identifier: LGPL-3.0-or-later
 #
-# Pages that show surfaces, which the command writes.
+# Pages that show surfaces; the command writes them.
 
 """Pages that show surfaces in a browser or a notebook."""
 
@@ -25,9 +25,9 @@ from ._triangulation import Triangulation
 
 
 class Page:
-    """A page of HTML that shows a surface, complete in itself. `view` and `Triangulation.show` return it.
+    """A self-contained HTML page that shows a surface, as `view` and `Triangulation.show` return it.
 
-    As the last value of a cell, a notebook shows it.
+    A notebook shows it if it is the last value of a cell.
     """
 
     def __init__(self, text: str) -> None:
@@ -35,11 +35,11 @@ class Page:
         """The page."""
 
     def save(self, path: Union[str, os.PathLike]) -> None:
-        """Write the page to a file, which any browser opens."""
+        """Write the page to a file that any browser can open."""
         pathlib.Path(path).write_text(self.text, encoding="utf-8")
 
     def open(self) -> str:
-        """Open the page in a browser. Returns the name of the file, which is not removed."""
+        """Open the page in a browser, and return the name of its file, which is kept."""
         with tempfile.NamedTemporaryFile("w", suffix=".html", prefix="surface-", delete=False, encoding="utf-8") as file:
             file.write(self.text)
         webbrowser.open(pathlib.Path(file.name).as_uri())
@@ -53,25 +53,32 @@ class Page:
 
 
 def view(V: ArrayLike, F: ArrayLike, values: Union[ArrayLike, Dict[str, ArrayLike], None] = None) -> Page:
-    """A page that shows a surface and its intrinsic Delaunay triangulation.
+    """Return a page that shows a surface and its intrinsic Delaunay triangulation.
 
     Parameters
     ----------
     V, F
         As for `Triangulation`.
-    values : (n,) array, or a dictionary of them by their names, or None
-        Numbers at the vertices, which colour the surface.
+    values : (n,) array, or a dictionary of named ones, or None
+        Numbers at the vertices, which color the surface.
+
+    Returns
+    -------
+    Page
 
     Raises
     ------
+    InvalidSurfaceError
+        As `Triangulation`.
     Error
-        If the command `idt`, which writes pages, is not found; the environment variable IDT_COMMAND can name it.
+        If the command `idt`, which writes the page, is not found; the environment variable IDT_COMMAND can name it.
 
     Examples
     --------
     >>> import intrinsic_triangulations as it
-    >>> page = it.view([[0, 0, 0], [4, 0, 0], [2, 1, 0], [2, 0, 1]], [[0, 1, 2], [1, 0, 3]], [0, 1, 2, 3])  # doctest: +SKIP
-    >>> page.save("kite.html")                                                                             # doctest: +SKIP
+    >>> V, F = [[0, 0, 0], [4, 0, 0], [2, 1, 0], [2, 0, 1]], [[0, 1, 2], [1, 0, 3]]
+    >>> page = it.view(V, F, [0, 1, 2, 3])  # doctest: +SKIP
+    >>> page.save("kite.html")  # doctest: +SKIP
     """
     triangulation = Triangulation(V, F)
     triangulation.flip_to_delaunay()
@@ -79,7 +86,7 @@ def view(V: ArrayLike, F: ArrayLike, values: Union[ArrayLike, Dict[str, ArrayLik
 
 
 def page_of(triangulation: Triangulation, values: Union[ArrayLike, Dict[str, ArrayLike], None]) -> Page:
-    """The page of a triangulation."""
+    """Returns the page of a triangulation."""
     if triangulation._points is None:
         raise ValueError("the surface is given by lengths: it has no picture")
     command: Optional[str] = os.environ.get("IDT_COMMAND") or shutil.which("idt")
