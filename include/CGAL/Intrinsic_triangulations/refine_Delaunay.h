@@ -50,8 +50,8 @@ struct Flips_before_refinement
 /// \brief flips edges until the triangulation is Delaunay, and inserts vertices until no triangle is too thin or too
 /// large.
 ///
-/// A triangle that is too large gets a vertex at its circumcenter. For one with a small angle, twelve points that see its
-/// shortest side at a large enough angle are tried, and the one that leaves the fewest bad triangles is taken; a
+/// A triangle that is too large gets a vertex at its circumcenter. For one with a small angle, twelve points that see
+/// its shortest side at a large enough angle are tried, and the one that leaves the fewest bad triangles is taken; a
 /// straight walk over the triangles finds its place. Small angles at the shortest sides come first, then the largest
 /// triangles. A border edge or constrained edge that is in the way, or that the vertex would encroach on, is split
 /// instead. The positions of the new vertices are chosen in doubles; all consequences are exact, as in
