@@ -167,7 +167,7 @@ private:
       if (quality_.is_too_large(f))
         sum += area / (largest_edge * largest_edge) / 0.45;
       else if (s < 2 * progress_.size)
-        sum += area / (s * s);
+        sum += area / (2 * s * s);
     }
     return static_cast<std::uint64_t>((std::min)(sum, 1e18));
   }
