@@ -139,11 +139,16 @@ def off_center(path):
     drawing = Drawing(760, 440, 46, (320, 38))
     i, j, k = (-0.5, 0), (0.5, 0), (0.3, 8)
     center = circumcenter(i, j, k)
-    height = 0.85 * 0.5 / math.tan(math.radians(12.5))
+    height = 0.99 * 0.5 / math.tan(math.radians(12.5))
     near = (0, height)
+    middle = (0, (height - 0.25 / height) / 2)
+    radius = height - middle[1]
     drawing.polygon([i, j, k], PALE, BLACK, 2)
     drawing.circle(center, math.dist(center, i))
-    drawing.circle(near, height, RED)
+    drawing.circle(middle, radius, RED)
+    for n in range(1, 12):
+        angle = math.pi * n / 12
+        drawing.dot((radius * math.cos(angle), middle[1] + radius * math.sin(angle)), RED, 3)
     for end in (i, j):
         drawing.line(end, near, RED, 2)
     drawing.line((0, 0), center, GREY, 1)
@@ -154,6 +159,8 @@ def off_center(path):
         drawing.text(p, name, shift=move)
     drawing.text(center, "circumcenter", "start", shift=(208, 5))
     drawing.text(near, "off-center", "start", shift=(208, 5), color=RED)
+    drawing.text(middle, "petal", "start", shift=(208, 5), color=RED)
+    drawing.line((4.4, middle[1]), (radius, middle[1]), RED, 1)
     drawing.line((4.4, center[1]), (0.12, center[1]), GREY, 1)
     drawing.line((4.4, near[1]), (0.12, near[1]), RED, 1)
     drawing.save(path)

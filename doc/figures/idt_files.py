@@ -97,7 +97,7 @@ def corners_in_overlay(path):
     """The vertices of each intrinsic triangle, from the faces of the overlay in it."""
     header, data = path.read_bytes().split(b"end_header\n", 1)
     number = {word[1]: int(word[2]) for word in map(str.split, header.decode().splitlines()) if word[0] == "element"}
-    vertices = np.frombuffer(data, [("point", "<f8", 3), ("kind", "u1")], number["vertex"])
+    vertices = np.frombuffer(data, [("point", "<f8", 3), ("kind", "u1"), ("edges", "<i4", 2)], number["vertex"])
     result = defaultdict(set)
     at = vertices.nbytes
     for _ in range(number["face"]):
@@ -105,7 +105,7 @@ def corners_in_overlay(path):
         at += 1 + corners.nbytes
         intrinsic_face = int.from_bytes(data[at + 4:at + 8], "little")
         at += 8
-        result[intrinsic_face].update(corners[vertices["kind"][corners] == 0].tolist())
+        result[intrinsic_face].update(corners[vertices["kind"][corners] != 1].tolist())
     return list(result.values())
 
 

@@ -76,7 +76,7 @@ void Budget_warning::look(const IT::Refinement_progress& progress, const std::fu
     return;
   is_written_ = true;
   std::cerr << erased_progress() << "idt: " << path_ << ": after " << with_separators(progress.points)
-            << " new vertices, about " << with_separators(estimate_) << " more are needed at least, now for sides of "
+            << " new vertices, about " << with_separators(estimate_) << " more are needed, now for sides of "
             << idt::text(where()) << ": the budget of " << with_separators(budget_)
             << " will not suffice; try a larger --minimum-size, or a larger --maximum-points" << std::endl;
 }

@@ -78,6 +78,35 @@ TEST(Refine_Delaunay, leaves_no_thin_triangle)
   }
 }
 
+// geometry-central needs as many for the same surfaces, by circumcenters.
+TEST(Refine_Delaunay, needs_few_vertices)
+{
+  for (const auto& [surface, others] :
+       {std::pair(samples::bad_torus(), std::size_t(6101)), std::pair(samples::prism(), std::size_t(379)),
+        std::pair(samples::bumpy_dome(), std::size_t(149))}) {
+    Triangulation triangulation = triangulation_of(surface);
+    EXPECT_LT(IT::refine_Delaunay(triangulation).insertions, others * 4 / 5);
+  }
+}
+
+// On a closed surface whose cones are not small, new vertices keep away from all others (doc/termination.md).
+TEST(Refine_Delaunay, makes_no_edge_shorter_than_all)
+{
+  for (double degrees : {15., 25., 30.})
+    for (const samples::Indexed_triangles& surface :
+         {samples::bumpy_sphere(), samples::bad_torus(30, 30), samples::pillow(60), samples::prism()}) {
+      Triangulation triangulation = triangulation_of(surface);
+      IT::flip_to_Delaunay(triangulation);
+      const auto shortest = [&] {
+        const std::vector<double> lengths = IT::edge_lengths(triangulation);
+        return *std::min_element(lengths.begin(), lengths.end());
+      };
+      const double before = shortest();
+      IT::refine_Delaunay(triangulation, CGAL::parameters::minimum_angle(degrees));
+      EXPECT_GE(shortest(), before * (1 - 1e-12));
+    }
+}
+
 // Whoever makes them, the same flips are reported.
 TEST(Refine_Delaunay, counts_all_flips)
 {

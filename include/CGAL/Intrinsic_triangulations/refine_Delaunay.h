@@ -50,12 +50,13 @@ struct Flips_before_refinement
 /// \brief flips edges until the triangulation is Delaunay, and inserts vertices until no triangle is too thin or too
 /// large.
 ///
-/// A triangle that does not meet the criteria gets a vertex at its circumcenter, or closer to its shortest side if that
-/// is far shorter than the circumradius, found by a straight walk over the triangles. Small angles at the shortest
-/// sides come first, then the largest triangles. A border edge or constrained edge that is in the way, or that the
-/// vertex would encroach on, is split instead. The positions of the new vertices are chosen in doubles; all
-/// consequences are exact, as in `insert_vertex()`: the metric does not change, and after each insertion all edges that
-/// are not constrained are Delaunay.
+/// A triangle that is too large gets a vertex at its circumcenter. For one with a small angle, twelve points that see
+/// its shortest side at a large enough angle are tried, and the one that leaves the fewest bad triangles is taken; a
+/// straight walk over the triangles finds its place. Small angles at the shortest sides come first, then the largest
+/// triangles. A border edge or constrained edge that is in the way, or that the vertex would encroach on, is split
+/// instead. The positions of the new vertices are chosen in doubles; all consequences are exact, as in
+/// `insert_vertex()`: the metric does not change, and after each insertion all edges that are not constrained are
+/// Delaunay.
 ///
 /// No vertex is inserted for a face with a side shorter than the smallest size, if one is given.
 ///
@@ -119,7 +120,8 @@ struct Flips_before_refinement
 ///
 /// Source: J. Ruppert, "A Delaunay refinement algorithm for quality 2-dimensional mesh generation" (1995); A. Ungor,
 /// "Off-centers: a new type of Steiner points for computing size-optimal quality-guaranteed Delaunay triangulations"
-/// (2009); on surfaces, N. Sharp, Y. Soliman, K. Crane, "Navigating intrinsic triangulations" (2019).
+/// (2009); H. Erten, A. Ungor, "Quality triangulations with locally optimal Steiner points" (2009); on surfaces,
+/// N. Sharp, Y. Soliman, K. Crane, "Navigating intrinsic triangulations" (2019).
 template <class Traits, class NamedParameters = parameters::Default_named_parameters>
 Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation,
                                   const NamedParameters& np = parameters::default_values())

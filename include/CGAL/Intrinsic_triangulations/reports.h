@@ -68,7 +68,7 @@ struct Refinement_progress
     0;             ///< an upper bound on the faces that do not meet the criteria: some of them may meet them by now
   double size = 0; ///< the shortest side of the face that is next, in the unit of the input
   Face_index face; ///< that face
-  /// a rough lower bound on the vertices still needed by faces that are too large, and by thin ones whose shortest
+  /// a rough estimate of the vertices still needed by faces that are too large, and by thin ones whose shortest
   /// sides are of that size. It is computed from the areas of these faces at 1024 new vertices and whenever their
   /// number has doubled
   std::uint64_t estimated_points = 0;

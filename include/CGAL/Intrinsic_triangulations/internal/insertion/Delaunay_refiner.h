@@ -15,10 +15,12 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/Face_quality.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Measured_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Segments.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Small_cones.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/Steiner_point_search.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/point_on_input.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/settle_around.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/straight_walk.h>
@@ -44,16 +46,6 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Which triangles are made smaller; `refine_Delaunay()` says what the members mean.
-struct Refinement_criteria
-{
-  double minimum_angle = 25;
-  double maximum_circumradius = (std::numeric_limits<double>::infinity)();
-  double maximum_edge_length = (std::numeric_limits<double>::infinity)();
-  bool splits_encroached_edges = false;
-  double minimum_size = 0;
-};
-
 // Segments are the edges that are not flipped: on the border, or constrained.
 template <class Traits, class Visitor>
 class Delaunay_refiner
@@ -64,10 +56,10 @@ public:
   Delaunay_refiner(Triangulation& triangulation, const Refinement_criteria& criteria, std::vector<bool> is_segment,
                    Visitor& visitor, std::uint64_t maximum_number)
     : triangulation_(triangulation), complex_(triangulation.connectivity()), engine_(engine(triangulation)),
-      correspondence_(engine_.correspondence()), shapes_(engine_), criteria_(criteria), visitor_(visitor),
-      maximum_number_(maximum_number), faces_(triangulation),
-      segments_(complex_, correspondence_, shapes_, faces_, std::move(is_segment)), cones_(engine_, shapes_),
-      sine_of_minimum_angle_(std::sin(criteria.minimum_angle / 180 * CGAL_PI))
+      correspondence_(engine_.correspondence()), shapes_(engine_), visitor_(visitor), maximum_number_(maximum_number),
+      faces_(triangulation), segments_(complex_, correspondence_, shapes_, faces_, std::move(is_segment)),
+      cones_(engine_, shapes_), quality_(complex_, criteria, faces_, segments_, cones_),
+      search_(complex_, faces_, segments_, quality_)
   {}
 
   Refinement_report operator()()
@@ -90,7 +82,7 @@ private:
     find_cones();
     if (goes_on())
       protect_cones();
-    if (criteria_.splits_encroached_edges)
+    if (quality_.criteria().splits_encroached_edges)
       for (Edge_index e : complex_.edges())
         if (segments_.contains(e))
           segments_to_test_.push_back(e);
@@ -100,13 +92,13 @@ private:
       if (!segments_to_test_.empty()) {
         const Edge_index e = segments_to_test_.back();
         segments_to_test_.pop_back();
-        if (segments_.is_encroached(e) && faces_.length(e) >= 2 * criteria_.minimum_size)
+        if (segments_.is_encroached(e) && faces_.length(e) >= 2 * quality_.criteria().minimum_size)
           split_segment(e);
         continue;
       }
       const Candidate candidate = bad_faces_.top();
       bad_faces_.pop();
-      if (is_bad(candidate.face) && faces_.circumradius(candidate.face) == candidate.radius) {
+      if (quality_.is_bad(candidate.face) && faces_.circumradius(candidate.face) == candidate.radius) {
         tell_progress(candidate.face);
         refine(candidate.face);
       }
@@ -118,12 +110,12 @@ private:
 
   // Faces with a small angle come first, and of these those with the shortest side: what is inserted close to it
   // improves those that have longer ones (A. Ungor, "Off-centers", 2009). Of the faces with sides of the same size up
-  // to a root of two, and of those that are only too large, the largest is next: edges around it cross the fewest small
-  // faces.
+  // to a fourth root of two, and of those that are only too large, the largest is next: edges around it cross the
+  // fewest small faces.
   struct Candidate
   {
-    int order_of_size;
-    double radius; // of the circumcircle
+    int order_of_size; // of the shortest side, in fourth roots of two, if an angle is small
+    double radius;     // of the circumcircle
     Face_index face;
     bool operator<(const Candidate& other) const
     {
@@ -164,84 +156,32 @@ private:
   std::uint64_t estimated_points() const
   {
     const double largest_edge =
-      (std::min)(criteria_.maximum_edge_length, std::sqrt(3.) * criteria_.maximum_circumradius);
+      (std::min)(quality_.criteria().maximum_edge_length, std::sqrt(3.) * quality_.criteria().maximum_circumradius);
     double sum = 0;
     for (Face_index f : complex_.faces()) {
-      if (!is_bad(f) || left_.count(f) != 0)
+      if (!quality_.is_bad(f) || left_.count(f) != 0)
         continue;
       const Halfedge_index longest = faces_.longest_side(f);
       const double l = faces_.length(longest), area = l * l * faces_.apex(longest).imag() / 2,
                    s = faces_.length(faces_.shortest_side(f));
-      if (is_too_large(f))
+      if (quality_.is_too_large(f))
         sum += area / (largest_edge * largest_edge) / 0.45;
       else if (s < 2 * progress_.size)
-        sum += area / (s * s);
+        sum += area / (2 * s * s);
     }
     return static_cast<std::uint64_t>((std::min)(sum, 1e18));
   }
 
-  // Whether refinement cannot change the corner at the source of h.
-  std::optional<Refinement_obstacle> obstacle_at(Halfedge_index h) const
-  {
-    if (is_segment(h) && is_segment(complex_.prev(h)))
-      return Refinement_obstacle::SMALL_INPUT_ANGLE;
-    if (cones_.contains(complex_.source(h)))
-      return Refinement_obstacle::CONE;
-    return std::nullopt;
-  }
   bool is_segment(Halfedge_index h) const { return segments_.contains(h); }
 
-  bool is_below_smallest_size(Face_index f) const
-  {
-    return faces_.length(faces_.shortest_side(f)) < criteria_.minimum_size;
-  }
-  bool is_too_large(Face_index f) const
-  {
-    return faces_.length(faces_.longest_side(f)) > criteria_.maximum_edge_length ||
-           faces_.circumradius(f) > criteria_.maximum_circumradius;
-  }
-  // The sine of the smallest angle is the shortest side over the diameter of the circumcircle.
-  bool has_small_angle(Face_index f) const
-  {
-    return !(faces_.length(faces_.shortest_side(f)) > 2 * faces_.circumradius(f) * sine_of_minimum_angle_ * (1 + 1e-9));
-  }
-  bool is_too_small(double angle) const { return angle < criteria_.minimum_angle / 180 * CGAL_PI; }
-
-  // Whether f is to be refined.
-  bool is_bad(Face_index f) const
-  {
-    if (is_below_smallest_size(f))
-      return false;
-    if (is_too_large(f))
-      return true;
-    const Halfedge_index h = complex_.halfedge(f);
-    if (!has_small_angle(f))
-      return false;
-    for (Halfedge_index corner : {h, complex_.next(h), complex_.prev(h)})
-      if (is_to_be_enlarged(corner))
-        return true;
-    return false;
-  }
-  bool is_to_be_enlarged(Halfedge_index corner) const
-  {
-    return is_too_small(faces_.angle(corner)) && !obstacle_at(corner) &&
-           !segments_.is_between_shells(complex_.next(corner));
-  }
-  // The number of roots of two that a length is worth, rounded down.
-  static int half_octave(double length)
-  {
-    int exponent = 0;
-    const double fraction = std::frexp(length, &exponent);
-    return 2 * exponent + (fraction * fraction >= 0.5 ? 1 : 0);
-  }
-  int order_of_size(Face_index f) const
-  {
-    return has_small_angle(f) ? half_octave(faces_.length(faces_.shortest_side(f))) : (std::numeric_limits<int>::max)();
-  }
   void note(Face_index f)
   {
-    if (is_bad(f))
-      bad_faces_.push({order_of_size(f), faces_.circumradius(f), f});
+    if (!quality_.is_bad(f))
+      return;
+    const double shortest = (std::max)(faces_.length(faces_.shortest_side(f)), (std::numeric_limits<double>::min)());
+    const int order_of_size = quality_.has_small_angle(f) ? static_cast<int>(std::floor(4 * std::log2(shortest)))
+                                                          : (std::numeric_limits<int>::max)();
+    bad_faces_.push({order_of_size, faces_.circumradius(f), f});
   }
 
   // Faces without area are left at the border and at constrained edges: their longest side is one. They are kept as
@@ -310,24 +250,20 @@ private:
   // Inserts a vertex for a face, or splits the segment that is in the way.
   void refine(Face_index f)
   {
-    if (const std::optional<Walk_end> end = walk_to_off_center(f))
+    if (const std::optional<Walk_end> end = walk_to_better_point(f))
       if (!insert_or_split(f, end))
         return;
     if (const std::optional<Refinement_obstacle> reason = refine_at_circumcenter(f))
       left_[f] = {faces_.circumradius(f), *reason};
   }
 
-  // A vertex on the bisector of the shortest side ij makes a triangle with that whose angles are large enough already
-  // if it is as close as this. It needs no circumcenter farther away, and leaves more room (A. Ungor). The factor is 1
-  // for an angle that just meets the bound; others need fewer vertices.
-  std::optional<Walk_end> walk_to_off_center(Face_index f) const
+  // The walk to where a vertex enlarges the smallest angle, if that is to be enlarged.
+  std::optional<Walk_end> walk_to_better_point(Face_index f)
   {
     const Halfedge_index h = faces_.shortest_side(f);
-    const Plane_point z = faces_.apex(h);
-    const double farthest = 0.85 / (2 * std::tan(criteria_.minimum_angle / 360 * CGAL_PI));
-    if (!(std::norm(z) - z.real() > farthest * 2 * z.imag()) || !(z.imag() > 0) || !is_to_be_enlarged(complex_.prev(h)))
+    if (!(faces_.apex(h).imag() > 0) || !quality_.is_to_be_enlarged(complex_.prev(h)))
       return std::nullopt;
-    return walk(h, Plane_point(0.5, farthest));
+    return walk(h, search_(h));
   }
 
   // \return why that cannot be done, if so
@@ -476,7 +412,7 @@ private:
     };
     do {
       note_faces(h);
-      if (criteria_.splits_encroached_edges)
+      if (quality_.criteria().splits_encroached_edges)
         for (Halfedge_index side : {h, complex_.prev(h)})
           if ((side == h || !complex_.is_border(h)) && is_segment(side))
             segments_to_test_.push_back(complex_.edge(side));
@@ -491,14 +427,14 @@ private:
   {
     for (Face_index f : complex_.faces()) {
       const Halfedge_index h = complex_.halfedge(f);
-      bool is_below = is_too_large(f);
-      if (!is_below && !has_small_angle(f))
+      bool is_below = quality_.is_too_large(f);
+      if (!is_below && !quality_.has_small_angle(f))
         continue;
       std::optional<Refinement_obstacle> reason;
       for (Halfedge_index corner : {h, complex_.next(h), complex_.prev(h)})
-        if (is_too_small(faces_.angle(corner))) {
+        if (quality_.is_too_small(faces_.angle(corner))) {
           is_below = true;
-          if (const auto obstacle = obstacle_at(corner))
+          if (const auto obstacle = quality_.obstacle_at(corner))
             reason = obstacle;
           else if (segments_.is_between_shells(complex_.next(corner)))
             reason = Refinement_obstacle::SMALL_INPUT_ANGLE;
@@ -508,7 +444,7 @@ private:
       const auto left = left_.find(f);
       if (left != left_.end() && left->second.first == faces_.circumradius(f))
         reason = left->second.second;
-      if (!reason && is_below_smallest_size(f))
+      if (!reason && quality_.is_below_smallest_size(f))
         reason = Refinement_obstacle::TOO_SMALL;
       report_.unrefined.push_back({f, reason.value_or(Refinement_obstacle::BUDGET)});
     }
@@ -519,7 +455,6 @@ private:
   const Exact_engine& engine_;
   const Correspondence& correspondence_;
   const Input_shapes shapes_;
-  const Refinement_criteria criteria_;
   Visitor& visitor_;
   const std::uint64_t maximum_number_;
   Measured_faces<Traits> faces_;
@@ -530,7 +465,8 @@ private:
   std::priority_queue<Candidate> bad_faces_;
   std::vector<Edge_index> segments_to_test_, stack_, flipped_;
   Small_cones cones_;
-  const double sine_of_minimum_angle_;
+  const Face_quality<Traits> quality_;
+  Steiner_point_search<Traits> search_;
   std::unordered_map<Face_index, std::pair<double, Refinement_obstacle>> left_;
 };
 

@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Which faces refinement makes smaller, and what keeps it from doing so.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_FACE_QUALITY_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_FACE_QUALITY_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/Measured_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/Segments.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/Small_cones.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Which triangles are made smaller; `refine_Delaunay()` says what the members mean.
+struct Refinement_criteria
+{
+  double minimum_angle = 25;
+  double maximum_circumradius = (std::numeric_limits<double>::infinity)();
+  double maximum_edge_length = (std::numeric_limits<double>::infinity)();
+  bool splits_encroached_edges = false;
+  double minimum_size = 0;
+};
+
+template <class Traits>
+class Face_quality
+{
+public:
+  Face_quality(const Delta_complex& complex, const Refinement_criteria& criteria, const Measured_faces<Traits>& faces,
+               const Segments<Traits>& segments, const Small_cones& cones)
+    : complex_(complex), criteria_(criteria), faces_(faces), segments_(segments), cones_(cones),
+      sine_of_minimum_angle_(std::sin(minimum_angle()))
+  {}
+
+  const Refinement_criteria& criteria() const { return criteria_; }
+  // In radians.
+  double minimum_angle() const { return criteria_.minimum_angle / 180 * CGAL_PI; }
+
+  bool is_below_smallest_size(Face_index f) const
+  {
+    return faces_.length(faces_.shortest_side(f)) < criteria_.minimum_size;
+  }
+  bool is_too_large(Face_index f) const
+  {
+    return is_too_large(faces_.length(faces_.longest_side(f)), faces_.circumradius(f));
+  }
+  bool has_small_angle(Face_index f) const
+  {
+    return has_small_angle(faces_.length(faces_.shortest_side(f)), faces_.circumradius(f));
+  }
+  // Whether a triangle with these measures would be refined, if nothing keeps its angles.
+  bool is_bad(double shortest, double longest, double circumradius) const
+  {
+    return is_too_large(longest, circumradius) || has_small_angle(shortest, circumradius);
+  }
+  bool is_too_small(double angle) const { return angle < minimum_angle(); }
+
+  // Whether f is to be refined.
+  bool is_bad(Face_index f) const
+  {
+    if (is_below_smallest_size(f))
+      return false;
+    if (is_too_large(f))
+      return true;
+    const Halfedge_index h = complex_.halfedge(f);
+    if (!has_small_angle(f))
+      return false;
+    for (Halfedge_index corner : {h, complex_.next(h), complex_.prev(h)})
+      if (is_to_be_enlarged(corner))
+        return true;
+    return false;
+  }
+  bool is_to_be_enlarged(Halfedge_index corner) const
+  {
+    return is_too_small(faces_.angle(corner)) && !obstacle_at(corner) &&
+           !segments_.is_between_shells(complex_.next(corner));
+  }
+  // Whether refinement cannot change the corner at the source of h.
+  std::optional<Refinement_obstacle> obstacle_at(Halfedge_index h) const
+  {
+    if (segments_.contains(h) && segments_.contains(complex_.prev(h)))
+      return Refinement_obstacle::SMALL_INPUT_ANGLE;
+    if (cones_.contains(complex_.source(h)))
+      return Refinement_obstacle::CONE;
+    return std::nullopt;
+  }
+
+private:
+  bool is_too_large(double longest, double circumradius) const
+  {
+    return longest > criteria_.maximum_edge_length || circumradius > criteria_.maximum_circumradius;
+  }
+  // The sine of the smallest angle is the shortest side over the diameter of the circumcircle.
+  bool has_small_angle(double shortest, double circumradius) const
+  {
+    return !(shortest > 2 * circumradius * sine_of_minimum_angle_ * (1 + 1e-9));
+  }
+
+  const Delta_complex& complex_;
+  const Refinement_criteria criteria_;
+  const Measured_faces<Traits>& faces_;
+  const Segments<Traits>& segments_;
+  const Small_cones& cones_;
+  const double sine_of_minimum_angle_;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_FACE_QUALITY_H
