@@ -53,7 +53,7 @@ def browser(tmp_path):
         options.add_argument("--" + word)
     options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
     driver = webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
-    driver.set_script_timeout(60)
+    driver.set_script_timeout(120)
     yield driver
     driver.quit()
 
