@@ -91,7 +91,8 @@ def page_of(triangulation: Triangulation, values: Union[ArrayLike, Dict[str, Arr
         raise ValueError("the surface is given by lengths: it has no picture")
     command: Optional[str] = os.environ.get("IDT_COMMAND") or shutil.which("idt")
     if command is None:
-        raise Error("there is no command idt, which writes pages: install it, or name it by the environment variable IDT_COMMAND")
+        raise Error("there is no command idt, which writes pages and is no part of this package: scripts/demo in a checkout builds it as "
+                    "build/command/bin/idt; put it into PATH, or name it by the environment variable IDT_COMMAND")
     number = len(triangulation._points)
     columns = {} if values is None else values if isinstance(values, dict) else {"values": values}
     with tempfile.TemporaryDirectory() as folder:
