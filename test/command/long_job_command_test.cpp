@@ -194,7 +194,7 @@ TEST_F(Command_long_job, can_be_interrupted_at_any_time)
 TEST_F(Command_long_job, lists_what_an_interrupted_refinement_leaves)
 {
   write_sheet("sheet.ply", 30, 1);
-  for (double seconds : {0.3, 1.}) {
+  for (double seconds : {0.1, 0.2, 0.4}) {
     remove_results();
     EXPECT_EQ(interrupt({"refine", "sheet.ply", "--maximum-edge-length", "1e-4", "--maximum-points", "100000000",
                          "--stats", "result.json"},
@@ -203,7 +203,9 @@ TEST_F(Command_long_job, lists_what_an_interrupted_refinement_leaves)
     ASSERT_TRUE(exists("result.json"));
     const Json json = Json::parse(content(folder_ / "result.json"));
     EXPECT_EQ(json["status"], "interrupted");
-    EXPECT_GT(json["unrefined"]["budget"], 0);
+    if (!json["minimum_angle_degrees"].is_null()) { // there was time to look at the faces
+      EXPECT_GT(json["unrefined"]["budget"], 0);
+    }
   }
 }
 
