@@ -123,7 +123,11 @@ void Result_files::write(Triangulation_result& result, std::vector<View_field> f
   write_one("vertex-map", vertex_map, [&](std::ostream& os) { write_vertex_map(os, result.surface); });
   write_one("points", points, [&](std::ostream& os) { write_points(os, result); });
   write_one("edges", edges, [&](std::ostream& os) { write_edges(os, result); });
-  write_one("laplacian", Laplacian, [&](std::ostream& os) { write_Laplacian(os, result); });
+  try {
+    write_one("laplacian", Laplacian, [&](std::ostream& os) { write_Laplacian(os, result); });
+  } catch (const CGAL::Intrinsic_triangulations::Invalid_surface_error& error) {
+    result.no_Laplacian = error;
+  }
   write_one("mass", mass, [&](std::ostream& os) { write_mass(os, result); });
   if (!result.outcome.saved.empty())
     write_one("save", save, [&](std::ostream& os) { os << result.outcome.saved; });

@@ -64,7 +64,8 @@ std::string Smallest_size::text() const
   if (size_ == 0)
     return "0: no place needs one";
   return in_short(size_) + ", chosen as 2^" + std::to_string(std::ilogb(size_ / extent_)) +
-         " of the box: smaller sides need more than " + with_separators(maximum_) + " new vertices";
+         " of the box: smaller sides need more than " + with_separators(maximum_) +
+         " new vertices, which --minimum-size 0 allows";
 }
 
 void Budget_warning::look(const IT::Refinement_progress& progress, const std::function<Short_side()>& where)
@@ -78,7 +79,8 @@ void Budget_warning::look(const IT::Refinement_progress& progress, const std::fu
   std::cerr << erased_progress() << "idt: " << path_ << ": after " << with_separators(progress.points)
             << " new vertices, about " << with_separators(estimate_) << " more are needed, now for sides of "
             << idt::text(where()) << ": the budget of " << with_separators(budget_)
-            << " will not suffice; try a larger --minimum-size, or a larger --maximum-points" << std::endl;
+            << " may not suffice; then try a larger --minimum-size, --maximum-edge-length or --maximum-points"
+            << std::endl;
 }
 
 } // namespace idt

@@ -243,7 +243,7 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
     .add_option("--flatten", options->flattened,
                 "write the result as a mesh of straight triangles, for other solvers: that is another surface, and the "
                 "report gives its distance; --overlay and --laplacian keep the surface")
-    ->type_name("F.(vtp|ply|off|obj|stl)");
+    ->type_name("F.(vtp|ply|off|obj|stl|ts)");
   options->files.add_options(command, repair);
   command.get_option("--repair-map")->excludes(flat);
   constraints->excludes(flat);

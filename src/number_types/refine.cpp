@@ -123,8 +123,11 @@ private:
 
 void refine(Filtered_triangulation& triangulation, const Job& job, Outcome& outcome)
 {
-  if (outcome.report.status != IT::Flip_status::DELAUNAY)
+  if (outcome.report.status != IT::Flip_status::DELAUNAY) {
+    if (outcome.are_flips_cancelled)
+      outcome.refinement.emplace().is_cancelled = true;
     return;
+  }
   const Refinement_options& options = *job.options.refinement;
   Asking_refinement_visitor visitor(triangulation, job);
   // A single decision can take long.

@@ -138,7 +138,7 @@ struct Tessellation_summary
 struct Refinement_summary
 {
   bool is_given_up = false;
-  bool is_cancelled = false; // by the caller; the report lists no faces then
+  bool is_cancelled = false; // by the caller; the report lists the faces that do not meet the criteria then
   CGAL::Intrinsic_triangulations::Refinement_report report;
   std::vector<CGAL::Intrinsic_triangulations::Surface_point> points; // on the input, of the new vertices in order
   // Of the faces that were left as too small, or for the budget, the one with the shortest side.

@@ -186,11 +186,12 @@ void find_ties(const Triangulation& triangulation, Outcome& outcome)
   outcome.tessellation = summary;
 }
 
-// The smallest angle and the largest circumradius.
+// The smallest angle and the largest circumradius. Lists the faces that a cancelled refinement has not come to.
 // \return nothing for a triangulation without faces
 template <class Triangulation>
 std::optional<Shape_summary> summarize_shapes(const Triangulation& triangulation,
-                                              const std::optional<Refinement_summary>& refinement)
+                                              const std::optional<Refinement_options>& options,
+                                              std::optional<Refinement_summary>& refinement)
 {
   const IT::Delta_complex& complex = triangulation.connectivity();
   if (complex.number_of_faces() == 0)
@@ -211,13 +212,24 @@ std::optional<Shape_summary> summarize_shapes(const Triangulation& triangulation
         opposite = side;
     const double smallest = angles[opposite.idx()], degrees = smallest * (180 / CGAL_PI);
     summary.minimum_angle = (std::min)(summary.minimum_angle, degrees);
+    // The smallest angle is at most 60 degrees, where a sine is accurate.
+    const double shortest = CGAL::to_double(triangulation.length(complex.edge(opposite))),
+                 radius =
+                   smallest > 0 ? shortest / (2 * std::sin(smallest)) : (std::numeric_limits<double>::infinity)();
+    summary.maximum_circumradius = (std::max)(summary.maximum_circumradius, radius);
+    if (refinement && refinement->is_cancelled) {
+      const auto& criteria = options->criteria;
+      double longest = 0;
+      for (IT::Halfedge_index side : {h, complex.next(h), complex.prev(h)})
+        longest = (std::max)(longest, CGAL::to_double(triangulation.length(complex.edge(side))));
+      is_listed[f.idx()] = degrees < criteria.minimum_angle || radius > criteria.maximum_circumradius ||
+                           longest > criteria.maximum_edge_length;
+      if (is_listed[f.idx()])
+        refinement->report.unrefined.push_back(
+          {f, shortest < criteria.minimum_size ? IT::Refinement_obstacle::TOO_SMALL : IT::Refinement_obstacle::BUDGET});
+    }
     if (!is_listed[f.idx()])
       summary.minimum_refined_angle = (std::min)(summary.minimum_refined_angle.value_or(degrees), degrees);
-    // The smallest angle is at most 60 degrees, where a sine is accurate.
-    const double radius = smallest > 0
-                            ? CGAL::to_double(triangulation.length(complex.edge(opposite))) / (2 * std::sin(smallest))
-                            : (std::numeric_limits<double>::infinity)();
-    summary.maximum_circumradius = (std::max)(summary.maximum_circumradius, radius);
   }
   return summary;
 }
@@ -289,7 +301,7 @@ void relate_to_input(const Triangulation& triangulation, const Job& job, Outcome
     if (wanted.tessellation && is_Delaunay)
       find_ties(triangulation, outcome);
     if (wanted.shapes)
-      outcome.shapes = summarize_shapes(triangulation, outcome.refinement);
+      outcome.shapes = summarize_shapes(triangulation, job.options.refinement, outcome.refinement);
     if (wanted.exact_lengths)
       outcome.exact_lengths = IT::exact_edge_lengths(triangulation);
     if (wanted.saved)

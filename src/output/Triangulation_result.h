@@ -34,8 +34,10 @@ struct Triangulation_result
   std::optional<double> flat_tolerance;       // how far the removal of flat vertices might move the surface, if at all
   double flat_deviation = 0;                  // and how far it has done so at most
   std::optional<Flattened_surface> flattened; // if it was asked for
-  Surface_counts counts;                      // of the intrinsic triangulation
-  double count_seconds = 0;                   // for `counts`
+  // Why there is no Laplacian, although it was asked for.
+  std::optional<CGAL::Intrinsic_triangulations::Invalid_surface_error> no_Laplacian;
+  Surface_counts counts;                                    // of the intrinsic triangulation
+  double count_seconds = 0;                                 // for `counts`
   std::vector<std::pair<const char*, double>> file_seconds; // for each file, by the option that asked for it
 
   // For all of them.

@@ -45,7 +45,14 @@ std::string message(const Surface& surface, const IT::Delta_complex& complex, co
   if (inner.is_valid() && &complex == &input)
     return face_text(input, input.face(inner)) + " has zero area, so its cotangents are infinite: the flips of the "
                                                  "intrinsic Delaunay triangulation remove it";
-  return "the triangulation has a face of zero area, so its cotangents are infinite: it is not Delaunay";
+  std::size_t e = 0;
+  while (std::isfinite(weights[e]))
+    ++e;
+  const IT::Halfedge_index h = complex.halfedge(IT::Edge_index(e));
+  return "edge " + std::to_string(e) + " of the triangulation (joins vertices " +
+         std::to_string(complex.source(h).idx()) + " and " + std::to_string(complex.target(h).idx()) +
+         ") lies at a face of zero area, so its weight is infinite: the flips were not finished, or the face lies with "
+         "others of zero area at the border or at a kept edge; `idt laplacian` leaves such faces out";
 }
 
 } // namespace

@@ -5,12 +5,59 @@
 
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 namespace idt {
 
 namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+// In degrees.
+double smallest_angle(const Flattened_surface& surface)
+{
+  double result = 180;
+  for (const std::array<std::uint32_t, 3>& triangle : surface.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto &p = surface.points[triangle[i]], &q = surface.points[triangle[(i + 1) % 3]],
+                 &r = surface.points[triangle[(i + 2) % 3]];
+      std::array<double, 3> a{}, b{}, cross{};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        a[axis] = q[axis] - p[axis];
+        b[axis] = r[axis] - p[axis];
+      }
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        cross[axis] = a[(axis + 1) % 3] * b[(axis + 2) % 3] - a[(axis + 2) % 3] * b[(axis + 1) % 3];
+      const double angle =
+        std::atan2(std::hypot(cross[0], cross[1], cross[2]), a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+      result = (std::min)(result, angle * (180 / CGAL_PI));
+    }
+  return result;
+}
+
+// How many pairs of vertices are the ends of sides of more than two triangles.
+std::size_t count_crowded_edges(const std::vector<std::array<std::uint32_t, 3>>& triangles)
+{
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
+  for (const std::array<std::uint32_t, 3>& triangle : triangles)
+    for (std::size_t i = 0; i < 3; ++i)
+      sides.push_back(std::minmax({triangle[i], triangle[(i + 1) % 3]}));
+  std::sort(sides.begin(), sides.end());
+  std::size_t result = 0;
+  for (auto first = sides.begin(); first != sides.end();) {
+    const auto last = std::find_if(first, sides.end(), [&](const auto& side) { return side != *first; });
+    result += last - first > 2;
+    first = last;
+  }
+  return result;
+}
+
+} // namespace
 
 Flattened_surface flatten(const IT::Common_subdivision& subdivision, const std::vector<std::array<double, 3>>& points)
 {
@@ -29,6 +76,8 @@ Flattened_surface flatten(const IT::Common_subdivision& subdivision, const std::
     else
       result.triangles.push_back({a, b, c});
   }
+  result.minimum_angle = smallest_angle(result);
+  result.number_of_crowded_edges = count_crowded_edges(result.triangles);
   for (IT::Overlay::Vertex v : overlay.crossings()) {
     const IT::Halfedge_index h = complex.halfedge(overlay.intrinsic_edge(v));
     const auto &p = result.points[complex.source(h).idx()], &q = result.points[complex.target(h).idx()];

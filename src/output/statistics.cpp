@@ -148,6 +148,8 @@ Json refinement_statistics(const Triangulation_result& result)
   if (result.flattened)
     json["flattened"] = {{"triangles", result.flattened->triangles.size()},
                          {"faces_left_out", result.flattened->number_of_other_faces},
+                         {"edges_of_more_than_two", result.flattened->number_of_crowded_edges},
+                         {"minimum_angle_degrees", result.flattened->minimum_angle},
                          {"deviation", result.flattened->deviation}};
   json["verification"] = verification(outcome);
   json["repair"] = to_json_value(repairs(result.surface));

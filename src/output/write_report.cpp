@@ -52,8 +52,9 @@ void write_refinement(Report_writer& report, const Triangulation_result& result)
 {
   const Refinement_summary& summary = *result.outcome.refinement;
   const std::vector<bool>& is_constrained = result.options.refinement->is_constrained;
-  if (const auto kept = std::count(is_constrained.begin(), is_constrained.end(), true); kept > 0)
-    report.line("kept edges", with_separators(std::uint64_t(kept)));
+  if (!is_constrained.empty())
+    report.line("kept edges",
+                with_separators(std::uint64_t(std::count(is_constrained.begin(), is_constrained.end(), true))));
   const std::uint64_t on_edges = summary.report.segment_splits;
   report.line("new vertices", with_separators(summary.report.insertions + on_edges) + ", " + with_separators(on_edges) +
                                 " of them on edges that are not flipped");
@@ -147,6 +148,17 @@ void write_surface(Report_writer& report, const Triangulation_result& result, bo
 }
 
 // Flips and new vertices.
+// What makes a flattened surface unfit for most solvers.
+std::string gaps_text(const Flattened_surface& surface)
+{
+  std::string result;
+  if (surface.number_of_other_faces > 0)
+    result += "; holes, for " + counted(surface.number_of_other_faces, "face", "faces") + " with two equal corners";
+  if (surface.number_of_crowded_edges > 0)
+    result += "; more than two triangles meet at " + counted(surface.number_of_crowded_edges, "edge", "edges");
+  return result;
+}
+
 void write_changes(Report_writer& report, const Triangulation_result& result)
 {
   const Outcome& outcome = result.outcome;
@@ -163,11 +175,8 @@ void write_changes(Report_writer& report, const Triangulation_result& result)
   if (result.flattened)
     report.line("flattened", "another surface, of " +
                                counted(result.flattened->triangles.size(), "straight triangle", "straight triangles") +
-                               ", up to " + in_short(result.flattened->deviation) + " away" +
-                               (result.flattened->number_of_other_faces > 0
-                                  ? "; without " + counted(result.flattened->number_of_other_faces, "face", "faces") +
-                                      " with two equal corners"
-                                  : ""));
+                               ", up to " + in_short(result.flattened->deviation) + " away, smallest angle " +
+                               in_short(result.flattened->minimum_angle) + " degrees" + gaps_text(*result.flattened));
 }
 
 } // namespace

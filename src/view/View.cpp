@@ -32,10 +32,19 @@ void check_size(std::size_t number_of_triangles)
                       "--overlay F.vtp` writes in ParaView");
 }
 
-float cotangent(double opposite, double a, double b, double area)
+double cotangent(double opposite, double a, double b, double area)
 {
-  return float(area > 0 ? (a * a + b * b - opposite * opposite) / (4 * area)
-                        : std::numeric_limits<double>::quiet_NaN());
+  return area > 0 ? (a * a + b * b - opposite * opposite) / (4 * area) : std::numeric_limits<double>::quiet_NaN();
+}
+
+// In single precision, but no number becomes zero.
+std::vector<float> with_signs(const std::vector<double>& numbers)
+{
+  std::vector<float> result;
+  for (double x : numbers)
+    result.push_back(float(x) == 0 && x != 0 ? float(std::copysign(std::numeric_limits<float>::denorm_min(), x))
+                                             : float(x));
+  return result;
 }
 
 // Lengths and areas are known, in full.
@@ -45,7 +54,7 @@ void append_face(View_triangulation& result, const std::array<std::uint32_t, 3>&
   result.corners.insert(result.corners.end(), corners.begin(), corners.end());
   result.sides.insert(result.sides.end(), sides.begin(), sides.end());
   for (std::size_t i = 0; i < 3; ++i)
-    result.cotangents.push_back(cotangent(lengths[i], lengths[(i + 1) % 3], lengths[(i + 2) % 3], area));
+    result.cotangents.push_back(float(cotangent(lengths[i], lengths[(i + 1) % 3], lengths[(i + 2) % 3], area)));
 }
 
 View_triangulation make_triangulation(const IT::Delta_complex& complex, const IT::Element_numbers& numbers)
@@ -64,6 +73,7 @@ View_triangulation make_triangulation(const IT::Delta_complex& complex, const IT
     append_face(result, corners, sides, lengths, numbers.areas[f.idx()]);
   }
   result.lengths.assign(numbers.lengths.begin(), numbers.lengths.end());
+  result.weights = with_signs(numbers.cotangent_weights);
   return result;
 }
 
@@ -95,6 +105,7 @@ View_triangulation make_triangulation(const std::vector<Point>& points,
   result.number_of_vertices = points.size();
   for (const auto& [v, w] : edges)
     result.lengths.push_back(float(distance(points[v], points[w])));
+  std::vector<double> weights(edges.size());
   for (std::size_t f = 0; f < triangles.size(); ++f) {
     std::array<std::uint32_t, 3> sides{};
     std::array<double, 3> lengths{};
@@ -104,8 +115,12 @@ View_triangulation make_triangulation(const std::vector<Point>& points,
       lengths[i] = distance(points[e.first], points[e.second]);
     }
     const auto& [a, b, c] = triangles[f];
-    append_face(result, triangles[f], sides, lengths, area(points[a], points[b], points[c]));
+    const double face_area = area(points[a], points[b], points[c]);
+    append_face(result, triangles[f], sides, lengths, face_area);
+    for (std::size_t i = 0; i < 3; ++i)
+      weights[sides[i]] += cotangent(lengths[i], lengths[(i + 1) % 3], lengths[(i + 2) % 3], face_area);
   }
+  result.weights = with_signs(weights);
   return result;
 }
 

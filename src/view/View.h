@@ -24,6 +24,7 @@ struct View_triangulation
   std::size_t number_of_vertices = 0;
   std::vector<std::uint32_t> corners; // three of each face
   std::vector<std::uint32_t> sides;   // the edges of each face
+  std::vector<float> weights;         // of the edges: sums of the cotangents, with their signs
   std::vector<float> cotangents;      // of the angles opposite to the sides; NaN in a face without area
   std::vector<float> lengths;         // of the edges
 };

@@ -28,6 +28,7 @@ class Triangulation {
     this.sides = read_array("sides-" + index, Uint32Array); // the edge of each
     this.cotangents = read_array("cotangents-" + index, Float32Array); // of the angle opposite to each
     this.lengths = read_array("lengths-" + index, Float32Array); // of each edge
+    this.weights = read_array("weights-" + index, Float32Array); // of each edge
     this.number_of_faces = this.corners.length / 3;
     this.number_of_edges = this.lengths.length;
     this.number_of_vertices = page.vertices[index];
@@ -47,11 +48,6 @@ class Triangulation {
     return [this.corners[s], this.corners[next(s)]];
   }
   corners_of(f) { return [...this.corners.subarray(3 * f, 3 * f + 3)]; }
-  // The cotangents are rounded: what is left of two that cancel is zero.
-  weight(e) {
-    const a = this.cotangents[this.edge_sides[2 * e]], b = this.counts[e] > 1 ? this.cotangents[this.edge_sides[2 * e + 1]] : 0;
-    return Math.abs(a + b) < 2e-7 * (Math.abs(a) + Math.abs(b)) ? 0 : a + b;
-  }
   // In degrees; not a number in a face without area.
   opposite_angle(s) { return Math.atan2(1, this.cotangents[s]) * 180 / Math.PI; }
   angle_at(s) { return this.opposite_angle(next(s)); }

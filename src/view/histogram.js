@@ -42,7 +42,7 @@ function inner_weights(t) {
   let n = 0;
   for (let e = 0; e < t.number_of_edges; ++e)
     if (t.counts[e] > 1)
-      weights[n++] = t.weight(e);
+      weights[n++] = t.weights[e];
   return weights.subarray(0, n);
 }
 

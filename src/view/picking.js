@@ -49,7 +49,7 @@ function describe_vertex(v) {
 function describe_edge(t, e) {
   const sides = t.sides_of(e);
   return "edge " + e + " of the " + t.name + ": " + t.ends(e).join(" – ") + ", length " + text_of(t.lengths[e]) + ", cotangent weight " +
-    text_of(t.weight(e)) + "\n  opposite angles " + sides.map(s => text_of(t.opposite_angle(s), "°")).join(", ");
+    text_of(t.weights[e]) + "\n  opposite angles " + sides.map(s => text_of(t.opposite_angle(s), "°")).join(", ");
 }
 
 function describe_face(t, f) {

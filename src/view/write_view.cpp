@@ -133,6 +133,7 @@ void write_page(std::ostream& os, const View& view)
     write_array(os, "corners" + number, triangulation.corners);
     write_array(os, "sides" + number, triangulation.sides);
     write_array(os, "cotangents" + number, triangulation.cotangents);
+    write_array(os, "weights" + number, triangulation.weights);
     write_array(os, "lengths" + number, triangulation.lengths);
   }
   for (std::size_t f = 0; f < view.fields.size(); ++f)

@@ -190,6 +190,25 @@ TEST_F(Command_long_job, can_be_interrupted_at_any_time)
   EXPECT_GT(interrupted, 0u);
 }
 
+// What an interrupted refinement has not come to is listed.
+TEST_F(Command_long_job, lists_what_an_interrupted_refinement_leaves)
+{
+  write_sheet("sheet.ply", 30, 1);
+  for (double seconds : {0.1, 0.2, 0.4}) {
+    remove_results();
+    EXPECT_EQ(interrupt({"refine", "sheet.ply", "--maximum-edge-length", "1e-4", "--maximum-points", "100000000",
+                         "--stats", "result.json"},
+                        seconds),
+              4);
+    ASSERT_TRUE(exists("result.json"));
+    const Json json = Json::parse(content(folder_ / "result.json"));
+    EXPECT_EQ(json["status"], "interrupted");
+    if (!json["minimum_angle_degrees"].is_null()) { // there was time to look at the faces
+      EXPECT_GT(json["unrefined"]["budget"], 0);
+    }
+  }
+}
+
 // A proof of this tie is tried for ten seconds and given up then.
 TEST_F(Command_long_job, can_be_interrupted_within_a_decision)
 {
