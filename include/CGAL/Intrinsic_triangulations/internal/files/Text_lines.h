@@ -11,6 +11,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/files/File_blocks.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -73,7 +75,7 @@ public:
     return p != last;
   }
   // Goes to the next word anywhere; false at the end of the file.
-  bool find_word()
+  BOOST_FORCEINLINE bool find_word()
   {
     while (!find_word_on_line())
       if (!next_line())
@@ -99,7 +101,8 @@ public:
   }
 
 private:
-  void skip_comment()
+  // Apart, so that what is called for each word stays short.
+  BOOST_NOINLINE void skip_comment()
   {
     const char* const other = std::find(p, last, line_end_ == '\n' ? '\r' : '\n');
     if (skip_white(other, last) != last)

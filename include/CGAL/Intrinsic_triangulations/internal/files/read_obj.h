@@ -15,7 +15,6 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <iterator>
 #include <limits>
 #include <string>
@@ -141,8 +140,7 @@ private:
              counted(soup_.points.size(), "vertex", "vertices") + " and " +
              counted(soup_.number_of_faces(), "face", "faces") +
              "): correct it, or put # before it if it has no part of the surface");
-    if (!is("parm") && !is("bmat"))
-      check_others();
+    check_others(keyword);
     if (has_curved_surfaces_ || !(is("surf") || is("bsp") || is("bzp") || is("cdp")))
       return;
     has_curved_surfaces_ = true;
@@ -151,13 +149,13 @@ private:
   }
 
   // A vertex or face behind something else would be lost, also where a line end is missing before it: s offf 1 2 3.
-  void check_others()
+  void check_others(const std::string_view keyword)
   {
     lines_.p = skip_word(skip_white(lines_.p, lines_.last), lines_.last);
-    const auto has = [this](const char c) {
-      return std::memchr(lines_.p, c, static_cast<std::size_t>(lines_.last - lines_.p)) != nullptr;
-    };
-    if (!has('f') && !has('v') && !has('F') && !has('V')) // nearly all
+    const auto is_letter = [](const char c) { return (c | 0x20) == 'f' || (c | 0x20) == 'v'; };
+    if (std::none_of(lines_.p, lines_.last, is_letter)) // nearly all
+      return;
+    if (is_keyword(keyword, "parm") || is_keyword(keyword, "bmat"))
       return;
     std::string_view element; // v or f
     std::size_t numbers = 0;  // words behind it that begin as numbers do
