@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/sharp_edges.h>
+#include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
 
 #include <Eigen/SparseCholesky>
@@ -38,18 +39,7 @@ namespace {
 // Where a vertex of the refined triangulation lies.
 std::array<double, 3> place(const Triangulation& t, const Points& points, IT::Vertex_index v)
 {
-  if (!t.is_inserted(v))
-    return points[v.idx()];
-  const IT::Surface_point& point = t.location(v);
-  const IT::Delta_complex& input = t.input();
-  std::array<double, 3> result{};
-  IT::Halfedge_index h = point.halfedge;
-  for (double weight : point.coordinates) {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      result[axis] += weight * points[input.source(h).idx()][axis];
-    h = input.next(h);
-  }
-  return result;
+  return t.is_inserted(v) ? IT::point_in_space(t.input(), points, t.location(v)) : points[v.idx()];
 }
 
 // The overlay shows the part as it is, with the values of the intrinsic triangulation.
