@@ -132,6 +132,8 @@ private:
   void take_other(const std::string_view keyword)
   {
     const auto is = [keyword](const std::string_view word) { return is_keyword(keyword, word); };
+    if (is("vt") || is("vn")) // nearly all
+      return check_others(keyword);
     if (is("call") || is("csh"))
       refuse(line() + ": " + quote(lines_.rest()) +
              " runs another file or program, which is not supported: replace it with the contents");
@@ -153,7 +155,7 @@ private:
   {
     lines_.p = skip_word(skip_white(lines_.p, lines_.last), lines_.last);
     const auto is_letter = [](const char c) { return (c | 0x20) == 'f' || (c | 0x20) == 'v'; };
-    if (std::none_of(lines_.p, lines_.last, is_letter)) // nearly all
+    if (std::none_of(lines_.p, lines_.last, is_letter))
       return;
     if (is_keyword(keyword, "parm") || is_keyword(keyword, "bmat"))
       return;
