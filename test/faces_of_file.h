@@ -18,6 +18,7 @@
 #include <cstring>
 #include <limits>
 #include <map>
+#include <set>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -77,9 +78,15 @@ inline std::vector<Row> rows(std::string text, char comment)
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     if (comment != 0) {
-      const std::size_t begin = (std::min)(line.find(comment), line.size()), end = line.find('\r', begin);
-      expect(end == std::string::npos || line.find_first_not_of(" \t\r\v\f", end) == std::string::npos,
-             "a comment has two ends");
+      const std::size_t begin = (std::min)(line.find(comment), line.size());
+      for (std::size_t end = begin; (end = line.find('\r', end)) != std::string::npos; ++end) {
+        std::istringstream rest(line.substr(end));
+        std::string word;
+        rest >> word;
+        for (const char* const element : {"v", "f", "trgl", "vrtx", "pvrtx"})
+          expect(lower(word) != element, "a comment has two ends");
+        expect(word.find_first_of("0123456789-") != 0, "a comment has two ends");
+      }
       line.resize(begin);
     }
     std::istringstream words(line);
@@ -187,7 +194,10 @@ inline Faces of_obj(std::string text)
   }
   Collector result;
   for (const Row& row : rows(text, '#')) {
-    for (std::size_t i = 1; i + 3 < row.size() && lower(row[0]) != "parm" && lower(row[0]) != "bmat"; ++i)
+    // What has a name, or numbers of other things.
+    const std::set<std::string> others = {"parm",   "bmat",   "g",      "o",          "mg",       "usemtl",
+                                          "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj"};
+    for (std::size_t i = 1; i + 3 < row.size() && others.count(lower(row[0])) == 0; ++i)
       expect((lower(row[i]) != "f" && lower(row[i]) != "v") ||
                !std::all_of(row.begin() + std::ptrdiff_t(i) + 1, row.begin() + std::ptrdiff_t(i) + 4,
                             [](const auto& word) { return word.find_first_of("0123456789-") == 0; }),
@@ -227,8 +237,11 @@ inline Faces of_ts(const std::string& text)
   };
   for (const Row& row : rows(text, '#')) {
     const std::string word = lower(row[0]);
-    for (std::size_t i = 1; i + 1 < row.size(); ++i)
-      expect(lower(row[i]) != "trgl" || row[i + 1].find_first_of("0123456789") != 0, "a triangle begins no line");
+    for (std::size_t i = 1; i + 3 < row.size(); ++i)
+      expect(lower(row[i]) != "trgl" ||
+               !std::all_of(row.begin() + std::ptrdiff_t(i) + 1, row.begin() + std::ptrdiff_t(i) + 4,
+                            [](const auto& x) { return x.find_first_of("0123456789") == 0; }),
+             "a triangle begins no line");
     const auto name = [&](std::size_t i) { return std::to_string(integer(i < row.size() ? row[i] : "")); };
     if (word == "gocad" || word == "end") {
       end_part();

@@ -27,9 +27,12 @@ double smallest_angle(const Flattened_surface& surface)
       const auto &p = surface.points[triangle[i]], &q = surface.points[triangle[(i + 1) % 3]],
                  &r = surface.points[triangle[(i + 2) % 3]];
       std::array<double, 3> a{}, b{}, cross{};
+      double size = 0; // so that no product overflows or vanishes
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        size = (std::max)({size, std::abs(q[axis] - p[axis]), std::abs(r[axis] - p[axis])});
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        a[axis] = q[axis] - p[axis];
-        b[axis] = r[axis] - p[axis];
+        a[axis] = (q[axis] - p[axis]) / size;
+        b[axis] = (r[axis] - p[axis]) / size;
       }
       for (std::size_t axis = 0; axis < 3; ++axis)
         cross[axis] = a[(axis + 1) % 3] * b[(axis + 2) % 3] - a[(axis + 2) % 3] * b[(axis + 1) % 3];
@@ -41,7 +44,7 @@ double smallest_angle(const Flattened_surface& surface)
 }
 
 // How many pairs of vertices are the ends of sides of more than two triangles.
-std::size_t count_crowded_edges(const std::vector<std::array<std::uint32_t, 3>>& triangles)
+std::size_t count_non_manifold_edges(const std::vector<std::array<std::uint32_t, 3>>& triangles)
 {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
   for (const std::array<std::uint32_t, 3>& triangle : triangles)
@@ -77,7 +80,7 @@ Flattened_surface flatten(const IT::Common_subdivision& subdivision, const std::
       result.triangles.push_back({a, b, c});
   }
   result.minimum_angle = smallest_angle(result);
-  result.number_of_crowded_edges = count_crowded_edges(result.triangles);
+  result.number_of_non_manifold_edges = count_non_manifold_edges(result.triangles);
   for (IT::Overlay::Vertex v : overlay.crossings()) {
     const IT::Halfedge_index h = complex.halfedge(overlay.intrinsic_edge(v));
     const auto &p = result.points[complex.source(h).idx()], &q = result.points[complex.target(h).idx()];

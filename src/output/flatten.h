@@ -23,8 +23,8 @@ struct Flattened_surface
   // Each point of the surface has a place in the straight triangle of its face. It is at most as far from there as
   // this, and one vertex of the overlay is: both are linear on each face of the overlay.
   double deviation = 0;
-  double minimum_angle = 180;              // of the straight triangles, in degrees
-  std::size_t number_of_crowded_edges = 0; // at which more than two of them meet
+  double minimum_angle = 180;                   // of the straight triangles, in degrees
+  std::size_t number_of_non_manifold_edges = 0; // at which more than two of them meet
 };
 
 // \param points those of the input

@@ -146,14 +146,17 @@ Json refinement_statistics(const Triangulation_result& result)
     json["unrefined"][reason] = faces;
   json["flattened"] = nullptr;
   if (result.flattened)
-    json["flattened"] = {{"triangles", result.flattened->triangles.size()},
-                         {"faces_left_out", result.flattened->number_of_other_faces},
-                         {"edges_of_more_than_two", result.flattened->number_of_crowded_edges},
-                         {"minimum_angle_degrees", result.flattened->minimum_angle},
-                         {"deviation", result.flattened->deviation}};
+    json["flattened"] = {
+      {"triangles", result.flattened->triangles.size()},
+      {"faces_left_out", result.flattened->number_of_other_faces},
+      {"non_manifold_edges", result.flattened->number_of_non_manifold_edges},
+      {"minimum_angle_degrees", result.flattened->triangles.empty() ? Json() : Json(result.flattened->minimum_angle)},
+      {"deviation", result.flattened->deviation}};
   json["verification"] = verification(outcome);
   json["repair"] = to_json_value(repairs(result.surface));
   json["warnings"] = result.surface.warnings;
+  if (result.no_Laplacian)
+    json["warnings"].push_back(result.no_Laplacian->what());
   json["status"] = status_word(outcome);
   json["seconds"] = seconds(result);
   json["peak_memory_bytes"] = peak_memory_bytes();
@@ -202,6 +205,8 @@ nlohmann::ordered_json statistics(const Triangulation_result& result)
   json["mollification"] = mollification(result.surface);
   json["repair"] = to_json_value(repairs(result.surface));
   json["warnings"] = result.surface.warnings;
+  if (result.no_Laplacian)
+    json["warnings"].push_back(result.no_Laplacian->what());
   json["status"] = status_word(outcome);
   json["seconds"] = seconds(result);
   json["peak_memory_bytes"] = peak_memory_bytes();

@@ -147,18 +147,18 @@ void write_surface(Report_writer& report, const Triangulation_result& result, bo
                                   counted(surface.untwisting->twists.size(), "twist", "twists"));
 }
 
-// Flips and new vertices.
 // What makes a flattened surface unfit for most solvers.
 std::string gaps_text(const Flattened_surface& surface)
 {
   std::string result;
   if (surface.number_of_other_faces > 0)
     result += "; holes, for " + counted(surface.number_of_other_faces, "face", "faces") + " with two equal corners";
-  if (surface.number_of_crowded_edges > 0)
-    result += "; more than two triangles meet at " + counted(surface.number_of_crowded_edges, "edge", "edges");
+  if (surface.number_of_non_manifold_edges > 0)
+    result += "; more than two triangles meet at " + counted(surface.number_of_non_manifold_edges, "edge", "edges");
   return result;
 }
 
+// Flips and new vertices.
 void write_changes(Report_writer& report, const Triangulation_result& result)
 {
   const Outcome& outcome = result.outcome;

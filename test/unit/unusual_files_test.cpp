@@ -169,14 +169,15 @@ std::vector<Case> cases()
      }},
     {"stl", "one line, a facet misspelt behind a color",
      [](S& s, E& e) {
-       e.error = at(1, "facet", s.middle()) + ": \"facett\" where facet or endsolid is expected";
+       e.error = at(1, "facet", s.middle()) + ": \"normal\" where facet or endsolid is expected";
        return replaced(with_line(stl_text(s), s.stl_facet(s.middle()), "color 1 0 0 facett normal 0 0 1"), "\n", " ");
      }},
-    {"stl", "one line, a number too many behind a color",
-     [](S& s, E& e) {
-       e.error = at(1, "facet", s.middle()) + ": \"5\" where facet or endsolid is expected";
-       return replaced(with_line(stl_text(s), s.stl_facet(s.middle()), "color 1 2 3 4 5 facet normal 0 0 1"), "\n",
-                       " ");
+    {"stl", "names, comments and colors that look like words of facets",
+     [](S& s, E&) {
+       return replaced(with_line(stl_text(s), 1,
+                                 "solid Front end facet\n# color\r# more, and\rthe end facet\ncolor red\n"
+                                 "color = (1, 0, 0)"),
+                       "outer loop", "# the outer loop follows\nouter loop");
      }},
     {"stl", "one line, a comment",
      [](S& s, E& e) {
@@ -579,6 +580,15 @@ std::vector<Case> cases()
      }},
     {"obj", "names with f and v",
      [](S& s, E&) { return "o sheet v 1 2\ng f 1 2 f a 3 # f 1 2 3\nparm v 0 0 1\n" + obj_text(s); }},
+    {"obj", "a name that looks like a face",
+     [](S& s, E& e) {
+       e.warning = "line 2: \"f\" is within another element";
+       return with_line(obj_text(s), 2, "g wall f 1 2 3");
+     }},
+    {"obj", "names and comments that look a little like faces",
+     [](S& s, E&) {
+       return "# by x\r# page\rtwo\no Valve DN50 F 100x20 30x40 5mm\nusemtl v 3d 2d 1d\ng v -a -b -c\n" + obj_text(s);
+     }},
     {"obj", "curved surfaces",
      [](S& s, E& e) {
        e.warning = "line 1: this and all other curved surfaces are left out";
@@ -721,7 +731,7 @@ std::vector<Case> cases()
      }},
     {"ply", "faces by another name",
      [](S& s, E& e) {
-       e.warning = "the header announces 1 element \"polygon\" that name vertices: they are left out";
+       e.warning = "the header announces 1 element \"polygon\" with lists of vertices: left out";
        return replaced(ply_text(s, {}), "end_header",
                        "element polygon 1\nproperty list uchar int vertex_index\nend_header") +
               "3 0 1 2\n";
@@ -827,9 +837,11 @@ std::vector<Case> cases()
      }},
     {"ts", "TRGL behind another word",
      [](S& s, E& e) {
-       e.error = "line " + std::to_string(s.ts_face(0)) + ", \"TRGL\": it is not at the begin of a line";
+       e.error = "line " + std::to_string(s.ts_face(0)) + ", \"TRGL\": it is not at the beginning of a line";
        return with_line(ts_text(s), s.ts_face(0), "TFACE TRGL 1 2 3");
      }},
+    {"ts", "a name with TRGL",
+     [](S& s, E&) { return replaced(ts_text(s), "HEADER {", "HEADER {\nname: Fault TRGL 2"); }},
     {"ts", "no TFACE", [](S& s, E&) { return replaced(ts_text(s), "TFACE\n", ""); }},
     {"ts", "an open brace",
      [](S& s, E& e) {

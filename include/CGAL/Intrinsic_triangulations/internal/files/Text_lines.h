@@ -104,10 +104,18 @@ private:
   // Apart, so that what is called for each word stays short.
   BOOST_NOINLINE void skip_comment()
   {
-    const char* const other = std::find(p, last, line_end_ == '\n' ? '\r' : '\n');
-    if (skip_white(other, last) != last)
-      refuse_line_end(path_, number_, line_end_);
-    p = last;
+    while ((p = skip_white(std::find(p, last, line_end_ == '\n' ? '\r' : '\n'), last)) != last)
+      if (begins_element())
+        refuse_line_end(path_, number_, line_end_);
+  }
+
+  bool begins_element() const
+  {
+    const std::string_view word(p, static_cast<std::size_t>(skip_word(p, last) - p));
+    for (const char* const keyword : {"v", "f", "trgl", "vrtx", "pvrtx"})
+      if (is_keyword(word, keyword))
+        return true;
+    return is_digit(word[0]) || word[0] == '-';
   }
 
   const std::string path_;

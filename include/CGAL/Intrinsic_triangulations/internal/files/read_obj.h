@@ -159,8 +159,11 @@ private:
       return;
     if (is_keyword(keyword, "parm") || is_keyword(keyword, "bmat"))
       return;
+    // A name may have any words. A CR or LF that ends no line of this file shows what they are.
+    const char* const end = std::find_if(lines_.p, lines_.last, [](const char c) { return c == '\r' || c == '\n'; });
+    const bool may_be_name = is_name(keyword) && skip_white(end, lines_.last) == lines_.last;
     std::string_view element; // v or f
-    std::size_t numbers = 0;  // words behind it that begin as numbers do
+    std::size_t numbers = 0;  // behind it
     while (lines_.find_word_on_line()) {
       const std::string_view word = lines_.take_word(), before = word.substr(0, word.size() - 1),
                              letter = word.substr(before.size());
@@ -168,12 +171,24 @@ private:
           (before.empty() || is_digit(before.back()) || is_keyword(before, "off"))) {
         element = letter;
         numbers = 0;
-      } else if (!is_digit(word[0]) && word[0] != '-')
+      } else if (!is_number(word.substr(0, word.find('/'))))
         element = {};
-      else if (!element.empty() && ++numbers == 3)
-        refuse(line() + ": " + quote(element) +
-               " is within another element: begin each vertex and each face on a line of its own");
+      else if (!element.empty() && ++numbers == 3) {
+        const std::string text = line() + ": " + quote(element) +
+                                 " is within another element: begin each vertex and each face on a line of its own";
+        if (!may_be_name)
+          refuse(text);
+        soup_.warnings.push_back(text + ", if it is no part of a name");
+        return;
+      }
     }
+  }
+  static bool is_name(const std::string_view keyword)
+  {
+    for (const char* const other : {"g", "o", "mg", "usemtl", "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj"})
+      if (is_keyword(keyword, other))
+        return true;
+    return false;
   }
 
   // Three coordinates, and perhaps a weight and a color.

@@ -165,10 +165,11 @@ inline void check_types(const std::string& path, const std::vector<Ply_element>&
   for (const Ply_element& element : elements) {
     has_vertices = has_vertices || element.is_vertex();
     has_faces = has_faces || element.is_face() || element.is_strips();
-    if (!element.is_face() && !element.is_strips() && element.find_corners() != nullptr && element.count > 0)
+    const Ply_property* const corners = element.find_corners();
+    if (!element.is_face() && !element.is_strips() && corners != nullptr && !corners->size_type.empty() &&
+        element.count > 0)
       soup.warnings.push_back("the header announces " + counted(element.count, "element", "elements") + " " +
-                              quote(element.name) +
-                              " that name vertices: they are left out, as they are not called face");
+                              quote(element.name) + " with lists of vertices: left out, as these are not called face");
     if (element.is_vertex())
       for (const char* const name : {"x", "y", "z"}) {
         const Ply_property* const property = element.find(name);
@@ -485,8 +486,8 @@ private:
           refuse("the list " + name + " claims a negative number of entries");
         if (bits > file_.left())
           refuse("the list " + name + " claims more entries than the file has");
-        // The zeros of an index are taken for it if the header has a number that is wrong, and would hide that.
-        if (bits == 0 && l.role == Ply_layout::CORNERS)
+        // With one vertex too many in the header, the last byte of the first face is taken for it, and the others fit.
+        if (bits == 0 && l.role == Ply_layout::CORNERS && index == 0)
           refuse("the list " + name + " is empty: remove the face, or correct the header");
         count = bits;
       }

@@ -203,7 +203,7 @@ private:
       triangle_[i] = corners_.vertex(points[i]);
     soup_.triangles.push_back(triangle_);
     number_ += lines;
-    color_ = 0;
+    line_of_color_ = 0;
     begin = p;
     return true;
   }
@@ -212,11 +212,9 @@ private:
   {
     if (number_ == line_of_rest_)
       return take_rest(word);
-    if (color_ > 0 && is_number(word)) {
-      --color_;
+    if (number_ == line_of_color_ && !is_word_of_stl(word))
       return;
-    }
-    color_ = 0;
+    line_of_color_ = 0;
     if (take_usual_word(word))
       return;
     if (prefix_.empty() && word[0] == '#')
@@ -309,9 +307,18 @@ private:
       state_ = OUTSIDE;
       begin_rest(true);
     } else if (state_ != OUTSIDE && (word == "color" || word == "colour"))
-      color_ = 4;
+      line_of_color_ = number_;
     else
       refuse_word(shown);
+  }
+
+  static bool is_word_of_stl(const std::string_view word)
+  {
+    for (const char* const other :
+         {"facet", "normal", "outer", "loop", "vertex", "endloop", "endfacet", "end", "solid", "endsolid", "color"})
+      if (is_keyword(word, other))
+        return true;
+    return word[0] == '#';
   }
 
   void end_facet()
@@ -335,22 +342,31 @@ private:
     facet_words_ = is_name                    ? 1
                    : number_ == line_of_word_ ? in_comment
                                               : 0; // facets may be commented out by whole lines
-    is_second_ = has_other_end_ = is_solid_begun_ = false;
+    is_second_ = has_other_end_ = is_solid_begun_ = is_behind_vertex_ = false;
+    swallowed_.clear();
     line_of_rest_ = number_;
   }
   void take_rest(const std::string_view word)
   {
-    if (facet_words_ < 1 && has_other_end_)
-      refuse_line_end(path_, number_, line_end_);
+    if (facet_words_ < 1 && has_other_end_) {
+      if (is_word_of_stl(word) && word[0] != '#')
+        refuse_line_end(path_, number_, line_end_);
+      has_other_end_ = false;
+    }
     if (facet_words_ == 0)
       return;
     const bool is_end = is_keyword(word, "endfacet") || is_keyword(word, "endloop") ||
                         (is_second_ && (is_keyword(word, "facet") || is_keyword(word, "loop")));
     is_second_ = is_keyword(word, "outer") || is_keyword(word, "end");
-    if (is_end && facet_words_ == in_comment)
-      refuse(quote(word) + " is in the comment that begins with # on this line: end the line before the facet");
-    if (is_end)
-      refuse_word(std::string(word)); // of a facet whose first words are misspelt, in a file of one line
+    if (is_end && swallowed_.empty())
+      swallowed_ = std::string(word);
+    // A name or comment may have any words, but hardly those of a facet up to the numbers of a vertex.
+    const bool is_facet = !swallowed_.empty() && is_behind_vertex_ && is_number(word);
+    is_behind_vertex_ = is_keyword(word, "vertex");
+    if (is_facet && facet_words_ == in_comment)
+      refuse(quote(swallowed_) + " is in the comment that begins with # on this line: end the line before the facet");
+    if (is_facet)
+      refuse_word(swallowed_); // of a facet whose first words are misspelt, in a file of one line
     if (facet_words_ == in_comment)
       return;
     is_solid_begun_ = is_solid_begun_ || is_keyword(word, "solid");
@@ -428,7 +444,9 @@ private:
   bool is_second_ = false;                              // the word before is the first half of a keyword
   bool is_solid_begun_ = false;                         // perhaps: the name of another has that word
   bool has_other_end_ = false;                          // the rest has a CR or LF that ends no line
-  int color_ = 0;                                       // how many of its numbers may come
+  std::size_t line_of_color_ = 0;                       // whatever else is on that line belongs to the color
+  std::string swallowed_;                               // in a name or comment, the end of a part of a facet
+  bool is_behind_vertex_ = false;                       // the word before is vertex
   std::array<double, 3> point_{};
   std::array<std::uint32_t, 3> triangle_{};
 };

@@ -100,12 +100,13 @@ private:
   // A triangle behind something else would be lost.
   void check_rest()
   {
-    bool is_triangle = false;
+    int corners = -1; // behind the word, if it was there
     while (lines_.find_word_on_line()) {
       const std::string_view word = lines_.take_word();
-      if (is_triangle && is_digit(word[0]))
-        refuse_line("TRGL", "it is not at the begin of a line: begin each triangle on a line of its own");
-      is_triangle = is_keyword(word, "trgl");
+      if (is_keyword(word, "trgl"))
+        corners = 0;
+      else if (corners >= 0 && (corners = is_digit(word[0]) ? corners + 1 : -1) == 3)
+        refuse_line("TRGL", "it is not at the beginning of a line: begin each triangle on a line of its own");
     }
   }
 

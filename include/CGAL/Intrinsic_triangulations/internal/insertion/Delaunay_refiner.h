@@ -446,7 +446,9 @@ private:
         reason = left->second.second;
       if (!reason && quality_.is_below_smallest_size(f))
         reason = Refinement_obstacle::TOO_SMALL;
-      report_.unrefined.push_back({f, reason.value_or(Refinement_obstacle::BUDGET)});
+      report_.unrefined.push_back(
+        {f, reason.value_or(report_.status == Refinement_status::REFINED ? Refinement_obstacle::UNREPRESENTABLE
+                                                                         : Refinement_obstacle::BUDGET)});
     }
   }
 

@@ -38,8 +38,8 @@ inline Plane_point circumcenter(Plane_point a, Plane_point b, Plane_point c)
 
 // The points that see the shortest side of a triangle at a large enough angle form a disk, its petal. The search tries
 // points of its border, and the circumcenter or off-center: it lays out the triangles that an insertion would replace,
-// which are those with the point in their circumcircles. It takes the point that leaves the fewest bad triangles, and of
-// several the one that is farthest from all vertices.
+// which are those with the point in their circumcircles. It takes the point that leaves the fewest bad triangles, and
+// of several the one that is farthest from all vertices.
 //
 // Source: H. Erten, A. Ungor, "Quality triangulations with locally optimal Steiner points" (2009). They take the point
 // that is farthest from all vertices; with the count, refinement needs about 30 percent fewer.
@@ -96,7 +96,7 @@ private:
 
   struct Outcome
   {
-    int bad_triangles;       // less those of before
+    int bad_triangles;       // how many more there would be
     double squared_distance; // to the nearest vertex
     bool operator<(const Outcome& other) const
     {
