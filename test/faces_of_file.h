@@ -195,7 +195,7 @@ inline Faces of_obj(std::string text)
   Collector result;
   for (const Row& row : rows(text, '#')) {
     // What has a name, or numbers of other things.
-    const std::set<std::string> others = {"parm",   "bmat",   "g",      "o",          "mg",       "usemtl",
+    const std::set<std::string> others = {"parm",   "bmat",   "g",      "o",          "usemtl",
                                           "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj"};
     for (std::size_t i = 1; i + 3 < row.size() && others.count(lower(row[0])) == 0; ++i)
       expect((lower(row[i]) != "f" && lower(row[i]) != "v") ||

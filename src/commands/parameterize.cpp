@@ -105,7 +105,7 @@ void find_map(const Parameterize_options& options, Result& result, const IT::Pro
     result.uv = result.pattern->uv;
     return;
   }
-  require_finite_weights(result.triangulation.surface, complex, numbers.cotangent_weights);
+  require_finite_weights(result.triangulation.surface, complex, numbers);
   if (options.boundary == "natural") {
     result.uv = IT::natural_parameterization(complex, numbers.cotangent_weights, numbers.lengths, numbers.areas);
     return;

@@ -168,10 +168,11 @@ void write_table(std::ostream& os, const std::vector<Row>& rows)
   write_aligned(os, lines);
 }
 
-Operator_summary summarize(const Surface& surface, const IT::Delta_complex& complex, const std::vector<double>& weights,
+Operator_summary summarize(const Surface& surface, const IT::Delta_complex& complex, const IT::Element_numbers& numbers,
                            const IT::Weight_summary& weight_summary)
 {
-  require_finite_weights(surface, complex, weights);
+  require_finite_weights(surface, complex, numbers);
+  const std::vector<double>& weights = numbers.cotangent_weights;
   // A weight of an equilateral triangulation is 1.15; far out, only slivers are to be counted.
   return {IT::extreme_eigenvalues(complex, IT::stiffness_matrix(complex, weights)),
           IT::weight_histogram(complex, weights, -10, 10, 80), weight_summary};
@@ -183,10 +184,8 @@ void find_condition(const Triangulation_result& result, Row& row)
   const Outcome& outcome = result.outcome;
   try {
     const Progress progress(result.surface.path, "factoring, and finding eigenvalues");
-    row.before = summarize(result.surface, result.surface.connectivity, outcome.input_numbers.cotangent_weights,
-                           *outcome.weights_before);
-    row.after =
-      summarize(result.surface, outcome.connectivity, outcome.numbers.cotangent_weights, *outcome.weights_after);
+    row.before = summarize(result.surface, result.surface.connectivity, outcome.input_numbers, *outcome.weights_before);
+    row.after = summarize(result.surface, outcome.connectivity, outcome.numbers, *outcome.weights_after);
   } catch (const IT::Error& error) {
     std::cerr << "idt: " << result.surface.path << ": no condition number: " << error.what()
               << "; --without-condition omits it" << std::endl;

@@ -120,6 +120,14 @@ Json shortest_left(const Refinement_summary& refinement)
   return {{"length", side.length}, {"place", side.place ? Json(*side.place) : Json(nullptr)}};
 }
 
+std::vector<std::string> warnings(const Triangulation_result& result)
+{
+  std::vector<std::string> texts = result.surface.warnings;
+  if (result.no_Laplacian)
+    texts.push_back(result.no_Laplacian->what());
+  return texts;
+}
+
 Json refinement_statistics(const Triangulation_result& result)
 {
   const Outcome& outcome = result.outcome;
@@ -154,9 +162,7 @@ Json refinement_statistics(const Triangulation_result& result)
       {"deviation", result.flattened->deviation}};
   json["verification"] = verification(outcome);
   json["repair"] = to_json_value(repairs(result.surface));
-  json["warnings"] = result.surface.warnings;
-  if (result.no_Laplacian)
-    json["warnings"].push_back(result.no_Laplacian->what());
+  json["warnings"] = warnings(result);
   json["status"] = status_word(outcome);
   json["seconds"] = seconds(result);
   json["peak_memory_bytes"] = peak_memory_bytes();
@@ -204,9 +210,7 @@ nlohmann::ordered_json statistics(const Triangulation_result& result)
   json["verification"] = verification(outcome);
   json["mollification"] = mollification(result.surface);
   json["repair"] = to_json_value(repairs(result.surface));
-  json["warnings"] = result.surface.warnings;
-  if (result.no_Laplacian)
-    json["warnings"].push_back(result.no_Laplacian->what());
+  json["warnings"] = warnings(result);
   json["status"] = status_word(outcome);
   json["seconds"] = seconds(result);
   json["peak_memory_bytes"] = peak_memory_bytes();

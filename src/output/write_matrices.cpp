@@ -15,7 +15,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 void write_Laplacian(std::ostream& os, const Triangulation_result& result)
 {
   const Outcome& outcome = result.outcome;
-  require_finite_weights(result.surface, outcome.connectivity, outcome.numbers.cotangent_weights);
+  require_finite_weights(result.surface, outcome.connectivity, outcome.numbers);
   write_symmetric_matrix(os, "Laplace-Beltrami operator: -(cot + cot)/2 off the diagonal, row sums zero",
                          IT::stiffness_matrix(outcome.connectivity, outcome.numbers.cotangent_weights));
 }

@@ -357,18 +357,27 @@ TEST_F(Refine_command, stops_at_the_budget)
   EXPECT_EQ(json["verification"]["not_delaunay"], 0);
 }
 
-// Faces of no area that lie beside each other at the border leave no weights. What can be written is, and the report.
+// Faces of no area that flips cannot remove leave no weights. What can be written is, and the report.
 TEST_F(Refine_command, does_without_a_Laplacian)
 {
-  write("z.off", "OFF\n5 5 0\n0 0 0\n1 0 0\n0.3 0 0\n0.6 0 0\n0.5 1 0\n3 0 2 4\n3 2 3 4\n3 3 1 4\n3 2 0 1\n3 3 2 1\n");
-  const Command_run run = idt("refine z.off --laplacian l.mtx --mass m.mtx --stats s.json");
-  EXPECT_EQ(run.status, 3);
-  EXPECT_TRUE(contains(run.err, "lies at a face of zero area")) << run.err;
-  EXPECT_TRUE(contains(run.out, "status")) << run.out;
-  EXPECT_FALSE(std::filesystem::exists(folder_ / "l.mtx"));
-  EXPECT_TRUE(std::filesystem::exists(folder_ / "m.mtx"));
-  EXPECT_EQ(stats()["status"], "done");
-  EXPECT_TRUE(contains(stats()["warnings"].back(), "lies at a face of zero area"));
+  // Two beside each other at the border, and one at an edge that is kept.
+  write("border.off",
+        "OFF\n5 5 0\n0 0 0\n1 0 0\n0.3 0 0\n0.6 0 0\n0.5 1 0\n3 0 2 4\n3 2 3 4\n3 3 1 4\n3 2 0 1\n3 3 2 1\n");
+  write("inner.off", "OFF\n5 4 0\n0 0 0\n1 0 0\n0.5 0 0\n0.5 1 0\n0.5 -1 0\n3 0 2 3\n3 2 1 3\n3 0 1 2\n3 0 4 1\n");
+  write("kept.csv", "0,1\n");
+  for (const auto& [input, message] :
+       {std::pair("border.off", "face 3 (corners 2, 0, 1) has zero area and lies on the border"),
+        std::pair("inner.off --constraints kept.csv", "beside others at a border or kept edge")}) {
+    const Command_run run = idt(std::string("refine ") + input + " --laplacian l.mtx --mass m.mtx --stats s.json");
+    EXPECT_EQ(run.status, 3);
+    EXPECT_TRUE(contains(run.err, message)) << run.err;
+    EXPECT_TRUE(contains(run.out, "status")) << run.out;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "l.mtx"));
+    EXPECT_TRUE(std::filesystem::remove(folder_ / "m.mtx"));
+    EXPECT_EQ(stats()["status"], "done");
+    EXPECT_TRUE(contains(stats()["warnings"].back(), message));
+  }
+  EXPECT_EQ(idt("laplacian inner.off --stiffness l.mtx").status, 0);
 }
 
 // Straight triangles: a roof without its ridge is another surface. The distance is that of the middle of the ridge from

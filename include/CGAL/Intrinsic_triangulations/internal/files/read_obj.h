@@ -185,7 +185,7 @@ private:
   }
   static bool is_name(const std::string_view keyword)
   {
-    for (const char* const other : {"g", "o", "mg", "usemtl", "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj"})
+    for (const char* const other : {"g", "o", "usemtl", "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj"})
       if (is_keyword(keyword, other))
         return true;
     return false;

@@ -339,9 +339,8 @@ private:
   // A comment to the end of the line, or a name, which ends at a facet, too: some files are one line.
   void begin_rest(const bool is_name)
   {
-    facet_words_ = is_name                    ? 1
-                   : number_ == line_of_word_ ? in_comment
-                                              : 0; // facets may be commented out by whole lines
+    const bool is_whole_line = number_ != line_of_word_; // which may comment a facet out
+    facet_words_ = is_name ? 1 : is_whole_line ? 0 : in_comment;
     is_second_ = has_other_end_ = is_solid_begun_ = is_behind_vertex_ = false;
     swallowed_.clear();
     line_of_rest_ = number_;

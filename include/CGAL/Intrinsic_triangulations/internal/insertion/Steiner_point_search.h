@@ -59,7 +59,7 @@ public:
   {
     triangles_.clear();
     lay_out(h, 0, 1);
-    Plane_point best(0.5, (std::min)(triangles_[0].center.imag(), height_));
+    Plane_point best(0.5, (std::min)(height_, triangles_[0].center.imag())); // which is the height for NaN
     std::optional<Outcome> best_outcome = try_point(best);
     const double y = (height_ - 0.25 / height_) / 2, radius = height_ - y;
     for (int i = 1; i < number_of_points && triangles_.size() < most_triangles; ++i) {
@@ -75,10 +75,10 @@ public:
   }
 
 private:
-  // By which the petal is lower: new triangles meet the bound in spite of rounding.
+  // The petal is lowered by this factor, so that new triangles meet the bound in spite of rounding.
   static constexpr double slack = 0.99;
   static constexpr int number_of_points = 12;
-  static constexpr double least_squared_distance = 1.1;
+  static constexpr double least_squared_distance = 1.1; // from all vertices, in squares of the shortest side
   // More are not laid out: around a thin tube, the same ones come again and again.
   static constexpr std::size_t most_triangles = 64;
 
@@ -122,16 +122,15 @@ private:
       Halfedge_index h = triangles_[t].halfedge;
       for (std::size_t i = 0; i < side; ++i)
         h = complex_.next(h);
-      int n = segment;
-      if (!segments_.contains(h)) {
-        n = lay_out(complex_.opposite(h), triangles_[t].corners[(side + 1) % 3], triangles_[t].corners[side]);
-      }
+      const Plane_point a = triangles_[t].corners[side], b = triangles_[t].corners[(side + 1) % 3];
+      const int n = segments_.contains(h) ? segment : lay_out(complex_.opposite(h), b, a);
       triangles_[t].neighbors[side] = n;
     }
     return triangles_[t].neighbors[side];
   }
 
-  // \return nothing if the point comes too close to a segment, or its neighborhood is too large
+  // \return nothing if the point comes too close to a segment, or if its neighborhood is too large or has a triangle
+  //   without area, behind which a vertex could be near
   std::optional<Outcome> try_point(Plane_point p)
   {
     const double unit = faces_.length(triangles_[0].halfedge);
@@ -143,6 +142,8 @@ private:
       result.bad_triangles -= triangles_[t].is_bad;
       for (std::size_t side = t == 0 ? 0 : 1; side < 3; ++side) {
         const int n = neighbor(t, side);
+        if (n == none)
+          return std::nullopt;
         if (n >= 0 && std::norm(p - triangles_[n].center) < triangles_[n].squared_radius) {
           stack_.push_back(n);
           continue;
