@@ -259,7 +259,7 @@ TEST_F(Read_surface, forms_of_binary_ply)
   for (const auto& p : points)
     content += little(float(p[2])) + little(std::uint16_t(2)) + "abcd" + little(p[0]) + 'r' + little(float(p[1]));
   content += "12345678";
-  for (const std::vector<std::uint32_t>& face : {std::vector<std::uint32_t>{0, 1, 2}, {2, 1, 0, 1}, {1, 2}}) {
+  for (const std::vector<std::uint32_t>& face : {std::vector<std::uint32_t>{0, 1, 2}, {2, 1, 0, 1}, {}}) {
     content += little(std::uint32_t(1)) + "qqqq" + little(std::uint16_t(face.size()));
     for (const std::uint32_t v : face)
       content += little(v);
@@ -267,14 +267,14 @@ TEST_F(Read_surface, forms_of_binary_ply)
   }
   input = idt::read_surface(write("mixed.ply", content));
   EXPECT_EQ(input.points, points);
-  EXPECT_EQ(input.corners, (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 0, 1, 1, 2}));
-  EXPECT_EQ(input.first_corner, (std::vector<std::size_t>{0, 3, 7, 9}));
+  EXPECT_EQ(input.corners, (std::vector<std::uint32_t>{0, 1, 2, 2, 1, 0, 1}));
+  EXPECT_EQ(input.first_corner, (std::vector<std::size_t>{0, 3, 7, 7}));
   EXPECT_EQ(idt::read_surface(write("mixed.ply", content + std::string("\n\0", 2))).warnings.size(), 1u);
   refused("mixed.ply", content + "what follows",
           "from byte " + std::to_string(content.size()) +
             " on there are 12 bytes behind the elements that the header announces (3 vertex, 2 edge, 3 face)");
   refused("mixed.ply", content.substr(0, content.size() - 1), "element face 2: the file ends within flag");
-  refused("mixed.ply", content.substr(0, content.size() - 16), "element face 2: the file ends within quality");
+  refused("mixed.ply", content.substr(0, content.size() - 8), "element face 2: the file ends within quality");
 
   // Triangles, then others, then triangles again.
   content = ply_header("binary_little_endian", 3, 4);
