@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # Copyright (c) 2026 The Intrinsic_triangulations developers.
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws the pictures of the manual: those of the paper redone, refinement, and number types compared.
+"""Draws the pictures of README and of the manual: solutions, those of the paper redone, refinement, and number types compared.
 
 Those of the paper are its figures 1, 2, 6, 7, 8, 9 and 10. The comparison takes some minutes.
 

@@ -54,6 +54,21 @@ def edges_before_and_after(surface, triangulation, camera, radius):
     return page
 
 
+def solutions(surface, triangulation, overlay, before, after, error, camera, radius):
+    """What an equation on a surface gives with its own triangles and with those of its refined iDT.
+
+    `before` has the values at the vertices of the input, `after` those at the vertices of the overlay; `error` is that of each.
+    """
+    stay, gone, new = _edges(surface, triangulation)
+    size = radius * np.linalg.norm(np.ptp(surface.points, axis=0))
+    shades = pyplot.get_cmap("cividis")(np.linspace(0, 1, 19))
+    images = [render([bands(surface.points, surface.faces, before, (-1, 1), shades), tubes(stay + gone, GREY, size / 4)], camera),
+              _draw(surface, [(stay, WHITE), (new, RED)], camera, radius),
+              render([bands(overlay.points, overlay.faces, after, (-1, 1), shades)], camera)]
+    titles = [f"on the given triangles: error {error[0]:.2f}", "the refined iDT", f"on the refined iDT: error {error[1]:.3f}"]
+    return page_of_images(images, titles, columns=3)
+
+
 def overlays(subjects):
     """Figure 7: the edges of both triangulations on several surfaces.
 
@@ -158,7 +173,7 @@ def distances(surface, values, axes, camera, radius):
     size = radius * np.linalg.norm(np.ptp(surface.points, axis=0))
     number = 24
     shades = [pyplot.get_cmap("YlGnBu")(0.15 + 0.75 * (i % 2 + i / number) / 2) for i in range(number)]
-    images = [render([bands(surface.points, surface.faces, values, number, shades)], camera),
+    images = [render([bands(surface.points, surface.faces, values, (0, float(np.max(values))), shades)], camera),
               render([polygons(surface.points, surface.faces),
                       tubes([[point, end] for point, end in zip(surface.points, ends)], RED, size)], camera)]
     return page_of_images(images, ["the distance from a vertex", "a vector there, carried along shortest ways"], columns=2)

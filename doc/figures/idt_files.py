@@ -42,6 +42,15 @@ class Triangulation:
     weights: np.ndarray   # cot + cot
     paths: list           # its points on the surface, one after the other
     lengths: np.ndarray   # of its edges
+    points: np.ndarray    # of its vertices
+
+
+    def sides(self, triangles):
+        """The lengths of the sides opposite to the corners of triangles. No two edges join the same vertices."""
+        lengths = {tuple(pair): length for pair, length in zip(self.ends.tolist(), self.lengths)}
+        if len(lengths) < len(self.ends) or any(len(corners) != 3 for corners in triangles):
+            raise Files_error("sides are found in triangulations without loops and multiple edges alone")
+        return np.array([[lengths[tuple(sorted(pair))] for pair in ((j, k), (k, i), (i, j))] for i, j, k in triangles])
 
 
 @dataclass
@@ -93,20 +102,36 @@ def read_obj(path):
     return np.array(points), np.array(uv), faces
 
 
-def corners_in_overlay(path):
-    """The vertices of each intrinsic triangle, from the faces of the overlay in it."""
+@dataclass
+class Overlay:
+    """The faces that input and triangulation have in common."""
+    points: np.ndarray
+    kinds: np.ndarray            # of the vertices: 0 of the input, 1 crossing, 2 inserted
+    edges: np.ndarray            # at crossings, those of the input and of the triangulation
+    faces: list                  # the vertices of each face
+    intrinsic_faces: np.ndarray  # the triangle that contains each face
+
+    def triangles(self):
+        """The vertices of each intrinsic triangle."""
+        result = defaultdict(set)
+        for face, triangle in zip(self.faces, self.intrinsic_faces):
+            result[triangle].update(face[self.kinds[face] != 1].tolist())
+        return list(result.values())
+
+
+def read_overlay(path):
+    """Reads an overlay of polygons in PLY."""
     header, data = path.read_bytes().split(b"end_header\n", 1)
     number = {word[1]: int(word[2]) for word in map(str.split, header.decode().splitlines()) if word[0] == "element"}
     vertices = np.frombuffer(data, [("point", "<f8", 3), ("kind", "u1"), ("edges", "<i4", 2)], number["vertex"])
-    result = defaultdict(set)
+    faces, intrinsic_faces = [], []
     at = vertices.nbytes
     for _ in range(number["face"]):
-        corners = np.frombuffer(data, "<i4", data[at], at + 1)
-        at += 1 + corners.nbytes
-        intrinsic_face = int.from_bytes(data[at + 4:at + 8], "little")
+        faces.append(np.frombuffer(data, "<i4", data[at], at + 1))
+        at += 1 + faces[-1].nbytes
+        intrinsic_faces.append(int.from_bytes(data[at + 4:at + 8], "little"))
         at += 8
-        result[intrinsic_face].update(corners[vertices["kind"][corners] != 1].tolist())
-    return list(result.values())
+    return Overlay(vertices["point"], vertices["kind"], vertices["edges"], faces, np.array(intrinsic_faces))
 
 
 class Idt:
@@ -160,19 +185,13 @@ class Idt:
             ends=np.sort(ends, axis=1),
             original=np.array([row["original"] == "1" for row in rows]),
             weights=np.array([float(row["cotan_weight"] or "nan") for row in rows]),
-            paths=[np.array([points[i], *inner, points[j]]) for (i, j), inner in zip(ends, crossings)],
-            lengths=np.array([float(row["length"]) for row in rows]))
+            paths=[np.array([points[i], *inner, points[j]])[::1 if i <= j else -1] for (i, j), inner in zip(ends, crossings)],
+            lengths=np.array([float(row["length"]) for row in rows]),
+            points=points)
 
-    def angles(self, triangulation):
-        """The angles of the triangles, in degrees, of the last run. No two edges join the same vertices."""
-        lengths = {tuple(pair): length for pair, length in zip(triangulation.ends.tolist(), triangulation.lengths)}
-        triangles = corners_in_overlay(self.folder / "overlay.ply")
-        if len(lengths) < len(triangulation.ends) or any(len(corners) != 3 for corners in triangles):
-            raise Files_error("there are angles of triangulations without loops and multiple edges alone")
-        a, b, c = np.array([[lengths[tuple(sorted((j, k)))], lengths[tuple(sorted((k, i)))], lengths[tuple(sorted((i, j)))]]
-                            for i, j, k in triangles]).T
-        cosines = [(y * y + z * z - x * x) / (2 * y * z) for x, y, z in ((a, b, c), (b, c, a), (c, a, b))]
-        return np.degrees(np.arccos(np.clip(cosines, -1, 1))).ravel()
+    def overlay(self):
+        """The overlay of the last run."""
+        return read_overlay(self.folder / "overlay.ply")
 
     def geodesic(self, surface, *options):
         """The points of a straight line on a surface, and the report about it."""

@@ -35,6 +35,8 @@ def part(direction, center, height):
 DOME = sample("bumpy-dome")
 
 SAMPLES = {
+    "solutions": Subject(lambda idt: surfaces.folded_sheet(idt.folder / "sheet.off"),
+                         Camera((0.15, -1, 1.5), size=(320, 270)), 0.0013),
     "edges": Subject(DOME, Camera((1, -1.2, 0.9))),
     "thin-tube": Subject(lambda idt: surfaces.thin_tube(idt.folder / "thin-tube.off"),
                          Camera((1, 0.2, 0.1), up=(0.1, -1, 0), size=(960, 190)), 0.0028),
@@ -82,6 +84,48 @@ def draw_edges(idt, subject):
     return figures.edges_before_and_after(surface, idt.triangulate(surface), subject.camera, subject.radius)
 
 
+def solve(triangles, sides, right):
+    """Solves u - Δu = f by linear finite elements, from the values of f at the vertices."""
+    matrix, mass = np.zeros((2, len(right), len(right)))
+    for corners, (a, b, c) in zip(map(list, triangles), sides):
+        area = np.sqrt((a + b + c) * (b + c - a) * (c + a - b) * (a + b - c)) / 4
+        cross = np.array([[-2 * a * a, a * a + b * b - c * c, c * c + a * a - b * b],
+                          [0, -2 * b * b, b * b + c * c - a * a], [0, 0, -2 * c * c]])
+        mass[np.ix_(corners, corners)] += area / 12 * (1 + np.eye(3))
+        matrix[np.ix_(corners, corners)] -= (np.triu(cross) + np.triu(cross, 1).T) / (8 * area)
+    return np.linalg.solve(matrix + mass, mass @ right)
+
+
+def at_crossings(triangulation, overlay, values):
+    """Values at the vertices of the overlay: linear on each edge."""
+    result = np.array([*values, *np.zeros(len(overlay.points) - len(values))])
+    for x in np.flatnonzero(overlay.kinds == 1):
+        edge = overlay.edges[x, 1]
+        path = triangulation.paths[edge]
+        along = np.cumsum([0, *np.linalg.norm(np.diff(path, axis=0), axis=1)])
+        nearest = np.argmin(np.linalg.norm(path - overlay.points[x], axis=1))
+        result[x] = np.interp(along[nearest], [0, along[-1]], values[triangulation.ends[edge]])
+    return result
+
+
+def draw_solutions(idt, subject):
+    """-Δu = 2π² u for a wave on a folded sheet, without heat through its border."""
+    surface = subject.surface(idt)
+    triangulation = idt.refine(surface)
+    overlay = idt.overlay()
+    values, errors = [], []
+    given = [np.linalg.norm(surface.points[surface.faces[:, (i + 2) % 3]] - surface.points[surface.faces[:, (i + 1) % 3]], axis=1)
+             for i in range(3)]
+    triangles = overlay.triangles()
+    for points, corners, sides in [(surface.points, surface.faces, np.stack(given, axis=1)),
+                                   (triangulation.points, triangles, triangulation.sides(triangles))]:
+        wave = surfaces.wave_on_sheet(points)
+        values.append(solve(corners, sides, (1 + 2 * np.pi ** 2) * wave))
+        errors.append(np.abs(values[-1] - wave).max())
+    return figures.solutions(surface, triangulation, overlay, values[0], at_crossings(triangulation, overlay, values[1]),
+                             errors, subject.camera, subject.radius)
+
+
 def draw_overlays(idt, subjects):
     def panel(subject):
         surface = subject.surface(idt)
@@ -99,7 +143,9 @@ def draw_refinement(idt, subject):
     triangulations = []
     for make in (idt.triangulate, idt.refine):
         triangulation = make(surface)
-        triangulations.append((triangulation, idt.angles(triangulation)))
+        a, b, c = triangulation.sides(idt.overlay().triangles()).T
+        cosines = [(y * y + z * z - x * x) / (2 * y * z) for x, y, z in ((a, b, c), (b, c, a), (c, a, b))]
+        triangulations.append((triangulation, np.degrees(np.arccos(np.clip(cosines, -1, 1))).ravel()))
     return figures.refinement(surface, triangulations, subject.camera, subject.radius)
 
 
@@ -156,8 +202,8 @@ def draw_kernels(idt, _):
         "filtered"))
 
 
-# The names of the pictures, in the order of the paper: figures 1, 2, 6, 7, 8, 9 and 10; and four more.
-DRAW = {"edges": draw_edges, "thin-tube": draw_edges, "weights": draw_weights, "overlays": draw_overlays,
+# The names of the pictures: that of README, those of the paper, figures 1, 2, 6, 7, 8, 9 and 10, and four more.
+DRAW = {"solutions": draw_solutions, "edges": draw_edges, "thin-tube": draw_edges, "weights": draw_weights, "overlays": draw_overlays,
         "maps": draw_maps, "interpolation": draw_interpolation, "circle-patterns": draw_circle_patterns,
         "refinement": draw_refinement, "geodesics": draw_geodesics, "distances": draw_distances, "kernels": draw_kernels}
 LINE_DRAWINGS = ("weights", "maps", "kernels")  # these have few colors

@@ -66,15 +66,16 @@ def polygons(points, faces, colors=None):
     return actor
 
 
-def bands(points, faces, values, number, colors):
-    """A lit surface in so many bands of equal width, between 0 and the largest of the values at its points."""
+def bands(points, faces, values, limits, colors):
+    """A lit surface in bands of equal width, one of each color, between two limits of the values at its points."""
+    number = len(colors)
     data = vtk.vtkPolyData()
     data.SetPoints(_points(points))
     data.SetPolys(_cells(faces))
-    data.GetPointData().SetScalars(numpy_to_vtk(np.asarray(values), deep=True))
+    data.GetPointData().SetScalars(numpy_to_vtk(np.clip(values, *limits), deep=True))
     contours = vtk.vtkBandedPolyDataContourFilter()
     contours.SetInputData(data)
-    contours.GenerateValues(number + 1, 0, float(np.max(values)))
+    contours.GenerateValues(number + 1, *limits)
     contours.SetScalarModeToIndex()
     contours.Update()
     table = vtk.vtkLookupTable()
