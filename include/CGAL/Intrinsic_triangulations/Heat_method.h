@@ -8,6 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_HEAT_METHOD_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_HEAT_METHOD_H
 
+#include <CGAL/Intrinsic_triangulations/internal/require_Eigen.h>
 #include <CGAL/Intrinsic_triangulations/internal/Index.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>

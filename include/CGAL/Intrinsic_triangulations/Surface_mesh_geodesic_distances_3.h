@@ -8,6 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_MESH_GEODESIC_DISTANCES_3_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_MESH_GEODESIC_DISTANCES_3_H
 
+#include <CGAL/Intrinsic_triangulations/internal/require_Eigen.h>
 #include <CGAL/Intrinsic_triangulations/Heat_method.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>

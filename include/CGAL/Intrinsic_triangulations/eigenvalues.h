@@ -8,6 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EIGENVALUES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_EIGENVALUES_H
 
+#include <CGAL/Intrinsic_triangulations/internal/require_Eigen.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>

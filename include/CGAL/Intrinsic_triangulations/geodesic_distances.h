@@ -8,6 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_DISTANCES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_DISTANCES_H
 
+#include <CGAL/Intrinsic_triangulations/internal/require_Eigen.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/Index.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>

@@ -99,6 +99,14 @@ struct Edge_flags
   std::vector<bool> flags;
 };
 
+template <class T, class = void>
+struct Has_coordinates : std::false_type
+{};
+template <class T>
+struct Has_coordinates<T, std::void_t<decltype(std::declval<const T&>().x(), std::declval<const T&>().y(),
+                                               std::declval<const T&>().z())>> : std::true_type
+{};
+
 // The constraints on the edges of a mesh, for the edges of its copy.
 template <class TriangleMesh, class NamedParameters>
 auto constraints_of_copy(const TriangleMesh& mesh, const NamedParameters& np)
@@ -164,6 +172,8 @@ auto intrinsic_triangulation(const TriangleMesh& mesh, const NamedParameters& np
   const auto point_map =
     choose_parameter(get_parameter(np, internal_np::vertex_point), get_const_property_map(vertex_point, mesh));
   using Point = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
+  static_assert(internal::Has_coordinates<Point>::value,
+                "vertex_point_map: its values have to be points of CGAL, with x(), y() and z()");
   using Kernel = typename Kernel_traits<Point>::Kernel;
   using Traits = typename internal_np::Lookup_named_param_def<internal_np::geom_traits_t, NamedParameters,
                                                               Default_intrinsic_triangulation_traits<Kernel>>::type;

@@ -8,6 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_POINT_CLOUD_LAPLACIAN_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_POINT_CLOUD_LAPLACIAN_H
 
+#include <CGAL/Intrinsic_triangulations/internal/require_Eigen.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 

@@ -115,8 +115,24 @@ inline std::vector<double> face_areas(const Common_subdivision& subdivision)
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
+template <class Value, class = void>
+struct Is_linear : std::false_type
+{};
+template <class Value>
+struct Is_linear<Value, std::void_t<decltype(Value(0.5 * std::declval<const Value&>() +
+                                                   0.5 * std::declval<const Value&>()))>> : std::true_type
+{};
+
+// The type of values between which it is possible to interpolate.
 template <class Range>
-using Value_of = std::decay_t<decltype(std::declval<const Range&>()[0])>;
+struct Interpolated
+{
+  using Value = std::decay_t<decltype(std::declval<const Range&>()[0])>;
+  static_assert(Is_linear<Value>::value, "values have to be added and, from the left, multiplied by a double");
+  static_assert(!std::is_integral<Value>::value, "interpolation between integers would cut off");
+};
+template <class Range>
+using Value_of = typename Interpolated<Range>::Value;
 
 // `edge_of` and `position_of` say where a crossing lies in `complex`; the vertices before, where those that are none of
 // `complex` lie.
@@ -127,7 +143,6 @@ auto interpolate_at_crossings(const Common_subdivision& subdivision, const Delta
   const Overlay& overlay = subdivision.overlay();
   CGAL_precondition(values.size() == complex.number_of_vertices());
   using Value = Value_of<VertexValues>;
-  static_assert(!std::is_integral<Value>::value, "interpolation between integers would cut off");
   std::vector<Value> result;
   result.reserve(overlay.number_of_vertices());
   for (Vertex_index v : complex.vertices())
@@ -204,7 +219,6 @@ auto interpolate_input_corner_values(const Common_subdivision& subdivision, cons
   const Delta_complex& input = subdivision.input();
   CGAL_precondition(values.size() == input.number_of_halfedges());
   using Value = internal::Value_of<CornerValues>;
-  static_assert(!std::is_integral<Value>::value, "interpolation between integers would cut off");
   std::vector<Value> result(overlay.number_of_halfedges());
   const internal::Input_layer layer{input, overlay, subdivision.positions()};
   for (Overlay::Halfedge h : overlay.halfedges()) {

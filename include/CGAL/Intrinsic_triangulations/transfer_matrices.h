@@ -8,6 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRANSFER_MATRICES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRANSFER_MATRICES_H
 
+#include <CGAL/Intrinsic_triangulations/internal/require_Eigen.h>
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>

@@ -8,6 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TUFTED_LAPLACIAN_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TUFTED_LAPLACIAN_H
 
+#include <CGAL/Intrinsic_triangulations/internal/require_Eigen.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>

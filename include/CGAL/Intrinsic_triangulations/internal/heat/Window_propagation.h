@@ -97,6 +97,13 @@ private:
   static constexpr double shorter = 1 - 1e-12; // by so much that it is not rounding
   static constexpr double least_width = 1e-12, least_angle = 1e-9;
 
+  // std::hypot() takes four times as long. It is needed only where squares leave the range of double.
+  static double length_of(double x, double y)
+  {
+    const double square = x * x + y * y;
+    return square > 0x1p-900 && square < 0x1p1000 ? std::sqrt(square) : std::hypot(x, y);
+  }
+
   // The part from b0 to b1 of a side, which is to be crossed into its face. The way comes from (x, -y) with respect to
   // the side, where it has the length sigma. If that is negative: the way that reaches the vertex at which the side
   // begins, at the angle x to the left of it.
@@ -106,7 +113,7 @@ private:
     std::uint32_t side;        // none if another one has taken its place
     std::uint32_t next = none; // of those that wait at the side
 
-    double distance(double b) const { return sigma + std::hypot(b - x, y); }
+    double distance(double b) const { return sigma + length_of(b - x, y); }
   };
 
   // The nearest straight way to the corner opposite to a side over this, and where it crosses it.
@@ -186,7 +193,7 @@ private:
       };
       // In a corridor of thin faces, ways that turn would run into the wall.
       const auto turns = [&](const Window& w, double b) {
-        return std::abs((b - w.x) / std::hypot(b - w.x, w.y) - (b - result.x) / std::hypot(b - result.x, result.y)) >
+        return std::abs((b - w.x) / length_of(b - w.x, w.y) - (b - result.x) / length_of(b - result.x, result.y)) >
                10 * tolerance_;
       };
       if (turns(u, result.b0) || turns(v, result.b1) || differs(u.b1) || differs(v.b0))
@@ -230,7 +237,7 @@ private:
     w.y = (std::max)(w.y, 0.);
     if (!(w.b1 - w.b0 > least_width * length))
       return;
-    if (is_useless(w, w.sigma + std::hypot(w.b0 - w.x, w.y), w.sigma + std::hypot(w.b1 - w.x, w.y)))
+    if (is_useless(w, w.sigma + length_of(w.b0 - w.x, w.y), w.sigma + length_of(w.b1 - w.x, w.y)))
       return;
     wait(w);
   }
@@ -301,7 +308,7 @@ private:
   void send_on(const Window& w)
   {
     const Side& s = surface_.side(w.side);
-    const double to_b0 = w.sigma + std::hypot(w.b0 - w.x, w.y), to_b1 = w.sigma + std::hypot(w.b1 - w.x, w.y);
+    const double to_b0 = w.sigma + length_of(w.b0 - w.x, w.y), to_b1 = w.sigma + length_of(w.b1 - w.x, w.y);
     if (is_useless(w, to_b0, to_b1)) // by now
       return;
     const std::uint32_t next = surface_.next(w.side), prev = surface_.next(next);
@@ -309,7 +316,7 @@ private:
     bool goes_left = w.b0<crossing, goes_right = w.b1> crossing;
     // To the corner, straight or over the end of the window that is nearest to the straight way.
     const double at = (std::min)((std::max)(crossing, w.b0), w.b1);
-    const double to_corner = w.sigma + std::hypot(at - w.x, w.y) + std::hypot(cx - at, cy);
+    const double to_corner = w.sigma + length_of(at - w.x, w.y) + length_of(cx - at, cy);
     reach(prev, std::atan2(cy * at, cx * (cx - at) + cy * cy), to_corner);
     if (goes_left && goes_right) {
       Split& split = splits_[w.side];
@@ -343,7 +350,7 @@ private:
   // \param x, y from the corner to that end
   bool is_shorter_over(std::uint32_t row, double x, double y, const Window& child, double b) const
   {
-    return distances_[row] + std::hypot(x, y) <= (child.sigma + std::hypot(b - child.x, child.y)) * shorter;
+    return distances_[row] + length_of(x, y) <= (child.sigma + length_of(b - child.x, child.y)) * shorter;
   }
 
   // Where the way over a point of the side meets the side from its beginning to the corner, as a part of that.
