@@ -58,6 +58,8 @@ std::string ply_at(std::size_t line, const std::string& kind, std::size_t elemen
   return "line " + std::to_string(line) + ", element " + kind + " " + std::to_string(element);
 }
 
+std::string at_line_with_cr(std::size_t line) { return "line " + std::to_string(line) + ": a CR ends the comment"; }
+
 // Where a line begins, counted from 1.
 std::size_t begin_of_line(const std::string& text, std::size_t line)
 {
@@ -105,6 +107,12 @@ std::string ply_with_count(const std::string& text, const std::string& element, 
 {
   return replaced(text, "element " + element + " " + std::to_string(from) + "\n",
                   "element " + element + " " + std::to_string(to) + "\n");
+}
+// Of a binary file, before the others.
+std::string with_empty_face(const Sheet_in_files& s, std::string text)
+{
+  text.insert(text.find("end_header\n") + 11 + 12 * s.v(), 1, '\0');
+  return ply_with_count(text, "face", s.f(), s.f() + 1);
 }
 std::string strips(const Sheet_in_files& s, const std::string& format, const std::string& type,
                    const std::string& more = "")
@@ -396,6 +404,13 @@ std::vector<Case> cases()
     {"off", "a byte order mark and CR LF",
      [](S& s, E&) { return "\xef\xbb\xbf" + replaced(off_text(s), "\n", "\r\n"); }},
     {"off", "CR alone", [](S& s, E&) { return replaced(off_text(s), "\n", "\r"); }},
+    {"off", "a comment with CR and words",
+     [](S& s, E&) { return appended(off_text(s), 1, " # a sheet\r3 of 4 points\r-- f as\rv of 3\r 12 mm"); }},
+    {"off", "a comment with CR and a face",
+     [](S& s, E& e) {
+       e.error = at_line_with_cr(s.off_face(0));
+       return appended(off_text(s), s.off_face(0), " # a\r3 0 1 2");
+     }},
     {"off", "binary",
      [](S&, E& e) {
        e.error = "binary OFF is not read";
@@ -578,6 +593,13 @@ std::vector<Case> cases()
        e.error = "line 1: a CR ends the comment";
        return with_line(obj_text(s), 1, "# a sheet\rf 1 2 3");
      }},
+    {"obj", "a comment with CR and words",
+     [](S& s, E&) { return with_line(obj_text(s), 1, "# a sheet\r3 of 4\rf is a face, v a vertex\r1 x 2 cm"); }},
+    {"obj", "a comment with CR and a misspelt vertex",
+     [](S& s, E& e) {
+       e.error = at_line_with_cr(1);
+       return with_line(obj_text(s), 1, "# a sheet\rv 1 o 3");
+     }},
     {"obj", "names with f and v",
      [](S& s, E&) { return "o sheet v 1 2\ng f 1 2 f a 3 # f 1 2 3\nparm v 0 0 1\n" + obj_text(s); }},
     {"obj", "a name that looks like a face",
@@ -758,10 +780,43 @@ std::vector<Case> cases()
      }},
     {"ply", "binary, more vertices announced",
      [](S& s, E& e) {
-       e.error =
-         "element face 0: the list vertex_indices is empty: remove the face, or correct the header (the element "
-         "begins at byte ";
+       e.error = "element face 0: the list of its vertices is empty, and no face names the last vertex, " +
+                 s.number_of_points() + ": remove the face, or correct the header";
        return ply_with_count(ply_text(s, {"binary_little_endian"}), "vertex", s.v(), s.v() + 1);
+     }},
+    {"ply", "binary, more vertices announced, two of the faces taken for them",
+     [](S& s, E& e) {
+       e.error = "element face 0: the list of its vertices is empty, and no face names the last vertex";
+       return ply_with_count(ply_text(s, {"binary_little_endian", "double"}), "vertex", s.v(), s.v() + 1);
+     }},
+    {"ply", "binary, an empty face at first",
+     [](S& s, E& e) {
+       e.faces = s.f() + 1;
+       return with_empty_face(s, ply_text(s, {"binary_big_endian"}));
+     }},
+    {"ply", "binary, an empty face at first, before the vertices",
+     [](S& s, E& e) {
+       e.faces = s.f() + 1;
+       const std::string t = with_empty_face(s, ply_text(s, {"binary_little_endian"}));
+       const std::size_t vertices = t.find("element vertex"), faces = t.find("element face"),
+                         end = t.find("end_header\n"), body = end + 11;
+       return t.substr(0, vertices) + t.substr(faces, end - faces) + t.substr(vertices, faces - vertices) +
+              "end_header\n" + t.substr(body + 12 * s.v()) + t.substr(body, 12 * s.v());
+     }},
+    {"ply", "binary, an empty face at first, behind other elements",
+     [](S& s, E& e) {
+       e.error = "element face 0: the list of its vertices is empty: remove the face, or correct the header";
+       const std::string t = with_empty_face(s, ply_text(s, {"binary_little_endian"}));
+       const std::size_t at = t.find("end_header\n") + 11 + 12 * s.v();
+       return replaced(t.substr(0, at), "element face", "element edge 1\nproperty uchar a\nelement face") + "a" +
+              t.substr(at);
+     }},
+    {"ply", "binary, an empty face at first, the last vertex without faces",
+     [](S& s, E& e) {
+       e.error = "no face names the last vertex, " + s.number_of_points();
+       std::string t = with_empty_face(s, ply_text(s, {"binary_big_endian"}));
+       t.insert(t.find("end_header\n") + 11 + 12 * s.v(), 12, '\1');
+       return ply_with_count(t, "vertex", s.v(), s.v() + 1);
      }},
     {"ply", "binary, a byte missing",
      [](S& s, E& e) {
@@ -858,6 +913,11 @@ std::vector<Case> cases()
        e.error =
          "line " + std::to_string(s.ts_face(s.middle()) + 1) + ", \"TRGL\": nothing but a line GOCAD may follow";
        return with_line(ts_text(s), s.ts_face(s.middle()), [](const std::string& l) { return "END\n" + l; });
+     }},
+    {"ts", "a comment with CR and a vertex",
+     [](S& s, E& e) {
+       e.error = at_line_with_cr(s.ts_face(0));
+       return appended(ts_text(s), s.ts_face(0), " # a\rPVRTX 99 1 2 3 CNXYZ");
      }},
     {"ts", "CR alone", [](S& s, E&) { return replaced(ts_text(s), "\n", "\r"); }}};
 }

@@ -326,6 +326,7 @@ public:
       }
     }
     check_end();
+    check_empty_face();
   }
 
 private:
@@ -381,6 +382,29 @@ private:
     if (!is_empty)
       refuse_file(path_, text + ": correct these numbers, or cut off what is behind" + hint());
     soup_.warnings.push_back(text + ", which are zeros or blanks");
+  }
+
+  // With one vertex too many in the header, the first face is taken for it, but for bytes of zero that look like an empty
+  // face, and the others fit. A face that names the last vertex shows that there are as many as announced.
+  void check_empty_face() const
+  {
+    if (byte_of_empty_face_ == 0)
+      return;
+    const auto has_elements = [](const Ply_element& element) { return element.count > 0; };
+    const auto first = std::find_if(header_.elements.begin(), header_.elements.end(), has_elements);
+    const auto second = std::find_if(first + 1, header_.elements.end(), has_elements);
+    if (first->is_face())
+      return;
+    const std::uint32_t last = static_cast<std::uint32_t>(soup_.points.size() - 1);
+    bool is_named = false;
+    for (std::size_t f = 0; f < soup_.number_of_faces() && !is_named; ++f)
+      is_named = std::count(soup_.polygon(f).begin(), soup_.polygon(f).end(), last) > 0;
+    if (!is_named || !first->is_vertex() || !second->is_face())
+      refuse_file(path_, "element face 0: the list of its vertices is empty" +
+                           (is_named ? "" : ", and no face names the last vertex, " + std::to_string(last)) +
+                           ": remove the face, or correct the header if it announces an element too many before the "
+                           "faces (the face begins at byte " +
+                           std::to_string(byte_of_empty_face_) + "; the header announces " + announced() + ")");
   }
 
   std::string announced() const
@@ -486,9 +510,8 @@ private:
           refuse("the list " + name + " claims a negative number of entries");
         if (bits > file_.left())
           refuse("the list " + name + " claims more entries than the file has");
-        // With one vertex too many in the header, the last byte of the first face is taken for it, and the others fit.
         if (bits == 0 && l.role == Ply_layout::CORNERS && index == 0)
-          refuse("the list " + name + " is empty: remove the face, or correct the header");
+          byte_of_empty_face_ = begin;
         count = bits;
       }
       const std::uintmax_t bytes = count * l.size;
@@ -517,7 +540,8 @@ private:
   const Ply_header& header_;
   Polygon_soup& soup_;
   File_blocks& file_;
-  std::vector<std::uint32_t> corners_; // of a face
+  std::uintmax_t byte_of_empty_face_ = 0; // if the first one is empty
+  std::vector<std::uint32_t> corners_;    // of a face
 };
 
 // Words in the order of the elements and their properties. An element is a line, or goes on over several; or everything
