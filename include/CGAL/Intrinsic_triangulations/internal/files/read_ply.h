@@ -602,8 +602,9 @@ private:
            (begin_ == lines_.number() ? std::string()
                                       : ", which goes on over line " + std::to_string(lines_.number())) +
            ": " + quote(std::string(lines_.p, skip_word(lines_.p, lines_.last))) +
-           " is behind the numbers that the header names (" + names +
-           "); name it there, or begin each element on a line of its own";
+           " is behind the numbers that the header names (" + names + "); " +
+           (begin_ == lines_.number() ? "name it there" : "add what is missing before it") +
+           ", or begin each element on a line of its own";
   }
 
   void take_element(const std::vector<Ply_layout>& layout, const bool is_vertex)
