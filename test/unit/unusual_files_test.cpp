@@ -392,6 +392,11 @@ std::vector<Case> cases()
     {"off", "CNOFF", [](S& s, E&) { return off_text(s, "CNOFF\n", " 0 0 1 255 255 255"); }},
     {"off", "NCSTOFF", [](S& s, E&) { return off_text(s, "NCSTOFF\n", " 0 0 1 255 255 255 255 0.5 0.5"); }},
     {"off", "4OFF", [](S& s, E&) { return off_text(s, "4OFF\n", " 2"); }},
+    {"off", "4OFF, a quotient out of range",
+     [](S& s, E& e) {
+       e.error = at(s.off_vertex(1), "vertex", 1) + ": divided by the fourth coordinate, another is too large";
+       return with_line(off_text(s, "4OFF\n", " 2"), s.off_vertex(1), "1 0 0 1e-310");
+     }},
     {"off", "nOFF of dimension 3", [](S& s, E&) { return off_text(s, "nOFF\n3\n"); }},
     {"off", "nOFF of dimension 5",
      [](S& s, E& e) {
@@ -823,6 +828,26 @@ std::vector<Case> cases()
        e.error = "; the first face that names a vertex that is not there is face " + std::to_string(s.middle());
        std::string t = ply_text(s, {"binary_little_endian"});
        return t.erase(t.size() - 13 * (s.f() - s.middle()) + 8, 1);
+     }},
+    {"ply", "binary, a vertex that is NaN and has no face",
+     [](S& s, E& e) {
+       std::string t = ply_text(s, {"binary_little_endian"});
+       const std::size_t faces = t.find("end_header\n") + 11 + 12 * s.v();
+       e.error = "element vertex " + s.number_of_points() + ": a coordinate is not finite (the element begins at byte ";
+       t.insert(faces, std::string("\0\0\0\0\0\0\xc0\x7f\0\0\0\0", 12));
+       return ply_with_count(t, "vertex", s.v(), s.v() + 1);
+     }},
+    {"ply", "binary, a vertex that is infinite, with a property that is a list",
+     [](S& s, E& e) {
+       std::string t = ply_text(s, {"binary_big_endian"});
+       const std::size_t faces = t.find("end_header\n") + 11 + 12 * s.v();
+       std::string vertices;
+       for (std::size_t v = 0; v < s.v(); ++v)
+         vertices += t.substr(faces - 12 * (s.v() - v), 12) + std::string(1, '\0');
+       vertices.replace(13, 4, "\xff\x80\0\0", 4);
+       e.error = "element vertex 1: a coordinate is not finite";
+       t.replace(faces - 12 * s.v(), 12 * s.v(), vertices);
+       return replaced(t, "element face", "property list uchar int more\nelement face");
      }},
     {"ply", "binary, cut off",
      [](S& s, E& e) {

@@ -453,14 +453,31 @@ private:
       while (done < element.count && file_.require(stride)) {
         const std::size_t n = (std::min)(element.count - done, file_.available() / stride);
         const char* p = file_.first;
-        for (std::size_t i = 0; i < n; ++i, p += stride)
-          soup_.points.push_back({load<Real>(p + offset[0]), load<Real>(p + offset[1]), load<Real>(p + offset[2])});
+        double zero = 0; // unless a coordinate is not finite
+        for (std::size_t i = 0; i < n; ++i, p += stride) {
+          const std::array<double, 3> point{load<Real>(p + offset[0]), load<Real>(p + offset[1]),
+                                            load<Real>(p + offset[2])};
+          zero += 0 * point[0] + 0 * point[1] + 0 * point[2];
+          soup_.points.push_back(point);
+        }
+        for (std::size_t i = 0; i < n && zero != 0; ++i)
+          require_finite(element, done + i, file_.offset() + i * stride);
         file_.first = p;
         done += n;
       }
       return done;
     };
     return are_reals_of(8) ? take(double()) : are_reals_of(4) ? take(float()) : 0;
+  }
+
+  void require_finite(const Ply_element& element, const std::size_t vertex, const std::uintmax_t begin) const
+  {
+    for (const double coordinate : soup_.points[vertex])
+      if (!std::isfinite(coordinate))
+        refuse_file(path_,
+                    "element " + element.name + " " + std::to_string(vertex) +
+                      ": a coordinate is not finite (the element begins at byte " + std::to_string(begin) + ")",
+                    Defect::NOT_FINITE, vertex);
   }
 
   // Faces of nothing but a byte and three indices, as many as come one after the other. Returns their number.
@@ -532,8 +549,10 @@ private:
         point[l.role] = load_number(file_.first, l);
       file_.first += bytes;
     }
-    if (element.is_vertex())
-      soup_.points.push_back(point);
+    if (!element.is_vertex())
+      return;
+    soup_.points.push_back(point);
+    require_finite(element, index, begin);
   }
 
   std::string path_;
