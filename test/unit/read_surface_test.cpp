@@ -506,7 +506,7 @@ TEST_F(Read_surface, broken_ply)
     return binary;
   };
   refused("a.ply", binary_with(std::numeric_limits<double>::quiet_NaN()),
-          "element vertex 1: a coordinate is not finite (the element begins at byte 209)", Defect::NOT_FINITE);
+          "element vertex 1: a coordinate is not finite (the element begins at byte 196)", Defect::NOT_FINITE);
   // Bad indices that the reader lets through are found afterwards.
   const IT::Surface_report report = idt::examine(idt::read_surface(write("a.ply", binary_with(25))));
   ASSERT_NE(report.find(Kind::BAD_INDEX), nullptr);
