@@ -789,6 +789,11 @@ std::vector<Case> cases()
                  s.number_of_points() + ": remove the face, or correct the header";
        return ply_with_count(ply_text(s, {"binary_little_endian"}), "vertex", s.v(), s.v() + 1);
      }},
+    {"ply", "binary, fewer vertices announced",
+     [](S& s, E& e) {
+       e.error = "is empty: the file may be damaged before it";
+       return ply_with_count(ply_text(s, {"binary_big_endian", "short"}), "vertex", s.v(), s.v() - 1);
+     }},
     {"ply", "binary, more vertices announced, two of the faces taken for them",
      [](S& s, E& e) {
        e.error = "element face 0: the list of its vertices is empty, and no face names the last vertex";

@@ -418,6 +418,9 @@ private:
   // Where to look for the mistake: behind a byte too few or too many, faces name vertices that are not there.
   std::string hint() const
   {
+    if (byte_of_empty_face_ != 0)
+      return "; the first face, at byte " + std::to_string(byte_of_empty_face_) +
+             ", is empty: the file may be damaged before it";
     std::size_t vertices = 0;
     for (const Ply_element& element : header_.elements)
       vertices += element.is_vertex() ? element.count : 0;
