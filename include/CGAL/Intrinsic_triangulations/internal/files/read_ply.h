@@ -456,14 +456,14 @@ private:
       while (done < element.count && file_.require(stride)) {
         const std::size_t n = (std::min)(element.count - done, file_.available() / stride);
         const char* p = file_.first;
-        double zero = 0; // unless a coordinate is not finite
+        double sum = 0; // which is not finite if a coordinate is not
         for (std::size_t i = 0; i < n; ++i, p += stride) {
           const std::array<double, 3> point{load<Real>(p + offset[0]), load<Real>(p + offset[1]),
                                             load<Real>(p + offset[2])};
-          zero += 0 * point[0] + 0 * point[1] + 0 * point[2];
+          sum += point[0] + point[1] + point[2];
           soup_.points.push_back(point);
         }
-        for (std::size_t i = 0; i < n && zero != 0; ++i)
+        for (std::size_t i = 0; i < n && !std::isfinite(sum); ++i)
           require_finite(element, done + i, file_.offset() + i * stride);
         file_.first = p;
         done += n;
