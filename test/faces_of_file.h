@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <set>
@@ -80,12 +81,12 @@ inline std::vector<Row> rows(std::string text, char comment)
     if (comment != 0) {
       const std::size_t begin = (std::min)(line.find(comment), line.size());
       for (std::size_t end = begin; (end = line.find('\r', end)) != std::string::npos; ++end) {
-        std::istringstream rest(line.substr(end));
-        std::string word;
-        rest >> word;
+        std::istringstream rest(line.substr(end, line.find('\r', end + 1) - end));
+        const Row row{std::istream_iterator<std::string>(rest), {}};
+        const auto is_number = [](const std::string& word) { return word.find_first_of("0123456789-") == 0; };
         for (const char* const element : {"v", "f", "trgl", "vrtx", "pvrtx"})
-          expect(lower(word) != element, "a comment has two ends");
-        expect(word.find_first_of("0123456789-") != 0, "a comment has two ends");
+          expect(row.size() < 2 || lower(row[0]) != element || !is_number(row[1]), "a comment has two ends");
+        expect(row.empty() || !std::all_of(row.begin(), row.end(), is_number), "a comment has two ends");
       }
       line.resize(begin);
     }

@@ -113,12 +113,30 @@ void parse(CLI::App& app, int argc, const char* const* argv)
                             suggestion(word, possible_words(app, word[0] == '-')),
                           CLI::ExitCodes::ExtrasError);
   };
+  // What CLI11 says is "Could not convert: --option = value", "--option: 1 required F missing" and "--option: At Most 1
+  // required but received 2".
+  const auto say = [](const CLI::Error& error, const std::string& text) {
+    throw CLI::ParseError(text, CLI::ExitCodes(error.get_exit_code()));
+  };
   try {
     app.parse(argc, argv);
   } catch (const CLI::RequiredError&) {
     name_unknown();
   } catch (const CLI::ExtrasError&) {
     name_unknown();
+  } catch (const CLI::ConversionError& error) {
+    const std::string text = error.what();
+    const std::size_t name = text.find("--"), value = text.find(" = ");
+    if (name == std::string::npos || value == std::string::npos)
+      throw;
+    say(error, text.substr(name, value - name) + ": \"" + text.substr(value + 3) + "\" is not a number");
+  } catch (const CLI::ArgumentMismatch& error) {
+    const std::string text = error.what();
+    const std::size_t end = text.find(": ");
+    if (end == std::string::npos)
+      throw;
+    say(error, text.substr(0, end) + (text.find("missing") == std::string::npos ? ": give it once, and one value"
+                                                                                : ": its value is missing"));
   }
 }
 
@@ -141,7 +159,7 @@ CLI::Option* set_words(CLI::Option* option, const std::vector<std::string>& word
       if (std::find(words.begin(), words.end(), value) != words.end())
         return std::string();
       const std::string near = suggestion(value, words);
-      return "there is no \"" + value + '"' + (near.empty() && are_listed ? ", but " + list + '}' : near);
+      return "there is no \"" + value + '"' + (near.empty() ? ", but " + list + '}' : near);
     },
     are_listed ? list + '}' : std::string()));
 }

@@ -440,8 +440,8 @@ Exit_status run_distance(const Distance_options& options)
     if (result.surface.points.empty() && result.surface.number_of_vertices > 0 && !type.empty() && type != ".csv")
       throw Usage_error(output + ": " + path + " has only lengths, no points: write a .csv file");
     if (result.surface.points.empty() && !(options.overlay_path.empty() && options.view_path.empty()))
-      throw Usage_error((options.overlay_path.empty() ? options.view_path : options.overlay_path) + ": " + path +
-                        " has only lengths, no points");
+      throw Usage_error(path + " has only lengths, no points: omit " +
+                        (options.overlay_path.empty() ? "--view" : "--overlay"));
     write_file(options.overlay_path, [&](std::ostream& os) {
       write_overlay(os, *result.subdivision, result.surface.points, *options.overlay_format(), false,
                     {result.overlay_distances});

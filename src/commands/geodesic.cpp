@@ -88,9 +88,9 @@ struct Stop
     std::string rest;
     for (double& x : point)
       if (!(numbers >> x))
-        throw Usage_error(option + ": a point has three coordinates: write X,Y,Z");
+        throw Usage_error(option + ": a point has three finite coordinates: write X,Y,Z");
     if (numbers >> rest)
-      throw Usage_error(option + ": a point has three coordinates: write X,Y,Z");
+      throw Usage_error(option + ": a point has three finite coordinates: write X,Y,Z");
   }
 };
 
@@ -388,9 +388,9 @@ Exit_status run_geodesic(const Geodesic_options& options)
     if (!surface.has_points() && !type.empty() && type != ".csv")
       throw Usage_error(options.output_path + ": " + path + " has only lengths, no points: write a .csv file");
     if (!surface.has_points() && !options.cut_path.empty())
-      throw Usage_error(options.cut_path + ": " + path + " has only lengths, no points");
+      throw Usage_error(path + " has only lengths, no points: omit --cut");
     if (!surface.has_points() && !options.view_path.empty())
-      throw Usage_error(options.view_path + ": " + path + " has only lengths, no points");
+      throw Usage_error(path + " has only lengths, no points: omit --view");
     check_view(options.view_path, surface.connectivity.number_of_faces());
     const Stopwatch stopwatch;
     std::optional<View> view;

@@ -229,10 +229,12 @@ void write_report(std::ostream& os, const Laplacian_options& options, const Lapl
 
 Exit_status run_Laplacian(const Laplacian_options& options)
 {
+  if (!(options.mollification >= 0 && options.mollification <= 1e6))
+    throw Usage_error("--mollify: D is between 0 and 1e6");
   check_output_paths(options.output_paths(), {options.input});
   check_view(options.view_path);
   if (!options.view_path.empty() && is_gluing_file(options.input))
-    throw Usage_error("--view: " + options.input + " has only lengths, no points");
+    throw Usage_error(options.input + " has only lengths, no points: omit --view");
   if (!options.view_path.empty() && is_saved_triangulation(options.input))
     throw Usage_error("--view: idt view shows " + options.input);
   return for_each_input({options.input}, [&](const std::string&) {
@@ -308,8 +310,7 @@ void add_Laplacian_command(CLI::App& app, Selected_command& selected)
       "--mollify", options->mollification,
       "lengthen all edges by the same amount, so that each triangle inequality holds with a margin of D times "
       "the mean length")
-    ->type_name("D")
-    ->check(CLI::Range(0., 1e6));
+    ->type_name("D");
   command.add_option("--eigenvalues", options->number_of_eigenvalues, "print the K smallest eigenvalues")
     ->type_name("K")
     ->check(CLI::Range(1, 10000));

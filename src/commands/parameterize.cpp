@@ -72,7 +72,7 @@ void check(Parameterize_options& options)
 {
   if (options.method == "circle-pattern") {
     if (options.boundary == "disk")
-      throw Usage_error("--boundary disk: the boundary of a circle pattern is free");
+      throw Usage_error("--boundary disk: the boundary of a circle pattern is free: omit it");
     options.boundary = "natural";
   } else if (options.boundary.empty()) {
     options.boundary = "disk";
@@ -252,7 +252,7 @@ void write_files(const Parameterize_options& options, const Result& result)
   const Surface& surface = result.triangulation.surface;
   const Outcome& outcome = result.triangulation.outcome;
   if (!(options.uv_path.empty() && options.uv_input_path.empty() && options.view_path.empty()) && !surface.has_points())
-    throw Usage_error("--uv, --uv-input and --view need points: " + surface.path + " has only lengths");
+    throw Usage_error(surface.path + " has only lengths, no points: omit --uv, --uv-input and --view");
   if (!options.uv_path.empty())
     write_textured_mesh(options.uv_path, make_map_over_intrinsic(surface, *outcome.subdivision, result.uv));
   if (!options.uv_input_path.empty())

@@ -65,8 +65,8 @@ void check(const Triangulate_options& options)
       "several would be written to the same file");
   options.files.check_paths(options.inputs);
   if (!options.files.save.empty() && options.number_type != name(Number_type::FILTERED))
-    throw Usage_error("--save: only the number type " + std::string(name(Number_type::FILTERED)) +
-                      " makes triangulations that can be saved");
+    throw Usage_error("--save needs --number-type " + std::string(name(Number_type::FILTERED)) +
+                      ": no other makes triangulations that can be saved");
 }
 
 Exit_status triangulate_file(const std::string& path, const Triangulate_options& options,

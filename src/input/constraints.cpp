@@ -4,6 +4,7 @@
 #include "input/constraints.h"
 
 #include "input/formats/vtp.h"
+#include "system/text.h"
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
@@ -88,8 +89,8 @@ private:
   IT::Vertex_index vertex(double number) const
   {
     if (!(number >= 0 && number < double(complex_.number_of_vertices())) || number != double(std::uint32_t(number)))
-      fail("there is no such vertex: the surface has " + std::to_string(complex_.number_of_vertices()) +
-           ", counted from 0");
+      fail("there is no vertex " + in_short(number) + ": the surface has " +
+           std::to_string(complex_.number_of_vertices()) + ", counted from 0");
     return IT::Vertex_index(std::uint32_t(number));
   }
 

@@ -64,10 +64,11 @@ std::vector<Named_values> read_vertex_values(const std::string& path, std::size_
     if (text.empty() || text == "\r")
       continue;
     if (cells.size() != names.size())
-      fail("there are " + std::to_string(names.size()) + " names and " + std::to_string(cells.size()) + " cells");
+      fail("there are " + std::to_string(names.size()) + " names and " + counted(cells.size(), "cell", "cells"));
     const double v = number(cells[0]);
     if (!(v >= 0 && v < double(number_of_vertices)) || v != double(std::size_t(v)))
-      fail("there is no such vertex: the surface has " + std::to_string(number_of_vertices) + ", counted from 0");
+      fail("there is no vertex " + cells[0] + ": the surface has " + std::to_string(number_of_vertices) +
+           ", counted from 0");
     if (has_line[std::size_t(v)])
       fail("vertex " + cells[0] + " has a line already");
     has_line[std::size_t(v)] = true;

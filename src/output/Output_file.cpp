@@ -179,11 +179,12 @@ void check_output_paths(const std::vector<std::string>& outputs, const std::vect
       continue;
     for (std::size_t j = 0; j < i; ++j)
       if (!outputs[j].empty() && is_same_file(outputs[i], outputs[j]))
-        throw Usage_error(outputs[i] == "-" ? "two results cannot both go to the standard output"
-                                            : outputs[i] + ": two results cannot go to the same file");
+        throw Usage_error(outputs[i] == "-"
+                            ? "two results cannot both go to the standard output"
+                            : outputs[i] + ": two results cannot go to the same file: choose another name");
     for (const std::string& input : inputs)
       if (input != "-" && is_same_file(outputs[i], input))
-        throw Usage_error(outputs[i] + ": a result would replace an input");
+        throw Usage_error(outputs[i] + ": a result would replace an input: choose another name");
   }
 }
 

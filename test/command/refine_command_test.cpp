@@ -235,9 +235,9 @@ TEST_F(Refine_command, names_constraints_that_do_not_fit)
   write_roof("roof.off");
   const std::vector<std::pair<std::string, std::string>> files = {
     {"0 2\n0 5\n", "c.csv, line 2: no edge joins vertex 0 and vertex 5"},
-    {"0 6\n", "line 1: there is no such vertex: the surface has 6"},
-    {"0 0.5\n", "line 1: there is no such vertex"},
-    {"-1 0\n", "there is no such vertex"},
+    {"0 6\n", "line 1: there is no vertex 6: the surface has 6"},
+    {"0 0.5\n", "line 1: there is no vertex 0.5"},
+    {"-1 0\n", "there is no vertex -1"},
     {"0\n", "expected are two vertices"},
     {"0 1 2\n", "expected are two vertices, and nothing behind them"},
     {"zero one\n", "expected are two vertices"},

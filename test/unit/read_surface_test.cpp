@@ -497,15 +497,18 @@ TEST_F(Read_surface, broken_ply)
     refused("a.ply", binary.substr(0, binary.size() - 20), "the header announces 3 elements \"vertex\", more than fit");
     refused("a.ply", binary + "\x7f\x7f\x7f\x7f", "element face 0: the list vertex_indices claims more entries");
   }
-  // NaN and bad indices that the reader lets through are found afterwards.
-  std::string binary = ply_header("binary_little_endian", 3, 1);
-  for (int i = 0; i < 9; ++i)
-    append(binary, i == 5 ? std::numeric_limits<double>::quiet_NaN() : 1.0 * i * i);
-  binary += '\3';
-  append(binary, std::array<std::int32_t, 3>{{0, 1, -1}});
-  const IT::Surface_report report = idt::examine(idt::read_surface(write("a.ply", binary)));
-  ASSERT_NE(report.find(Kind::NOT_FINITE), nullptr);
-  EXPECT_EQ(report.find(Kind::NOT_FINITE)->elements, std::vector<std::size_t>{1});
+  const auto binary_with = [](const double sixth) {
+    std::string binary = ply_header("binary_little_endian", 3, 1);
+    for (int i = 0; i < 9; ++i)
+      append(binary, i == 5 ? sixth : 1.0 * i * i);
+    binary += '\3';
+    append(binary, std::array<std::int32_t, 3>{{0, 1, -1}});
+    return binary;
+  };
+  refused("a.ply", binary_with(std::numeric_limits<double>::quiet_NaN()),
+          "element vertex 1: a coordinate is not finite (the element begins at byte 196)", Defect::NOT_FINITE);
+  // Bad indices that the reader lets through are found afterwards.
+  const IT::Surface_report report = idt::examine(idt::read_surface(write("a.ply", binary_with(25))));
   ASSERT_NE(report.find(Kind::BAD_INDEX), nullptr);
   EXPECT_TRUE(contains(report.find(Kind::BAD_INDEX)->description, "names vertex -1"));
 }

@@ -58,6 +58,8 @@ std::string ply_at(std::size_t line, const std::string& kind, std::size_t elemen
   return "line " + std::to_string(line) + ", element " + kind + " " + std::to_string(element);
 }
 
+std::string at_line_with_cr(std::size_t line) { return "line " + std::to_string(line) + ": a CR ends the comment"; }
+
 // Where a line begins, counted from 1.
 std::size_t begin_of_line(const std::string& text, std::size_t line)
 {
@@ -105,6 +107,12 @@ std::string ply_with_count(const std::string& text, const std::string& element, 
 {
   return replaced(text, "element " + element + " " + std::to_string(from) + "\n",
                   "element " + element + " " + std::to_string(to) + "\n");
+}
+// Of a binary file, before the others.
+std::string with_empty_face(const Sheet_in_files& s, std::string text)
+{
+  text.insert(text.find("end_header\n") + 11 + 12 * s.v(), 1, '\0');
+  return ply_with_count(text, "face", s.f(), s.f() + 1);
 }
 std::string strips(const Sheet_in_files& s, const std::string& format, const std::string& type,
                    const std::string& more = "")
@@ -384,6 +392,11 @@ std::vector<Case> cases()
     {"off", "CNOFF", [](S& s, E&) { return off_text(s, "CNOFF\n", " 0 0 1 255 255 255"); }},
     {"off", "NCSTOFF", [](S& s, E&) { return off_text(s, "NCSTOFF\n", " 0 0 1 255 255 255 255 0.5 0.5"); }},
     {"off", "4OFF", [](S& s, E&) { return off_text(s, "4OFF\n", " 2"); }},
+    {"off", "4OFF, a quotient out of range",
+     [](S& s, E& e) {
+       e.error = at(s.off_vertex(1), "vertex", 1) + ": divided by the fourth coordinate, another is too large";
+       return with_line(off_text(s, "4OFF\n", " 2"), s.off_vertex(1), "1 0 0 1e-310");
+     }},
     {"off", "nOFF of dimension 3", [](S& s, E&) { return off_text(s, "nOFF\n3\n"); }},
     {"off", "nOFF of dimension 5",
      [](S& s, E& e) {
@@ -396,6 +409,13 @@ std::vector<Case> cases()
     {"off", "a byte order mark and CR LF",
      [](S& s, E&) { return "\xef\xbb\xbf" + replaced(off_text(s), "\n", "\r\n"); }},
     {"off", "CR alone", [](S& s, E&) { return replaced(off_text(s), "\n", "\r"); }},
+    {"off", "a comment with CR and words",
+     [](S& s, E&) { return appended(off_text(s), 1, " # a sheet\r3 of 4 points\r-- f as\rv of 3\r 12 mm"); }},
+    {"off", "a comment with CR and a face",
+     [](S& s, E& e) {
+       e.error = at_line_with_cr(s.off_face(0));
+       return appended(off_text(s), s.off_face(0), " # a\r3 0 1 2");
+     }},
     {"off", "binary",
      [](S&, E& e) {
        e.error = "binary OFF is not read";
@@ -578,6 +598,13 @@ std::vector<Case> cases()
        e.error = "line 1: a CR ends the comment";
        return with_line(obj_text(s), 1, "# a sheet\rf 1 2 3");
      }},
+    {"obj", "a comment with CR and words",
+     [](S& s, E&) { return with_line(obj_text(s), 1, "# a sheet\r3 of 4\rf is a face, v a vertex\r1 x 2 cm"); }},
+    {"obj", "a comment with CR and a misspelt vertex",
+     [](S& s, E& e) {
+       e.error = at_line_with_cr(1);
+       return with_line(obj_text(s), 1, "# a sheet\rv 1 o 3");
+     }},
     {"obj", "names with f and v",
      [](S& s, E&) { return "o sheet v 1 2\ng f 1 2 f a 3 # f 1 2 3\nparm v 0 0 1\n" + obj_text(s); }},
     {"obj", "a name that looks like a face",
@@ -758,16 +785,74 @@ std::vector<Case> cases()
      }},
     {"ply", "binary, more vertices announced",
      [](S& s, E& e) {
-       e.error =
-         "element face 0: the list vertex_indices is empty: remove the face, or correct the header (the element "
-         "begins at byte ";
+       e.error = "element face 0: the list of its vertices is empty, and no face names the last vertex, " +
+                 s.number_of_points() + ": remove the face, or correct the header";
        return ply_with_count(ply_text(s, {"binary_little_endian"}), "vertex", s.v(), s.v() + 1);
+     }},
+    {"ply", "binary, fewer vertices announced",
+     [](S& s, E& e) {
+       e.error = "is empty: the file may be damaged before it";
+       return ply_with_count(ply_text(s, {"binary_big_endian", "short"}), "vertex", s.v(), s.v() - 1);
+     }},
+    {"ply", "binary, more vertices announced, two of the faces taken for them",
+     [](S& s, E& e) {
+       e.error = "element face 0: the list of its vertices is empty, and no face names the last vertex";
+       return ply_with_count(ply_text(s, {"binary_little_endian", "double"}), "vertex", s.v(), s.v() + 1);
+     }},
+    {"ply", "binary, an empty face at first",
+     [](S& s, E& e) {
+       e.faces = s.f() + 1;
+       return with_empty_face(s, ply_text(s, {"binary_big_endian"}));
+     }},
+    {"ply", "binary, an empty face at first, before the vertices",
+     [](S& s, E& e) {
+       e.faces = s.f() + 1;
+       const std::string t = with_empty_face(s, ply_text(s, {"binary_little_endian"}));
+       const std::size_t vertices = t.find("element vertex"), faces = t.find("element face"),
+                         end = t.find("end_header\n"), body = end + 11;
+       return t.substr(0, vertices) + t.substr(faces, end - faces) + t.substr(vertices, faces - vertices) +
+              "end_header\n" + t.substr(body + 12 * s.v()) + t.substr(body, 12 * s.v());
+     }},
+    {"ply", "binary, an empty face at first, behind other elements",
+     [](S& s, E& e) {
+       e.error = "element face 0: the list of its vertices is empty: remove the face, or correct the header";
+       const std::string t = with_empty_face(s, ply_text(s, {"binary_little_endian"}));
+       const std::size_t at = t.find("end_header\n") + 11 + 12 * s.v();
+       return replaced(t.substr(0, at), "element face", "element edge 1\nproperty uchar a\nelement face") + "a" +
+              t.substr(at);
+     }},
+    {"ply", "binary, an empty face at first, the last vertex without faces",
+     [](S& s, E& e) {
+       e.error = "no face names the last vertex, " + s.number_of_points();
+       std::string t = with_empty_face(s, ply_text(s, {"binary_big_endian"}));
+       t.insert(t.find("end_header\n") + 11 + 12 * s.v(), 12, '\1');
+       return ply_with_count(t, "vertex", s.v(), s.v() + 1);
      }},
     {"ply", "binary, a byte missing",
      [](S& s, E& e) {
        e.error = "; the first face that names a vertex that is not there is face " + std::to_string(s.middle());
        std::string t = ply_text(s, {"binary_little_endian"});
        return t.erase(t.size() - 13 * (s.f() - s.middle()) + 8, 1);
+     }},
+    {"ply", "binary, a vertex that is NaN and has no face",
+     [](S& s, E& e) {
+       std::string t = ply_text(s, {"binary_little_endian"});
+       const std::size_t faces = t.find("end_header\n") + 11 + 12 * s.v();
+       e.error = "element vertex " + s.number_of_points() + ": a coordinate is not finite (the element begins at byte ";
+       t.insert(faces, std::string("\0\0\0\0\0\0\xc0\x7f\0\0\0\0", 12));
+       return ply_with_count(t, "vertex", s.v(), s.v() + 1);
+     }},
+    {"ply", "binary, a vertex that is infinite, with a property that is a list",
+     [](S& s, E& e) {
+       std::string t = ply_text(s, {"binary_big_endian"});
+       const std::size_t faces = t.find("end_header\n") + 11 + 12 * s.v();
+       std::string vertices;
+       for (std::size_t v = 0; v < s.v(); ++v)
+         vertices += t.substr(faces - 12 * (s.v() - v), 12) + std::string(1, '\0');
+       vertices.replace(13, 4, "\xff\x80\0\0", 4);
+       e.error = "element vertex 1: a coordinate is not finite";
+       t.replace(faces - 12 * s.v(), 12 * s.v(), vertices);
+       return replaced(t, "element face", "property list uchar int more\nelement face");
      }},
     {"ply", "binary, cut off",
      [](S& s, E& e) {
@@ -858,6 +943,11 @@ std::vector<Case> cases()
        e.error =
          "line " + std::to_string(s.ts_face(s.middle()) + 1) + ", \"TRGL\": nothing but a line GOCAD may follow";
        return with_line(ts_text(s), s.ts_face(s.middle()), [](const std::string& l) { return "END\n" + l; });
+     }},
+    {"ts", "a comment with CR and a vertex",
+     [](S& s, E& e) {
+       e.error = at_line_with_cr(s.ts_face(0));
+       return appended(ts_text(s), s.ts_face(0), " # a\rPVRTX 99 1 2 3 CNXYZ");
      }},
     {"ts", "CR alone", [](S& s, E&) { return replaced(ts_text(s), "\n", "\r"); }}};
 }

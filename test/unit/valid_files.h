@@ -198,6 +198,7 @@ inline std::vector<Valid_file> valid_files(std::uint32_t n = 2)
     {"off", "dimension", off_text(sheet, "nOFF 3\n")},
     {"off", "CR LF", with_line_ends(off_text(sheet), "\r\n")},
     {"off", "CR", with_line_ends(off_text(sheet), "\r")},
+    {"off", "CR in comments", off_text(sheet, "OFF # a\r3 of 4\n", " # f of x\r12 mm", " # one\rv of 3")},
     {"obj", "plain", obj_text(sheet)},
     {"obj", "textures", obj_text(sheet, " 1 0 0", "/1/1")},
     {"obj", "goes on", with_line_ends(obj_text(sheet, " \\\n 1 # a color"), "\n")},
@@ -223,6 +224,14 @@ inline std::vector<Valid_file> valid_files(std::uint32_t n = 2)
                                                  {"float", "uchar", "char", "double", "vertex_index"}})
       files.push_back(
         {"ply", format + " " + index, ply_text(sheet, {format, real, size, index, extra, name}), format != "ascii"});
+  for (const std::string format : {"binary_little_endian", "binary_big_endian"}) {
+    std::string text = ply_text(sheet, {format, "float"});
+    text.insert(text.find("end_header\n") + 11 + 12 * sheet.points.size(), 1, '\0');
+    const std::string count = "element face ";
+    text.replace(text.find(count), count.size() + sheet.number_of_faces().size(),
+                 count + std::to_string(sheet.triangles.size() + 1));
+    files.push_back({"ply", format + ", an empty face at first", text, true});
+  }
   return files;
 }
 

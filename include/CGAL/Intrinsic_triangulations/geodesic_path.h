@@ -84,7 +84,7 @@ std::vector<Halfedge_index> shortest_edge_path(const Intrinsic_triangulation<Tra
   for (Vertex_index v = target; v != source; v = complex.source(path.back())) {
     if (!arrival[v.idx()].is_valid())
       throw Invalid_argument_error("no path along edges leads from vertex " + std::to_string(source.idx()) +
-                                   " to vertex " + std::to_string(target.idx()));
+                                   " to vertex " + std::to_string(target.idx()) + ": choose two of the same component");
     path.push_back(arrival[v.idx()]);
   }
   std::reverse(path.begin(), path.end());

@@ -109,13 +109,22 @@ private:
         refuse_line_end(path_, number_, line_end_);
   }
 
+  // Whether a keyword or number at p may begin an element on a line of its own: a word behind it is prose.
   bool begins_element() const
   {
-    const std::string_view word(p, static_cast<std::size_t>(skip_word(p, last) - p));
-    for (const char* const keyword : {"v", "f", "trgl", "vrtx", "pvrtx"})
-      if (is_keyword(word, keyword))
-        return true;
-    return is_digit(word[0]) || word[0] == '-';
+    const char* const end = std::find_if(p, last, [](const char c) { return c == '\r' || c == '\n'; });
+    const char* q = skip_word(p, end);
+    const std::string_view first(p, static_cast<std::size_t>(q - p));
+    const auto is_first = [first](const char* const keyword) { return is_keyword(first, keyword); };
+    const bool has_keyword =
+      is_first("v") || is_first("f") || is_first("trgl") || is_first("vrtx") || is_first("pvrtx");
+    bool is_element = has_keyword || is_digit(first[0]) || first[0] == '-';
+    while (is_element && (q = skip_white(q, end)) != end) {
+      const std::string_view word(q, static_cast<std::size_t>(skip_word(q, end) - q));
+      is_element = word.size() < 2 || word.substr(0, 2).find_first_of("0123456789+-./") != word.npos || is_number(word);
+      q = has_keyword ? end : q + word.size(); // a control node has words behind its numbers
+    }
+    return is_element;
   }
 
   const std::string path_;

@@ -285,9 +285,8 @@ private:
       refuse("face", soup_.number_of_faces(), ": " + quote(word) + " is beyond all numbers of vertices",
              Defect::BAD_INDEX);
     refuse("face", soup_.number_of_faces(),
-           ": " + quote(word) +
-             " is not a corner of a face (the number of a vertex, alone or as in 1/2/3; comments begin with # behind a "
-             "blank)");
+           ": " + quote(word) + " is not a corner of a face (the number of a vertex, alone or as in 1/2/3" +
+             (word.find('#') == word.npos ? ")" : "; comments begin with # behind a blank)"));
   }
 
   bool has_curved_surfaces_ = false;

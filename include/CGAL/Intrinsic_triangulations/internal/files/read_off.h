@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -131,8 +132,12 @@ private:
       else if (i == 3 && is_homogeneous_) {
         if (number == 0)
           refuse("vertex", v, ": the fourth coordinate is zero", Defect::NOT_FINITE);
-        for (double& coordinate : point)
+        for (double& coordinate : point) {
           coordinate /= number;
+          if (!std::isfinite(coordinate))
+            refuse("vertex", v, ": divided by the fourth coordinate, another is too large for a double",
+                   Defect::OUT_OF_RANGE);
+        }
       }
     }
     soup_.points.push_back(point);

@@ -326,6 +326,7 @@ public:
       }
     }
     check_end();
+    check_empty_face();
   }
 
 private:
@@ -383,6 +384,29 @@ private:
     soup_.warnings.push_back(text + ", which are zeros or blanks");
   }
 
+  // With one vertex too many in the header, the first face is taken for it, but for bytes of zero that look like an empty
+  // face, and the others fit. A face that names the last vertex shows that there are as many as announced.
+  void check_empty_face() const
+  {
+    if (byte_of_empty_face_ == 0)
+      return;
+    const auto has_elements = [](const Ply_element& element) { return element.count > 0; };
+    const auto first = std::find_if(header_.elements.begin(), header_.elements.end(), has_elements);
+    const auto second = std::find_if(first + 1, header_.elements.end(), has_elements);
+    if (first->is_face())
+      return;
+    const std::uint32_t last = static_cast<std::uint32_t>(soup_.points.size() - 1);
+    bool is_named = false;
+    for (std::size_t f = 0; f < soup_.number_of_faces() && !is_named; ++f)
+      is_named = std::count(soup_.polygon(f).begin(), soup_.polygon(f).end(), last) > 0;
+    if (!is_named || !first->is_vertex() || !second->is_face())
+      refuse_file(path_, "element face 0: the list of its vertices is empty" +
+                           (is_named ? "" : ", and no face names the last vertex, " + std::to_string(last)) +
+                           ": remove the face, or correct the header if it announces an element too many before the "
+                           "faces (the face begins at byte " +
+                           std::to_string(byte_of_empty_face_) + "; the header announces " + announced() + ")");
+  }
+
   std::string announced() const
   {
     std::string result;
@@ -394,6 +418,9 @@ private:
   // Where to look for the mistake: behind a byte too few or too many, faces name vertices that are not there.
   std::string hint() const
   {
+    if (byte_of_empty_face_ != 0)
+      return "; the first face, at byte " + std::to_string(byte_of_empty_face_) +
+             ", is empty: the file may be damaged before it";
     std::size_t vertices = 0;
     for (const Ply_element& element : header_.elements)
       vertices += element.is_vertex() ? element.count : 0;
@@ -429,14 +456,31 @@ private:
       while (done < element.count && file_.require(stride)) {
         const std::size_t n = (std::min)(element.count - done, file_.available() / stride);
         const char* p = file_.first;
-        for (std::size_t i = 0; i < n; ++i, p += stride)
-          soup_.points.push_back({load<Real>(p + offset[0]), load<Real>(p + offset[1]), load<Real>(p + offset[2])});
+        double sum = 0; // which is not finite if a coordinate is not
+        for (std::size_t i = 0; i < n; ++i, p += stride) {
+          const std::array<double, 3> point{load<Real>(p + offset[0]), load<Real>(p + offset[1]),
+                                            load<Real>(p + offset[2])};
+          sum += point[0] + point[1] + point[2];
+          soup_.points.push_back(point);
+        }
+        for (std::size_t i = 0; i < n && !std::isfinite(sum); ++i)
+          require_finite(element, done + i, file_.offset() + i * stride);
         file_.first = p;
         done += n;
       }
       return done;
     };
     return are_reals_of(8) ? take(double()) : are_reals_of(4) ? take(float()) : 0;
+  }
+
+  void require_finite(const Ply_element& element, const std::size_t vertex, const std::uintmax_t begin) const
+  {
+    for (const double coordinate : soup_.points[vertex])
+      if (!std::isfinite(coordinate))
+        refuse_file(path_,
+                    "element " + element.name + " " + std::to_string(vertex) +
+                      ": a coordinate is not finite (the element begins at byte " + std::to_string(begin) + ")",
+                    Defect::NOT_FINITE, vertex);
   }
 
   // Faces of nothing but a byte and three indices, as many as come one after the other. Returns their number.
@@ -486,9 +530,8 @@ private:
           refuse("the list " + name + " claims a negative number of entries");
         if (bits > file_.left())
           refuse("the list " + name + " claims more entries than the file has");
-        // With one vertex too many in the header, the last byte of the first face is taken for it, and the others fit.
         if (bits == 0 && l.role == Ply_layout::CORNERS && index == 0)
-          refuse("the list " + name + " is empty: remove the face, or correct the header");
+          byte_of_empty_face_ = begin;
         count = bits;
       }
       const std::uintmax_t bytes = count * l.size;
@@ -509,15 +552,18 @@ private:
         point[l.role] = load_number(file_.first, l);
       file_.first += bytes;
     }
-    if (element.is_vertex())
-      soup_.points.push_back(point);
+    if (!element.is_vertex())
+      return;
+    soup_.points.push_back(point);
+    require_finite(element, index, begin);
   }
 
   std::string path_;
   const Ply_header& header_;
   Polygon_soup& soup_;
   File_blocks& file_;
-  std::vector<std::uint32_t> corners_; // of a face
+  std::uintmax_t byte_of_empty_face_ = 0; // if the first one is empty
+  std::vector<std::uint32_t> corners_;    // of a face
 };
 
 // Words in the order of the elements and their properties. An element is a line, or goes on over several; or everything
@@ -578,8 +624,9 @@ private:
            (begin_ == lines_.number() ? std::string()
                                       : ", which goes on over line " + std::to_string(lines_.number())) +
            ": " + quote(std::string(lines_.p, skip_word(lines_.p, lines_.last))) +
-           " is behind the numbers that the header names (" + names +
-           "); name it there, or begin each element on a line of its own";
+           " is behind the numbers that the header names (" + names + "); " +
+           (begin_ == lines_.number() ? "name it there" : "add what is missing before it") +
+           ", or begin each element on a line of its own";
   }
 
   void take_element(const std::vector<Ply_layout>& layout, const bool is_vertex)

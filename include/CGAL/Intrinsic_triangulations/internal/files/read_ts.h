@@ -75,7 +75,7 @@ private:
       return check_rest();
     }
     if (is_other_ && (is_triangle || is("tface")))
-      refuse_line(word, "the part is not a TSurf according to its line GOCAD");
+      refuse_line(word, "the part is not a TSurf according to line " + std::to_string(part_line_));
     if (is_other_)
       return check_rest();
     is_begun_ = is_begun_ || is_data;
@@ -122,6 +122,7 @@ private:
   void begin_part()
   {
     end_part();
+    part_line_ = lines_.number();
     if (!is_ended_ && (is_begun_ || is_other_))
       refuse(line() + ": a part begins, but the previous one has no line END");
     is_ended_ = is_begun_ = false;
@@ -247,6 +248,7 @@ private:
   std::vector<Triangle> triangles_of_part_;
   std::size_t vertices_ = 0, triangles_ = 0, properties_ = 0; // properties of a triangle of this part
   std::size_t brace_line_ = 0;                                // of a brace that is still open
+  std::size_t part_line_ = 0;                                 // on which the part begins
   bool is_other_ = false;                                     // the part is no surface
   bool is_begun_ = false;                                     // the part has more than its header
   bool is_ended_ = false;                                     // the part has its line END

@@ -398,7 +398,7 @@ Surface_direction direction_at_vertex(const Exact_engine& engine, Halfedge_index
   }
   if (angle < 0 || fan.empty() || (!is_closed && angle > sum * (1 + 1e-15)))
     throw Invalid_point_error("at vertex " + std::to_string(input.source(h).idx()) +
-                              ", the angle leads beyond the border");
+                              ", the angle leads beyond the border: angles go from 0 to " + std::to_string(sum));
   std::size_t i = 0;
   while (i + 1 < fan.size() && angle > fan[i].angle)
     angle -= fan[i++].angle;
