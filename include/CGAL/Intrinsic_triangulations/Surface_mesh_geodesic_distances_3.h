@@ -62,19 +62,12 @@ struct Intrinsic_Delaunay
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-template <class Point, class = void>
-struct Has_coordinates : std::false_type
-{};
-template <class Point>
-struct Has_coordinates<Point, std::void_t<decltype(std::declval<const Point&>().z())>> : std::true_type
-{};
-
 // The mesh as it is: from its points, or if these do not show their coordinates, from their distances.
 template <class Traits, class TriangleMesh, class VertexPointMap>
 auto copy_mesh(const TriangleMesh& mesh, const VertexPointMap& map)
 {
   using Point = typename boost::property_traits<VertexPointMap>::value_type;
-  if constexpr (Has_coordinates<Point>::value) {
+  if constexpr (Intrinsic_triangulations::internal::Has_coordinates<Point>::value) {
     return intrinsic_triangulation(mesh, parameters::vertex_point_map(map));
   } else {
     const auto squared_distance = Traits().compute_squared_distance_3_object();
@@ -223,8 +216,8 @@ public:
   }
 
 private:
-  static constexpr bool has_coordinates =
-    internal::Has_coordinates<typename boost::property_traits<Vertex_point_map>::value_type>::value;
+  static constexpr bool has_coordinates = Intrinsic_triangulations::internal::Has_coordinates<
+    typename boost::property_traits<Vertex_point_map>::value_type>::value;
 
   auto Delaunay_triangulation(const Vertex_point_map& vpm) const
   {

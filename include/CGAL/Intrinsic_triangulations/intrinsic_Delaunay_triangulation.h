@@ -103,8 +103,9 @@ template <class T, class = void>
 struct Has_coordinates : std::false_type
 {};
 template <class T>
-struct Has_coordinates<T, std::void_t<decltype(std::declval<const T&>().x(), std::declval<const T&>().y(),
-                                               std::declval<const T&>().z())>> : std::true_type
+struct Has_coordinates<
+  T, std::void_t<decltype(std::declval<const T&>().x(), std::declval<const T&>().y(), std::declval<const T&>().z())>>
+  : std::true_type
 {};
 
 // The constraints on the edges of a mesh, for the edges of its copy.

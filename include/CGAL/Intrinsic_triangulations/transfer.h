@@ -119,8 +119,9 @@ template <class Value, class = void>
 struct Is_linear : std::false_type
 {};
 template <class Value>
-struct Is_linear<Value, std::void_t<decltype(Value(0.5 * std::declval<const Value&>() +
-                                                   0.5 * std::declval<const Value&>()))>> : std::true_type
+struct Is_linear<Value,
+                 std::void_t<decltype(Value(0.5 * std::declval<const Value&>() + 0.5 * std::declval<const Value&>()))>>
+  : std::true_type
 {};
 
 // The type of values between which it is possible to interpolate.

@@ -9,7 +9,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REQUIRE_EIGEN_H
 
 #if !__has_include(<Eigen/SparseCore>)
-#error "This header needs Eigen 3: install it (Debian: libeigen3-dev) and add its folder (-I/usr/include/eigen3), or link Eigen3::Eigen in CMake"
+#error                                                                                                                 \
+  "This header needs Eigen 3: install it (Debian: libeigen3-dev) and add its folder (-I/usr/include/eigen3), or link Eigen3::Eigen in CMake"
 #endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_REQUIRE_EIGEN_H
