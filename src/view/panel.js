@@ -120,9 +120,11 @@ function start_page() {
 }
 
 let picture = null; // for who looks into the page with the tools of the browser
-try {
+unpack().then(() => {
+  read_surface();
   picture = start_page();
-} catch (error) {
+  packed = null;
+}).catch(error => {
   by_id("info").textContent = error.message;
   throw error;
-}
+});
