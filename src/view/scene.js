@@ -120,7 +120,7 @@ class Picture {
     this.surface = make_part(surface);
     this.parts = [this.surface];
     // Where a picture takes long, another part is drawn while it moves.
-    this.is_slow = surface.corners.length > 3 * 200000;
+    this.is_slow = surface.corners.length > 3 * 50000;
     if (this.is_slow)
       this.parts.push(make_part(make_rough_surface()));
     this.numbers = new THREE.Mesh(this.surface.geometry, make_material(number_vertex_shader, number_fragment_shader, {}));
