@@ -146,8 +146,7 @@ class Picture {
 
   // Draws soon, once for all that asked for it.
   request(is_moving = false) {
-    if (is_moving)
-      this.moving_until = performance.now() + 200;
+    this.is_moving = this.is_moving || is_moving;
     if (!this.is_requested) {
       this.is_requested = true;
       requestAnimationFrame(() => this.draw());
@@ -173,7 +172,7 @@ class Picture {
       this.renderer.setPixelRatio(ratio);
       this.renderer.setSize(w, h, false);
     }
-    const begin = performance.now(), is_rough = this.is_slow && begin < this.moving_until;
+    const begin = performance.now(), is_rough = this.is_rough = this.is_slow && this.is_moving;
     this.parts.forEach((part, i) => (part.visible = this.parts.length < 2 || is_rough === (i === 1)));
     this.uniforms.half_width.value = 0.8 * ratio;
     this.renderer.setScissorTest(true);
@@ -198,8 +197,8 @@ class Picture {
       context.readPixels(0, 0, 1, 1, context.RGBA, context.UNSIGNED_BYTE, new Uint8Array(4)); // which waits for the picture
       this.is_slow = performance.now() - begin > 60;
     }
-    this.is_rough = is_rough;
     clearTimeout(this.timer);
+    this.is_moving = is_rough && this.control.is_dragged;
     if (is_rough)
       this.timer = setTimeout(() => this.request(), 250);
     this.number_of_pictures = (this.number_of_pictures || 0) + 1;
