@@ -39,7 +39,7 @@ function make_points(places, colour, width) {
     { colour: { value: colour }, width: { value: width }, size: { value: null } }), THREE.Points);
 }
 
-// The surface in few triangles, for pictures while it moves: what lies in one cell of a grid is one vertex.
+// The surface in few triangles, for pictures with fewer pixels while it moves: what lies in one cell of a grid is one vertex.
 function make_rough_surface() {
   const n = 80, { places, corners } = surface, first = new Int32Array(n ** 3).fill(-1), moved = new Uint32Array(places.length / 3);
   const step = x => Math.min(n - 1, Math.floor((x + 1) / 2 * n));
@@ -165,14 +165,15 @@ class Picture {
 
   draw() {
     this.is_requested = false;
-    const { clientWidth: w, clientHeight: h } = this.canvas, ratio = Math.min(2, window.devicePixelRatio);
+    const { clientWidth: w, clientHeight: h } = this.canvas;
     if (w === 0 || h === 0)
       return;
+    const begin = performance.now(), is_rough = this.is_rough = this.is_slow && this.is_moving;
+    const ratio = Math.min(2, window.devicePixelRatio) * (is_rough ? 0.5 : 1);
     if (this.canvas.width !== Math.floor(w * ratio) || this.canvas.height !== Math.floor(h * ratio)) {
       this.renderer.setPixelRatio(ratio);
       this.renderer.setSize(w, h, false);
     }
-    const begin = performance.now(), is_rough = this.is_rough = this.is_slow && this.is_moving;
     this.parts.forEach((part, i) => (part.visible = this.parts.length < 2 || is_rough === (i === 1)));
     this.uniforms.half_width.value = 0.8 * ratio;
     this.renderer.setScissorTest(true);
