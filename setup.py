@@ -1,10 +1,11 @@
 # Copyright (c) 2026 The Intrinsic_triangulations developers.
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Lets CMake build the extension modules of the Python package, and setuptools pack them.
+# Lets CMake build the extension modules of the Python package and the command, and setuptools pack them.
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 
@@ -15,7 +16,7 @@ ROOT = os.path.dirname(os.path.abspath(__file__))
 
 
 class BuildByCMake(build_ext):
-    """builds all extension modules at once."""
+    """builds all extension modules and the command at once."""
 
     def run(self):
         folder = os.path.dirname(os.path.abspath(self.get_ext_fullpath("intrinsic_triangulations._core")))
@@ -25,11 +26,12 @@ class BuildByCMake(build_ext):
              f"-DPython_EXECUTABLE={sys.executable}",
              f"-DINTRINSIC_TRIANGULATIONS_PYTHON_FOLDER={folder}",
              "-DINTRINSIC_TRIANGULATIONS_BUILD_PYTHON=ON"]
-            + [f"-DINTRINSIC_TRIANGULATIONS_BUILD_{part}=OFF" for part in ("COMMAND", "TESTS", "BENCHMARKS")],
+            + [f"-DINTRINSIC_TRIANGULATIONS_BUILD_{part}=OFF" for part in ("TESTS", "BENCHMARKS")],
             check=True)
         # Two at once, as a source can take 2 GB; CMAKE_BUILD_PARALLEL_LEVEL says otherwise.
         environment = {"CMAKE_BUILD_PARALLEL_LEVEL": "2", **os.environ}
-        subprocess.run(["cmake", "--build", build, "--target", "intrinsic_triangulations_python"], check=True, env=environment)
+        subprocess.run(["cmake", "--build", build, "--target", "intrinsic_triangulations_python", "idt"], check=True, env=environment)
+        shutil.copy(os.path.join(build, "bin", "idt"), folder)  # which writes pages
 
 
 def version():

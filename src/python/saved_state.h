@@ -25,11 +25,12 @@ namespace idt_python {
 
 const auto while_no_signal = CGAL::parameters::visitor([] { return Signal_watch::goes_on(); });
 
-// What write(stream) writes without Python's lock.
+// What write(stream) writes without Python's lock, with room for so many faces of the input and of the triangulation.
 template <class Write>
-py::bytes written_bytes(const Write& write)
+py::bytes written_bytes(std::size_t number_of_faces, const Write& write)
 {
   std::string bytes;
+  bytes.reserve(60 * number_of_faces);
   boost::iostreams::stream<boost::iostreams::back_insert_device<std::string>> os(bytes);
   write(os);
   os.flush();

@@ -69,7 +69,9 @@ std::unique_ptr<Subdivision> subdivision_of(Surface& surface)
 
 py::bytes state_of_subdivision(const Subdivision& s)
 {
-  return written_bytes([&](std::ostream& os) {
+  const std::size_t number_of_faces =
+    std::size_t(s.get().input().number_of_faces()) + s.get().intrinsic().number_of_faces();
+  return written_bytes(number_of_faces, [&](std::ostream& os) {
     without_lock([&] {
       IT::write_triangulation(os, s.get(), s.input_sides(), while_no_signal);
       return true;

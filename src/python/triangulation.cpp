@@ -100,7 +100,10 @@ std::unique_ptr<Surface> from_gluing(const Indices& first, const Indices& second
 
 py::bytes state_of_surface(Surface& surface)
 {
-  return written_bytes([&](std::ostream& os) {
+  const std::size_t number_of_faces = surface.use([](const Triangulation& t) {
+    return std::size_t(t.input().number_of_faces()) + t.connectivity().number_of_faces();
+  });
+  return written_bytes(number_of_faces, [&](std::ostream& os) {
     surface.use([&](const Triangulation& t) {
       IT::write_triangulation(os, t, surface.input_sides(), while_no_signal);
       return true;

@@ -47,7 +47,7 @@ function nice_step(range) {
 // The functions that can colour the surface: each has numbers for both triangulations, of the vertices of `surface` or of faces.
 function find_fields() {
   const fields = page.fields.map((field, i) => {
-    const numbers = field.of.map((_, t) => read_array("field-" + i + "-" + t, Float32Array));
+    const numbers = field.of.map((_, t) => read_floats("field-" + i + "-" + t));
     return { name: field.name, unit: field.unit, of_faces: field.of[0] === "faces", numbers: triangulations.map((_, t) => numbers[t] || numbers[0]) };
   });
   const angles = triangulations.map(t => {

@@ -7,28 +7,82 @@
 
 const page = JSON.parse(document.getElementById("page").textContent);
 
-// An array stands in the page as base64. It is taken out, so that it is in memory once.
-function read_array(name, Type) {
-  const element = document.getElementById("array-" + name);
-  const text = element.textContent;
-  element.remove();
+function from_base64(text) {
   if (Uint8Array.fromBase64)
-    return new Type(Uint8Array.fromBase64(text).buffer);
+    return Uint8Array.fromBase64(text);
   const binary = atob(text), bytes = new Uint8Array(binary.length);
   for (let i = 0; i < bytes.length; ++i)
     bytes[i] = binary.charCodeAt(i);
-  return new Type(bytes.buffer);
+  return bytes;
+}
+
+// All arrays stand in the page as one text. It is taken out, so that it is in memory once.
+let packed = null;
+async function unpack() {
+  const element = document.getElementById("arrays");
+  packed = from_base64(element.textContent);
+  element.remove();
+  if (page.is_compressed)
+    packed = new Uint8Array(await new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"))).arrayBuffer());
+}
+
+function read_bytes(name) {
+  const [begin, n] = page.arrays[name];
+  return packed.subarray(begin, begin + n);
+}
+
+// First the lowest bytes of all words, then the next ones.
+function read_words(name) {
+  const [begin, n] = page.arrays[name], words = new Uint32Array(n);
+  for (let i = 0, k = begin; i < n; ++i, ++k)
+    words[i] = packed[k] | packed[k + n] << 8 | packed[k + 2 * n] << 16 | packed[k + 3 * n] << 24;
+  return words;
+}
+
+// The differences from one to the next, with the sign in the lowest bit.
+function read_integers(name) {
+  const words = read_words(name);
+  for (let i = 0, last = 0; i < words.length; ++i)
+    words[i] = last = last + (words[i] >>> 1 ^ -(words[i] & 1)) | 0;
+  return words;
+}
+
+function read_floats(name) { return new Float32Array(read_words(name).buffer); }
+
+// What differs from the bits of the same number of the input.
+function read_words_like_input(name, index) {
+  const words = read_words(name + "-" + index);
+  if (index > 0) {
+    const others = triangulations[0].words[name];
+    for (let i = Math.min(words.length, others.length) - 1; i >= 0; --i)
+      words[i] ^= others[i];
+  }
+  return words;
+}
+
+// What differs from the bits of an estimate.
+function with_estimates(words, estimate) {
+  const floats = new Float32Array(words.length), bits = new Uint32Array(floats.buffer);
+  for (let i = 0; i < words.length; ++i) {
+    const x = estimate(i);
+    floats[i] = x === x ? x : 0;
+    bits[i] ^= words[i];
+  }
+  return floats;
 }
 
 // Side i of a face runs from its corner i to the next one. Each array has three entries for each face: 3 f + i.
 class Triangulation {
   constructor(index) {
     this.name = index === 0 ? "input" : "triangulation";
-    this.corners = read_array("corners-" + index, Uint32Array);
-    this.sides = read_array("sides-" + index, Uint32Array); // the edge of each
-    this.cotangents = read_array("cotangents-" + index, Float32Array); // of the angle opposite to each
-    this.lengths = read_array("lengths-" + index, Float32Array); // of each edge
-    this.weights = read_array("weights-" + index, Float32Array); // of each edge
+    this.corners = read_integers("corners-" + index);
+    this.sides = read_integers("sides-" + index); // the edge of each
+    this.words = { lengths: read_words_like_input("lengths", index), cotangents: read_words_like_input("cotangents", index) };
+    this.lengths = new Float32Array(this.words.lengths.buffer); // of each edge
+    this.cotangents = with_estimates(this.words.cotangents, s => this.estimated_cotangent(s)); // of the angle opposite to each
+    const sums = new Float32Array(this.lengths.length);
+    this.sides.forEach((e, s) => sums[e] += this.cotangents[s]);
+    this.weights = with_estimates(read_words("weights-" + index), e => sums[e]); // of each edge
     this.number_of_faces = this.corners.length / 3;
     this.number_of_edges = this.lengths.length;
     this.number_of_vertices = page.vertices[index];
@@ -41,6 +95,12 @@ class Triangulation {
         this.edge_sides[2 * e + this.counts[e]] = s;
       this.counts[e] = Math.min(255, this.counts[e] + 1);
     }
+  }
+  // The command computes it in the same way.
+  estimated_cotangent(s) {
+    const f = s - s % 3, l = this.lengths, sides = this.sides;
+    const c = l[sides[s]], a = l[sides[f + (s + 1) % 3]], b = l[sides[f + (s + 2) % 3]];
+    return (a * a + b * b - c * c) / Math.sqrt((a + b + c) * (a + b - c) * (c + a - b) * (c + b - a));
   }
   sides_of(e) { return [...this.edge_sides.subarray(2 * e, 2 * e + Math.min(2, this.counts[e]))]; }
   ends(e) {
@@ -73,15 +133,18 @@ function next(s) { return s % 3 === 2 ? s - 2 : s + 1; }
 
 // The triangles into which both triangulations cut the surface. Their corners are first the vertices of the input, then inserted ones, then
 // crossings. The byte of a side is i + 1 if it lies on side i of its input face, and as well (j + 1) << 2 for side j of the result.
-const surface = {
-  places: read_array("places", Float32Array),
-  corners: read_array("corners", Uint32Array),
-  sides: read_array("sides", Uint8Array),
-  faces: page.vertices.map((_, t) => read_array("faces-" + t, Uint32Array)), // of each triangulation, for each triangle
-};
-surface.number_of_triangles = surface.corners.length / 3;
-const triangulations = page.vertices.map((_, t) => new Triangulation(t));
-const result = triangulations[triangulations.length - 1];
+let surface = null, result = null;
+const triangulations = [];
+function read_surface() {
+  surface = {
+    places: read_floats("places"),
+    corners: read_integers("corners"),
+    sides: read_bytes("sides"),
+    faces: page.vertices.map((_, t) => read_integers("faces-" + t)), // of each triangulation, for each triangle
+  };
+  page.vertices.forEach((_, t) => triangulations.push(new Triangulation(t)));
+  result = triangulations[triangulations.length - 1];
+}
 
 // The edge of a triangulation on which a side of a triangle lies, or -1.
 function edge_of_side(t, s) {
@@ -90,7 +153,8 @@ function edge_of_side(t, s) {
 }
 
 // 1 input alone, 2 result alone, 3 both, 0 neither
-function label_of_side(s) { return (surface.sides[s] & 3 ? 1 : 0) | (surface.sides[s] & 12 ? 2 : 0); }
+function label(side) { return (side & 3 ? 1 : 0) | (side & 12 ? 2 : 0); }
+function label_of_side(s) { return label(surface.sides[s]); }
 
 // The triangles within a face.
 function triangles_of(t, f) {

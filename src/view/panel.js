@@ -82,7 +82,7 @@ function start_page() {
   set_colours();
 
   // Pointing at elements and looking for them.
-  let found = null, waiting = null;
+  let found = null, waiting = null, timer = 0;
   const show = element => {
     by_id("info").textContent = describe(element);
     mark_element(picture, element);
@@ -96,6 +96,11 @@ function start_page() {
     if (picture.control.is_dragged)
       return;
     const { offsetX, offsetY } = event;
+    if (picture.is_slow) { // when the mouse rests
+      clearTimeout(timer);
+      timer = setTimeout(() => picture.control.is_dragged || point(offsetX, offsetY), 200);
+      return;
+    }
     if (waiting === null)
       requestAnimationFrame(() => point(...waiting));
     waiting = [offsetX, offsetY];
@@ -120,9 +125,11 @@ function start_page() {
 }
 
 let picture = null; // for who looks into the page with the tools of the browser
-try {
+unpack().then(() => {
+  read_surface();
   picture = start_page();
-} catch (error) {
+  packed = null;
+}).catch(error => {
   by_id("info").textContent = error.message;
   throw error;
-}
+});

@@ -39,18 +39,39 @@ function make_points(places, colour, width) {
     { colour: { value: colour }, width: { value: width }, size: { value: null } }), THREE.Points);
 }
 
+// The surface in few triangles, for pictures with fewer pixels while it moves: what lies in one cell of a grid is one vertex.
+function make_rough_surface() {
+  const n = 80, { places, corners } = surface, first = new Int32Array(n ** 3).fill(-1), moved = new Uint32Array(places.length / 3);
+  const step = x => Math.min(n - 1, Math.floor((x + 1) / 2 * n));
+  for (let v = 0; v < moved.length; ++v) {
+    const cell = (step(places[3 * v]) * n + step(places[3 * v + 1])) * n + step(places[3 * v + 2]);
+    if (first[cell] < 0)
+      first[cell] = v;
+    moved[v] = first[cell];
+  }
+  const triangles = [];
+  for (let t = 0; t < corners.length / 3; ++t) {
+    const a = moved[corners[3 * t]], b = moved[corners[3 * t + 1]], c = moved[corners[3 * t + 2]];
+    if (a !== b && b !== c && c !== a)
+      triangles.push(t);
+  }
+  return {
+    places, corners: Uint32Array.from(triangles.flatMap(t => [3 * t, 3 * t + 1, 3 * t + 2]), c => moved[corners[c]]),
+    sides: new Uint8Array(3 * triangles.length), faces: surface.faces.map(faces => Uint32Array.from(triangles, t => faces[t])),
+  };
+}
+
 // Per corner of each triangle: nothing is shared, so that a triangle can have colours of its own.
-function make_surface_arrays() {
-  const n = surface.corners.length, { places, corners } = surface;
+function make_surface_arrays({ places, corners, sides, faces }, face_normals, colours) {
+  const n = corners.length, last = colours.length - 1;
   const position = new Float32Array(3 * n), direction = new Int8Array(3 * n), info = new Uint8Array(4 * n);
   for (let c = 0; c < n; ++c)
     for (let i = 0; i < 3; ++i)
       position[3 * c + i] = places[3 * corners[c] + i];
-  const face_normals = make_face_normals(), colours = triangulations.map(colour_faces), last = colours.length - 1;
-  for (let t = 0; t < surface.number_of_triangles; ++t) {
-    const input = surface.faces[0][t], input_colour = colours[0][input], result_colour = colours[last][surface.faces[last][t]];
+  for (let t = 0; t < n / 3; ++t) {
+    const input = faces[0][t], input_colour = colours[0][input], result_colour = colours[last][faces[last][t]];
     // Side i is opposite to the corner before it.
-    const labels = label_of_side(3 * t + 1) | label_of_side(3 * t + 2) << 2 | label_of_side(3 * t) << 4;
+    const labels = label(sides[3 * t + 1]) | label(sides[3 * t + 2]) << 2 | label(sides[3 * t]) << 4;
     for (let i = 0; i < 3; ++i) {
       const c = 3 * t + i;
       for (let k = 0; k < 3; ++k)
@@ -61,7 +82,7 @@ function make_surface_arrays() {
       info[4 * c + 3] = i;
     }
   }
-  return { position: [position, 3], direction: [direction, 3, true], info: [info, 4], number: [new Float32Array(2 * n), 2] };
+  return { position: [position, 3], direction: [direction, 3, true], info: [info, 4] };
 }
 
 // Of unit length 127, of input faces: those of thin triangles that are parts of them would be far off.
@@ -70,7 +91,7 @@ function make_face_normals() {
   for (let f = 0; f < number_of_faces; ++f) {
     const [a, b, c] = [corners[3 * f] * 3, corners[3 * f + 1] * 3, corners[3 * f + 2] * 3];
     const ux = p[b] - p[a], uy = p[b + 1] - p[a + 1], uz = p[b + 2] - p[a + 2], vx = p[c] - p[a], vy = p[c + 1] - p[a + 1], vz = p[c + 2] - p[a + 2];
-    const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx, length = Math.hypot(x, y, z) || 1;
+    const x = uy * vz - uz * vy, y = uz * vx - ux * vz, z = ux * vy - uy * vx, length = Math.sqrt(x * x + y * y + z * z) || 1;
     result[3 * f] = 127 * x / length;
     result[3 * f + 1] = 127 * y / length;
     result[3 * f + 2] = 127 * z / length;
@@ -93,12 +114,20 @@ class Picture {
       shown: { value: [1, 1, 1] }, face_colours: { value: face_colours.map(c => new THREE.Vector3(...c)) },
     };
     this.shown = [1, 1, 1];
-    this.surface = make_mesh(make_surface_arrays(), make_material(surface_vertex_shader, surface_fragment_shader, this.uniforms));
+    const normals = make_face_normals(), colours = triangulations.map(colour_faces);
+    const material = make_material(surface_vertex_shader, surface_fragment_shader, this.uniforms);
+    const make_part = part => Object.assign(make_mesh(make_surface_arrays(part, normals, colours), material), { part });
+    this.surface = make_part(surface);
+    this.parts = [this.surface];
+    // Where a picture takes long, another part is drawn while it moves.
+    this.is_slow = surface.corners.length > 3 * 50000;
+    if (this.is_slow)
+      this.parts.push(make_part(make_rough_surface()));
     this.numbers = new THREE.Mesh(this.surface.geometry, make_material(number_vertex_shader, number_fragment_shader, {}));
     this.numbers.frustumCulled = false;
     this.number_scene = new THREE.Scene().add(this.numbers);
     this.target = new THREE.WebGLRenderTarget(1, 1);
-    this.scene = new THREE.Scene().add(this.surface);
+    this.scene = new THREE.Scene().add(...this.parts);
     this.marks = new THREE.Group();
     this.scene.add(this.marks);
     const inserted = [];
@@ -106,17 +135,18 @@ class Picture {
       inserted.push(place(v));
     if (inserted.length > 0)
       this.scene.add(this.points = make_points(inserted, [1, 1, 1], 4));
-    const path = read_array("path", Float32Array), segments = [];
+    const path = read_floats("path"), segments = [];
     for (let i = 3; i < path.length; i += 3)
       segments.push([new THREE.Vector3().fromArray(path, i - 3), new THREE.Vector3().fromArray(path, i)]);
     if (segments.length > 0)
       this.scene.add(this.path = make_line(segments, path_colour, 5));
-    this.control = new Orbit_camera(canvas, page.radius, () => this.request());
+    this.control = new Orbit_camera(canvas, page.radius, () => this.request(true));
     new ResizeObserver(() => this.request()).observe(canvas);
   }
 
   // Draws soon, once for all that asked for it.
-  request() {
+  request(is_moving = false) {
+    this.is_moving = this.is_moving || is_moving;
     if (!this.is_requested) {
       this.is_requested = true;
       requestAnimationFrame(() => this.draw());
@@ -135,13 +165,16 @@ class Picture {
 
   draw() {
     this.is_requested = false;
-    const { clientWidth: w, clientHeight: h } = this.canvas, ratio = Math.min(2, window.devicePixelRatio);
+    const { clientWidth: w, clientHeight: h } = this.canvas;
     if (w === 0 || h === 0)
       return;
+    const begin = performance.now(), is_rough = this.is_rough = this.is_slow && this.is_moving;
+    const ratio = Math.min(2, window.devicePixelRatio) * (is_rough ? 0.5 : 1);
     if (this.canvas.width !== Math.floor(w * ratio) || this.canvas.height !== Math.floor(h * ratio)) {
       this.renderer.setPixelRatio(ratio);
       this.renderer.setSize(w, h, false);
     }
+    this.parts.forEach((part, i) => (part.visible = this.parts.length < 2 || is_rough === (i === 1)));
     this.uniforms.half_width.value = 0.8 * ratio;
     this.renderer.setScissorTest(true);
     for (const view of this.views) {
@@ -160,6 +193,15 @@ class Picture {
       });
       this.renderer.render(this.scene, this.set_camera(view));
     }
+    if (this.parts.length > 1 && !is_rough) {
+      const context = this.renderer.getContext();
+      context.readPixels(0, 0, 1, 1, context.RGBA, context.UNSIGNED_BYTE, new Uint8Array(4)); // which waits for the picture
+      this.is_slow = performance.now() - begin > 60;
+    }
+    clearTimeout(this.timer);
+    this.is_moving = is_rough && this.control.is_dragged;
+    if (is_rough)
+      this.timer = setTimeout(() => this.request(), 250);
     this.number_of_pictures = (this.number_of_pictures || 0) + 1;
   }
 
@@ -192,14 +234,18 @@ class Picture {
     this.uniforms.mode.value = field === "plain" ? 0 : field === "faces" ? 1 : 2;
     this.uniforms.isoline_step.value = 0;
     if (field.numbers) {
-      const attribute = this.surface.geometry.getAttribute("number"), range = field.highest - field.lowest || 1;
-      for (let c = 0; c < surface.corners.length; ++c)
-        for (let t = 0; t < 2; ++t) {
-          const k = Math.min(t, triangulations.length - 1);
-          const x = field.numbers[k][field.of_faces ? surface.faces[k][Math.floor(c / 3)] : surface.corners[c]];
-          attribute.array[2 * c + t] = isFinite(x) ? (x - field.lowest) / range : -1e9;
-        }
-      attribute.needsUpdate = true;
+      const range = field.highest - field.lowest || 1;
+      for (const { geometry, part: { corners, faces } } of this.parts) {
+        if (!geometry.getAttribute("number"))
+          geometry.setAttribute("number", new THREE.BufferAttribute(new Float32Array(2 * corners.length), 2));
+        const attribute = geometry.getAttribute("number");
+        for (let c = 0; c < corners.length; ++c)
+          for (let t = 0; t < 2; ++t) {
+            const k = Math.min(t, triangulations.length - 1), x = field.numbers[k][field.of_faces ? faces[k][Math.floor(c / 3)] : corners[c]];
+            attribute.array[2 * c + t] = isFinite(x) ? (x - field.lowest) / range : -1e9;
+          }
+        attribute.needsUpdate = true;
+      }
       if (has_isolines && !field.of_faces && field.step) {
         this.uniforms.isoline_step.value = field.step / range;
         this.uniforms.isoline_offset.value = -field.lowest / range;

@@ -10,17 +10,22 @@
 
 #include <nlohmann/json.hpp>
 
+#ifdef IDT_HAS_ZLIB
+#include <zlib.h>
+#endif
+
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
-#include <boost/endian/conversion.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <iterator>
+#include <new>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace idt {
@@ -28,33 +33,112 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The bytes of a number, the lowest first, whatever this machine does. Numbers are floats in a page.
-void append(std::string& bytes, std::uint8_t number) { bytes.push_back(char(number)); }
-void append(std::string& bytes, std::uint32_t number)
-{
-  boost::endian::native_to_little_inplace(number);
-  bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
-}
-void append(std::string& bytes, float number)
+using Words = std::vector<std::uint32_t>;
+
+std::uint32_t bits_of(float x)
 {
   std::uint32_t bits;
-  std::memcpy(&bits, &number, sizeof bits);
-  append(bytes, bits);
+  std::memcpy(&bits, &x, sizeof bits);
+  return bits;
 }
-void append(std::string& bytes, double number) { append(bytes, float(number)); }
+
+// Numbers are floats in a page.
+template <class Number>
+Words words_of(const std::vector<Number>& numbers)
+{
+  Words words;
+  words.reserve(numbers.size());
+  for (Number x : numbers)
+    words.push_back(bits_of(float(x)));
+  return words;
+}
+
+void exclude(Words& words, const Words& others)
+{
+  for (std::size_t i = 0; i < (std::min)(words.size(), others.size()); ++i)
+    words[i] ^= others[i];
+}
+
+// The page computes the same estimates, to the last bit, so that only what differs has to be stored.
+Words cotangents_without_estimates(const View_triangulation& t)
+{
+  Words words;
+  words.reserve(t.cotangents.size());
+  for (std::size_t s = 0; s < t.cotangents.size(); ++s) {
+    const std::size_t f = s - s % 3;
+    const double c = t.lengths[t.sides[s]], a = t.lengths[t.sides[f + (s + 1) % 3]],
+                 b = t.lengths[t.sides[f + (s + 2) % 3]];
+    const float x = float((a * a + b * b - c * c) / std::sqrt((a + b + c) * (a + b - c) * (c + a - b) * (c + b - a)));
+    words.push_back(bits_of(t.cotangents[s]) ^ bits_of(std::isnan(x) ? 0 : x));
+  }
+  return words;
+}
+Words weights_without_estimates(const View_triangulation& t)
+{
+  std::vector<float> sums(t.weights.size());
+  for (std::size_t s = 0; s < t.sides.size(); ++s)
+    sums[t.sides[s]] += t.cotangents[s];
+  for (float& x : sums)
+    x = std::isnan(x) ? 0 : x;
+  Words words = words_of(t.weights);
+  exclude(words, words_of(sums));
+  return words;
+}
+
+// All arrays one after the other, so that they are compressed well.
+struct Packed_arrays
+{
+  std::string bytes;
+  Json places = Json::object(); // where each begins, and how many numbers it has
+
+  void add(const std::string& name, const std::vector<std::uint8_t>& numbers)
+  {
+    places[name] = {bytes.size(), numbers.size()};
+    bytes.append(numbers.begin(), numbers.end());
+  }
+  // First the lowest bytes of all words, then the next ones.
+  void add_words(const std::string& name, const Words& words)
+  {
+    places[name] = {bytes.size(), words.size()};
+    for (int shift = 0; shift < 32; shift += 8)
+      for (std::uint32_t word : words)
+        bytes.push_back(char(word >> shift & 255));
+  }
+  // Differences from one to the next, with the sign in the lowest bit.
+  void add_integers(const std::string& name, const Words& numbers)
+  {
+    Words words;
+    words.reserve(numbers.size());
+    std::uint32_t last = 0;
+    for (std::uint32_t x : numbers) {
+      const std::uint32_t difference = x - std::exchange(last, x);
+      words.push_back(difference << 1 ^ (difference >> 31 ? ~std::uint32_t(0) : 0));
+    }
+    add_words(name, words);
+  }
+};
+
+#ifdef IDT_HAS_ZLIB
+std::string compressed(const std::string& bytes)
+{
+  uLongf size = compressBound(uLong(bytes.size()));
+  std::string result(size, '\0');
+  constexpr int level = 4; // higher ones take longer, and save little
+  if (compress2(reinterpret_cast<Bytef*>(&result[0]), &size, reinterpret_cast<const Bytef*>(bytes.data()),
+                uLong(bytes.size()), level) != Z_OK)
+    throw std::bad_alloc();
+  result.resize(size);
+  return result;
+}
+#endif
 
 // In base64, whose last group is filled up.
-template <class Number>
-void write_array(std::ostream& os, const std::string& name, const std::vector<Number>& numbers)
+void write_base64(std::ostream& os, const std::string& bytes)
 {
   using namespace boost::archive::iterators;
   using Letters = base64_from_binary<transform_width<std::string::const_iterator, 6, 8>>;
-  std::string bytes;
-  for (Number x : numbers)
-    append(bytes, x);
-  os << "<script type=\"text/plain\" id=\"array-" << name << "\">";
   std::copy(Letters(bytes.cbegin()), Letters(bytes.cend()), std::ostreambuf_iterator<char>(os));
-  os << std::string((3 - bytes.size() % 3) % 3, '=') << "</script>\n";
+  os << std::string((3 - bytes.size() % 3) % 3, '=');
 }
 
 // The box of the points: its middle, half of its longest side, and how far points are from the middle.
@@ -120,26 +204,43 @@ std::string script_text(const Json& json)
 void write_page(std::ostream& os, const View& view)
 {
   const Box box(view.points);
-  os << page_html << "<script type=\"application/json\" id=\"page\">" << script_text(description(view, box))
-     << "</script>\n";
-  write_array(os, "places", box.inside(view.points));
-  write_array(os, "corners", view.corners);
-  write_array(os, "sides", view.sides);
-  write_array(os, "path", box.inside(view.path));
+  Packed_arrays arrays;
+  arrays.add_words("places", words_of(box.inside(view.points)));
+  arrays.add_integers("corners", view.corners);
+  arrays.add("sides", view.sides);
+  arrays.add_words("path", words_of(box.inside(view.path)));
+  Words input_lengths, input_cotangents;
   for (std::size_t t = 0; t < view.triangulations.size(); ++t) {
     const View_triangulation& triangulation = view.triangulations[t];
     const std::string number = "-" + std::to_string(t);
-    write_array(os, "faces" + number, view.faces[t]);
-    write_array(os, "corners" + number, triangulation.corners);
-    write_array(os, "sides" + number, triangulation.sides);
-    write_array(os, "cotangents" + number, triangulation.cotangents);
-    write_array(os, "weights" + number, triangulation.weights);
-    write_array(os, "lengths" + number, triangulation.lengths);
+    arrays.add_integers("faces" + number, view.faces[t]);
+    arrays.add_integers("corners" + number, triangulation.corners);
+    arrays.add_integers("sides" + number, triangulation.sides);
+    Words lengths = words_of(triangulation.lengths), cotangents = cotangents_without_estimates(triangulation);
+    if (t == 0) {
+      input_lengths = lengths;
+      input_cotangents = cotangents;
+    } else { // most faces are those of the input
+      exclude(lengths, input_lengths);
+      exclude(cotangents, input_cotangents);
+    }
+    arrays.add_words("lengths" + number, lengths);
+    arrays.add_words("cotangents" + number, cotangents);
+    arrays.add_words("weights" + number, weights_without_estimates(triangulation));
   }
   for (std::size_t f = 0; f < view.fields.size(); ++f)
     for (std::size_t t = 0; t < view.fields[f].numbers.size(); ++t)
-      write_array(os, "field-" + std::to_string(f) + "-" + std::to_string(t), view.fields[f].numbers[t]);
-  os << "<script>" << page_three << "</script>\n<script>\n" << page_script << "</script>\n</html>\n";
+      arrays.add_words("field-" + std::to_string(f) + "-" + std::to_string(t), words_of(view.fields[f].numbers[t]));
+  Json json = description(view, box);
+  json["arrays"] = arrays.places;
+#ifdef IDT_HAS_ZLIB
+  json["is_compressed"] = true;
+  arrays.bytes = compressed(arrays.bytes);
+#endif
+  os << page_html << "<script type=\"application/json\" id=\"page\">" << script_text(json)
+     << "</script>\n<script type=\"text/plain\" id=\"arrays\">";
+  write_base64(os, arrays.bytes);
+  os << "</script>\n<script>" << page_three << "</script>\n<script>\n" << page_script << "</script>\n</html>\n";
 }
 
 } // namespace

@@ -31,6 +31,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <limits>
 #include <random>
 #include <sstream>
@@ -432,16 +433,29 @@ TEST(SavedTriangulation, Interruptions)
 
 TEST(SavedTriangulation, EvaluationData)
 {
-  const std::filesystem::path folder = evaluation_data() / "good";
-  if (!std::filesystem::is_directory(folder))
+  if (evaluation_data().empty())
     GTEST_SKIP() << "there is no evaluation data";
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() != ".off" || entry.file_size() > 200000)
-      continue;
-    SCOPED_TRACE(entry.path().filename());
-    const IT::Polygon_soup soup = IT::read_polygon_soup(entry.path().string());
-    Triangulation t(IT::make_Delta_complex_from_triangles(soup.points.size(), soup.triangles), soup.points);
-    IT::flip_to_Delaunay(t);
-    check(t, 300);
+  for (const char* const name : {"good", "parts", "table1"}) {
+    std::size_t number = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(evaluation_data() / name)) {
+      const bool is_small = entry.file_size() <= 200000;
+      if ((entry.path().extension() != ".off" && entry.path().extension() != ".stl") ||
+          (!is_small && name == std::string("good")))
+        continue;
+      SCOPED_TRACE(entry.path().filename());
+      const IT::Polygon_soup soup = IT::read_polygon_soup(entry.path().string());
+      try {
+        Triangulation t(IT::make_Delta_complex_from_triangles(soup.points.size(), soup.triangles), soup.points);
+        IT::flip_to_Delaunay(t);
+        ++number;
+        if (is_small)
+          check(t, 300);
+        else
+          expect_same(t, read(written(t)));
+      } catch (const IT::Invalid_surface_error& error) {
+        std::cout << entry.path().filename() << " is no surface: " << error.what() << "\n";
+      }
+    }
+    EXPECT_GT(number, 0u) << name;
   }
 }

@@ -12,8 +12,9 @@ import pytest
 
 import intrinsic_triangulations as it
 from conftest import icosphere
+from intrinsic_triangulations._view import find_command
 
-needs_command = pytest.mark.skipif(not (os.environ.get("IDT_COMMAND") or shutil.which("idt")), reason="skipped: there is no command idt")
+needs_command = pytest.mark.skipif(find_command() is None, reason="skipped: there is no command idt")
 
 
 @needs_command
@@ -46,7 +47,7 @@ def test_bad_values():
 
 def test_without_the_command(monkeypatch):
     monkeypatch.delenv("IDT_COMMAND", raising=False)
-    monkeypatch.setenv("PATH", "")
+    monkeypatch.setattr(shutil, "which", lambda *_, **__: None)
     with pytest.raises(it.Error, match="IDT_COMMAND"):
         it.view(*icosphere(0))
 

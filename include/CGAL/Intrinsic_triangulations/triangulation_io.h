@@ -163,11 +163,12 @@ read_triangulation(std::istream& is, const NamedParameters& np = parameters::def
   const std::function<bool()> go_further = internal::go_further_function_of(np);
   internal::Saved_file file = internal::read_saved_file(is, go_further);
   using internal::Metric_kind;
-  Triangulation result = file.metric_kind == Metric_kind::POINTS
-                           ? Triangulation(std::move(file.input), std::move(file.points))
-                         : file.metric_kind == Metric_kind::LENGTHS
-                           ? Triangulation::from_lengths(std::move(file.input), std::move(file.lengths))
-                           : Triangulation::from_metric(std::move(file.input), std::move(file.metric));
+  Triangulation result =
+    file.metric_kind == Metric_kind::POINTS
+      ? Triangulation(std::move(file.input), std::move(file.points), Filtered_edge_length_traits(), ConcurrencyTag())
+    : file.metric_kind == Metric_kind::LENGTHS
+      ? Triangulation::from_lengths(std::move(file.input), std::move(file.lengths))
+      : Triangulation::from_metric(std::move(file.input), std::move(file.metric));
   {
     const internal::Interruption_scope<Triangulation> scope(result, go_further);
     internal::Whole_triangulation<Filtered_edge_length_traits> whole(result);

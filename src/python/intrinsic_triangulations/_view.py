@@ -85,13 +85,18 @@ def view(V: ArrayLike, F: ArrayLike, values: Union[ArrayLike, Dict[str, ArrayLik
     return page_of(triangulation, values)
 
 
+def find_command() -> Optional[str]:
+    """Returns the command `idt`: that of the environment, of this package, or of PATH."""
+    return os.environ.get("IDT_COMMAND") or shutil.which("idt", path=os.path.dirname(__file__)) or shutil.which("idt")
+
+
 def page_of(triangulation: Triangulation, values: Union[ArrayLike, Dict[str, ArrayLike], None]) -> Page:
     """Returns the page of a triangulation."""
     if triangulation._points is None:
         raise ValueError("the surface is given by lengths: it has no picture")
-    command: Optional[str] = os.environ.get("IDT_COMMAND") or shutil.which("idt")
+    command = find_command()
     if command is None:
-        raise Error("there is no command idt, which writes pages and is no part of this package: scripts/demo in a checkout builds it as "
+        raise Error("there is no command idt, which writes pages: wheels contain it, and scripts/demo in a checkout builds it as "
                     "build/command/bin/idt; put it into PATH, or name it by the environment variable IDT_COMMAND")
     number = len(triangulation._points)
     columns = {} if values is None else values if isinstance(values, dict) else {"values": values}

@@ -41,8 +41,10 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 // At an inserted vertex, and at its neighbours. What is wrong is wrong by full turns.
-// \param angles opposite to the halfedges
-inline void check_angle_sum(const Exact_engine& engine, Vertex_index v, const Large_vector<double>& angles)
+// \param input_angle, angles at the source of an input halfedge; opposite to the halfedges
+template <class Input_angle>
+void check_angle_sum(const Exact_engine& engine, Vertex_index v, const Input_angle& input_angle,
+                     const Large_vector<double>& angles)
 {
   const Correspondence& correspondence = engine.correspondence();
   const Delta_complex &complex = engine.connectivity(), &input = correspondence.input();
@@ -62,7 +64,7 @@ inline void check_angle_sum(const Exact_engine& engine, Vertex_index v, const La
   else
     for_each_halfedge_around(input, v, [&](Halfedge_index h) {
       if (!input.is_border(input.opposite(h)))
-        expected += engine.input_angle(input.opposite(h));
+        expected += input_angle(input.opposite(h));
     });
   if (!(std::abs(sum - expected) < 1))
     throw_not_a_triangulation("vertex", v.idx(), "has angles that sum to more or less than those of the surface there");
@@ -131,7 +133,7 @@ void Exact_engine::restore(Saved_triangulation& saved, const Block_runner& run,
   if (number_of_points != 0)
     for (const Surface_point& location : correspondence_.locations())
       memory.inserted_positions.push_back(positions().rounded(location));
-  check();
+  check(run);
   // In portions, so that what is kept of crossings takes no more memory than what was read.
   const auto for_each = [&](std::size_t n, const auto& number_of_crossings, const auto& f) {
     constexpr std::int64_t most_kept = std::int64_t(1) << 22;
@@ -185,9 +187,15 @@ void Exact_engine::restore(Saved_triangulation& saved, const Block_runner& run,
       check_numbers(f, corner, surface);
   });
   memory.straight_faces = Straight_faces(number_of_input_faces, number_of_points, planes);
+  const auto angle_in_input = [&](Halfedge_index h) {
+    const auto in_space = rounded_ratios_in_space(correspondence_.input(), metric_.points(), h);
+    return in_space ? std::atan2(in_space->at_source.y().hi(), in_space->at_source.x().hi()) : input_angle(h);
+  };
   if (has_inserted)
-    for (Vertex_index v : connectivity_.vertices())
-      check_angle_sum(*this, v, angles);
+    run(connectivity_.number_of_vertices(), elements_of_block, [&](std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v)
+        check_angle_sum(*this, Vertex_index(std::uint32_t(v)), angle_in_input, angles);
+    });
   const Surface_lease surface = input_surface();
   for (Face_index f : connectivity_.faces())
     if (!are_bounded[f.idx()]) {
@@ -288,6 +296,11 @@ void Exact_engine::check_line(Edge_index e) const
     if (check == Line_check::BENT)
       fail("is no straight line over the input triangles");
     has_length = check == Line_check::STRAIGHT;
+  }
+  if (!has_length) {
+    Double_metric doubles(correspondence_.input(), metric_, interruption());
+    has_length =
+      certainly(Unfolding<Double_metric>(connectivity_, correspondence_, doubles).squared_length(e).sign() == POSITIVE);
   }
   if (!has_length && has_length_zero(e))
     fail("has length zero");

@@ -39,11 +39,14 @@ public:
   template <class... Number>
   void put(Number... x)
   {
-    (put_one(x), ...);
+    std::array<char, (sizeof(Number) + ...)> row;
+    char* at = row.data();
+    (put_one(at, x), ...);
+    bytes_.append(row.data(), row.size());
     if (bytes_.size() > block)
       flush();
   }
-  void put(const std::string& text) { bytes_.insert(bytes_.end(), text.begin(), text.end()); }
+  void put(const std::string& text) { bytes_ += text; }
   void flush()
   {
     os_.write(bytes_.data(), std::streamsize(bytes_.size()));
@@ -54,24 +57,31 @@ private:
   static constexpr std::size_t block = 1 << 16;
 
   template <class Number>
-  void put_one(Number x)
+  static void put_one(char*& at, Number x)
   {
     Unsigned<sizeof(Number)> bits;
     std::memcpy(&bits, &x, sizeof(x));
     boost::endian::native_to_little_inplace(bits);
-    const char* const begin = reinterpret_cast<const char*>(&bits);
-    bytes_.insert(bytes_.end(), begin, begin + sizeof(bits));
+    std::memcpy(at, &bits, sizeof(bits));
+    at += sizeof(bits);
   }
 
   std::ostream& os_;
-  std::vector<char> bytes_;
+  std::string bytes_;
 };
 
 // Reads no more than it is asked for, and keeps a block of it at most.
 class Byte_reader
 {
 public:
-  explicit Byte_reader(std::istream& is) : is_(is) {}
+  explicit Byte_reader(std::istream& is) : is_(is)
+  {
+    if (const auto begin = is.tellg(); begin >= 0 && is.seekg(0, std::ios::end)) {
+      size_of_stream_ = std::uint64_t(is.tellg() - begin);
+      is.seekg(begin);
+    }
+    is.clear(is.rdstate() & std::ios::badbit);
+  }
 
   // A line of a text, without its end. \exception Invalid_surface_error if it is longer than lines of a header are
   std::string line()
@@ -96,6 +106,12 @@ public:
     size_ = size;
     row_ = 0;
     left_ = 0;
+  }
+  // So many rows, or as many as the stream can have if it knows: for them, there is room.
+  std::size_t rows_to_expect() const
+  {
+    const std::uint64_t rest = size_of_stream_ > offset_ ? size_of_stream_ - offset_ : 0;
+    return std::size_t((std::min<std::uint64_t>)(number_, rest / size_));
   }
   // Goes to the next row, from which `get` takes the numbers.
   void next_row()
@@ -161,7 +177,8 @@ private:
   static constexpr std::size_t block = 1 << 16;
 
   std::istream& is_;
-  std::uint64_t offset_ = 0; // of what was read from the stream
+  std::uint64_t size_of_stream_ = 0; // or 0 if it does not tell
+  std::uint64_t offset_ = 0;         // of what was read from the stream
   const char* element_ = nullptr;
   std::size_t number_ = 0, size_ = 0, row_ = 0, left_ = 0;
   std::vector<char> bytes_;

@@ -170,28 +170,34 @@ public:
 
     Large_vector<std::uint32_t> vertices;
     const bool has_points = header_.metric == Metric_kind::POINTS;
-    for_each("vertex", header_.vertices, has_points ? 28 : 4, [&] {
-      if (has_points) {
-        const double x = bytes_.get<double>(), y = bytes_.get<double>();
-        result.points.push_back({x, y, bytes_.get<double>()});
-      }
-      vertices.push_back(bytes_.get<std::uint32_t>());
-    });
-    std::vector<std::array<std::uint32_t, 3>> corners;
-    Large_vector<std::array<std::uint32_t, 3>> faces;
-    for_each("face", header_.faces, 25, [&] {
-      if (bytes_.get<std::uint8_t>() != 3)
-        bytes_.fail_here("the face is no triangle");
-      corners.push_back(get_three());
-      faces.push_back(get_three());
-    });
+    for_each(
+      "vertex", header_.vertices, has_points ? 28 : 4,
+      [&] {
+        if (has_points) {
+          const double x = bytes_.get<double>(), y = bytes_.get<double>();
+          result.points.push_back({x, y, bytes_.get<double>()});
+        }
+        vertices.push_back(bytes_.get<std::uint32_t>());
+      },
+      vertices, result.points);
+    Large_vector<std::array<std::uint32_t, 3>> corners, faces;
+    for_each(
+      "face", header_.faces, 25,
+      [&] {
+        if (bytes_.get<std::uint8_t>() != 3)
+          bytes_.fail_here("the face is no triangle");
+        corners.push_back(get_three());
+        faces.push_back(get_three());
+      },
+      corners, faces);
     result.input = complex_from_halfedges(header_.edges, faces, vertices);
     for (std::size_t f = 0; f < faces.size(); ++f)
       for (std::size_t i = 0; i < 3; ++i)
         if (result.input.source(Halfedge_index(faces[f][i])).idx() != corners[f][i])
           throw_not_a_triangulation("face", f, "has other vertices than its halfedges");
     if (header_.metric == Metric_kind::LENGTHS)
-      for_each("input_edge", header_.edges, 8, [&] { result.lengths.push_back(bytes_.get<double>()); });
+      for_each(
+        "input_edge", header_.edges, 8, [&] { result.lengths.push_back(bytes_.get<double>()); }, result.lengths);
     if (header_.metric == Metric_kind::SQUARED_LENGTHS)
       result.metric = metric_from_squared_lengths();
     read_triangulation(result);
@@ -212,10 +218,12 @@ private:
       bytes_.fail(0, "there are too many edges for the faces");
   }
 
-  template <class Take>
-  void for_each(const char* element, std::size_t number, std::size_t size, Take take)
+  // \param filled what the rows are appended to
+  template <class Take, class... Vector>
+  void for_each(const char* element, std::size_t number, std::size_t size, Take take, Vector&... filled)
   {
     bytes_.begin(element, number, size);
+    (filled.reserve(bytes_.rows_to_expect()), ...);
     for (std::size_t i = 0; i < number; ++i) {
       bytes_.next_row();
       if (bytes_.begins_block() && go_further_ && !go_further_())
@@ -262,37 +270,43 @@ private:
   {
     Saved_triangulation& t = result.triangulation;
     Large_vector<std::uint32_t> vertices;
-    for_each("intrinsic_vertex", header_.intrinsic_vertices, 4,
-             [&] { vertices.push_back(bytes_.get<std::uint32_t>()); });
+    for_each(
+      "intrinsic_vertex", header_.intrinsic_vertices, 4, [&] { vertices.push_back(bytes_.get<std::uint32_t>()); },
+      vertices);
     for_each("inserted_vertex", header_.inserted_vertices, 28, [&] {
       const Halfedge_index h = halfedge(bytes_.get<std::uint32_t>());
       const double a = bytes_.get<double>(), b = bytes_.get<double>();
       t.locations.push_back({h, {a, b, bytes_.get<double>()}});
     });
     Large_vector<std::array<std::uint32_t, 3>> faces;
-    for_each("intrinsic_face", header_.intrinsic_faces, 29, [&] {
-      faces.push_back(get_three());
-      const double area = bytes_.get<double>();
-      t.areas.push_back({area, bytes_.get<double>()});
-      t.is_straight.push_back(get_bool());
-    });
+    for_each(
+      "intrinsic_face", header_.intrinsic_faces, 29,
+      [&] {
+        faces.push_back(get_three());
+        const double area = bytes_.get<double>();
+        t.areas.push_back({area, bytes_.get<double>()});
+        t.is_straight.push_back(get_bool());
+      },
+      faces, t.areas, t.is_straight);
     t.connectivity = complex_from_halfedges(header_.intrinsic_edges, faces, vertices);
     t.coordinates = Normal_coordinates(t.connectivity);
-    for_each("intrinsic_edge", header_.intrinsic_edges, header_.has_constraints ? 21 : 20,
-             [&, e = Edge_index(0)]() mutable {
-               t.squared_lengths.push_back(bytes_.get<double>());
-               const std::int32_t n = bytes_.get<std::int32_t>();
-               if (n > Crossing_sequence::largest_number)
-                 bytes_.fail_here("the edge crosses more input edges than can be laid out");
-               const Halfedge_index first = halfedge(bytes_.get<std::uint32_t>()),
-                                    second = halfedge(bytes_.get<std::uint32_t>());
-               const Halfedge_index h = t.connectivity.halfedge(e);
-               if (n != -1 || first != h || second != t.connectivity.opposite(h))
-                 t.coordinates.set(e, n, first, second);
-               if (header_.has_constraints)
-                 result.is_constrained.push_back(get_bool());
-               e = Edge_index(e.idx() + 1);
-             });
+    for_each(
+      "intrinsic_edge", header_.intrinsic_edges, header_.has_constraints ? 21 : 20,
+      [&, e = Edge_index(0)]() mutable {
+        t.squared_lengths.push_back(bytes_.get<double>());
+        const std::int32_t n = bytes_.get<std::int32_t>();
+        if (n > Crossing_sequence::largest_number)
+          bytes_.fail_here("the edge crosses more input edges than can be laid out");
+        const Halfedge_index first = halfedge(bytes_.get<std::uint32_t>()),
+                             second = halfedge(bytes_.get<std::uint32_t>());
+        const Halfedge_index h = t.connectivity.halfedge(e);
+        if (n != -1 || first != h || second != t.connectivity.opposite(h))
+          t.coordinates.set(e, n, first, second);
+        if (header_.has_constraints)
+          result.is_constrained.push_back(get_bool());
+        e = Edge_index(e.idx() + 1);
+      },
+      t.squared_lengths);
   }
   static Halfedge_index halfedge(std::uint32_t h)
   {

@@ -16,11 +16,13 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Rotation_system.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Block_runner.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -65,20 +67,25 @@ public:
     }
   }
 
-  void operator()()
+  void operator()(const Block_runner& run)
   {
     check_places();
     check_counts();
     for (Halfedge_index h : complex_.halfedges())
       check_name(complex_.source(h), correspondence_.input_halfedge(h));
     const Rotation_system around(input_);
-    for (Vertex_index v : complex_.vertices())
-      check_vertex(v, around);
+    std::atomic<std::uint64_t> number_of_met{0}; // crossings of input edges that were followed
+    run(complex_.number_of_vertices(), elements_of_block, [&](std::size_t first, std::size_t last) {
+      std::uint64_t number = 0;
+      for (std::size_t v = first; v < last; ++v)
+        check_vertex(Vertex_index(std::uint32_t(v)), around, number);
+      number_of_met += number;
+    });
     std::uint64_t number_of_crossings = 0;
     for (Edge_index e : complex_.edges())
       number_of_crossings += std::uint64_t(coordinates_.number_of_crossings(e));
     // Both ends of an input edge have followed it.
-    if (number_of_met_ != 2 * number_of_crossings)
+    if (number_of_met != 2 * number_of_crossings)
       fail("edge", first_edge_with_crossings(), "is crossed by a curve that is no input edge");
     check_topology();
   }
@@ -138,7 +145,7 @@ private:
   }
 
   // The halfedges around a vertex name the input halfedges around it, in their order and once each.
-  void check_vertex(Vertex_index v, const Rotation_system& around)
+  void check_vertex(Vertex_index v, const Rotation_system& around, std::uint64_t& number_of_met) const
   {
     if (!complex_.halfedge(v).is_valid()) {
       if (input_.halfedge(v).is_valid())
@@ -168,7 +175,7 @@ private:
         for (std::int64_t i = 0; i < t.e_k; ++i) {
           const Halfedge_index start = expected;
           pass();
-          follow(v, ij, t.c_i + i, start, around);
+          follow(v, ij, t.c_i + i, start, around, number_of_met);
         }
       }
       ki = complex_.next_around_source(ki);
@@ -222,7 +229,7 @@ private:
 
   // Follows an input halfedge that leaves v, the corner opposite to ij, until it ends.
   void follow(Vertex_index v, Halfedge_index ij, std::int64_t position, Halfedge_index start,
-              const Rotation_system& around)
+              const Rotation_system& around, std::uint64_t& number_of_met) const
   {
     if (input_.is_border(start) || input_.is_border(input_.opposite(start)))
       fail("edge", complex_.edge(ij).idx(), "is crossed by a border edge of the input");
@@ -230,7 +237,7 @@ private:
     Input_edge_walk walk(complex_, correspondence_, complex_.opposite(ij), n - 1 - position);
     bool has_ended = false;
     while (!has_ended) {
-      if ((++number_of_met_ & 0xffff) == 0)
+      if ((++number_of_met & 0xffff) == 0)
         interruption_.check();
       has_ended = walk.step();
     }
@@ -283,7 +290,6 @@ private:
   const Normal_coordinates& coordinates_;
   const Delta_complex& input_;
   const Interruption& interruption_;
-  std::uint64_t number_of_met_ = 0; // crossings of input edges that were followed
 };
 
 } // namespace internal
