@@ -36,6 +36,13 @@ bool rounds_to_nearest()
   return one + small == one && one - small == one;
 }
 
+// The C library of Windows computes with these.
+bool rounds_long_doubles_to_nearest()
+{
+  volatile long double one = 1, small = 1e-60L;
+  return one + small == one && one - small == one;
+}
+
 // A mode of the processor, until the end of its scope.
 class Mode
 {
@@ -97,8 +104,12 @@ TEST(Standard_arithmetic, is_set_and_the_old_mode_returns)
       const IT::internal::Standard_arithmetic arithmetic;
       arithmetic.check();
       EXPECT_TRUE(rounds_to_nearest());
+#ifdef __MINGW32__
+      EXPECT_TRUE(rounds_long_doubles_to_nearest());
+#endif
     }
     EXPECT_EQ(rounds_to_nearest(), rounding == FE_TONEAREST);
+    EXPECT_EQ(rounds_long_doubles_to_nearest(), rounding == FE_TONEAREST);
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Number_type_with_roots.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/rounded_sqrt.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 
@@ -140,7 +141,7 @@ public:
   struct Compute_length
   {
     /// returns the length.
-    FT operator()(const Edge_data& e) const { return CGAL::sqrt(e); }
+    FT operator()(const Edge_data& e) const { return internal::rounded_sqrt(e); }
   };
   /// gives the area of a face.
   struct Compute_area

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/rounded_sqrt.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 
@@ -339,7 +340,7 @@ public:
   struct Compute_length
   {
     /// returns the length.
-    double operator()(const Edge_data& e) const { return std::sqrt(e); }
+    double operator()(const Edge_data& e) const { return internal::rounded_sqrt(e); }
   };
   /// gives the stored area of a face.
   struct Compute_area

@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Number_type_with_roots.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/rounded_sqrt.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 
 #include <CGAL/Uncertain.h>
@@ -74,7 +75,7 @@ public:
     /// makes the edge from p to q.
     Edge_data operator()(const Point_data& p, const Point_data& q) const
     {
-      return CGAL::sqrt(internal::squared_distance_3(p, q));
+      return internal::rounded_sqrt(internal::squared_distance_3(p, q));
     }
     /// makes the edge of this length.
     Edge_data from_length(const FT& length) const { return length; }

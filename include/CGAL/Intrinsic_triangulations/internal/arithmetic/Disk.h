@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_DISK_H
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/rounded_sqrt.h>
 
 #include <cmath>
 
@@ -35,7 +36,7 @@ public:
     : x_(x.part()), y_(y.part()),
       radius_(x.error() + y.error() == 0
                 ? 0
-                : std::sqrt(x.error() * x.error() + y.error() * y.error()) * slightly_more + underflow)
+                : rounded_sqrt(x.error() * x.error() + y.error() * y.error()) * slightly_more + underflow)
   {}
   Disk(const Part& x, const Part& y, double radius) : x_(x), y_(y), radius_(radius) {}
 
@@ -44,7 +45,7 @@ public:
   double modulus() const
   {
     const double x = high(x_), y = high(y_);
-    return std::sqrt(x * x + y * y) * slightly_more + underflow;
+    return rounded_sqrt(x * x + y * y) * slightly_more + underflow;
   }
 
   Real x() const { return Real(x_, radius_); }

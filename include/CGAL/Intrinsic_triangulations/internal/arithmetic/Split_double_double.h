@@ -11,6 +11,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/rounded_sqrt.h>
 
 #include <boost/config.hpp>
 
@@ -96,8 +97,7 @@ struct Split_double_double
   // a.hi is positive.
   BOOST_FORCEINLINE friend Split_double_double square_root(const Split_double_double& a)
   {
-    using std::sqrt;
-    const Split_double_double root(sqrt(a.hi), Number(0));
+    const Split_double_double root(rounded_sqrt(a.hi), Number(0));
     const Product p = root * root;
     Number hi, lo;
     fast_two_sum(root.hi, ((a.hi - p.hi) + (a.lo - p.lo)) / (root.hi + root.hi), hi, lo);

@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_TWO_DOUBLES_H
 
 #include <CGAL/Intrinsic_triangulations/internal/system/unfused.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/rounded_sqrt.h>
 
 #include <CGAL/FPU.h>
 
@@ -52,7 +53,7 @@ public:
   friend Two_doubles operator*(Two_doubles a, Two_doubles b) { return _mm_mul_pd(a.v_, b.v_); }
   friend Two_doubles operator/(Two_doubles a, Two_doubles b) { return _mm_div_pd(a.v_, b.v_); }
   friend Two_doubles operator-(Two_doubles a) { return _mm_xor_pd(_mm_set1_pd(-0.), a.v_); }
-  friend Two_doubles sqrt(Two_doubles a) { return _mm_sqrt_pd(a.v_); }
+  friend Two_doubles rounded_sqrt(Two_doubles a) { return _mm_sqrt_pd(a.v_); }
   friend Two_doubles unfused(Two_doubles a) { return internal::unfused(a.v_); }
   friend Two_doubles abs(Two_doubles a) { return _mm_andnot_pd(_mm_set1_pd(-0.), a.v_); }
   // the larger, or smaller, of each two; b where one of them is no number
@@ -85,7 +86,10 @@ private:
   friend Two_doubles operator*(Two_doubles a, Two_doubles b) { return {a.v_[0] * b.v_[0], a.v_[1] * b.v_[1]}; }
   friend Two_doubles operator/(Two_doubles a, Two_doubles b) { return {a.v_[0] / b.v_[0], a.v_[1] / b.v_[1]}; }
   friend Two_doubles operator-(Two_doubles a) { return {-a.v_[0], -a.v_[1]}; }
-  friend Two_doubles sqrt(Two_doubles a) { return {std::sqrt(a.v_[0]), std::sqrt(a.v_[1])}; }
+  friend Two_doubles rounded_sqrt(Two_doubles a)
+  {
+    return {internal::rounded_sqrt(a.v_[0]), internal::rounded_sqrt(a.v_[1])};
+  }
   friend Two_doubles unfused(Two_doubles a) { return {internal::unfused(a.v_[0]), internal::unfused(a.v_[1])}; }
   friend Two_doubles abs(Two_doubles a) { return {std::abs(a.v_[0]), std::abs(a.v_[1])}; }
   friend Two_doubles max_of(Two_doubles a, Two_doubles b) { return if_greater(a, b, a, b); }

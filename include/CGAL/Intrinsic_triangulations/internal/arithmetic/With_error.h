@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_WITH_ERROR_H
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/rounded_sqrt.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
@@ -133,8 +134,8 @@ public:
     if (a.is_zero())
       return {};
     if (!(a.hi() > 2 * a.error_))
-      return {Part{}, std::sqrt(3 * a.error_ + (a.hi() > 0 ? a.hi() : 0)) * slightly_more + tiny};
-    const double root = std::sqrt(a.hi());
+      return {Part{}, rounded_sqrt(3 * a.error_ + (a.hi() > 0 ? a.hi() : 0)) * slightly_more + tiny};
+    const double root = rounded_sqrt(a.hi());
     const With_error r(root);
     const With_error rest = With_error(a.part_, 0) - r * r;
     double hi, lo;

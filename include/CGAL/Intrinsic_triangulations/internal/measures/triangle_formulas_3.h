@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_TRIANGLE_FORMULAS_3_H
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/rounded_sqrt.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_type_basic.h>
@@ -25,12 +26,12 @@ template <class FT>
 FT sqrt_of_non_negative(const FT& x)
 {
   if (possibly(x > FT(0)))
-    return CGAL::sqrt(x);
+    return rounded_sqrt(x);
   return FT(0);
 }
 
 // Of sums of squares, which are not negative.
-inline Two_doubles sqrt_of_non_negative(const Two_doubles& x) { return sqrt(x); }
+inline Two_doubles sqrt_of_non_negative(const Two_doubles& x) { return rounded_sqrt(x); }
 
 // The same bits for (p, q) and (q, p).
 template <class FT>

@@ -54,7 +54,26 @@ public:
   }
 
 private:
-#if defined(CGAL_HAS_SSE2)
+#if defined(CGAL_HAS_SSE2) && defined(__MINGW32__)
+  // The C library computes in the x87 unit, whose rounding fesetround() sets as well: two bits, here behind those of the
+  // other unit.
+  using Mode = std::uint32_t;
+  static constexpr Mode x87_rounding = 0xc00, other_modes = x87_rounding << 16 | 0xe040;
+  static Mode mode() { return _mm_getcsr() | (x87_mode() & x87_rounding) << 16; }
+  static void set_mode(Mode mode)
+  {
+    _mm_setcsr(mode & 0xffff);
+    const std::uint16_t x87 = std::uint16_t((x87_mode() & ~x87_rounding) | (mode >> 16 & x87_rounding));
+    asm volatile("fldcw %0" : : "m"(x87) : "memory");
+  }
+  static Mode x87_mode()
+  {
+    std::uint16_t result;
+    asm volatile("fnstcw %0" : "=m"(result));
+    return result;
+  }
+  static bool flushes_to_zero() { return false; }
+#elif defined(CGAL_HAS_SSE2)
   using Mode = unsigned int;
   static constexpr Mode other_modes = 0xe040; // two bits for the rounding, flush to zero, denormals are zero
   static Mode mode() { return _mm_getcsr(); }

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/metric/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Disk.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/rounded_sqrt.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Metric_frame.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>
@@ -39,10 +40,10 @@ inline std::optional<Corner_ratios<Double_disk>> rounded_ratios_in_space(const D
   if (!(s > 1e-100 && s < 1e100 && s_v > 1e-100 && s_v < 1e100))
     return std::nullopt;
   const double reciprocal = 1 / s, x = scalar_product(u, v) * reciprocal,
-               y = std::sqrt(scalar_product(n, n)) * reciprocal;
+               y = rounded_sqrt(scalar_product(n, n)) * reciprocal;
   // In units of 2^-53, s is good to 6 of itself, the scalar product to 6 of |u| |v|, and the area to 10 of that (see
   // Filtered_edge_length_traits::Construct_face_data), so that x + iy is good to 2^-48 of its absolute value.
-  const Double_disk at_source(x, y, 0x1p-47 * std::sqrt(x * x + y * y));
+  const Double_disk at_source(x, y, 0x1p-47 * rounded_sqrt(x * x + y * y));
   return Corner_ratios<Double_disk>{at_source, Double_disk(1, 0, 0) - at_source};
 }
 

@@ -12,10 +12,10 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Disk.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/rounded_sqrt.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Metric_frame.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>
 
-#include <cmath>
 #include <optional>
 
 namespace CGAL {
@@ -41,7 +41,7 @@ inline std::optional<Corner_ratios<Double_double_disk>> ratios_in_space(const De
                                     y = quotient(square_root(square), s, reciprocal);
   // Products of the vectors are good to 2^-102 of those of their lengths, so that x + iy is good to 2^-99 of its
   // absolute value.
-  const double error = 0x1p-97 * std::sqrt(s_v * reciprocal);
+  const double error = 0x1p-97 * rounded_sqrt(s_v * reciprocal);
   const Bounded_double_double at_source(x.hi, x.lo, error), height(y.hi, y.lo, error);
   return Corner_ratios<Double_double_disk>{{at_source, height}, {Bounded_double_double(1) - at_source, -height}};
 }
