@@ -25,7 +25,7 @@ class BuildByCMake(build_ext):
             ["cmake", "-S", ROOT, "-B", build, "-DCMAKE_BUILD_TYPE=Release",
              f"-DPython_EXECUTABLE={sys.executable}",
              f"-DINTRINSIC_TRIANGULATIONS_PYTHON_FOLDER={folder}",
-             "-DINTRINSIC_TRIANGULATIONS_BUILD_PYTHON=ON"]
+             "-DINTRINSIC_TRIANGULATIONS_BUILD_PYTHON=ON", "-DINTRINSIC_TRIANGULATIONS_BUILD_COMMAND=ON"]
             + [f"-DINTRINSIC_TRIANGULATIONS_BUILD_{part}=OFF" for part in ("TESTS", "BENCHMARKS")],
             check=True)
         # Two at once, as a source can take 2 GB; CMAKE_BUILD_PARALLEL_LEVEL says otherwise.

@@ -89,7 +89,7 @@ private:
   IT::Vertex_index vertex(double number) const
   {
     if (!(number >= 0 && number < double(complex_.number_of_vertices())) || number != double(std::uint32_t(number)))
-      fail("there is no vertex " + in_short(number) + ": the surface has " +
+      fail("there is no vertex " + in_full(number) + ": the surface has " +
            std::to_string(complex_.number_of_vertices()) + ", counted from 0");
     return IT::Vertex_index(std::uint32_t(number));
   }

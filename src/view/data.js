@@ -28,7 +28,7 @@ async function unpack() {
 
 function read_bytes(name) {
   const [begin, n] = page.arrays[name];
-  return packed.subarray(begin, begin + n);
+  return packed.slice(begin, begin + n);
 }
 
 // First the lowest bytes of all words, then the next ones.

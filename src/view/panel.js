@@ -105,9 +105,13 @@ function start_page() {
       requestAnimationFrame(() => point(...waiting));
     waiting = [offsetX, offsetY];
   });
-  canvas.addEventListener("pointerleave", () => show(found));
+  canvas.addEventListener("pointerleave", () => {
+    clearTimeout(timer);
+    show(found);
+  });
   canvas.addEventListener("keydown", event => event.key === "0" && picture.control.show_all());
   by_id("find").addEventListener("change", event => {
+    clearTimeout(timer);
     by_id("not-found").textContent = "";
     found = null;
     if (event.target.value.trim() === "")

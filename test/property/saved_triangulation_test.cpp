@@ -239,6 +239,29 @@ TEST(SavedTriangulation, AfterRemovals)
 }
 
 // Each cut is refused, and says where.
+// As a filter that unpacks a file.
+class Buffer_without_positions : public std::stringbuf
+{
+public:
+  using std::stringbuf::stringbuf;
+
+private:
+  pos_type seekoff(off_type, std::ios::seekdir, std::ios::openmode) override
+  {
+    throw std::ios::failure("no positions");
+  }
+};
+
+TEST(SavedTriangulation, StreamsWithoutPositions)
+{
+  const Triangulation t =
+    Triangulation(IT::make_Delta_complex_from_triangles(3, std::vector<std::array<int, 3>>{{0, 1, 2}}),
+                  std::vector<std::array<double, 3>>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  Buffer_without_positions buffer(written(t));
+  std::istream is(&buffer);
+  expect_same(t, IT::read_triangulation(is));
+}
+
 TEST(SavedTriangulation, CutFiles)
 {
   Triangulation t = triangulation_of(samples::torus(4, 3));

@@ -396,9 +396,11 @@ Surface_direction direction_at_vertex(const Exact_engine& engine, Halfedge_index
     if (angle < 0)
       angle += sum;
   }
-  if (angle < 0 || fan.empty() || (!is_closed && angle > sum * (1 + 1e-15)))
+  if (angle < 0 || fan.empty() || (!is_closed && angle > sum * (1 + 1e-15))) {
+    const double most = std::floor(sum * 1e6) / 1e6; // which is no more than it is
     throw Invalid_point_error("at vertex " + std::to_string(input.source(h).idx()) +
-                              ", the angle leads beyond the border: angles go from 0 to " + std::to_string(sum));
+                              ", the angle leads beyond the border: angles go from 0 to " + std::to_string(most));
+  }
   std::size_t i = 0;
   while (i + 1 < fan.size() && angle > fan[i].angle)
     angle -= fan[i++].angle;

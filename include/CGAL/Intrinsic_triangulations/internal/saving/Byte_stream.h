@@ -17,8 +17,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <exception>
+#include <ios>
 #include <istream>
 #include <ostream>
+#include <streambuf>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -76,11 +79,18 @@ class Byte_reader
 public:
   explicit Byte_reader(std::istream& is) : is_(is)
   {
-    if (const auto begin = is.tellg(); begin >= 0 && is.seekg(0, std::ios::end)) {
-      size_of_stream_ = std::uint64_t(is.tellg() - begin);
-      is.seekg(begin);
+    if (!is.good())
+      return;
+    std::streambuf& buffer = *is.rdbuf();
+    try {
+      const std::streamoff begin = buffer.pubseekoff(0, std::ios::cur, std::ios::in),
+                           end = begin < 0 ? -1 : std::streamoff(buffer.pubseekoff(0, std::ios::end, std::ios::in));
+      if (end >= begin && begin >= 0) {
+        size_of_stream_ = std::uint64_t(end - begin);
+        buffer.pubseekpos(begin, std::ios::in);
+      }
+    } catch (const std::exception&) { // a filter that cannot seek
     }
-    is.clear(is.rdstate() & std::ios::badbit);
   }
 
   // A line of a text, without its end. \exception Invalid_surface_error if it is longer than lines of a header are

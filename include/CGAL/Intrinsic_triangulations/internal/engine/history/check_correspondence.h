@@ -76,6 +76,7 @@ public:
     const Rotation_system around(input_);
     std::atomic<std::uint64_t> number_of_met{0}; // crossings of input edges that were followed
     run(complex_.number_of_vertices(), elements_of_block, [&](std::size_t first, std::size_t last) {
+      interruption_.check();
       std::uint64_t number = 0;
       for (std::size_t v = first; v < last; ++v)
         check_vertex(Vertex_index(std::uint32_t(v)), around, number);
