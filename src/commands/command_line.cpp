@@ -132,8 +132,9 @@ void parse(CLI::App& app, int argc, const char* const* argv)
     const std::string option = text.substr(name, value - name);
     const std::vector<CLI::App*> chosen = app.get_subcommands();
     const CLI::Option* const known = (chosen.empty() ? &app : chosen.front())->get_option_no_throw(option);
-    say(error, known && !takes_value(*known) ? option + " takes no value"
-                                             : option + ": \"" + text.substr(value + 3) + "\" is not a number");
+    const std::string word = text.substr(value + 3);
+    say(error, known && !takes_value(*known) ? option + " takes no value: omit =" + word
+                                             : option + ": \"" + word + "\" is not a number");
   } catch (const CLI::ArgumentMismatch& error) {
     const std::string text = error.what();
     const std::size_t end = text.find(": ");
