@@ -44,7 +44,6 @@ class Triangulation:
     lengths: np.ndarray   # of its edges
     points: np.ndarray    # of its vertices
 
-
     def sides(self, triangles):
         """The lengths of the sides opposite to the corners of triangles. No two edges join the same vertices."""
         lengths = {tuple(pair): length for pair, length in zip(self.ends.tolist(), self.lengths)}

@@ -39,11 +39,14 @@ function read_words(name) {
   return words;
 }
 
-// The differences from one to the next, with the sign in the lowest bit.
+// A difference, whose sign is in the lowest bit.
+function unfolded(word) { return word >>> 1 ^ -(word & 1); }
+
+// The differences from one to the next.
 function read_integers(name) {
   const words = read_words(name);
   for (let i = 0, last = 0; i < words.length; ++i)
-    words[i] = last = last + (words[i] >>> 1 ^ -(words[i] & 1)) | 0;
+    words[i] = last = last + unfolded(words[i]) | 0;
   return words;
 }
 
@@ -60,13 +63,13 @@ function read_words_like_input(name, index) {
   return words;
 }
 
-// What differs from the bits of an estimate.
+// Differences from the bits of an estimate.
 function with_estimates(words, estimate) {
   const floats = new Float32Array(words.length), bits = new Uint32Array(floats.buffer);
   for (let i = 0; i < words.length; ++i) {
     const x = estimate(i);
     floats[i] = x === x ? x : 0;
-    bits[i] ^= words[i];
+    bits[i] += unfolded(words[i]);
   }
   return floats;
 }

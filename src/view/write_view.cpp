@@ -59,7 +59,11 @@ void exclude(Words& words, const Words& others)
     words[i] ^= others[i];
 }
 
-// The page computes the same estimates, to the last bit, so that only what differs has to be stored.
+// A difference with its sign in the lowest bit.
+std::uint32_t folded(std::uint32_t difference) { return difference << 1 ^ (difference >> 31 ? ~std::uint32_t(0) : 0); }
+
+// The page computes the same estimates, so that only what differs has to be stored. An estimate that is rounded otherwise,
+// by a fused product for instance, changes a last place alone.
 Words cotangents_without_estimates(const View_triangulation& t)
 {
   Words words;
@@ -69,7 +73,7 @@ Words cotangents_without_estimates(const View_triangulation& t)
     const double c = t.lengths[t.sides[s]], a = t.lengths[t.sides[f + (s + 1) % 3]],
                  b = t.lengths[t.sides[f + (s + 2) % 3]];
     const float x = float((a * a + b * b - c * c) / std::sqrt((a + b + c) * (a + b - c) * (c + a - b) * (c + b - a)));
-    words.push_back(bits_of(t.cotangents[s]) ^ bits_of(std::isnan(x) ? 0 : x));
+    words.push_back(folded(bits_of(t.cotangents[s]) - bits_of(std::isnan(x) ? 0 : x)));
   }
   return words;
 }
@@ -78,10 +82,10 @@ Words weights_without_estimates(const View_triangulation& t)
   std::vector<float> sums(t.weights.size());
   for (std::size_t s = 0; s < t.sides.size(); ++s)
     sums[t.sides[s]] += t.cotangents[s];
-  for (float& x : sums)
-    x = std::isnan(x) ? 0 : x;
-  Words words = words_of(t.weights);
-  exclude(words, words_of(sums));
+  Words words;
+  words.reserve(sums.size());
+  for (std::size_t e = 0; e < sums.size(); ++e)
+    words.push_back(folded(bits_of(float(t.weights[e])) - bits_of(std::isnan(sums[e]) ? 0 : sums[e])));
   return words;
 }
 
@@ -104,16 +108,14 @@ struct Packed_arrays
       for (std::uint32_t word : words)
         bytes.push_back(char(word >> shift & 255));
   }
-  // Differences from one to the next, with the sign in the lowest bit.
+  // Differences from one to the next.
   void add_integers(const std::string& name, const Words& numbers)
   {
     Words words;
     words.reserve(numbers.size());
     std::uint32_t last = 0;
-    for (std::uint32_t x : numbers) {
-      const std::uint32_t difference = x - std::exchange(last, x);
-      words.push_back(difference << 1 ^ (difference >> 31 ? ~std::uint32_t(0) : 0));
-    }
+    for (std::uint32_t x : numbers)
+      words.push_back(folded(x - std::exchange(last, x)));
     add_words(name, words);
   }
 };

@@ -193,6 +193,7 @@ void Exact_engine::restore(Saved_triangulation& saved, const Block_runner& run,
   };
   if (has_inserted)
     run(connectivity_.number_of_vertices(), elements_of_block, [&](std::size_t first, std::size_t last) {
+      interruption().check();
       for (std::size_t v = first; v < last; ++v)
         check_angle_sum(*this, Vertex_index(std::uint32_t(v)), angle_in_input, angles);
     });
