@@ -7,7 +7,7 @@
 
 function by_id(id) { return document.getElementById(id); }
 
-function start_page() {
+async function start_page() {
   const picture = new Picture(by_id("canvas")), fields = find_fields();
   const counts = t => [["vertices", t.number_of_vertices], ["edges", t.number_of_edges], ["faces", t.number_of_faces]]
     .map(([name, n]) => n.toLocaleString("en") + " " + name).join(", ");
@@ -18,6 +18,35 @@ function start_page() {
     paragraph(page.result + ": " + counts(result));
   for (const element of document.querySelectorAll(".result"))
     element.hidden = triangulations.length < 2;
+
+  // Colours and their legend.
+  const select = by_id("colours");
+  [["each face apart", "faces"], ["one colour", "plain"], ...fields.map((field, i) => [field.name, i])]
+    .forEach(([name, value]) => select.add(new Option(name, value)));
+  by_id("scale").style.background = "linear-gradient(to right, " + scale_colours.map(css).join(", ") + ")";
+  const set_colours = () => {
+    const field = fields[select.value] || select.value, has_numbers = field.numbers !== undefined;
+    by_id("legend").hidden = !has_numbers;
+    if (has_numbers) {
+      field.step = field.highest > field.lowest ? nice_step(field.highest - field.lowest) : 0;
+      by_id("lowest").textContent = text_of(field.lowest);
+      by_id("highest").textContent = text_of(field.highest);
+      by_id("unit").textContent = field.unit;
+      by_id("isolines").parentElement.hidden = field.of_faces || !field.step;
+      by_id("step").textContent = "isolines, one each " + text_of(field.step);
+    }
+    picture.set_colours(field, by_id("isolines").checked);
+  };
+  select.value = page.fields.length > 0 && fields.length > 1 ? "0" : "faces";
+  select.addEventListener("change", set_colours);
+  by_id("isolines").addEventListener("change", set_colours);
+  set_colours();
+
+  // A large surface is seen before it is counted.
+  if (picture.is_slow) {
+    picture.request(true);
+    await new Promise(done => requestAnimationFrame(() => setTimeout(done)));
+  }
 
   // Edges, points and lines, each with how many there are.
   const numbers = [0, 0, 0, 0], is_met = triangulations.map(t => new Uint8Array(t.number_of_edges));
@@ -57,29 +86,6 @@ function start_page() {
   });
   by_id("left").textContent = "input";
   by_id("right").textContent = page.result;
-
-  // Colours and their legend.
-  const select = by_id("colours");
-  [["each face apart", "faces"], ["one colour", "plain"], ...fields.map((field, i) => [field.name, i])]
-    .forEach(([name, value]) => select.add(new Option(name, value)));
-  by_id("scale").style.background = "linear-gradient(to right, " + scale_colours.map(css).join(", ") + ")";
-  const set_colours = () => {
-    const field = fields[select.value] || select.value, has_numbers = field.numbers !== undefined;
-    by_id("legend").hidden = !has_numbers;
-    if (has_numbers) {
-      field.step = field.highest > field.lowest ? nice_step(field.highest - field.lowest) : 0;
-      by_id("lowest").textContent = text_of(field.lowest);
-      by_id("highest").textContent = text_of(field.highest);
-      by_id("unit").textContent = field.unit;
-      by_id("isolines").parentElement.hidden = field.of_faces || !field.step;
-      by_id("step").textContent = "isolines, one each " + text_of(field.step);
-    }
-    picture.set_colours(field, by_id("isolines").checked);
-  };
-  select.value = page.fields.length > 0 && fields.length > 1 ? "0" : "faces";
-  select.addEventListener("change", set_colours);
-  by_id("isolines").addEventListener("change", set_colours);
-  set_colours();
 
   // Pointing at elements and looking for them.
   let found = null, waiting = null, timer = 0;
@@ -129,9 +135,9 @@ function start_page() {
 }
 
 let picture = null; // for who looks into the page with the tools of the browser
-unpack().then(() => {
+unpack().then(async () => {
   read_surface();
-  picture = start_page();
+  picture = await start_page();
   packed = null;
 }).catch(error => {
   by_id("info").textContent = error.message;

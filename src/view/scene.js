@@ -41,7 +41,7 @@ function make_points(places, colour, width) {
 
 // The surface in few triangles, for pictures with fewer pixels while it moves: what lies in one cell of a grid is one vertex.
 function make_rough_surface() {
-  const n = 80, { places, corners } = surface, first = new Int32Array(n ** 3).fill(-1), moved = new Uint32Array(places.length / 3);
+  const n = 48, { places, corners } = surface, first = new Int32Array(n ** 3).fill(-1), moved = new Uint32Array(places.length / 3);
   const step = x => Math.min(n - 1, Math.floor((x + 1) / 2 * n));
   for (let v = 0; v < moved.length; ++v) {
     const cell = (step(places[3 * v]) * n + step(places[3 * v + 1])) * n + step(places[3 * v + 2]);
