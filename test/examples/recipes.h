@@ -19,6 +19,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <boost/property_map/function_property_map.hpp>
+
 #include <array>
 #include <cstdint>
 #include <fstream>

@@ -172,7 +172,8 @@ private:
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \pre `triangulation.keeps_input()`
+/// \exception Invalid_argument_error if the triangulation does not keep its input: those of traits that round keep it if
+/// `Intrinsic_triangulation::keep_input()` was called before the first flip
 /// \exception Undecided_error if proofs of ties are demanded (see `Tie_proof`), and one takes too long
 /// \exception Cancelled_error if the function given to `set_interruption()` asks for it
 ///
