@@ -136,7 +136,9 @@ int main(int argc, char** argv)
   // 5. Back to the surface in space: on each face of the overlay, the solution is linear.
   const Eigen::VectorXd u = solve(t, (1 + 2 * CGAL_PI * CGAL_PI) * wave_of_all);
   Mesh overlay = IT::overlay_to_surface_mesh(subdivision, mesh);
-  const auto intrinsic_point = overlay.property_map<Mesh::Halfedge_index, IT::Surface_point>("h:intrinsic_point").first;
+  // That map is there already, and is returned; property_map() does the same, but its result changed with CGAL 6.
+  const auto intrinsic_point =
+    overlay.add_property_map<Mesh::Halfedge_index, IT::Surface_point>("h:intrinsic_point").first;
   auto value = overlay.add_property_map<Mesh::Vertex_index, double>("v:value").first;
   for (auto h : overlay.halfedges())
     if (!overlay.is_border(h))

@@ -14,10 +14,9 @@
 #include "input/standard_input.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -184,7 +183,7 @@ Surface_counts count_elements(const IT::Delta_complex& complex)
   counts.edges = complex.number_of_edges();
   counts.faces = complex.number_of_faces();
 
-  boost::disjoint_sets_with_storage<> pieces(counts.vertices);
+  IT::internal::Disjoint_sets pieces(counts.vertices);
   // The larger ends of edges, vertex by vertex of their smaller ends.
   std::vector<std::uint32_t> ends(counts.edges), last(counts.vertices + 1, 0);
   const auto for_each_edge_of_two_vertices = [&](const auto& function) {
@@ -196,7 +195,7 @@ Surface_counts count_elements(const IT::Delta_complex& complex)
     }
   };
   for_each_edge_of_two_vertices([&](std::uint32_t v, std::uint32_t w) {
-    pieces.union_set(v, w);
+    pieces.unite(v, w);
     ++last[v + 1];
   });
   std::partial_sum(last.begin(), last.end(), last.begin());
@@ -219,7 +218,7 @@ Surface_counts count_elements(const IT::Delta_complex& complex)
   for (IT::Vertex_index v : complex.vertices())
     if (complex.halfedge(v).is_valid()) {
       ++used_vertices;
-      counts.components += pieces.find_set(v.idx()) == v.idx();
+      counts.components += pieces.find(v.idx()) == v.idx();
     }
   counts.euler_characteristic =
     static_cast<long long>(used_vertices) - static_cast<long long>(counts.edges) + static_cast<long long>(counts.faces);

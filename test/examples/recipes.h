@@ -12,12 +12,15 @@
 #include <CGAL/Intrinsic_triangulations/surface_mesh_adaptors.h>
 #include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/repair_polygons.h>
+#include <CGAL/Intrinsic_triangulations/sharp_edges.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
 #include <CGAL/Intrinsic_triangulations/transfer_matrices.h>
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+
+#include <boost/property_map/function_property_map.hpp>
 
 #include <array>
 #include <cstdint>

@@ -44,6 +44,16 @@ std::vector<std::array<double, 3>> edges(const Triangulation& triangulation)
   return result;
 }
 
+TEST_F(Points_and_triangles, whose_lengths_round_are_not_verified_without_the_input)
+{
+  const samples::Indexed_triangles sample = samples::prism(6, 1);
+  const auto rounded = CGAL::parameters::geom_traits(IT::Edge_length_traits<double>());
+  auto t = IT::intrinsic_triangulation(sample.points, sample.triangles, rounded);
+  EXPECT_THROW(IT::verify_Delaunay(t), IT::Invalid_argument_error);
+  t.keep_input(IT::Input_metric::from_points({sample.points.begin(), sample.points.end()}));
+  EXPECT_NO_THROW(IT::verify_Delaunay(t));
+}
+
 TEST_F(Points_and_triangles, give_what_a_mesh_gives)
 {
   const samples::Indexed_triangles sample = samples::bumpy_dome();

@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTRINSIC_TRIANGULATION_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Saved_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
@@ -902,13 +903,14 @@ struct Engine_access
   }
 };
 
-// The engine of a triangulation, or of what was made from one, ready for its queries.
-// \pre the input was kept
+// The engine of a triangulation, or of what was made from one, ready for its queries. It throws if the input was not kept,
+// which is easily forgotten with a number type of one's own.
 template <class ConcurrencyTag = Sequential_tag, class Triangulation>
 const internal::Exact_engine& engine(const Triangulation& triangulation)
 {
   const internal::Exact_engine& result = Engine_access::engine(triangulation);
-  CGAL_precondition(result.keeps_input());
+  if (!result.keeps_input())
+    throw Invalid_argument_error("the triangulation does not keep its input; call keep_input() before the first flip");
   result.template prepare<ConcurrencyTag>();
   return result;
 }

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 
 #include <CGAL/assertions.h>
 
@@ -20,7 +21,6 @@
 #include <Spectra/MatOp/SparseSymMatProd.h>
 #include <Spectra/SymEigsSolver.h>
 #include <Spectra/SymGEigsShiftSolver.h>
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -237,22 +237,19 @@ public:
     : row_(complex.number_of_vertices(), -1), free_row_(complex.number_of_vertices(), -1)
   {
     const std::size_t n = complex.number_of_vertices();
-    std::vector<std::uint32_t> rank(n), parent(n);
-    boost::disjoint_sets<std::uint32_t*, std::uint32_t*> components(rank.data(), parent.data());
-    for (std::uint32_t v = 0; v < n; ++v)
-      components.make_set(v);
+    Disjoint_sets components(n);
     for (Edge_index e : complex.edges())
-      components.union_set(complex.source(complex.halfedge(e)).idx(), complex.target(complex.halfedge(e)).idx());
+      components.unite(complex.source(complex.halfedge(e)).idx(), complex.target(complex.halfedge(e)).idx());
     std::vector<bool> has_border(n, false), is_grounded(n, false);
     for (Vertex_index v : complex.vertices())
       if (is_on_border(complex, v))
-        has_border[components.find_set(v.idx())] = true;
+        has_border[components.find(v.idx())] = true;
     std::vector<int> number_of_component(n, -1);
     for (Vertex_index v : complex.vertices()) {
       if (!complex.halfedge(v).is_valid() || is_on_border(complex, v))
         continue;
       row_[v.idx()] = number_of_rows_++;
-      const std::uint32_t component = components.find_set(v.idx());
+      const std::uint32_t component = components.find(v.idx());
       closed_component_.push_back(-1);
       if (!has_border[component]) {
         int& number = number_of_component[component];

@@ -256,7 +256,8 @@ struct Cut_surface
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<std::uint32_t, 3>> triangles; ///< the corners of the triangles
   std::vector<std::uint32_t> input_faces;              ///< for each triangle, the input face that it is part of
-  /// for each new vertex, its position on the input: `interpolate()` gives the values of vertex data there
+  /// for `points[n + i]`, if the input has n vertices, where it lies on the input, also if it is a copy of an input
+  /// vertex: `interpolate()` gives the values of vertex data there
   std::vector<Surface_point> locations;
 };
 

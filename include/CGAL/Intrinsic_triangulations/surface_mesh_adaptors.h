@@ -208,6 +208,8 @@ constexpr std::uint8_t diagonal_label = 3;
 /// A corner lies on the edge of the halfedge of its `Surface_point`, so its third
 /// barycentric coordinate is 0. Border halfedges have no corner: their points have the null
 /// halfedge. `CGAL::IO::write_PLY()` writes the property maps of numbers with the mesh.
+/// `add_property_map<Face_index, std::uint32_t>("f:input_face").first` returns the map that is there already,
+/// with CGAL 5 and 6 alike.
 ///
 /// \param subdivision the common subdivision
 /// \param points a point for each vertex of the surface, in their order

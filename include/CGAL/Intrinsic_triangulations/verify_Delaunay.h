@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
@@ -22,8 +23,6 @@
 #include <CGAL/enum.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -172,7 +171,8 @@ private:
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \pre `triangulation.keeps_input()`
+/// \exception Invalid_argument_error if the triangulation does not keep its input: those of traits that round keep it if
+/// `Intrinsic_triangulation::keep_input()` was called before the first flip
 /// \exception Undecided_error if proofs of ties are demanded (see `Tie_proof`), and one takes too long
 /// \exception Cancelled_error if the function given to `set_interruption()` asks for it
 ///
@@ -253,20 +253,17 @@ public:
   {
     const Delta_complex& complex = triangulation.connectivity();
     const std::size_t number_of_faces = complex.number_of_faces();
-    std::vector<std::uint32_t> rank(number_of_faces), parent(number_of_faces);
-    boost::disjoint_sets<std::uint32_t*, std::uint32_t*> sets(rank.data(), parent.data());
-    for (std::uint32_t f = 0; f < number_of_faces; ++f)
-      sets.make_set(f);
+    internal::Disjoint_sets sets(number_of_faces);
     for (Edge_index e : complex.edges()) {
       if (!complex.is_flippable(e) || triangulation.sign_of_cotangent_weight(e) != ZERO)
         continue;
       is_tie_[e.idx()] = true;
       const Halfedge_index h = complex.halfedge(e);
-      sets.union_set(complex.face(h).idx(), complex.face(complex.opposite(h)).idx());
+      sets.unite(complex.face(h).idx(), complex.face(complex.opposite(h)).idx());
     }
     std::vector<std::size_t> number_of(number_of_faces, number_of_faces);
     for (std::uint32_t f = 0; f < number_of_faces; ++f) {
-      std::size_t& number = number_of[sets.find_set(f)];
+      std::size_t& number = number_of[sets.find(f)];
       if (number == number_of_faces)
         number = number_of_cells_++;
       cells_[f] = number;
