@@ -399,7 +399,8 @@ private:
     // To the corner, straight or over the end of the window that is nearest to the straight way.
     const double at = (std::min)((std::max)(crossing, w.b0), w.b1);
     const double to_corner = w.sigma + length_of(at - w.x, w.y) + length_of(cx - at, cy);
-    reach(prev, std::atan2(cy * at, cx * (cx - at) + cy * cy), to_corner);
+    if (to_corner < distances_[surface_.side(prev).row] * shorter) // else the angle is not needed
+      reach(prev, std::atan2(cy * at, cx * (cx - at) + cy * cy), to_corner);
     if (goes_left && goes_right) {
       Split& split = splits_[w.side];
       if (to_corner < split.distance)
