@@ -78,6 +78,19 @@ void make_hills(std::uint32_t n, double height, Points& points, Triangles& trian
     }
 }
 
+// The inner half has negative curvature.
+void make_torus(std::uint32_t n, Points& points, Triangles& triangles)
+{
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = 0; j < n; ++j) {
+      const double u = 2 * pi * i / n, v = 2 * pi * j / n, r = 2 + 0.8 * std::cos(v);
+      points.push_back({r * std::cos(u), r * std::sin(u), 0.8 * std::sin(v)});
+      const std::uint32_t a = i * n + j, b = i * n + (j + 1) % n, c = (i + 1) % n * n + j, d = c - j + (j + 1) % n;
+      triangles.push_back({a, c, d});
+      triangles.push_back({a, d, b});
+    }
+}
+
 std::vector<double> exact_distances(const Points& points, const Triangles& triangles, std::uint32_t source)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -133,6 +146,30 @@ TEST(Geodesic_distances, are_those_of_Surface_mesh_shortest_path)
         EXPECT_NEAR(on_cover.distances[v], exact[v], 1e-10 * exact[v]);
         EXPECT_NEAR(near.distances[v], exact[v], 0.01 * exact[v]);
       }
+    }
+  }
+}
+
+TEST(Geodesic_distances, need_fewer_ways_for_each_face_if_faces_are_finer)
+{
+  double before = 0;
+  for (std::uint32_t n : {50, 200}) {
+    Points points;
+    Triangles triangles;
+    make_torus(n, points, triangles);
+    const Triangulation triangulation = Delaunay(points, triangles);
+    const auto found = IT::geodesic_distances(triangulation, {Vertex_index(0)});
+    EXPECT_TRUE(found.is_complete);
+    const double ways = double(found.number_of_ways) / double(triangles.size());
+    if (n == 50) {
+      const auto exact = IT::geodesic_distances(triangulation, {Vertex_index(0)}, with_tolerance(0));
+      EXPECT_LT(2 * found.number_of_ways, exact.number_of_ways);
+      for (std::size_t v = 0; v < points.size(); ++v)
+        EXPECT_NEAR(found.distances[v], exact.distances[v], 0.003 * exact.distances[v]) << v;
+      before = ways;
+    } else {
+      EXPECT_LT(ways, 6); // windows that do not wait for each other: 11
+      EXPECT_LT(ways, before);
     }
   }
 }

@@ -85,9 +85,9 @@ Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& t
 ///
 /// Straight lines that cross the same edges are followed together, from face to face, the nearest first. Paths bend at
 /// vertices whose angles sum to more than 2π, and at the border. With a positive tolerance, bundles that meet at an
-/// edge are merged if that changes no length by more than the tolerance. On a Delaunay triangulation there are about
-/// ten such bundles for each face. Their number may grow quadratically with the number of faces if the tolerance is
-/// zero, or if many thin faces meet.
+/// edge are merged if that changes no length by more than the tolerance. On a Delaunay triangulation there are then
+/// about four to ten bundles for each face, and fewer the finer the faces are. Their number may grow quadratically with
+/// the number of faces if the tolerance is zero, or if many thin faces meet.
 ///
 /// Distances are zero only at the sources. They never exceed the shortest path along edges of the triangulation or of
 /// its input and, for a surface in space, are never shorter than the straight line. They do not depend on other

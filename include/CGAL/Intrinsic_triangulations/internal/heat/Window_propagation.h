@@ -34,7 +34,11 @@ namespace internal {
 //
 // Each number that is kept for a vertex is the length of a way on the surface, up to rounding and the tolerance; so
 // none is too small. Windows that meet at a side while they wait become one if they come from the same point, as on
-// both sides of a flat vertex, or if that changes no distance by more than the tolerance.
+// both sides of a flat vertex.
+//
+// With a tolerance, all windows at a side wait for each other. Those that are nowhere the shortest are dropped, and
+// neighbors become one if that changes no distance and no direction by more than the tolerance. Far from the sources
+// most sides are then crossed by one window, however fine the faces are.
 //
 // Source: J. Chen, Y. Han, "Shortest paths on a polyhedron", 1996; S. Xin, G. Wang, "Improving Chen and Han's algorithm
 // on the discrete geodesic problem", 2009; V. Surazhsky et al., "Fast exact and approximate geodesics on meshes", 2005
@@ -73,6 +77,10 @@ public:
       const auto [distance, slot] = queue_.top();
       queue_.pop();
       const Window window = windows_[slot];
+      if (window.sigma >= 0 && tolerance_ > 0) {
+        send_all_on(window.side);
+        continue;
+      }
       if (window.sigma < 0)
         send_from(window.side, window.x, distance);
       else if (window.side != none) {
@@ -124,6 +132,13 @@ private:
 
   std::uint32_t add(const Window& window, double distance)
   {
+    const std::uint32_t slot = store(window);
+    queue_.push({distance, slot});
+    return slot;
+  }
+
+  std::uint32_t store(const Window& window)
+  {
     std::uint32_t slot = std::uint32_t(windows_.size());
     if (free_.empty())
       windows_.push_back(window);
@@ -132,7 +147,6 @@ private:
       free_.pop_back();
       windows_[slot] = window;
     }
-    queue_.push({distance, slot});
     return slot;
   }
 
@@ -148,7 +162,16 @@ private:
   // A window at a side, together with those beside it if all can be one.
   void wait(Window w)
   {
-    for (std::uint32_t slot = waiting_[w.side]; slot != none;) {
+    const std::uint32_t side = w.side;
+    if (tolerance_ > 0) {
+      // Of the sides of a face without obtuse angle, those where a front comes in have the nearer middles.
+      w.next = waiting_[side];
+      waiting_[side] = store(w);
+      if (w.next == none)
+        queue_.push({w.distance(surface_.side(side).length / 2), waiting_[side]});
+      return;
+    }
+    for (std::uint32_t slot = waiting_[side]; slot != none;) {
       const Window& other = windows_[slot];
       const bool is_united = other.b0 < w.b0 ? unite(other, w, w) : unite(w, other, w);
       if (!is_united) {
@@ -157,26 +180,71 @@ private:
       }
       remove(slot);
       windows_[slot].side = none;
-      slot = waiting_[w.side];
+      slot = waiting_[side];
     }
-    w.next = waiting_[w.side];
-    const std::uint32_t side = w.side;
+    w.next = waiting_[side];
     waiting_[side] = add(w, (std::max)(w.distance(w.b0), w.distance(w.b1)));
+  }
+
+  static bool come_from_same_point(const Window& u, const Window& v)
+  {
+    return std::abs(u.x - v.x) + std::abs(u.y - v.y) + std::abs(u.sigma - v.sigma) <=
+           1e-11 * (std::abs(u.x) + u.y + u.sigma);
+  }
+
+  static Window both(const Window& u, const Window& v)
+  {
+    Window result = u.b1 - u.b0 > v.b1 - v.b0 ? u : v;
+    result.b0 = u.b0;
+    result.b1 = (std::max)(u.b1, v.b1);
+    return result;
   }
 
   // \param u begins before v
   bool unite(const Window& u, const Window& v, Window& united) const
   {
-    const double length = surface_.side(u.side).length;
-    if (v.b0 > u.b1 + least_width * length)
+    if (v.b0 > u.b1 + least_width * surface_.side(u.side).length || !come_from_same_point(u, v))
       return false;
-    Window result = u.b1 - u.b0 > v.b1 - v.b0 ? u : v;
-    result.b0 = u.b0;
-    result.b1 = (std::max)(u.b1, v.b1);
-    const double scale = std::abs(u.x) + u.y + u.sigma;
-    if (std::abs(u.x - v.x) + std::abs(u.y - v.y) + std::abs(u.sigma - v.sigma) > 1e-11 * scale) {
-      if (!(tolerance_ > 0) || !(v.b1 > u.b1))
-        return false;
+    united = both(u, v);
+    return true;
+  }
+
+  // All windows that wait at a side, as few as the tolerance allows.
+  void send_all_on(std::uint32_t side)
+  {
+    meeting_.clear();
+    for (std::uint32_t slot = waiting_[side]; slot != none; slot = windows_[slot].next) {
+      meeting_.push_back(windows_[slot]);
+      free_.push_back(slot);
+    }
+    waiting_[side] = none;
+    std::sort(meeting_.begin(), meeting_.end(),
+              [](const Window& u, const Window& v) { return u.b0 < v.b0 || (u.b0 == v.b0 && u.b1 > v.b1); });
+    std::size_t last = 0;
+    for (std::size_t i = 1; i < meeting_.size(); ++i)
+      if (!unite_nearly(meeting_[last], meeting_[i]))
+        meeting_[++last] = meeting_[i];
+    number_of_steps_ += last;
+    for (std::size_t i = 0; i <= last; ++i)
+      send_on(meeting_[i]);
+  }
+
+  // \param u begins before v
+  // \return whether u alone now stands for both
+  bool unite_nearly(Window& u, const Window& v) const
+  {
+    const double length = surface_.side(u.side).length;
+    if (is_nowhere_shorter(v, u))
+      return true;
+    if (is_nowhere_shorter(u, v)) {
+      u = v;
+      return true;
+    }
+    // Windows that were changed leave gaps between each other, which grow with the distance.
+    if (v.b1 <= u.b1 || v.b0 > u.b1 + length / 10)
+      return false;
+    Window result = both(u, v);
+    if (!come_from_same_point(u, v)) {
       // The distances of the ends remain.
       const double width = result.b1 - result.b0;
       result.sigma = (std::min)(u.sigma, v.sigma);
@@ -186,24 +254,34 @@ private:
         return false;
       result.x = result.b0 + x;
       result.y = std::sqrt((r0 - x) * (r0 + x));
-      const double most = tolerance_ * length;
-      const auto differs = [&](double b) {
-        const double d = (std::min)(b <= u.b1 ? u.distance(b) : infinity, b >= v.b0 ? v.distance(b) : infinity);
-        return std::abs(d - result.distance(b)) > most;
+      const auto differs = [&](const Window& w, double b) {
+        return std::abs(w.distance(b) - result.distance(b)) > tolerance_ * length;
       };
-      // In a corridor of thin faces, ways that turn would run into the wall.
-      const auto turns = [&](const Window& w, double b) {
-        return std::abs((b - w.x) / length_of(b - w.x, w.y) - (b - result.x) / length_of(b - result.x, result.y)) >
-               10 * tolerance_;
-      };
-      if (turns(u, result.b0) || turns(v, result.b1) || differs(u.b1) || differs(v.b0))
+      if (turns(u, result, u.b0) || turns(v, result, v.b1) || differs(u, u.b1) || differs(v, v.b0) ||
+          differs(u, (u.b0 + u.b1) / 2) || differs(v, (v.b0 + v.b1) / 2))
         return false;
-      for (int i = 0; i < 8; ++i)
-        if (differs(result.b0 + (i + 0.5) / 8 * width))
-          return false;
     }
-    united = result;
+    u = result;
     return true;
+  }
+
+  // Whether the ways of another window are shorter at all points of w; or longer by the tolerance at most, if they have
+  // the same direction.
+  bool is_nowhere_shorter(const Window& w, const Window& other) const
+  {
+    if (w.b0 < other.b0 || w.b1 > other.b1)
+      return false;
+    const double more = turns(w, other, w.b0) || turns(w, other, w.b1) ? 0 : tolerance_ * surface_.side(w.side).length;
+    for (double b : {w.b0, (w.b0 + w.b1) / 2, w.b1})
+      if (other.distance(b) > w.distance(b) + more)
+        return false;
+    return true;
+  }
+
+  // In a corridor of thin faces, ways that turn would run into the wall.
+  bool turns(const Window& u, const Window& v, double b) const
+  {
+    return std::abs((b - u.x) / length_of(b - u.x, u.y) - (b - v.x) / length_of(b - v.x, v.y)) > 3 * tolerance_;
   }
 
   // A way to the vertex where the side begins, from the angle to the left of it.
@@ -241,6 +319,10 @@ private:
       return;
     wait(w);
   }
+
+  // By how much lengths over a side may be wrong where they are compared. A window that is dropped for one which only
+  // seems to be shorter leaves a gap.
+  double slack(const Side& s) const { return 5 * tolerance_ * s.length; }
 
   // The ways from a vertex into a face at it, between two angles to the left of the side that begins there.
   void send_into_face(std::uint32_t side, double from, double to)
@@ -317,12 +399,13 @@ private:
     // To the corner, straight or over the end of the window that is nearest to the straight way.
     const double at = (std::min)((std::max)(crossing, w.b0), w.b1);
     const double to_corner = w.sigma + length_of(at - w.x, w.y) + length_of(cx - at, cy);
-    reach(prev, std::atan2(cy * at, cx * (cx - at) + cy * cy), to_corner);
+    if (to_corner < distances_[surface_.side(prev).row] * shorter) // else the angle is not needed
+      reach(prev, std::atan2(cy * at, cx * (cx - at) + cy * cy), to_corner);
     if (goes_left && goes_right) {
       Split& split = splits_[w.side];
       if (to_corner < split.distance)
         split = {to_corner, crossing};
-      else if (to_corner * shorter > split.distance && std::abs(crossing - split.crossing) > 1e-8 * s.length)
+      else if (to_corner * shorter - slack(s) > split.distance && std::abs(crossing - split.crossing) > 1e-8 * s.length)
         (crossing < split.crossing ? goes_right : goes_left) = false;
     }
     if (goes_left) { // over the side from the corner to the beginning
@@ -331,7 +414,7 @@ private:
       const double b0 = on_left(w, s, w.b0) * side.length,
                    b1 = w.b1 >= crossing ? side.length : on_left(w, s, w.b1) * side.length;
       const Window child{b0, b1, w.x * ex - w.y * ey, w.x * ey + w.y * ex, w.sigma, 0};
-      if (!is_shorter_over(surface_.side(next).row, s.length - b0 * ex, b0 * ey, child, b0))
+      if (!is_shorter_over(surface_.side(next).row, s.length - b0 * ex, b0 * ey, child, b0, slack(s)))
         leave(prev, child);
     }
     if (goes_right) { // over the side from the end to the corner
@@ -340,7 +423,7 @@ private:
       const double b0 = w.b0 > crossing ? (1 - on_right(w, s, w.b0)) * side.length : 0,
                    b1 = (1 - on_right(w, s, w.b1)) * side.length;
       const Window child{b0, b1, (w.x - cx) * ex - (w.y + cy) * ey, (w.x - cx) * ey + (w.y + cy) * ex, w.sigma, 0};
-      if (!is_shorter_over(s.row, cx + b1 * ex, cy + b1 * ey, child, b1))
+      if (!is_shorter_over(s.row, cx + b1 * ex, cy + b1 * ey, child, b1, slack(s)))
         leave(next, child);
     }
   }
@@ -348,9 +431,9 @@ private:
   // Whether ways over the third corner of the face that is left are shorter for all points of the window. They cross
   // all its ways if that one does which goes to the end b farthest from the corner.
   // \param x, y from the corner to that end
-  bool is_shorter_over(std::uint32_t row, double x, double y, const Window& child, double b) const
+  bool is_shorter_over(std::uint32_t row, double x, double y, const Window& child, double b, double slack) const
   {
-    return distances_[row] + length_of(x, y) <= (child.sigma + length_of(b - child.x, child.y)) * shorter;
+    return distances_[row] + length_of(x, y) + slack <= (child.sigma + length_of(b - child.x, child.y)) * shorter;
   }
 
   // Where the way over a point of the side meets the side from its beginning to the corner, as a part of that.
@@ -372,6 +455,7 @@ private:
   std::vector<Arrival> arrivals_; // likewise
   std::vector<Split> splits_;     // of the sides
   std::vector<Window> windows_;
+  std::vector<Window> meeting_;        // at one side
   std::vector<std::uint32_t> free_;    // places for windows
   std::vector<std::uint32_t> waiting_; // at each side, the first window
   std::priority_queue<std::pair<double, std::uint32_t>, std::vector<std::pair<double, std::uint32_t>>, std::greater<>>
