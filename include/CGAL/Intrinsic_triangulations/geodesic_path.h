@@ -17,6 +17,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/require_vertex.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Vertex_positions.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -25,11 +26,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
 #include <queue>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -37,7 +40,8 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
-/// \brief finds a shortest path from `source` to `target` along the edges of a triangulation, by Dijkstra's algorithm.
+/// \brief finds a shortest path from `source` to `target` along the edges of a triangulation, by the algorithm A*: as
+/// Dijkstra's, but vertices that are farther from the target in space come later.
 ///
 /// \param triangulation the triangulation
 /// \param source, target vertices
@@ -45,7 +49,8 @@ namespace Intrinsic_triangulations {
 ///   nearly the same length may be returned
 /// \exception Invalid_argument_error if there is no such vertex, or no path
 ///
-/// O(n log n) for the n edges that are nearer to the source than the target is.
+/// O(n log n) for the n edges that are nearer to the source than the target is; of those, the ones are left out from
+/// which the straight line to the target in space is too long, if the input has points.
 template <class Traits>
 std::vector<Halfedge_index> shortest_edge_path(const Intrinsic_triangulation<Traits>& triangulation,
                                                Vertex_index source, Vertex_index target)
@@ -53,14 +58,30 @@ std::vector<Halfedge_index> shortest_edge_path(const Intrinsic_triangulation<Tra
   const Delta_complex& complex = triangulation.connectivity();
   for (Vertex_index v : {source, target})
     internal::require_vertex(v, complex.number_of_vertices());
-  using Entry = std::pair<double, Vertex_index::size_type>;
+  // No path to the target is shorter than the straight line.
+  const internal::Exact_engine& engine = internal::engine(triangulation);
+  const internal::Correspondence& correspondence = engine.correspondence();
+  const internal::Vertex_positions::Inserted none;
+  const internal::Vertex_positions positions(correspondence.input(), engine.metric().points(),
+                                             correspondence.locations(), none);
+  const auto position = [&](Vertex_index v) { return positions.position(v, [](double x) { return x; }); };
+  const bool has_points = !engine.metric().points().empty();
+  const internal::Vector_3<double> end = has_points ? position(target) : internal::Vector_3<double>{};
+  const auto distance_in_space = [&](Vertex_index v) {
+    if (!has_points)
+      return 0.;
+    const auto [x, y, z] = position(v);
+    return std::ldexp(std::hypot(x - end[0], y - end[1], z - end[2]), triangulation.unit_exponent());
+  };
+  // The length of the path that it can be at least, that to the vertex, and the vertex.
+  using Entry = std::tuple<double, double, Vertex_index::size_type>;
   std::vector<double> distance(complex.number_of_vertices(), std::numeric_limits<double>::infinity());
   std::vector<Halfedge_index> arrival(complex.number_of_vertices());
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
   distance[source.idx()] = 0;
-  queue.push({0, source.idx()});
+  queue.push({0, 0, source.idx()});
   while (!queue.empty()) {
-    const auto [d, number] = queue.top();
+    const auto [estimate, d, number] = queue.top();
     queue.pop();
     if (number == target.idx())
       break;
@@ -70,12 +91,14 @@ std::vector<Halfedge_index> shortest_edge_path(const Intrinsic_triangulation<Tra
     Halfedge_index h = first;
     do {
       const Halfedge_index out = complex.opposite(h);
-      const double through = d + CGAL::to_double(triangulation.length(complex.edge(h)));
       const auto next = complex.target(out).idx();
+      double through = d;
+      if (through < distance[next]) // lengths take most of the time
+        through += CGAL::to_double(triangulation.length(complex.edge(h)));
       if (through < distance[next]) {
         distance[next] = through;
         arrival[next] = out;
-        queue.push({through, next});
+        queue.push({through + distance_in_space(complex.target(out)), through, next});
       }
       h = complex.next_around_target(h);
     } while (h != first);

@@ -304,7 +304,8 @@ Sign Exact_engine::side_of(Halfedge_index h, std::int64_t position, const Surfac
     return Unfolding<std::decay_t<decltype(metric)>>(connectivity_, correspondence_, metric)
       .area_beside(h, position, point);
   };
-  Double_metric doubles(correspondence_.input(), metric_, interruption());
+  const Surface_lease surface = input_surface();
+  Double_metric doubles(correspondence_.input(), metric_, interruption(), &*surface);
   if (const Uncertain<Sign> sign = area_beside(doubles).sign(); is_certain(sign))
     return get_certain(sign);
   if (!metric_.points().empty()) {
@@ -314,7 +315,7 @@ Sign Exact_engine::side_of(Halfedge_index h, std::int64_t position, const Surfac
         if (const std::optional<Sign> sign = side_in_plane(connectivity_, positions(), side, point))
           return *sign * (side == h ? POSITIVE : NEGATIVE);
   }
-  return exact_sign(*input_surface(), area_beside,
+  return exact_sign(*surface, area_beside,
                     [&] { return "that a point lies on edge " + std::to_string(connectivity_.edge(h).idx()); });
 }
 

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/rounded_sqrt.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Metric_frame.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Points.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
@@ -53,8 +54,10 @@ public:
   using Real = Double_with_bound;
   using Vector = Double_disk;
 
-  Double_metric(const Delta_complex& input, const Input_metric& metric, const Interruption& interruption)
-    : input_(input), metric_(metric), interruption_(interruption)
+  // \param surface with fans of triangles, which are not used without it
+  Double_metric(const Delta_complex& input, const Input_metric& metric, const Interruption& interruption,
+                Input_surface* surface = nullptr)
+    : input_(input), metric_(metric), interruption_(interruption), surface_(surface)
   {}
 
   Real constant(double x) const { return Real(x); }
@@ -77,6 +80,12 @@ public:
     ratios_ = in_space ? *in_space : compute();
     return ratios_;
   }
+  bool keeps_fans() const { return surface_ != nullptr; }
+  Vector fan_ratio(Halfedge_index from, Halfedge_index to, bool is_counterclockwise)
+  {
+    const Double_double_disk z = Double_double_metric(*surface_).fan_ratio(from, to, is_counterclockwise);
+    return {Real(z.x()), Real(z.y())};
+  }
   // Triangles in one plane are laid out like others: exact zeros are not asked for.
   std::false_type is_flat(Halfedge_index) const { return {}; }
   const Interruption& interruption() const { return interruption_; }
@@ -85,6 +94,7 @@ private:
   const Delta_complex& input_;
   const Input_metric& metric_;
   const Interruption& interruption_;
+  Input_surface* surface_;
   Corner_ratios<Vector> ratios_;
 };
 

@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_METRIC_FRAME_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Fan_positions.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
@@ -74,6 +75,18 @@ public:
     run.direction = run.direction * r.at_target;
   }
 
+  auto keeps_fans() const { return metric_.keeps_fans(); }
+  void turn_far_left(Run& run, Halfedge_index h) const
+  {
+    run.direction = run.direction * metric_.fan_ratio(run.base, h, true);
+  }
+  void turn_far_right(Run& run, Halfedge_index h) const
+  {
+    const Vector right = run.left + run.direction;
+    run.direction = run.direction * metric_.fan_ratio(input_.opposite(run.base), input_.opposite(h), false);
+    run.left = right - run.direction;
+  }
+
   Vector position(const Run& run, Vertex_index v) const
   {
     const Vertex_index source = input_.source(run.base);
@@ -121,6 +134,16 @@ public:
   {
     const Halfedge_index base = from;
     std::int64_t length = 0;
+    if constexpr (!std::is_same<decltype(keeps_fans()), std::false_type>::value)
+      if (at_most >= std::int64_t(Fan_positions::long_fan) && keeps_fans() &&
+          !is_flat(input_.next_around_source(base))) {
+        do {
+          from = input_.next_around_source(from);
+          ++length;
+        } while (length < at_most && from != base);
+        at_most -= length;
+        return metric_.fan_ratio(base, from, true);
+      }
     do {
       from = input_.next_around_source(from);
       ++length;

@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Fan_positions.h>
 
 #include <CGAL/assertions.h>
 
@@ -102,6 +103,9 @@ auto area_between(const Complex& a, const Complex& b)
 //     left end to the apex, or from there to the right end;
 //   `position(run, v)`, `leave(run, h)`: in a run of several triangles, where a vertex lies, and what makes of the
 //     run one that begins with h;
+//   `keeps_fans()`, a `std::false_type`, or whether `turn_far_left(run, h)` and `turn_far_right(run, h)` make of a run
+//     of one triangle one that begins with h, a later crossed edge with the same left or right end; asked by `end()`
+//     alone,
 //   `weights(coordinates)`, `real(weight)`: barycentric coordinates that sum to 1, and one of them as a vector,
 //   `note(corner)`, to which each corner is shown that is kept; `check_interruption()`
 template <class Frame>
@@ -227,6 +231,7 @@ private:
     keep<keeps_corners>(right, true);
     Halfedge_index crossed = path.front();
     const std::size_t n = path.size();
+    [[maybe_unused]] bool turned_left_before = false;
     for (std::size_t i = 0;;) {
       if (i % 64 == 63)
         frame_.check_interruption();
@@ -240,8 +245,12 @@ private:
         }
       } else if constexpr (can_be_bent) {
         const bool turns_left = turned_left();
-        bend(run, right, crossed, i, turns_left);
-        if constexpr (keeps_corners) {
+        if constexpr (!keeps_corners) {
+          if (turns_left != turned_left_before || !cross_fan(path, run, crossed, i, turns_left))
+            bend(run, right, crossed, i, turns_left);
+          turned_left_before = turns_left;
+        } else {
+          bend(run, right, crossed, i, turns_left);
           if (turns_left) {
             right = run.left + run.direction;
             keep<true>(right, true);
@@ -303,6 +312,32 @@ private:
     }
     run.base = h;
     run.length = 1;
+  }
+
+  // Crosses many triangles at once that have an end of the base in common, from edge i to the last one, and returns
+  // whether there are so many.
+  template <class Path>
+  bool cross_fan(const Path& path, Run& run, Halfedge_index& crossed, std::size_t& i, bool turns_left)
+  {
+    if constexpr (!std::is_same<decltype(frame_.keeps_fans()), std::false_type>::value) {
+      if (i == 0 || run.length > 1 || !frame_.keeps_fans())
+        return false;
+      Halfedge_index last = crossed;
+      std::size_t end = i + 1;
+      while (end < path.size() && last != run.base && path.turns_left(end) == turns_left)
+        last = path.behind(last, end++);
+      if (end - i < Fan_positions::long_fan)
+        return false;
+      frame_.check_interruption();
+      if (turns_left)
+        frame_.turn_far_left(run, last);
+      else
+        frame_.turn_far_right(run, last);
+      run.base = crossed = last;
+      i = end - 1;
+      return true;
+    }
+    return false;
   }
 
   const Delta_complex& input_;

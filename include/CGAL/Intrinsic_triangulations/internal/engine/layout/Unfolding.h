@@ -48,7 +48,9 @@ namespace internal {
 //   what the last call with that halfedge gave, or that of `compute`; `is_flat(Halfedge_index)`, whether the two faces
 //   of an input edge are known to lie in one plane in space, a `std::false_type` where that is never used, and if so,
 //   `ratio_in_plane(Halfedge_index, Vertex_index, Vertex_index)`, the ratio of the vector between two vertices in the
-//   plane of the face of a halfedge, to the halfedge; `interruption()`, which can end a long computation.
+//   plane of the face of a halfedge, to the halfedge; `keeps_fans()`, a `std::false_type`, or whether
+//   there is `fan_ratio(from, to, is_counterclockwise)` (see Fan_positions.h); `interruption()`, which can end a long
+//   computation.
 //
 // Lengths are in the unit of the metric. Cost: proportional to the number of crossings,
 // plus that of finding their order.

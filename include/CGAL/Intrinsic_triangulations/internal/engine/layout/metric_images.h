@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/metric/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Planar_vector.h>
 #include <CGAL/Intrinsic_triangulations/reports.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Fan_positions.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Disk.h>
@@ -163,6 +164,8 @@ public:
     return entry.ratio;
   }
 
+  Fan_positions& fans() { return fans_; }
+
 private:
   // Twice the digits before and behind the point.
   static constexpr double size_of_double = 2 * (1024 + 1074 + 53);
@@ -194,6 +197,7 @@ private:
   std::deque<Prime_fields> prime_fields_;
   std::vector<Entry> ratios_;
   std::vector<Plane_entry> ratios_in_plane_;
+  Fan_positions fans_;
 };
 
 // In double-doubles with error bounds.
@@ -217,6 +221,15 @@ public:
     return surface_.remembered(h, [&] {
       const auto in_space = ratios_in_space(surface_.connectivity(), surface_.metric().points(), h);
       return in_space ? *in_space : compute();
+    });
+  }
+  std::true_type keeps_fans() const { return {}; }
+  Vector fan_ratio(Halfedge_index from, Halfedge_index to, bool is_counterclockwise)
+  {
+    const Metric_frame<Double_double_metric> frame(surface_.connectivity(), *this);
+    return surface_.fans().ratio(surface_.connectivity(), from, to, is_counterclockwise, [&](Halfedge_index h) {
+      interruption().check();
+      return frame.ratios(h).at_source;
     });
   }
   bool is_flat(Halfedge_index h) { return surface_.is_flat(h); }
@@ -287,6 +300,7 @@ public:
     count();
     return remembered_in(ratios_, h, compute);
   }
+  std::false_type keeps_fans() const { return {}; }
   bool is_flat(Halfedge_index h) { return surface_.is_flat(h); }
   const Interruption& interruption() { return surface_.interruption(); }
   Vector ratio_in_plane(Halfedge_index h, Vertex_index from, Vertex_index to)
