@@ -6,6 +6,7 @@
 #include "evaluation_data.h"
 #include "samples/sample_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
 #include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
@@ -24,6 +25,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <random>
 #include <set>
 #include <string>
@@ -110,6 +112,47 @@ TEST(Shortest_path, of_very_large_and_small_surfaces)
     Triangulation again = Delaunay(surface);
     EXPECT_EQ(IT::shortest_path(again, Vertex_index(0), Vertex_index(17)).distance, std::ldexp(distance, exponent));
   }
+}
+
+// Bellman and Ford's algorithm.
+template <class T>
+std::vector<double> lengths_of_edge_paths(const T& triangulation, Vertex_index source)
+{
+  const Delta_complex& complex = triangulation.connectivity();
+  std::vector<double> result(complex.number_of_vertices(), std::numeric_limits<double>::infinity());
+  result[source.idx()] = 0;
+  for (bool has_changed = true; has_changed;) {
+    has_changed = false;
+    for (IT::Edge_index e : complex.edges()) {
+      double &a = result[complex.source(complex.halfedge(e)).idx()],
+             &b = result[complex.target(complex.halfedge(e)).idx()];
+      const double length = CGAL::to_double(triangulation.length(e));
+      has_changed = has_changed || a > b + length || b > a + length;
+      a = std::min(a, b + length);
+      b = std::min(b, a + length);
+    }
+  }
+  return result;
+}
+
+// Also without the positions of a kept input, which tell the way.
+TEST(Shortest_edge_path, is_not_longer_than_another)
+{
+  const samples::Indexed_triangles surface = samples::bumpy_dome();
+  const auto check = [](const auto& triangulation) {
+    const auto expected = lengths_of_edge_paths(triangulation, Vertex_index(5));
+    for (std::uint32_t target = 0; target < expected.size(); target += 7) {
+      double length = 0;
+      for (Halfedge_index h : IT::shortest_edge_path(triangulation, Vertex_index(5), Vertex_index(target)))
+        length += CGAL::to_double(triangulation.length(triangulation.connectivity().edge(h)));
+      EXPECT_NEAR(length, expected[target], 1e-13 * expected[target]) << target;
+    }
+  };
+  check(Delaunay(surface));
+  const auto complex = IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
+  const IT::Intrinsic_triangulation<IT::Edge_length_traits<double>> rounded(complex, surface.points);
+  ASSERT_FALSE(rounded.keeps_input());
+  check(rounded);
 }
 
 TEST(Shortest_path, to_itself_is_empty)

@@ -59,20 +59,21 @@ std::vector<Halfedge_index> shortest_edge_path(const Intrinsic_triangulation<Tra
   for (Vertex_index v : {source, target})
     internal::require_vertex(v, complex.number_of_vertices());
   // No path to the target is shorter than the straight line.
-  const internal::Exact_engine& engine = internal::engine(triangulation);
-  const internal::Correspondence& correspondence = engine.correspondence();
-  const internal::Vertex_positions::Inserted none;
-  const internal::Vertex_positions positions(correspondence.input(), engine.metric().points(),
-                                             correspondence.locations(), none);
-  const auto position = [&](Vertex_index v) { return positions.position(v, [](double x) { return x; }); };
-  const bool has_points = !engine.metric().points().empty();
-  const internal::Vector_3<double> end = has_points ? position(target) : internal::Vector_3<double>{};
-  const auto distance_in_space = [&](Vertex_index v) {
-    if (!has_points)
-      return 0.;
-    const auto [x, y, z] = position(v);
-    return std::ldexp(std::hypot(x - end[0], y - end[1], z - end[2]), triangulation.unit_exponent());
-  };
+  std::function<double(Vertex_index)> distance_in_space = [](Vertex_index) { return 0.; };
+  if (triangulation.keeps_input() && !internal::engine(triangulation).metric().points().empty()) {
+    const internal::Exact_engine& engine = internal::engine(triangulation);
+    const internal::Correspondence& correspondence = engine.correspondence();
+    const auto position = [&engine, &correspondence](Vertex_index v) {
+      const internal::Vertex_positions::Inserted none;
+      const internal::Vertex_positions positions(correspondence.input(), engine.metric().points(),
+                                                 correspondence.locations(), none);
+      return positions.position(v, [](double x) { return x; });
+    };
+    distance_in_space = [position, end = position(target), unit = triangulation.unit_exponent()](Vertex_index v) {
+      const auto [x, y, z] = position(v);
+      return std::ldexp(std::hypot(x - end[0], y - end[1], z - end[2]), unit);
+    };
+  }
   // The length of the path that it can be at least, that to the vertex, and the vertex.
   using Entry = std::tuple<double, double, Vertex_index::size_type>;
   std::vector<double> distance(complex.number_of_vertices(), std::numeric_limits<double>::infinity());
