@@ -99,7 +99,8 @@ private:
       const Candidate candidate = bad_faces_.top();
       bad_faces_.pop();
       if (quality_.is_bad(candidate.face) && faces_.circumradius(candidate.face) == candidate.radius) {
-        tell_progress(candidate.face);
+        if constexpr (Visitor::sees_steps)
+          tell_progress(candidate.face);
         refine(candidate.face);
       }
     }

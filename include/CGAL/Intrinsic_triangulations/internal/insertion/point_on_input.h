@@ -46,25 +46,32 @@ inline std::array<double, 3> rounded_coordinates(const std::array<double, 3>& w)
   return {std::ldexp(double(n[0]), -52), std::ldexp(double(n[1]), -52), std::ldexp(double(n[2]), -52)};
 }
 
-// The lengths of the input edges, rounded, and the shapes of its faces.
+// The lengths of the input edges, rounded, and the shapes of its faces. They are found when they are first asked for, by
+// one thread: refinement sees few of them.
 class Input_shapes
 {
 public:
-  explicit Input_shapes(const Exact_engine& engine) : input_(engine.correspondence().input())
-  {
-    squared_lengths_.reserve(input_.number_of_edges());
-    for (Edge_index e : input_.edges())
-      squared_lengths_.push_back(engine.metric().squared_length_double_double(input_, e).hi());
-    four_areas_.reserve(input_.number_of_faces());
-    for (Face_index f : input_.faces())
-      four_areas_.push_back(engine.has_input_face_area(f) ? engine.metric().four_areas_double_double(input_, f).hi()
-                                                          : 0);
-  }
+  explicit Input_shapes(const Exact_engine& engine)
+    : engine_(engine), input_(engine.correspondence().input()), squared_lengths_(input_.number_of_edges(), unknown),
+      four_areas_(input_.number_of_faces(), unknown)
+  {}
 
   // In the internal unit.
-  double squared_length(Edge_index e) const { return squared_lengths_[e.idx()]; }
+  double squared_length(Edge_index e) const
+  {
+    double& s = squared_lengths_[e.idx()];
+    if (s == unknown)
+      s = engine_.metric().squared_length_double_double(input_, e).hi();
+    return s;
+  }
   double length(Edge_index e) const { return std::sqrt(squared_length(e)); }
-  double four_areas(Face_index f) const { return four_areas_[f.idx()]; }
+  double four_areas(Face_index f) const
+  {
+    double& a = four_areas_[f.idx()];
+    if (a == unknown)
+      a = engine_.has_input_face_area(f) ? engine_.metric().four_areas_double_double(input_, f).hi() : 0;
+    return a;
+  }
   // The third corner of the face of h, in the frame of h.
   Plane_point apex(Halfedge_index h) const
   {
@@ -74,8 +81,11 @@ public:
   }
 
 private:
+  static constexpr double unknown = -1;
+
+  const Exact_engine& engine_;
   const Delta_complex& input_;
-  std::vector<double> squared_lengths_, four_areas_;
+  mutable std::vector<double> squared_lengths_, four_areas_;
 };
 
 // The input face that contains a piece.
