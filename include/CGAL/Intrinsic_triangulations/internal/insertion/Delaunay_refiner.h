@@ -99,7 +99,8 @@ private:
       const Candidate candidate = bad_faces_.top();
       bad_faces_.pop();
       if (quality_.is_bad(candidate.face) && faces_.circumradius(candidate.face) == candidate.radius) {
-        tell_progress(candidate.face);
+        if constexpr (Visitor::sees_steps)
+          tell_progress(candidate.face);
         refine(candidate.face);
       }
     }
@@ -456,7 +457,7 @@ private:
   const Delta_complex& complex_;
   const Exact_engine& engine_;
   const Correspondence& correspondence_;
-  const Input_shapes shapes_;
+  Input_shapes shapes_;
   Visitor& visitor_;
   const std::uint64_t maximum_number_;
   Measured_faces<Traits> faces_;

@@ -35,7 +35,7 @@ template <class Traits>
 class Segments
 {
 public:
-  Segments(const Delta_complex& complex, const Correspondence& correspondence, const Input_shapes& shapes,
+  Segments(const Delta_complex& complex, const Correspondence& correspondence, Input_shapes& shapes,
            const Measured_faces<Traits>& faces, std::vector<bool> is_segment)
     : complex_(complex), correspondence_(correspondence), shapes_(shapes), faces_(faces),
       is_segment_(std::move(is_segment)),
@@ -192,7 +192,7 @@ private:
 
   const Delta_complex& complex_;
   const Correspondence& correspondence_;
-  const Input_shapes& shapes_;
+  Input_shapes& shapes_;
   const Measured_faces<Traits>& faces_;
   std::vector<bool> is_segment_;
   bool is_empty_;

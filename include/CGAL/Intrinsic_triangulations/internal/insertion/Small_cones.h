@@ -29,7 +29,7 @@ namespace internal {
 class Small_cones
 {
 public:
-  Small_cones(const Exact_engine& engine, const Input_shapes& shapes)
+  Small_cones(const Exact_engine& engine, Input_shapes& shapes)
     : input_(engine.correspondence().input()), unit_exponent_(engine.metric().unit_exponent()), shapes_(shapes)
   {}
 
@@ -94,7 +94,7 @@ private:
 
   const Delta_complex& input_;
   const int unit_exponent_;
-  const Input_shapes& shapes_;
+  Input_shapes& shapes_;
   std::unordered_map<Vertex_index, Cone> cones_;
 };
 

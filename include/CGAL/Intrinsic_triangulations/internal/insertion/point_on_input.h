@@ -46,27 +46,34 @@ inline std::array<double, 3> rounded_coordinates(const std::array<double, 3>& w)
   return {std::ldexp(double(n[0]), -52), std::ldexp(double(n[1]), -52), std::ldexp(double(n[2]), -52)};
 }
 
-// The lengths of the input edges, rounded, and the shapes of its faces.
+// The lengths of the input edges, rounded, and the shapes of its faces. They are found when they are first asked for, by
+// one thread: refinement sees few of them.
 class Input_shapes
 {
 public:
-  explicit Input_shapes(const Exact_engine& engine) : input_(engine.correspondence().input())
-  {
-    squared_lengths_.reserve(input_.number_of_edges());
-    for (Edge_index e : input_.edges())
-      squared_lengths_.push_back(engine.metric().squared_length_double_double(input_, e).hi());
-    four_areas_.reserve(input_.number_of_faces());
-    for (Face_index f : input_.faces())
-      four_areas_.push_back(engine.has_input_face_area(f) ? engine.metric().four_areas_double_double(input_, f).hi()
-                                                          : 0);
-  }
+  explicit Input_shapes(const Exact_engine& engine)
+    : engine_(engine), input_(engine.correspondence().input()), squared_lengths_(input_.number_of_edges(), unknown),
+      four_areas_(input_.number_of_faces(), unknown)
+  {}
 
   // In the internal unit.
-  double squared_length(Edge_index e) const { return squared_lengths_[e.idx()]; }
-  double length(Edge_index e) const { return std::sqrt(squared_length(e)); }
-  double four_areas(Face_index f) const { return four_areas_[f.idx()]; }
+  double squared_length(Edge_index e)
+  {
+    double& s = squared_lengths_[e.idx()];
+    if (s == unknown)
+      s = engine_.metric().squared_length_double_double(input_, e).hi();
+    return s;
+  }
+  double length(Edge_index e) { return std::sqrt(squared_length(e)); }
+  double four_areas(Face_index f)
+  {
+    double& a = four_areas_[f.idx()];
+    if (a == unknown)
+      a = engine_.has_input_face_area(f) ? engine_.metric().four_areas_double_double(input_, f).hi() : 0;
+    return a;
+  }
   // The third corner of the face of h, in the frame of h.
-  Plane_point apex(Halfedge_index h) const
+  Plane_point apex(Halfedge_index h)
   {
     const double ij = squared_length(input_.edge(h)), jk = squared_length(input_.edge(input_.next(h))),
                  ki = squared_length(input_.edge(input_.prev(h)));
@@ -74,6 +81,9 @@ public:
   }
 
 private:
+  static constexpr double unknown = -1;
+
+  const Exact_engine& engine_;
   const Delta_complex& input_;
   std::vector<double> squared_lengths_, four_areas_;
 };
@@ -106,7 +116,7 @@ struct Point_to_insert
 // \param apex gives the third corner of the face of a halfedge of the current triangulation, in the frame of that
 // \return nothing if doubles are too coarse to find it
 template <class Apex>
-std::optional<Point_to_insert> point_on_input(const Exact_engine& engine, const Input_shapes& shapes, Halfedge_index h,
+std::optional<Point_to_insert> point_on_input(const Exact_engine& engine, Input_shapes& shapes, Halfedge_index h,
                                               std::array<double, 3> weights, const Apex& apex)
 {
   const Delta_complex& complex = engine.connectivity();
