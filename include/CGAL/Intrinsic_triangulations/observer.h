@@ -136,8 +136,6 @@ class Observer
 public:
   using Is_silent = Boolean_tag<std::is_same<std::remove_const_t<Visitor>, Default_visitor>::value>;
 
-  // Whether the number of vertices still needed is of use.
-  static constexpr bool sees_steps = Has_before_step<Visitor>::value && !Is_silent::value;
   template <class Boolean>
   static constexpr bool sees_tests = Has_after_test<Visitor, Boolean>::value;
 

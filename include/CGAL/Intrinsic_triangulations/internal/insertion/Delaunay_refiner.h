@@ -99,7 +99,7 @@ private:
       const Candidate candidate = bad_faces_.top();
       bad_faces_.pop();
       if (quality_.is_bad(candidate.face) && faces_.circumradius(candidate.face) == candidate.radius) {
-        if constexpr (Visitor::sees_steps)
+        if constexpr (!Visitor::Is_silent::value)
           tell_progress(candidate.face);
         refine(candidate.face);
       }
