@@ -327,7 +327,7 @@ private:
     return std::nullopt;
   }
   // Whether the face is so small that coordinates in the input face are too coarse.
-  bool is_too_fine(Face_index f, const Surface_point& point) const
+  bool is_too_fine(Face_index f, const Surface_point& point)
   {
     const Delta_complex& input = correspondence_.input();
     double size = 0;
