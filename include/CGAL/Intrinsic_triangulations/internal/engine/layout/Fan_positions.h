@@ -66,7 +66,8 @@ private:
     Vector position;
     std::size_t number;
   };
-  static constexpr std::size_t most_places = std::size_t(1) << 18;
+  // Bounds the memory, some 100 bytes for each. Two vertices with more halfedges than that would be laid out in turn.
+  static constexpr std::size_t most_places = std::size_t(1) << 21;
 
   void clear()
   {
