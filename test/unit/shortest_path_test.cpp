@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
@@ -148,7 +149,10 @@ TEST(Shortest_edge_path, is_not_longer_than_another)
       EXPECT_NEAR(length, expected[target], 1e-13 * expected[target]) << target;
     }
   };
-  check(Delaunay(surface));
+  Triangulation refined = Delaunay(surface);
+  check(refined);
+  IT::refine_Delaunay(refined);
+  check(refined);
   const auto complex = IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles);
   const IT::Intrinsic_triangulation<IT::Edge_length_traits<double>> rounded(complex, surface.points);
   ASSERT_FALSE(rounded.keeps_input());

@@ -17,7 +17,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/require_vertex.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Vertex_positions.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
 #include <CGAL/boost/graph/helpers.h>
@@ -61,13 +60,16 @@ std::vector<Halfedge_index> shortest_edge_path(const Intrinsic_triangulation<Tra
   // No path to the target is shorter than the straight line.
   std::function<double(Vertex_index)> distance_in_space = [](Vertex_index) { return 0.; };
   if (triangulation.keeps_input() && !internal::engine(triangulation).metric().points().empty()) {
-    const internal::Exact_engine& engine = internal::engine(triangulation);
-    const internal::Correspondence& correspondence = engine.correspondence();
-    const auto position = [&engine, &correspondence](Vertex_index v) {
-      const internal::Vertex_positions::Inserted none;
-      const internal::Vertex_positions positions(correspondence.input(), engine.metric().points(),
-                                                 correspondence.locations(), none);
-      return positions.position(v, [](double x) { return x; });
+    const internal::Correspondence& correspondence = internal::engine(triangulation).correspondence();
+    const internal::Points& points = internal::engine(triangulation).metric().points();
+    const auto position = [&correspondence, &points](Vertex_index v) {
+      if (!correspondence.is_inserted(v))
+        return points[v.idx()];
+      Surface_point p = correspondence.location(v);
+      const double sum = p.coordinates[0] + p.coordinates[1] + p.coordinates[2];
+      for (double& c : p.coordinates)
+        c /= sum;
+      return point_in_space(correspondence.input(), points, p);
     };
     distance_in_space = [position, end = position(target), unit = triangulation.unit_exponent()](Vertex_index v) {
       const auto [x, y, z] = position(v);
