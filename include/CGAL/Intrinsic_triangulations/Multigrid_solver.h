@@ -24,6 +24,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -34,18 +35,20 @@ namespace Intrinsic_triangulations {
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-// Begins the use of MPI and hypre where the program has not, and ends it with the program.
-inline void require_hypre()
+// Begins the use of MPI and hypre where the program has not, and ends it with the program. hypre has one state for all
+// that uses it, so one thread at a time does.
+inline std::mutex& hypre_mutex()
 {
-  static const struct Session
+  static struct Session
   {
     Session()
     {
       int is_initialized = 0;
       MPI_Initialized(&is_initialized);
       is_own = is_initialized == 0;
+      int provided = 0;
       if (is_own)
-        MPI_Init(nullptr, nullptr);
+        MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
       HYPRE_Init();
     }
     ~Session()
@@ -59,8 +62,9 @@ inline void require_hypre()
         MPI_Finalize();
     }
     bool is_own;
+    std::mutex mutex;
   } session;
-  (void)session;
+  return session.mutex;
 }
 
 struct Hypre_objects
@@ -74,6 +78,7 @@ struct Hypre_objects
   Hypre_objects& operator=(const Hypre_objects&) = delete;
   ~Hypre_objects()
   {
+    const std::lock_guard<std::mutex> lock(hypre_mutex());
     if (gradients != nullptr)
       HYPRE_ParCSRPCGDestroy(gradients);
     if (multigrid != nullptr)
@@ -106,7 +111,8 @@ struct Hypre_objects
 /// Under MPI, all processes of the communicator make the solver and call its functions together. The first one has the
 /// matrix and the right sides, and gets the solutions; the others give empty ones, and get empty ones. Rows are
 /// distributed in blocks. If the program has not initialized MPI, the first solver does, and the program's end finalizes
-/// it.
+/// it; otherwise solvers have to be destroyed before the program finalizes MPI. Threads wait for each other, whichever
+/// solvers they use; with more than one thread, a program that initializes MPI asks for `MPI_THREAD_SERIALIZED`.
 ///
 /// Needs Eigen, hypre and MPI. Not copyable.
 class Multigrid_solver
@@ -132,32 +138,29 @@ public:
   /// \exception Numerical_error if hypre fails
   explicit Multigrid_solver(const Matrix& matrix, MPI_Comm communicator = MPI_COMM_SELF) : communicator_(communicator)
   {
-    internal::require_hypre();
+    const std::lock_guard<std::mutex> lock(internal::hypre_mutex());
     MPI_Comm_rank(communicator_, &rank_);
     int number_of_processes = 1;
     MPI_Comm_size(communicator_, &number_of_processes);
     require(rank_ != 0 || is_square_and_finite(matrix),
             "the matrix of a linear system must be square and finite, with a positive diagonal");
-    double numbers[2] = {double(matrix.rows()), 0};
-    if (rank_ == 0)
-      for (Eigen::Index i = 0; i < matrix.rows(); ++i)
-        numbers[1] = (std::max)(numbers[1], matrix.coeff(i, i));
-    MPI_Bcast(numbers, 2, MPI_DOUBLE, 0, communicator_);
-    size_ = Eigen::Index(numbers[0]);
-    unit_ = numbers[1];
+    size_ = int(matrix.rows());
+    MPI_Bcast(&size_, 1, MPI_INT, 0, communicator_);
+    if (rank_ == 0 && size_ > 0)
+      unit_ = Vector(matrix.diagonal()).maxCoeff();
+    MPI_Bcast(&unit_, 1, MPI_DOUBLE, 0, communicator_);
     for (int p = 0; p <= number_of_processes; ++p)
-      first_rows_.push_back(int(size_ * p / number_of_processes));
+      first_rows_.push_back(int(std::int64_t(size_) * p / number_of_processes));
     for (int row = first_rows_[std::size_t(rank_)]; row < first_rows_[std::size_t(rank_) + 1]; ++row)
       rows_.push_back(row);
     if (size_ > 0)
       set_up(matrix);
   }
+
   /// \brief solves A x = b. O(entries) for each iteration, of which there are usually 10 to 30, whatever the size.
   ///
-  /// Threads that call it wait for each other.
   /// \param b the right side, at the first process
-  /// \return x at the first process, an empty vector at the others. |A x − b| is at most 10^-12 (|A| |x| + |b|), which
-  ///   is as good as the solution by a factorization
+  /// \return x at the first process, an empty vector at the others. |A x − b| is at most 10^-12 (|A| |x| + |b|)
   /// \exception Invalid_argument_error if b has another size than the matrix, or an entry that is not finite
   /// \exception Numerical_error if that is not reached: the matrix may not be positive definite
   Vector solve(const Vector& b) const
@@ -165,10 +168,10 @@ public:
     Report report;
     return solve(b, report);
   }
-  /// as above. \param b the right side \param report receives how the system was solved, at all processes
+  /// as above. \param b the right side, at the first process \param report receives how the system was solved, at all processes
   Vector solve(const Vector& b, Report& report) const
   {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::lock_guard<std::mutex> lock(internal::hypre_mutex());
     require(rank_ != 0 || (b.size() == size_ && b.allFinite()),
             "the right side of a linear system must be finite, with an entry for each row of its matrix");
     report = {};
@@ -186,7 +189,7 @@ public:
       throw Numerical_error("a linear system is not solved after " + std::to_string(report.iterations) +
                             " iterations: the matrix must be symmetric and positive definite");
     const Vector x = gathered() * (largest / unit_);
-    if (!x.allFinite())
+    if (!holds_everywhere(x.allFinite()))
       throw Numerical_error("a linear system cannot be solved: the solution is beyond the range of double");
     return x;
   }
@@ -195,12 +198,16 @@ private:
   static constexpr double wanted_residual = 1e-13, largest_error = 1e-12;
   static constexpr int most_iterations = 300;
 
-  // Throws at all processes if the condition does not hold at one.
-  void require(bool condition, const char* message) const
+  // So that all processes throw if one does.
+  bool holds_everywhere(bool condition) const
   {
     int holds = condition ? 1 : 0;
     MPI_Allreduce(MPI_IN_PLACE, &holds, 1, MPI_INT, MPI_MIN, communicator_);
-    if (holds == 0)
+    return holds != 0;
+  }
+  void require(bool condition, const char* message) const
+  {
+    if (!holds_everywhere(condition))
       throw Invalid_argument_error(message);
   }
 
@@ -262,7 +269,7 @@ private:
     HYPRE_ParCSRPCGSetup(hypre_.gradients, parallel_matrix(), parallel(hypre_.right), parallel(hypre_.solution));
     const bool has_failed = HYPRE_GetError() != 0;
     HYPRE_ClearAllErrors();
-    if (has_failed)
+    if (!holds_everywhere(!has_failed))
       throw Numerical_error("a linear system cannot be set up by hypre");
   }
 
@@ -327,12 +334,11 @@ private:
 
   MPI_Comm communicator_;
   int rank_ = 0;
-  Eigen::Index size_ = 0;
+  int size_ = 0;                // the number of rows
   double unit_ = 1;             // the largest diagonal entry, so that nothing overflows
   std::vector<int> first_rows_; // of each process, and the number of rows
   std::vector<int> rows_;       // of this process
   internal::Hypre_objects hypre_;
-  mutable std::mutex mutex_; // hypre's objects are changed by each solution
 };
 
 } // namespace Intrinsic_triangulations

@@ -134,21 +134,16 @@ public:
   {
     const Halfedge_index base = from;
     std::int64_t length = 0;
-    if constexpr (!std::is_same<decltype(keeps_fans()), std::false_type>::value)
-      if (at_most >= std::int64_t(Fan_positions::long_fan) && keeps_fans() &&
-          !is_flat(input_.next_around_source(base))) {
-        do {
-          from = input_.next_around_source(from);
-          ++length;
-        } while (length < at_most && from != base);
-        at_most -= length;
-        return metric_.fan_ratio(base, from, true);
-      }
+    const bool is_fan =
+      keeps_fans() && at_most >= std::int64_t(Fan_positions::long_fan) && !is_flat(input_.next_around_source(base));
     do {
       from = input_.next_around_source(from);
       ++length;
-    } while (length < at_most && metric_.is_flat(from));
+    } while (length < at_most && (is_fan ? from != base : bool(metric_.is_flat(from))));
     at_most -= length;
+    if constexpr (!std::is_same<decltype(keeps_fans()), std::false_type>::value)
+      if (is_fan)
+        return metric_.fan_ratio(base, from, true);
     if constexpr (!std::is_same<decltype(is_flat(base)), std::false_type>::value)
       if (length > 1)
         return metric_.ratio_in_plane(base, input_.source(base), input_.target(from));

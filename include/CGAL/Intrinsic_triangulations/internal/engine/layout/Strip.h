@@ -319,7 +319,9 @@ private:
   template <class Path>
   bool cross_fan(const Path& path, Run& run, Halfedge_index& crossed, std::size_t& i, bool turns_left)
   {
-    if constexpr (!std::is_same<decltype(frame_.keeps_fans()), std::false_type>::value) {
+    if constexpr (std::is_same<decltype(frame_.keeps_fans()), std::false_type>::value) {
+      return false;
+    } else {
       if (i == 0 || run.length > 1 || !frame_.keeps_fans())
         return false;
       Halfedge_index last = crossed;
@@ -337,7 +339,6 @@ private:
       i = end - 1;
       return true;
     }
-    return false;
   }
 
   const Delta_complex& input_;
