@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <random>
 #include <set>
 #include <string>
 #include <thread>
@@ -293,6 +294,29 @@ TEST(Heat_method, stays_between_straight_lines_and_paths_along_edges)
 }
 
 // But for some beside the source.
+TEST(Heat_method, rows_are_sorted_whatever_the_distances)
+{
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> number(0, 50);
+  std::vector<std::vector<double>> all{{}, {0}, {infinity}, {infinity, 0, infinity}, {0, 0, 0}, {5e-324, 0}};
+  for (int i = 0; i < 20; ++i) {
+    all.emplace_back();
+    for (int k = 0; k < 200; ++k) {
+      const int x = number(random);
+      all.back().push_back(x == 0 ? infinity : i % 2 == 0 ? x : std::ldexp(1., 40 * (x - 25)));
+    }
+  }
+  all.back().push_back(std::numeric_limits<double>::max());
+  for (const std::vector<double>& distances : all) {
+    std::vector<std::uint32_t> sorted;
+    for (std::size_t row = 0; row < distances.size(); ++row)
+      sorted.push_back(std::uint32_t(row));
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [&](std::uint32_t v, std::uint32_t w) { return distances[v] < distances[w]; });
+    EXPECT_EQ(IT::internal::rows_by_distance(distances), sorted);
+  }
+}
+
 TEST(Heat_method, needs_no_bounds_on_fine_surfaces)
 {
   const Grid grid(40, 40);

@@ -422,6 +422,21 @@ TEST(Transport, averages_between_sources_and_keeps_their_vectors)
 }
 
 // A fan of needles over one long border edge: every angle opposite to the border is obtuse.
+TEST(Transport, keeps_a_length_that_all_sources_have)
+{
+  const Triangulation triangulation = Delaunay(sphere(3));
+  const IT::Vector_heat_method heat(triangulation);
+  const Vertex_index v(0), w(100);
+  for (const auto& sources : {std::vector<std::pair<Vertex_index, Vector>>{{v, {3, 4}}},
+                              std::vector<std::pair<Vertex_index, Vector>>{{v, {3, 4}}, {w, {0, -5}}}})
+    for (const Vector& vector : heat.transport_tangent_vectors(sources))
+      EXPECT_NEAR(std::abs(complex_number(vector)), 5, 1e-14);
+  // Nearly equal ones go the long way.
+  const auto parallel = heat.transport_tangent_vectors({{v, {3, 4}}, {w, {0, -5 - 1e-12}}});
+  for (const Vector& vector : parallel)
+    EXPECT_NEAR(std::abs(complex_number(vector)), 5, 1e-10);
+}
+
 TEST(Vector_heat_method, inserts_vertices_where_the_border_has_obtuse_angles)
 {
   samples::Indexed_triangles surface;

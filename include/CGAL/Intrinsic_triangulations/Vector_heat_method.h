@@ -147,7 +147,12 @@ public:
     const std::vector<bool> is_reachable = surface_->connected_with(from);
     const internal::Layered_heat spread = scalars_->spread(heat, is_reachable);
     const std::vector<Eigen::VectorXcd> vectors = vectors_->spread_likewise(directions, spread);
-    const std::vector<double> length = scalars_->quotients(spread, lengths, is_reachable);
+    // Where all have the same length, as a single one does, there is no mean to find.
+    const bool are_equal =
+      std::all_of(from.begin(), from.end(), [&](std::uint32_t v) { return lengths[v] == lengths[from.front()]; });
+    const std::vector<double> length =
+      are_equal ? std::vector<double>(std::size_t(rows()), from.empty() ? 0 : lengths[from.front()])
+                : scalars_->quotients(spread, lengths, is_reachable);
     std::vector<Vector> result;
     result.reserve(number_of_vertices_);
     for (std::size_t v = 0; v < number_of_vertices_; ++v) {

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Accurate_shapes.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/rows_by_distance.h>
 
 #include <algorithm>
 #include <array>
@@ -71,27 +72,39 @@ public:
   {
     std::vector<double> paths(first_.size() - 1, std::numeric_limits<double>::infinity());
     std::vector<std::uint32_t> origins(paths.size(), 0);
-    std::priority_queue<std::pair<double, std::uint32_t>, std::vector<std::pair<double, std::uint32_t>>, std::greater<>>
-      queue;
     for (const auto& [row, distance] : sources) {
       paths[row] = distance;
       origins[row] = row;
-      queue.push({distance, row});
+    }
+    std::vector<bool> is_behind(paths.size());
+    std::priority_queue<std::pair<double, std::uint32_t>, std::vector<std::pair<double, std::uint32_t>>, std::greater<>>
+      queue;
+    const auto go_on_from = [&](std::uint32_t row) {
+      for (std::uint32_t i = first_[row]; i < first_[row + 1]; ++i) {
+        const auto [neighbor, length] = neighbors_[i];
+        if (paths[row] + length < paths[neighbor]) {
+          paths[neighbor] = paths[row] + length;
+          origins[neighbor] = origins[row];
+          if (is_behind[neighbor])
+            queue.push({paths[neighbor], neighbor});
+        }
+      }
+    };
+    // First in the order of the distances, in which nearly all paths are found at once. What gets a shorter path after
+    // its turn follows by Dijkstra's algorithm.
+    for (const std::uint32_t row : rows_by_distance(distances)) {
+      is_behind[row] = true;
+      go_on_from(row);
     }
     while (!queue.empty()) {
       const auto [length, row] = queue.top();
       queue.pop();
-      if (length > paths[row])
-        continue;
-      if (sources.count(row) == 0)
-        distances[row] = within(distances[row], length, row, origins[row], sources);
-      for (std::uint32_t i = first_[row]; i < first_[row + 1]; ++i)
-        if (length + neighbors_[i].second < paths[neighbors_[i].first]) {
-          paths[neighbors_[i].first] = length + neighbors_[i].second;
-          origins[neighbors_[i].first] = origins[row];
-          queue.push({paths[neighbors_[i].first], neighbors_[i].first});
-        }
+      if (length == paths[row])
+        go_on_from(row);
     }
+    for (std::uint32_t row = 0; row < std::uint32_t(paths.size()); ++row)
+      if (paths[row] < std::numeric_limits<double>::infinity() && sources.count(row) == 0)
+        distances[row] = within(distances[row], paths[row], row, origins[row], sources);
   }
 
 private:

@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Pinned_system.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/rows_by_distance.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
 #include <Eigen/SparseCore>
@@ -55,11 +56,6 @@ public:
   // \param interruption is asked now and then
   void raise(Eigen::VectorXd& distances, const Pins& sources, const Interruption& interruption) const
   {
-    std::vector<std::pair<double, std::uint32_t>> order;
-    order.reserve(surface_.size());
-    for (std::size_t v = 0; v < surface_.size(); ++v)
-      order.push_back({distances[Eigen::Index(v)], std::uint32_t(v)});
-    std::sort(order.begin(), order.end());
     std::vector<std::uint32_t> origins(surface_.size(), none);
     for (const auto& source : sources)
       origins[source.first] = source.first;
@@ -73,9 +69,9 @@ public:
       if (++steps % 1024 == 0)
         interruption.check();
     };
-    for (const auto& place : order) {
+    for (const std::uint32_t v : rows_by_distance(distances)) {
       ask();
-      if (const std::uint32_t v = place.second; origins[v] != v)
+      if (origins[v] != v)
         origins[v] = raise(v, front, raised);
     }
     distances = raised;

@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Rows in the order of their distances.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_ROWS_BY_DISTANCE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_ROWS_BY_DISTANCE_H
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// The nearest first; of equal ones, the smallest row. Distances are spread evenly enough over as many intervals as there
+// are rows that hardly anything is left to sort. \pre none is negative or NaN
+template <class Distances>
+std::vector<std::uint32_t> rows_by_distance(const Distances& distances)
+{
+  const std::size_t n = std::size_t(distances.size());
+  double largest = 0;
+  for (const double d : distances)
+    if (d < std::numeric_limits<double>::infinity())
+      largest = (std::max)(largest, d);
+  const auto interval = [&](double d) { return d < largest ? std::size_t(d / largest * double(n - 1)) : n - 1; };
+  std::vector<std::uint32_t> first(n + 1, 0);
+  for (const double d : distances)
+    ++first[interval(d) + 1];
+  for (std::size_t i = 0; i < n; ++i)
+    first[i + 1] += first[i];
+  std::vector<std::pair<double, std::uint32_t>> order(n);
+  std::vector<std::uint32_t> position(first.begin(), first.end() - 1);
+  std::uint32_t row = 0;
+  for (const double d : distances)
+    order[position[interval(d)]++] = {d, row++};
+  std::vector<std::uint32_t> result;
+  result.reserve(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    std::sort(order.begin() + first[i], order.begin() + first[i + 1]);
+    for (std::uint32_t k = first[i]; k < first[i + 1]; ++k)
+      result.push_back(order[k].second);
+  }
+  return result;
+}
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_ROWS_BY_DISTANCE_H
