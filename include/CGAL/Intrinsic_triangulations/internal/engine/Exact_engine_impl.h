@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Long_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Developed_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_fallback.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Straight_faces.h>
@@ -412,7 +413,7 @@ void Exact_engine::prepare_insertion()
   find_straight_faces();
   prepare();
   if (correspondence_.number_of_inserted_vertices() == 0 || correspondence_.kept_crossings().is_empty())
-    keep_long_crossings(connectivity_, correspondence_, interruption());
+    Long_crossings(connectivity_, correspondence_, interruption()).keep();
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
