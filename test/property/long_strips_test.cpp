@@ -184,6 +184,17 @@ TEST(Long_strips, what_edges_cross_is_kept_where_faces_are_glued_to_themselves)
   EXPECT_GT(kept, 300u);
 }
 
+// Otherwise what edges cross would be found anew, and kept.
+TEST(Long_strips, ties_are_not_laid_out_again_after_a_move)
+{
+  Triangulation t = triangulation_of(fan_box(40, 320));
+  IT::flip_to_Delaunay(t);
+  EXPECT_FALSE(IT::internal::engine(t).correspondence().kept_crossings().is_empty());
+  Triangulation moved = std::move(t);
+  EXPECT_EQ(IT::flip_to_Delaunay(moved).flips, 0u);
+  EXPECT_TRUE(IT::internal::engine(moved).correspondence().kept_crossings().is_empty());
+}
+
 // The squared lengths and areas that flips and insertions leave are as good as their bounds say, however they were
 // carried.
 TEST(Long_strips, numbers_that_are_carried_keep_their_bounds)
