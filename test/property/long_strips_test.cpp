@@ -184,6 +184,17 @@ TEST(Long_strips, what_edges_cross_is_kept_where_faces_are_glued_to_themselves)
   EXPECT_GT(kept, 300u);
 }
 
+// Otherwise what edges cross would be found anew, and kept.
+TEST(Long_strips, ties_are_not_laid_out_again_after_a_move)
+{
+  Triangulation t = triangulation_of(fan_box(40, 320));
+  IT::flip_to_Delaunay(t);
+  EXPECT_FALSE(IT::internal::engine(t).correspondence().kept_crossings().is_empty());
+  Triangulation moved = std::move(t);
+  EXPECT_EQ(IT::flip_to_Delaunay(moved).flips, 0u);
+  EXPECT_TRUE(IT::internal::engine(moved).correspondence().kept_crossings().is_empty());
+}
+
 // The squared lengths and areas that flips and insertions leave are as good as their bounds say, however they were
 // carried.
 TEST(Long_strips, numbers_that_are_carried_keep_their_bounds)
@@ -227,6 +238,34 @@ TEST(Long_strips, lines_across_parallel_folds_are_proven_to_be_straight)
   EXPECT_EQ(network.shorten().status, IT::Geodesic_status::GEODESIC);
   EXPECT_TRUE(network.is_geodesic());
   EXPECT_NEAR(network.length(across), std::hypot(length, 1), 1e-14);
+}
+
+// Nor is another proof possible that a point lies on such a line.
+TEST(Long_strips, points_are_proven_to_lie_on_lines_across_parallel_folds)
+{
+  constexpr std::uint32_t n = 24;
+  double length = 0;
+  Triangulation t = triangulation_of(folded_strip(n, length));
+  const auto point_of = [&](std::uint32_t i, double height) { // in the lower triangle of rectangle i
+    const IT::Halfedge_index h = t.input().halfedge(IT::Face_index(2 * i));
+    IT::Surface_point result{h, {0, 0, 0}};
+    for (std::size_t c = 0; c < 3; ++c, result.halfedge = t.input().next(result.halfedge))
+      result.coordinates[c] = t.input().source(result.halfedge).idx() == 2 * i + 3 ? height : (1 - height) / 2;
+    return result;
+  };
+  const IT::Vertex_index from = IT::insert_vertex(t, point_of(0, 0.5)), to = IT::insert_vertex(t, point_of(n - 1, 0.5));
+  t.set_tie_proof(IT::Tie_proof::PROVEN);
+  IT::Geodesic_path_network<IT::Filtered_edge_length_traits> network(t);
+  const std::size_t line = network.add_path(IT::shortest_edge_path(t, from, to));
+  ASSERT_EQ(network.shorten().status, IT::Geodesic_status::GEODESIC);
+  ASSERT_EQ(network.halfedges(line).size(), 1u);
+  const IT::Halfedge_index h = network.halfedges(line).front();
+  ASSERT_EQ(t.number_of_crossings(t.connectivity().edge(h)), 2 * (n - 1));
+  const auto& engine = IT::internal::engine(t);
+  for (std::uint32_t i = 1; i + 1 < n; ++i) {
+    EXPECT_EQ(engine.side_of(h, 2 * i, point_of(i, 0.5)), CGAL::ZERO);
+    EXPECT_EQ(engine.side_of(h, 2 * i, point_of(i, 0.5 + 0x1p-53)), CGAL::POSITIVE);
+  }
 }
 
 // Two edges are left at a vertex, so that the sum of two corners is that of all angles: nearly π, but for the last

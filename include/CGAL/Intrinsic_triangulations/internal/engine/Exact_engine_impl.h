@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Long_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Developed_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_fallback.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Straight_faces.h>
@@ -147,11 +148,13 @@ Exact_engine::Exact_engine(Exact_engine&& other) noexcept
   if (!memory_)
     return;
   memory_->surfaces.clear();
+  if (memory_->images) { // of the faces that were developed
+    memory_->developed_faces = {};
+    memory_->split_face.reset();
+  }
   memory_->images.reset();
   memory_->surface_of_images.reset();
   memory_->input_properties.reset();
-  memory_->developed_faces = {};
-  memory_->split_face.reset();
   memory_->is_close_call.clear();
   memory_->settings.interruption.exchange({});
 }
@@ -412,7 +415,7 @@ void Exact_engine::prepare_insertion()
   find_straight_faces();
   prepare();
   if (correspondence_.number_of_inserted_vertices() == 0 || correspondence_.kept_crossings().is_empty())
-    keep_long_crossings(connectivity_, correspondence_, interruption());
+    Long_crossings(connectivity_, correspondence_, interruption()).keep();
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE

@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_fallback.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Sign_in_plane.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Level_line.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Vertex_positions.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/corner_signs.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
@@ -315,8 +316,9 @@ Sign Exact_engine::side_of(Halfedge_index h, std::int64_t position, const Surfac
         if (const std::optional<Sign> sign = side_in_plane(connectivity_, positions(), side, point))
           return *sign * (side == h ? POSITIVE : NEGATIVE);
   }
-  return exact_sign(*surface, area_beside,
-                    [&] { return "that a point lies on edge " + std::to_string(connectivity_.edge(h).idx()); });
+  return exact_sign(
+    *surface, area_beside, [&] { return "that a point lies on edge " + std::to_string(connectivity_.edge(h).idx()); },
+    [&] { return Level_line(connectivity_, correspondence_, *surface).contains(h, positions(), point); });
 }
 
 } // namespace internal

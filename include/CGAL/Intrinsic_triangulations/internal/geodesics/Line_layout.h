@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Line_faces.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -32,9 +33,9 @@ struct Line_move
   bool is_crossed;
 };
 
-// The current face, in the frame of the first halfedge. As in `Strip`, directions are products alone, and positions
-// sums of them. Nothing is divided but by input quantities: positions are multiples of what they stand for, by a
-// positive number, the scale.
+// The current face, in a frame where the line begins at 0 and leads along the real axis: so the side of a corner is told
+// by its ordinate. As in `Strip`, directions are products alone, and positions sums of them. Nothing is divided but by
+// input quantities: positions are multiples of what they stand for, by a positive number, the scale.
 template <class Faces, class Metric>
 class Line_layout
 {
@@ -59,11 +60,11 @@ public:
     }
     const Third_corner<Vector>& third = third_corner();
     if (m.side == 1) {
-      left_ = m.is_crossed ? divisible(left_) + base_ * third.from_source : divisible(left_ + base_);
+      left_ = m.is_crossed ? apex() : divisible(left_ + base_);
       base_ = base_ * third.to_target;
     } else {
-      left_ = m.is_crossed ? divisible(left_) : divisible(left_) + base_ * third.from_source;
-      base_ = base_ * third.from_source;
+      left_ = m.is_crossed ? divisible(left_) : apex();
+      base_ = base_to_apex_;
     }
     if (!m.is_crossed)
       base_ = negative(base_);
@@ -74,21 +75,17 @@ public:
   }
 
   // Twice the area between the line and a corner: positive to its left; up to a positive factor.
-  auto side_of_corner(int i) { return area_between(direction_, from_start(i)); }
+  auto side_of_corner(int i) { return corner(i).y(); }
   // The same for the start beside a side of the face, and for the direction.
-  auto side_of_start(int i) { return area_between(along_side(i), negative(from_start(i == 2 ? 0 : i))); }
-  auto side_of_direction(int i) { return area_between(along_side(i), direction_); }
+  auto side_of_start(int i) { return area_between(along_side(i), negative(corner(i == 2 ? 0 : i))); }
+  auto side_of_direction(int i) { return negative(along_side(i)).y(); }
 
   // How far along the line, in units of its displacement, it meets the first side, or comes next to a corner.
   auto crossing() const
   {
-    return area_between(from_start(left_, scale_), base_) / (area_between(direction_, base_) * (sum_ * scale_).x());
+    return (left_.x() * base_.y() - left_.y() * base_.x()) / (base_.y() * unit_of_line_.x() * scale_.x());
   }
-  auto along(int i)
-  {
-    return times_conjugate(from_start(i), direction_).x() /
-           (squared_norm(direction_) * (sum_ * scale_of_corner(i)).x());
-  }
+  auto along(int i) { return corner(i).x() / (unit_of_line_.x() * (i == 2 ? divisible(scale_) : scale_).x()); }
   auto squared_speed() const { return squared_norm(direction_); }
 
   // The coordinates of the start in the face, rounded, times its area.
@@ -101,8 +98,14 @@ public:
 
 private:
   Line_layout(const Faces& faces, Metric& metric, const Line_beginning<Vector>& line)
-    : faces_(faces), metric_(metric), start_(line.start), sum_(line.sum), direction_(line.direction), left_(real(0)),
-      base_(line.base), scale_(real(1)), entered_(faces.first()), unit_(line.unit)
+    : Line_layout(faces, metric, line, line.direction * power_for(line, metric))
+  {}
+  // \param along the direction, up to a positive factor
+  Line_layout(const Faces& faces, Metric& metric, const Line_beginning<Vector>& line, const Vector& along)
+    : faces_(faces), metric_(metric), direction_(line.direction),
+      unit_of_line_(times_conjugate(line.direction * line.sum, along)),
+      left_(negative(times_conjugate(line.start, along))), base_(times_conjugate(line.base * line.sum, along)),
+      scale_(real(1)), base_to_apex_(base_), entered_(faces.first()), unit_(line.unit)
   {}
 
   Vector real(double x) const { return Vector(metric_.constant(x), metric_.constant(0)); }
@@ -112,6 +115,7 @@ private:
   {
     if (third_of_ != entered_) {
       third_ = faces_.third_corner(metric_, entered_);
+      base_to_apex_ = base_ * third_->from_source;
       third_of_ = entered_;
     }
     return *third_;
@@ -125,21 +129,29 @@ private:
       return x;
   }
 
-  Vector from_start(const Vector& x, const Vector& scale) const { return x * sum_ - start_ * scale; }
-  Vector from_start(int i)
+  Vector apex()
   {
-    if (i == 2)
-      return from_start(divisible(left_) + base_ * third_corner().from_source, scale_of_corner(i));
-    return from_start(i == 0 ? left_ : left_ + base_, scale_);
+    third_corner();
+    return divisible(left_) + base_to_apex_;
   }
-  Vector scale_of_corner(int i) { return i == 2 ? divisible(scale_) : scale_; }
+  Vector corner(int i) { return i == 0 ? left_ : i == 1 ? left_ + base_ : apex(); }
   // Up to a positive factor.
   Vector along_side(int i)
   {
-    return i == 0 ? base_ : negative(base_ * (i == 1 ? third_corner().to_target : third_corner().from_source));
+    if (i == 0)
+      return base_;
+    const Third_corner<Vector>& third = third_corner();
+    return negative(i == 1 ? base_ * third.to_target : base_to_apex_);
   }
 
   // Double-doubles have the range of doubles.
+  static Vector power_for(const Line_beginning<Vector>& line, Metric& metric)
+  {
+    int exponent = 0;
+    if constexpr (std::is_same_v<Metric, Double_double_metric>)
+      exponent = std::clamp(std::ilogb(line.direction.modulus()) + std::ilogb(line.sum.modulus()), -1000, 1000);
+    return Vector(metric.constant(std::ldexp(1., -exponent)), metric.constant(0));
+  }
   void keep_in_range()
   {
     if constexpr (Faces::has_divisors && std::is_same_v<Metric, Double_double_metric>) {
@@ -155,7 +167,7 @@ private:
 
   const Faces& faces_;
   Metric& metric_;
-  Vector start_, sum_, direction_, left_, base_, scale_;
+  Vector direction_, unit_of_line_, left_, base_, scale_, base_to_apex_;
   Halfedge_index entered_, unit_, third_of_;
   std::optional<Third_corner<Vector>> third_;
 };

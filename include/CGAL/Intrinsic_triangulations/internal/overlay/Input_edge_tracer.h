@@ -60,22 +60,6 @@ public:
                               number_of_crossings(intrinsic_.prev(ij)));
   }
 
-  // The n input halfedges that leave the corner to the left of ki at its source, counterclockwise.
-  // Those that leave a vertex within an intrinsic triangle are consecutive around it.
-  template <class Function>
-  void for_each_start(Halfedge_index ki, std::int64_t n, const Function& function) const
-  {
-    if (n == 0)
-      return;
-    const Vertex_index v = intrinsic_.source(ki);
-    Halfedge_index start = correspondence_.input_halfedge(ki);
-    if (correspondence_.coordinates().is_original(intrinsic_.edge(ki)))
-      start = next_input_halfedge(correspondence_, v, start);
-    function(start, 0);
-    for (std::int64_t i = 1; i < n; ++i)
-      function(start = next_input_halfedge(correspondence_, v, start), i);
-  }
-
   // Calls function(h, source, position) for the input halfedges h, those numbered 2e, that cross the intrinsic edge e
   // next to their source or an inserted vertex on them, at a position counted from the source of `source.ij`.
   template <class Function>
@@ -86,9 +70,11 @@ public:
       return;
     for (Halfedge_index ij : {first, intrinsic_.opposite(first)}) {
       const Triangle_crossings t = triangle_crossings(ij);
-      for_each_start(intrinsic_.prev(ij), t.e_k, [&](Halfedge_index h, std::int64_t i) {
+      std::int64_t position = t.c_i;
+      for_each_start(intrinsic_, correspondence_, intrinsic_.prev(ij), t.e_k, [&](Halfedge_index h) {
         if (h == input_.halfedge(input_.edge(h)))
-          function(h, End{ij, t.e_k}, t.c_i + i);
+          function(h, End{ij, t.e_k}, position);
+        ++position;
       });
     }
   }

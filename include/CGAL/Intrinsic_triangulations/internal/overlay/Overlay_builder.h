@@ -466,7 +466,7 @@ private:
     if (n < 2)
       return;
     size_type before = out.first;
-    tracer_.for_each_start(out.halfedge, n, [&](Halfedge_index input_halfedge, std::int64_t) {
+    for_each_start(intrinsic_, correspondence_, out.halfedge, n, [&](Halfedge_index input_halfedge) {
       const size_type next = first_part_in_input(input_halfedge, intrinsic_.source(out.halfedge));
       link(before, next);
       before = next;

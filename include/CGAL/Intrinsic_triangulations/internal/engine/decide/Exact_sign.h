@@ -134,13 +134,14 @@ private:
 
 inline bool has_no_other_proof() { return false; }
 
-// The sign, from the first stage on: double-doubles.
-template <class Evaluate, class Describe>
-Sign exact_sign(Input_surface& surface, const Evaluate& evaluate, const Describe& what)
+// The sign, from the first stage on: double-doubles. \param proves_zero as above
+template <class Evaluate, class Describe, class ProvesZero = bool (*)()>
+Sign exact_sign(Input_surface& surface, const Evaluate& evaluate, const Describe& what,
+                const ProvesZero& proves_zero = has_no_other_proof)
 {
   Double_double_metric metric(surface);
   const Uncertain<Sign> sign = evaluate(metric).sign();
-  return is_certain(sign) ? get_certain(sign) : Exact_sign<Evaluate>(surface, evaluate)(has_no_other_proof, what).sign;
+  return is_certain(sign) ? get_certain(sign) : Exact_sign<Evaluate>(surface, evaluate)(proves_zero, what).sign;
 }
 
 } // namespace internal

@@ -271,10 +271,9 @@ private:
 class Crossed_halfedges
 {
 public:
-  // \param is_kept whether they are kept from now on, even if they are few
   // \pre something is crossed
   Crossed_halfedges(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h,
-                    const Interruption& interruption, bool is_kept = false)
+                    const Interruption& interruption)
     : input_(correspondence.input())
   {
     const auto n = std::size_t(correspondence.coordinates().number_of_crossings(complex.edge(h)));
@@ -298,7 +297,7 @@ public:
     }
     crossed_ = Crossed_range(own_.data(), n, false);
     // Around inserted vertices, input edges may have to be followed far.
-    if (is_kept || n > few || correspondence.number_of_inserted_vertices() != 0)
+    if (n > few || correspondence.number_of_inserted_vertices() != 0)
       kept.keep(complex.number_of_edges(), h, n, crossed_);
   }
   Crossed_halfedges(const Crossed_halfedges&) = delete;
@@ -318,22 +317,6 @@ private:
   boost::container::small_vector<Halfedge_index, 16> own_;
   Crossed_range crossed_;
 };
-
-// Keeps what is crossed in all faces with an edge that crosses many: to be called before the first vertex is inserted,
-// as long as that is found quickly.
-inline void keep_long_crossings(const Delta_complex& complex, const Correspondence& correspondence,
-                                const Interruption& interruption)
-{
-  const Normal_coordinates& coordinates = correspondence.coordinates();
-  for (Edge_index e : complex.edges()) {
-    if (coordinates.number_of_crossings(e) <= std::int64_t(Crossed_halfedges::few))
-      continue;
-    for (Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
-      for (Halfedge_index side : {h, complex.next(h), complex.prev(h)})
-        if (!complex.is_border(h) && coordinates.number_of_crossings(complex.edge(side)) > 0)
-          Crossed_halfedges(complex, correspondence, side, interruption, true);
-  }
-}
 
 } // namespace internal
 } // namespace Intrinsic_triangulations

@@ -30,6 +30,22 @@ inline Halfedge_index next_input_halfedge(const Correspondence& correspondence, 
   return correspondence.is_inserted(v) ? input.opposite(h) : input.next_around_source(h);
 }
 
+// Calls `visit` with the n input halfedges that leave the source of ki between ki and the next halfedge around it,
+// counterclockwise. Those that leave a vertex within a triangle are consecutive around it.
+template <class Visit>
+void for_each_start(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index ki,
+                    std::int64_t n, const Visit& visit)
+{
+  if (n == 0)
+    return;
+  const Vertex_index v = complex.source(ki);
+  Halfedge_index start = correspondence.input_halfedge(ki);
+  if (correspondence.coordinates().is_original(complex.edge(ki)))
+    start = next_input_halfedge(correspondence, v, start);
+  for (visit(start); n > 1; --n)
+    visit(start = next_input_halfedge(correspondence, v, start));
+}
+
 // An input edge on its way through the triangles, each time it enters one.
 class Input_edge_walk
 {

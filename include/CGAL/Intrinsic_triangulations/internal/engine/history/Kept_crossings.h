@@ -58,6 +58,9 @@ class Kept_crossings
   using Array = std::unique_ptr<const Halfedge_index[]>;
 
 public:
+  // In halfedges of 4 bytes, beside a pointer for each edge.
+  static constexpr std::size_t largest_total = std::size_t(1) << 25;
+
   Kept_crossings() = default;
   // What only speeds up queries is not copied.
   Kept_crossings(const Kept_crossings&) {}
@@ -86,14 +89,16 @@ public:
   template <class Sequence>
   void keep(std::size_t number_of_edges, Halfedge_index h, std::size_t n, const Sequence& sequence) const
   {
-    Table* const table = made_table(number_of_edges);
-    if (!table)
-      return;
-    Array array = copied(n, [&](std::size_t i) {
-      return (h.idx() & 1) != 0 ? Crossed_range::opposite(sequence[n - 1 - i]) : sequence[i];
-    });
+    keep(number_of_edges, Edge_index(h.idx() / 2), n, copied(n, [&](std::size_t i) {
+           return (h.idx() & 1) != 0 ? Crossed_range::opposite(sequence[n - 1 - i]) : sequence[i];
+         }));
+  }
+  // Keeps the n that the halfedge of e with the even number crosses, if they are given.
+  void keep(std::size_t number_of_edges, Edge_index e, std::size_t n, Array array) const
+  {
+    Table* const table = array ? made_table(number_of_edges) : nullptr;
     const Halfedge_index* nothing = nullptr; // unless another thread was faster
-    if (array && table->slots[h.idx() / 2].compare_exchange_strong(nothing, array.get(), std::memory_order_acq_rel)) {
+    if (table && table->slots[e.idx()].compare_exchange_strong(nothing, array.get(), std::memory_order_acq_rel)) {
       array.release();
       total_ += n;
     }
@@ -199,9 +204,6 @@ private:
     std::size_t size, capacity;
     std::unique_ptr<Slot[]> slots;
   };
-  // In halfedges of 4 bytes, beside a pointer for each edge.
-  static constexpr std::size_t largest_total = std::size_t(1) << 25;
-
   static Table* new_table(std::size_t size, std::size_t capacity)
   {
     std::unique_ptr<Slot[]> slots(new (std::nothrow) Slot[capacity]());

@@ -3,15 +3,18 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// A proof that two edges form a straight line across parallel folds.
+// Proofs that two edges, or an edge and a point, lie on one straight line across parallel folds.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_LEVEL_LINE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_LEVEL_LINE_H
 
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Vertex_positions.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 
@@ -49,6 +52,19 @@ public:
     fold_.reset();
     return folds_around_are_parallel(va, vb) && crossed_folds_are_parallel(va) && crossed_folds_are_parallel(vb) &&
            fold_ && is_perpendicular({v, a}, *fold_) && is_perpendicular({v, b}, *fold_);
+  }
+
+  // Whether a point of an input face that h runs through is proven to lie on h, as it is level with both ends.
+  bool contains(Halfedge_index h, const Vertex_positions& positions, const Surface_point& point)
+  {
+    fold_.reset();
+    if (points().empty() || !crossed_folds_are_parallel(h) || !fold_)
+      return false;
+    const auto rational = [](double x) { return Rational(x); };
+    const auto u = difference<Rational>(points(), fold_->first, fold_->second);
+    const Rational level = scalar_product(u, positions.position(point, rational));
+    return level == Rational(scalar_product(u, positions.position(complex_.source(h), rational))) &&
+           level == Rational(scalar_product(u, positions.position(complex_.target(h), rational)));
   }
 
 private:
