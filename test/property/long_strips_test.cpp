@@ -195,7 +195,8 @@ TEST(Long_strips, numbers_that_are_carried_keep_their_bounds)
     std::size_t long_edges = 0;
     for (IT::Edge_index e : complex.edges()) {
       const IT::Face_index f = complex.face(complex.halfedge(e));
-      const CGAL::Interval_nt<> length = IT::internal::engine(t).length_interval(e), squared = square(length);
+      const CGAL::Interval_nt<> length = IT::internal::Engine_numbers(IT::internal::engine(t)).length_interval(e),
+                                squared = square(length);
       const double error = t.face_data(f).error, stored = t.squared_length(e);
       ASSERT_LE(squared.inf(), stored + error);
       ASSERT_GE(squared.sup(), stored - error);

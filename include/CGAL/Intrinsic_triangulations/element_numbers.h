@@ -137,11 +137,11 @@ std::vector<double> edge_lengths(const Intrinsic_triangulation<Traits>& triangul
 template <class Traits>
 std::vector<double> exact_edge_lengths(const Intrinsic_triangulation<Traits>& triangulation)
 {
-  const internal::Exact_engine& engine = internal::engine(triangulation);
+  const internal::Engine_numbers numbers(internal::engine(triangulation));
   std::vector<double> result;
   result.reserve(triangulation.connectivity().number_of_edges());
   for (Edge_index e : triangulation.connectivity().edges())
-    result.push_back(engine.length(e));
+    result.push_back(numbers.length(e));
   return result;
 }
 
@@ -245,7 +245,7 @@ double angle(const Intrinsic_triangulation<Traits>& triangulation, Halfedge_inde
 {
   CGAL_precondition(!triangulation.connectivity().is_border(h));
   if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry)
-    return internal::engine(triangulation).angle(h);
+    return internal::Engine_numbers(internal::engine(triangulation)).angle(h);
   else
     return internal::angle_by_number_type(triangulation, h);
 }

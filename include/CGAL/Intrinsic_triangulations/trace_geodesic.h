@@ -128,7 +128,7 @@ Surface_direction direction_at_vertex(const Intrinsic_triangulation<Traits>& tri
 namespace internal {
 
 // Appends the source of h, its crossings with input edges in order, and its target.
-// \pre `geometry.prepare()` was called
+// \pre `engine.prepare()` was called
 void append_input_points(const internal::Exact_engine& engine, Halfedge_index h, std::vector<Surface_point>& points);
 
 } // namespace internal

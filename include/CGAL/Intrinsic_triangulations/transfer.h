@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/area_in_input_unit.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/affine_image.h>
@@ -68,7 +69,7 @@ struct Areas_in_both
       input.push_back(area_in_input_unit(engine.metric().four_areas_double_double(complex, f).hi() / 4,
                                          engine.metric().unit_exponent(), f));
     for (Face_index f : subdivision.intrinsic().faces())
-      intrinsic.push_back(engine.area(f));
+      intrinsic.push_back(internal::Engine_numbers(engine).area(f));
   }
 
   std::vector<double> input, intrinsic;

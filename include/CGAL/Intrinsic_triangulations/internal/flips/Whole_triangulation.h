@@ -75,7 +75,7 @@ public:
 
   std::function<bool()> set_interruption(std::function<bool()> go_further)
   {
-    return engine().set_interruption(std::move(go_further));
+    return engine().decisions().interruption.exchange(std::move(go_further));
   }
 
   // Notes for the statistics that so many edges were found to be Delaunay or not by what is stored.

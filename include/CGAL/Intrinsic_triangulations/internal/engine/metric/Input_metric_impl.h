@@ -144,6 +144,14 @@ Rational squared_four_areas(const Input_metric& metric, const Delta_complex& inp
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool Input_metric::has_area(const Delta_complex& input, Face_index f) const
+{
+  const internal::Standard_arithmetic arithmetic;
+  const Uncertain<Sign> sign = four_areas_double_double(input, f).sign();
+  return is_certain(sign) ? get_certain(sign) != ZERO : squared_four_areas(*this, input, f) != 0;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Input_metric::check(const Delta_complex& input) const
 {
   internal::Defect_tally offenders;
