@@ -168,7 +168,6 @@ private:
   std::vector<Side> sides_; // of the sources of chords
 };
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // Says how the two differ, or nothing. Crossings have no numbers in common: those of
@@ -176,7 +175,6 @@ namespace internal {
 std::string difference_of_overlays(const Overlay& overlay, const Incremental_overlay& incremental);
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsOverlay
 /// \brief returns whether two overlays are the same: whether each edge of both triangulations has

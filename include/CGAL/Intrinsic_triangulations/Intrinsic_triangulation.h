@@ -867,7 +867,6 @@ private:
   std::uint64_t number_of_filter_decisions_ = 0;
 };
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // What is left of a triangulation that was given up.
@@ -908,7 +907,6 @@ const internal::Exact_engine& engine(const Triangulation& triangulation)
 }
 
 } // namespace internal
-/// \endcond
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

@@ -28,7 +28,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // From the numbers of the traits. A face without area has one angle of π, opposite to its longest edge.
@@ -67,7 +66,6 @@ void for_each_halfedge_from(const Delta_complex& complex, Vertex_index v, const 
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief the numbers of all edges and faces.

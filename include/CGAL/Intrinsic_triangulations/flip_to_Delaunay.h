@@ -47,7 +47,6 @@ inline std::uint64_t default_maximum_number_of_flips(std::size_t number_of_edges
   return (std::max)(std::uint64_t(10000000), 100 * std::uint64_t(number_of_edges));
 }
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // \param triangulation a Whole_triangulation, or what has its members
@@ -102,7 +101,6 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief flips edges until the triangulation is Delaunay.

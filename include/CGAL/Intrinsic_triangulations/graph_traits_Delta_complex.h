@@ -84,7 +84,6 @@ private:
   Halfedge_index halfedge_;
 };
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 class Oriented_edge_iterator
@@ -146,7 +145,6 @@ struct Dynamic_map
 };
 
 } // namespace internal
-/// \endcond
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

@@ -39,7 +39,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 inline void check_new_vertex(const Delta_complex& input, const Surface_point& point)
@@ -123,7 +122,6 @@ inline void check_area(const internal::Exact_engine& engine, const Surface_point
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
 /// \brief inserts a vertex at a point of the input, and flips edges until the triangulation is Delaunay again.

@@ -56,7 +56,6 @@ struct Triangulation_and_report
   Flip_report report;                            ///< the report of `flip_to_Delaunay()`
 };
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // The metric exactly, or nothing if all coordinates are doubles, or not all finite.
@@ -138,7 +137,6 @@ Triangulation_and_report<Traits> flipped(Intrinsic_triangulation<Traits> triangu
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief the default traits for points of a kernel:

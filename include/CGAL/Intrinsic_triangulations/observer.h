@@ -63,7 +63,6 @@ struct Default_visitor
 /// An empty function acts like one that always returns `true`.
 using Progress_function = std::function<bool(double fraction)>;
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // What is called in place of a visitor that was given as a named parameter: a model of IntrinsicTriangulationVisitor,
@@ -283,7 +282,6 @@ private:
 };
 
 } // namespace internal
-/// \endcond
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

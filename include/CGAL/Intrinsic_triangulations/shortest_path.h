@@ -56,7 +56,6 @@ struct Geodesic_distances
   bool is_complete = true;          ///< whether all were followed; if not, distances may be as large as along edges
 };
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // How many bundles of straight ways may be followed.
@@ -91,7 +90,6 @@ Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& t
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
 /// \brief returns the length of the shortest path on the surface from the nearest source to each vertex.
@@ -183,7 +181,6 @@ struct Shortest_path
   bool is_complete = true;               ///< whether it was found; if not, `halfedges` are some path
 };
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // From a vertex back along the straight ways by which distances were found, which become edges.
@@ -328,7 +325,6 @@ private:
 };
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
 /// \brief finds a shortest path between two vertices, and flips edges until it consists of edges.

@@ -31,7 +31,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 template <class Triangulation>
@@ -110,7 +109,6 @@ std::pair<Halfedge_index, double> halfedge_with_direction(const Intrinsic_triang
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns each halfedge as a vector in the tangent plane of its source.
@@ -200,7 +198,6 @@ struct Vertex_frame
   }
 };
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 using Space_vector = std::array<double, 3>;
@@ -246,7 +243,6 @@ inline Vertex_frame frame_of(Space_vector normal, const Space_vector& first)
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the tangent planes of `halfedge_vectors_in_vertex()` in space, for drawing.

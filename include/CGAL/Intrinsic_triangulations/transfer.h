@@ -28,7 +28,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // The fraction that the triangle of three points takes of the face in whose coordinates they are.
@@ -90,7 +89,6 @@ void for_each_overlay_fan(const Common_subdivision& subdivision, const Areas_in_
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsOverlay
 /// \brief returns the area of each face of the overlay, in the unit of the input.
@@ -113,7 +111,6 @@ inline std::vector<double> face_areas(const Common_subdivision& subdivision)
   return areas;
 }
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 template <class Value, class = void>
@@ -160,7 +157,6 @@ auto interpolate_at_crossings(const Common_subdivision& subdivision, const Delta
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
 /// \brief returns at each vertex of the overlay the piecewise linear function with given values at

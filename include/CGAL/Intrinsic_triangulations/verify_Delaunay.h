@@ -49,7 +49,6 @@ struct Delaunay_verification
   bool is_Delaunay() const { return not_Delaunay.empty() && inverted.empty(); }
 };
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // Decides blocks of faces, then blocks of edges.
@@ -148,7 +147,6 @@ private:
 };
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief decides every interior edge again, exactly, from the input and the connectivity alone.

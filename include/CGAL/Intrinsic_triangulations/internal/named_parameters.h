@@ -21,7 +21,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 enum class Parameter {
@@ -97,7 +96,6 @@ constexpr bool has_edge_constraints =
                 internal_np::Param_not_found>::value;
 
 } // namespace internal
-/// \endcond
 
 } // namespace Intrinsic_triangulations
 
@@ -234,7 +232,6 @@ auto mass_type(const T& value)
 
 namespace Intrinsic_triangulations {
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // The value of a parameter, or the default; of the type of the default.
@@ -257,7 +254,6 @@ auto edge_constraints_of(const NamedParameters& np)
 }
 
 } // namespace internal
-/// \endcond
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

@@ -26,7 +26,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 struct Rational_lengths
@@ -64,7 +63,6 @@ inline Exact_ring squared_length_in_ring(const Input_metric& metric, const Delta
 }
 
 } // namespace internal
-/// \endcond
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Input_metric Input_metric::from_points(Point_vector points)
