@@ -16,6 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_conversion.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>

@@ -12,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/Saved_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Removed_elements.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
@@ -541,8 +540,8 @@ private:
   }
   // Replaces the triangulation, which is still its input, by one that a file says has come from it.
   // \exception Invalid_surface_error if it has not; then this can only be destroyed
-  template <class ConcurrencyTag>
-  void restore(internal::Saved_triangulation saved)
+  template <class ConcurrencyTag, class Saved>
+  void restore(Saved saved)
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
@@ -559,7 +558,7 @@ private:
           return false;
       return true;
     };
-    internal::restore(engine_, saved, internal::block_runner<ConcurrencyTag>(), is_known);
+    saved.restore(engine_, internal::block_runner<ConcurrencyTag>(), is_known);
     edges_ = std::move(saved.squared_lengths);
     faces_.resize(connectivity().number_of_faces(), internal::default_init);
     bounds_ = internal::Cotangent_bounds(connectivity());

@@ -11,8 +11,11 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Delaunay_flipper.h>
-#include <CGAL/Intrinsic_triangulations/internal/flips/Parallel_Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <CGAL/Intrinsic_triangulations/internal/flips/Parallel_Delaunay_flipper.h>
+#endif
+#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
@@ -67,12 +70,15 @@ Flip_report flip_all(Triangulation triangulation, const ConstraintMap& is_constr
   std::optional<Interruption_scope<Triangulation>> scope;
   if constexpr (Triangulation::Traits::Uses_exact_geometry::value && !Is_silent<Visitor>::value)
     scope.emplace(triangulation, [&flipper] { return flipper.goes_further(); });
+  require_threads<ConcurrencyTag>();
+#ifdef CGAL_LINKED_WITH_TBB
   if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value) {
     using Parallel = Parallel_Delaunay_flipper<typename Triangulation::Traits, ConstraintMap, Visitor>;
     if (Parallel::is_useful(triangulation.triangulation()))
       return flipper.finish(
         Parallel(triangulation.triangulation(), is_constrained, visitor, budget, marks).settle_all(flipper));
   }
+#endif
   return flipper.finish(flipper.settle(0, n));
 }
 

@@ -53,7 +53,7 @@ struct Known_corner;
 //
 // Its layers are folders, from the bottom up: history (integers, and what an edge crosses), metric (the input), layout
 // (triangles of the input laid out one after the other), and decide (signs from layouts). Engine_numbers rounds what is
-// laid out, and `restore()` reads a saved triangulation.
+// laid out, and Saved_triangulation replaces the triangulation by one from a file.
 //
 // All const member functions may be called by several threads at once: each works with memory of its own, and the first
 // one that needs the integers computes them while the others wait. Queries throw Integer_overflow_error if these leave

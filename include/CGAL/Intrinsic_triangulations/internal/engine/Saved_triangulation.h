@@ -34,15 +34,14 @@ struct Saved_triangulation
   Large_vector<double> squared_lengths;
   Large_vector<std::array<double, 2>> areas;
   std::vector<bool> is_straight; // for each face: whether it was known to be a triangle in space
-};
 
-// Replaces the triangulation of an engine by one that a file says has come from its input. All of that is checked,
-// exactly. Its numbers stay in `saved`.
-// \pre nothing was flipped, and `saved` has an entry for each of its elements
-// \exception Invalid_surface_error if it is none; then the engine can only be destroyed
-// \param is_known whether the numbers of a face are known to be right
-void restore(Exact_engine& engine, Saved_triangulation& saved, const Block_runner& run,
-             const std::function<bool(Face_index)>& is_known);
+  // Replaces the triangulation of an engine by this one, of which a file says that it has come from the engine's input.
+  // All of that is checked, exactly. The numbers stay here.
+  // \pre nothing was flipped, and there is an entry for each element
+  // \exception Invalid_surface_error if it has not; then the engine can only be destroyed
+  // \param is_known whether the numbers of a face are known to be right
+  void restore(Exact_engine& engine, const Block_runner& run, const std::function<bool(Face_index)>& is_known);
+};
 
 } // namespace internal
 } // namespace Intrinsic_triangulations

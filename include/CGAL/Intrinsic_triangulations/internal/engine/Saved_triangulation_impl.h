@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Definition of restore(): a triangulation from a file, which is not believed.
+// Definition of Saved_triangulation: a triangulation from a file, which is not believed.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_SAVED_TRIANGULATION_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_SAVED_TRIANGULATION_IMPL_H
@@ -110,7 +110,7 @@ inline void mend_unbounded(const Delta_complex& complex, Halfedge_index side, co
     area = corner.four_areas.hi();
 }
 
-// See restore().
+// See Saved_triangulation::restore().
 class Engine_restorer
 {
 public:
@@ -145,10 +145,10 @@ private:
 };
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void restore(Exact_engine& engine, Saved_triangulation& saved, const Block_runner& run,
-             const std::function<bool(Face_index)>& is_known)
+void Saved_triangulation::restore(Exact_engine& engine, const Block_runner& run,
+                                  const std::function<bool(Face_index)>& is_known)
 {
-  Engine_restorer{engine}(saved, run, is_known);
+  Engine_restorer{engine}(*this, run, is_known);
 }
 
 // The edges of the triangulation are lines through the input triangles that the integers name: then the faces between

@@ -46,6 +46,7 @@ public:
     UNDECIDED,
     POSTPONED
   };
+  static constexpr bool is_whole = false;
 
   // Whether there may be blocks: numbers are of a type that threads need not share.
   static constexpr bool are_possible = is_for_threads<typename Triangulation::Edge_data>;
