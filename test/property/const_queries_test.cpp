@@ -4,6 +4,7 @@
 // Eight threads ask one const triangulation at once, and hear what one thread hears.
 
 #include "insert_random_vertices.h"
+#include "reference/length_interval.h"
 #include "samples/sample_surfaces.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
@@ -77,14 +78,13 @@ std::vector<double> answers(const Triangulation& t, const IT::Point_location* lo
 {
   const IT::Delta_complex& complex = t.connectivity();
   const IT::internal::Exact_engine& geometry = IT::internal::engine(t);
-  const IT::internal::Engine_numbers numbers(geometry);
   std::vector<std::vector<double>> of_edge(complex.number_of_edges()), of_face(complex.number_of_faces());
   for (std::size_t i = 0; i < of_edge.size(); ++i) {
     const std::size_t number = (i + thread * of_edge.size() / number_of_threads) % of_edge.size();
     const IT::Edge_index e{IT::Edge_index::size_type(number)};
     std::vector<double>& a = of_edge[number];
-    a = {t.length(e), double(t.squared_length(e)), numbers.length_interval(e).inf(),
-         double(geometry.has_length_zero(e)), double(geometry.correspondence().coordinates().crossings(e))};
+    a = {t.length(e), double(t.squared_length(e)), length_interval(t, e).inf(), double(geometry.has_length_zero(e)),
+         double(geometry.correspondence().coordinates().crossings(e))};
     if (!complex.is_flippable(e))
       continue;
     a.push_back(CGAL::certainly(t.is_locally_Delaunay(e)));

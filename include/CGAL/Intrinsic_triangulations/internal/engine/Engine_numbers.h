@@ -11,8 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 
-#include <CGAL/Interval_nt.h>
-
 #include <array>
 #include <complex>
 #include <cstddef>
@@ -69,8 +67,6 @@ public:
 
   // The length of `e`, within one unit in the last place.
   double length(Edge_index e) const;
-  // An interval around it.
-  Interval_nt<> length_interval(Edge_index e) const;
 
   // The cotangent of the angle opposite to `h`, up to `2^-50 (1 + |cot|)`.
   // \pre `h` is not a border halfedge, its face has positive area

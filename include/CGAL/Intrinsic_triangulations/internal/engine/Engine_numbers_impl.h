@@ -131,33 +131,6 @@ double Engine_numbers::length(Edge_index e) const
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Interval_nt<> Engine_numbers::length_interval(Edge_index e) const
-{
-  const Standard_arithmetic arithmetic;
-  engine_.prepare();
-  const Surface_lease surface = engine_.input_surface();
-  const Bounded_double_double l = sqrt(engine_.squared_length(e, *surface));
-  double low, high;
-  if (l.error() < 0x1p-60 * l.hi()) {
-    low = high = l.hi();
-    while (low - l.hi() > l.lo() - 1.01 * l.error())
-      low = std::nextafter(low, 0.);
-    while (high - l.hi() < l.lo() + 1.01 * l.error())
-      high = std::nextafter(high, 2 * high);
-  } else {
-    const Mpfr_interval m = sqrt(engine_.exact_fallback(*surface).squared_length(e, 128));
-    low = m.lower_double();
-    high = m.upper_double();
-  }
-  // Where the scaling is not exact, it is wrong by less than the next double.
-  low = std::ldexp(low, metric_.unit_exponent());
-  high = std::ldexp(high, metric_.unit_exponent());
-  if (low >= (std::numeric_limits<double>::min)())
-    return Interval_nt<>(low, high);
-  return Interval_nt<>((std::max)(0., std::nextafter(low, 0.)), std::nextafter(high, 1.));
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_engine::Corner Engine_numbers::corner(Halfedge_index h) const
 {
   const Standard_arithmetic arithmetic;
