@@ -45,7 +45,7 @@ struct Both_ways
 
   void flip(Edge_index e)
   {
-    correspondence.flip(complex, e);
+    correspondence.flip(complex, complex.hinge(e));
     complex.flip(e);
     incremental.flip(e);
   }

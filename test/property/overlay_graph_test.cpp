@@ -341,7 +341,7 @@ TEST(Overlay_graph, OfRandomGluingsAfterAnyFlips)
       const Edge_index e(std::uint32_t(random() % complex.number_of_edges()));
       if (!complex.is_flippable(e))
         continue;
-      correspondence.flip(complex, e);
+      correspondence.flip(complex, complex.hinge(e));
       complex.flip(e);
     }
     correspondence.prepare(complex);

@@ -203,7 +203,7 @@ TEST(Parallel_results, integers_of_many_flips)
     for (IT::Edge_index e : complex.edges()) {
       if (!complex.is_flippable(e))
         continue;
-      flipped.flip(complex, e);
+      flipped.flip(complex, complex.hinge(e));
       complex.flip(e);
     }
   IT::internal::Correspondence expected = flipped;
