@@ -10,6 +10,8 @@
 #include "own_triangulation.h"
 #include "samples/sample_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+
 #include <array>
 #include <cmath>
 #include <cstddef>

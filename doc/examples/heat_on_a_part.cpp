@@ -13,7 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/sharp_edges.h>
+#include <CGAL/Intrinsic_triangulations/surface_features.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
 

@@ -16,7 +16,7 @@
 #include "system/text.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/sharp_edges.h>
+#include <CGAL/Intrinsic_triangulations/surface_features.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -8,7 +8,7 @@
 #include "system/Progress.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/remove_flat_vertices.h>
+#include <CGAL/Intrinsic_triangulations/surface_features.h>
 
 #include <cstddef>
 #include <optional>

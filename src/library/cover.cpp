@@ -6,5 +6,3 @@
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/internal/cover/Cover_builder_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/cover/Cover_of_complex_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/cover/Flat_face_remover.h>
-#include <CGAL/Intrinsic_triangulations/internal/cover/Flat_face_remover_impl.h>

@@ -7,7 +7,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Dynamic_overlay_graph_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Incremental_overlay_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Overlay_builder.h>
-#include <CGAL/Intrinsic_triangulations/internal/overlay/are_same_overlay_impl.h>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {

@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Heat_method.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
+#include <CGAL/Intrinsic_triangulations/shortest_path.h>
 
 #include <memory>
 #include <mutex>

@@ -14,7 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/sharp_edges.h>
+#include <CGAL/Intrinsic_triangulations/surface_features.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -8,11 +8,10 @@
 
 #include <CGAL/Intrinsic_triangulations.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
-#include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
 #include <CGAL/Intrinsic_triangulations/surface_mesh_adaptors.h>
 #include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/repair_polygons.h>
-#include <CGAL/Intrinsic_triangulations/sharp_edges.h>
+#include <CGAL/Intrinsic_triangulations/surface_features.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
 #include <CGAL/Intrinsic_triangulations/transfer_matrices.h>
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>

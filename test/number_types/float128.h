@@ -6,7 +6,7 @@
 
 using Number_type = __float128;
 #else
-#include <CGAL/Intrinsic_triangulations/boost_multiprecision_floats.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/boost_multiprecision_floats.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 

@@ -103,7 +103,7 @@ TEST(Common_subdivision, forgets_who_could_interrupt_what_was_given_up)
   t.set_interruption([&] { return goes_on; });
   const IT::Common_subdivision subdivision(std::move(t));
   goes_on = false;
-  EXPECT_NO_THROW(IT::internal::engine(subdivision).interruption().check());
+  EXPECT_NO_THROW(IT::internal::engine(subdivision).decisions().interruption.check());
 }
 
 // From a triangulation whose integers nobody has asked for yet.

@@ -148,10 +148,10 @@ TEST(Carried_images, points_make_longer_numbers)
   const samples::Indexed_triangles square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
   const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(square.points.size(), square.triangles);
   const auto metric = IT::Input_metric::from_points({square.points.begin(), square.points.end()});
-  const IT::internal::Decision_settings settings;
+  const IT::internal::Decisions decisions;
   IT::internal::Input_properties properties(complex, metric);
-  IT::internal::Input_surface surface(complex, metric, settings, properties);
-  IT::internal::Residue_rings rings(surface.prime_fields(0), settings.interruption);
+  IT::internal::Input_surface surface(complex, metric, decisions, properties);
+  IT::internal::Residue_rings rings(surface.prime_fields(0), decisions.interruption);
   IT::internal::Residue_metric image(surface, {rings});
   image.constant(0);
   image.constant(1);

@@ -4,6 +4,7 @@
 // Eight threads ask one const triangulation at once, and hear what one thread hears.
 
 #include "insert_random_vertices.h"
+#include "reference/length_interval.h"
 #include "samples/sample_surfaces.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
@@ -82,17 +83,17 @@ std::vector<double> answers(const Triangulation& t, const IT::Point_location* lo
     const std::size_t number = (i + thread * of_edge.size() / number_of_threads) % of_edge.size();
     const IT::Edge_index e{IT::Edge_index::size_type(number)};
     std::vector<double>& a = of_edge[number];
-    a = {t.length(e), double(t.squared_length(e)), geometry.length_interval(e).inf(),
-         double(geometry.has_length_zero(e)), double(geometry.correspondence().coordinates().crossings(e))};
+    a = {t.length(e), double(t.squared_length(e)), length_interval(t, e).inf(), double(geometry.has_length_zero(e)),
+         double(geometry.correspondence().coordinates().crossings(e))};
     if (!complex.is_flippable(e))
       continue;
     a.push_back(CGAL::certainly(t.is_locally_Delaunay(e)));
     a.push_back(t.sign_of_cotangent_weight(e));
-    a.push_back(geometry.sign_of_cotangents(e));
-    a.push_back(geometry.sign_by_unfolding(e));
     a.push_back(geometry.is_convex(e));
-    using Effort = IT::internal::Exact_engine::Effort;
-    for (const auto& test : {geometry.quick_test(e, Effort::IN_PLANE), geometry.quick_test(e, Effort::SHORT_STRIPS)})
+    using Means = IT::internal::Exact_engine::Means;
+    for (const Means means : {Means::ALL, Means::UNFOLDING})
+      a.push_back(geometry.test(e, means)->sign);
+    for (const auto& test : {geometry.test(e, Means::PLANES), geometry.test(e, Means::SHORT_STRIPS)})
       a.push_back(test ? 10 * double(std::size_t(test->stage)) + test->sign : -1);
     const IT::Halfedge_index h = complex.halfedge(e);
     if (geometry.sign_of_area(complex.face(h)) == CGAL::POSITIVE &&
@@ -249,7 +250,7 @@ TEST(Const_queries, journals_and_flips_one_by_one_lead_to_the_same)
           const IT::Edge_index e(std::uint32_t(random() % complex.number_of_edges()));
           if (!complex.is_flippable(e))
             continue;
-          IT::internal::engine(followed).sign_of_cotangents(e);
+          IT::internal::engine(followed).test(e);
           const auto outcome = followed.flip(e);
           if (outcome == Triangulation::Flip_outcome::FLIPPED) {
             if (Whole(journaled).flip_not_Delaunay(e) != outcome)

@@ -229,7 +229,7 @@ void expect_valid(Triangulation& t, const IT::Delta_complex& input)
   for (IT::Face_index f : complex.faces()) {
     ASSERT_NE(geometry.sign_of_area(f), CGAL::NEGATIVE) << "face " << f.idx();
     const IT::Halfedge_index h = complex.halfedge(f);
-    const IT::internal::Exact_engine::Corner c = geometry.corner(h);
+    const IT::internal::Exact_engine::Corner c = IT::internal::Engine_numbers(geometry).corner(h);
     const IT::Bounded_area stored = t.face_data(f);
     if (!(stored.error < std::numeric_limits<double>::infinity()))
       continue;
@@ -242,9 +242,9 @@ void expect_valid(Triangulation& t, const IT::Delta_complex& input)
   }
   for (IT::Edge_index e : complex.edges())
     if (complex.is_flippable(e)) {
-      const CGAL::Sign sign = geometry.sign_by_unfolding(e);
+      const CGAL::Sign sign = geometry.test(e, IT::internal::Exact_engine::Means::UNFOLDING)->sign;
       ASSERT_EQ(t.sign_of_cotangent_weight(e), sign) << "edge " << e.idx();
-      ASSERT_EQ(geometry.sign_of_cotangents(e), sign) << "edge " << e.idx();
+      ASSERT_EQ(geometry.test(e)->sign, sign) << "edge " << e.idx();
       ASSERT_FALSE(whole.is_known_Delaunay(e) && sign == CGAL::NEGATIVE) << "edge " << e.idx();
     }
   const IT::Overlay overlay(complex, geometry.correspondence());
@@ -291,7 +291,7 @@ std::vector<IT::Surface_point> points_to_insert(const Triangulation& t, std::siz
   std::vector<IT::Surface_point> result;
   for (std::size_t i = 0; result.size() < number && i < input.number_of_faces(); ++i) {
     const IT::Face_index f(std::uint32_t(i * 7919 % input.number_of_faces()));
-    if (geometry.has_input_face_area(f))
+    if (geometry.metric().has_area(input, f))
       result.push_back({input.halfedge(f), {3, 2, 1 + double(i)}});
   }
   for (IT::Edge_index e : input.edges())

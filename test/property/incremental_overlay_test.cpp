@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Incremental_overlay.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <gtest/gtest.h>
 
@@ -44,7 +45,7 @@ struct Both_ways
 
   void flip(Edge_index e)
   {
-    correspondence.flip(complex, e);
+    correspondence.flip(complex, complex.hinge(e));
     complex.flip(e);
     incremental.flip(e);
   }

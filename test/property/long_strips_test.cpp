@@ -4,6 +4,7 @@
 // Edges that cross hundreds of input edges: what is kept of them, and what is proven across parallel folds.
 
 #include "insert_random_vertices.h"
+#include "reference/length_interval.h"
 #include "samples/sample_surfaces.h"
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
@@ -206,7 +207,7 @@ TEST(Long_strips, numbers_that_are_carried_keep_their_bounds)
     std::size_t long_edges = 0;
     for (IT::Edge_index e : complex.edges()) {
       const IT::Face_index f = complex.face(complex.halfedge(e));
-      const CGAL::Interval_nt<> length = IT::internal::engine(t).length_interval(e), squared = square(length);
+      const CGAL::Interval_nt<> length = length_interval(t, e), squared = square(length);
       const double error = t.face_data(f).error, stored = t.squared_length(e);
       ASSERT_LE(squared.inf(), stored + error);
       ASSERT_GE(squared.sup(), stored - error);

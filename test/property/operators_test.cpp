@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/circle_pattern_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/eigenvalues.h>
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>

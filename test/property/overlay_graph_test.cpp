@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <gtest/gtest.h>
 
@@ -340,7 +341,7 @@ TEST(Overlay_graph, OfRandomGluingsAfterAnyFlips)
       const Edge_index e(std::uint32_t(random() % complex.number_of_edges()));
       if (!complex.is_flippable(e))
         continue;
-      correspondence.flip(complex, e);
+      correspondence.flip(complex, complex.hinge(e));
       complex.flip(e);
     }
     correspondence.prepare(complex);

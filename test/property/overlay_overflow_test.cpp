@@ -87,7 +87,7 @@ struct Grown_torus
   void flip()
   {
     const Edge_index e((last.idx() + 1) % 3);
-    correspondence.flip(complex, e);
+    correspondence.flip(complex, complex.hinge(e));
     edges.flip(complex, e);
     complex.flip(e);
     last = e;
@@ -134,7 +134,7 @@ TEST(Overlay_overflow, NotesThatLeadBeyondTheLastCountAreAnError)
   IT::internal::Correspondence correspondence;
   for (unsigned i = 0; i < 130; ++i) {
     const Edge_index e(i % 3);
-    correspondence.flip(complex, e);
+    correspondence.flip(complex, complex.hinge(e));
     complex.flip(e);
   }
   for (int again = 0; again < 2; ++again) {

@@ -203,7 +203,7 @@ TEST(Parallel_results, integers_of_many_flips)
     for (IT::Edge_index e : complex.edges()) {
       if (!complex.is_flippable(e))
         continue;
-      flipped.flip(complex, e);
+      flipped.flip(complex, complex.hinge(e));
       complex.flip(e);
     }
   IT::internal::Correspondence expected = flipped;
@@ -230,13 +230,12 @@ TEST(Parallel_results, integers_that_are_too_large_are_an_error)
     const IT::Edge_index e(i % 3);
     engine.flip(complex.hinge(e));
   }
-  std::vector<IT::Hinge_halfedges> more;
-  for (unsigned i = 20; i < 130; ++i) {
-    const IT::Edge_index e(i % 3);
-    more.push_back(complex.hinge(e));
-    engine.flip_in_block(more.back());
+  {
+    IT::internal::Exact_engine::Journals journals(engine, 1);
+    IT::internal::Exact_engine::Journals::Journal& journal = journals.next();
+    for (unsigned i = 20; i < 130; ++i)
+      journal.flip(complex.hinge(IT::Edge_index(i % 3)));
   }
-  engine.append(more);
   for_each_number_of_threads([&] {
     EXPECT_THROW(engine.prepare<Parallel_tag>(), IT::Integer_overflow_error);
     EXPECT_FALSE(engine.correspondence().is_prepared());

@@ -144,7 +144,8 @@ TEST_P(Refined_data, has_no_small_angle_without_a_reason)
   ASSERT_TRUE(complex.is_valid());
   for (IT::Edge_index e : complex.edges()) {
     if (complex.is_flippable(e)) {
-      ASSERT_NE(IT::internal::engine(t).sign_by_unfolding(e), CGAL::NEGATIVE) << e.idx();
+      ASSERT_NE(IT::internal::engine(t).test(e, IT::internal::Exact_engine::Means::UNFOLDING)->sign, CGAL::NEGATIVE)
+        << e.idx();
     }
   }
   EXPECT_NEAR(total_area(t) / area, 1, 1e-14);

@@ -62,7 +62,8 @@ IT::Refinement_report refine(Triangulation t, const std::vector<bool>& is_constr
   EXPECT_NEAR(total_area(t) / area, 1, 1e-13);
   for (IT::Edge_index e : complex.edges())
     if (complex.is_flippable(e) && !is_part(t, e, is_constrained)) {
-      EXPECT_NE(IT::internal::engine(t).sign_by_unfolding(e), CGAL::NEGATIVE) << e.idx();
+      EXPECT_NE(IT::internal::engine(t).test(e, IT::internal::Exact_engine::Means::UNFOLDING)->sign, CGAL::NEGATIVE)
+        << e.idx();
     }
   for (std::size_t v = number_of_input_vertices; v < complex.number_of_vertices(); ++v)
     EXPECT_TRUE(is_exactly_flat(t, IT::Vertex_index(v))) << v;

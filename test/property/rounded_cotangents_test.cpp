@@ -7,7 +7,7 @@
 #include "insert_random_vertices.h"
 #include "samples/sample_surfaces.h"
 
-#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
@@ -34,13 +34,14 @@ struct Count
 void expect_bounds_that_hold(const Triangulation& t, Count& count)
 {
   const IT::Delta_complex& complex = t.connectivity();
+  const IT::internal::Engine_numbers numbers(IT::internal::engine(t));
   for (IT::Face_index f : complex.faces()) {
-    IT::internal::Exact_engine::Rounded_face_cotangents rounded;
-    IT::internal::Exact_engine::Face_cotangents precise;
-    IT::internal::engine(t).find_cotangents(f, rounded);
-    IT::internal::engine(t).find_cotangents(f, precise);
-    const auto area = IT::internal::engine(t).rounded_four_areas(f);
-    const auto precise_area = IT::internal::engine(t).corner(complex.halfedge(f)).four_areas;
+    IT::internal::Engine_numbers::Rounded_face_cotangents rounded;
+    IT::internal::Engine_numbers::Face_cotangents precise;
+    numbers.find_cotangents(f, rounded);
+    numbers.find_cotangents(f, precise);
+    const auto area = numbers.rounded_four_areas(f);
+    const auto precise_area = numbers.corner(complex.halfedge(f)).four_areas;
     count.areas += area.error() < 0x1p-32 * area.hi();
     const double area_difference = (area.hi() - precise_area.hi()) - precise_area.lo();
     ASSERT_LE(std::abs(area_difference), 1.0001 * (area.error() + precise_area.error())) << f;

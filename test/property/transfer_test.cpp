@@ -7,6 +7,7 @@
 #include "evaluation_data.h"
 #include "overlay_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
 
 #include <CGAL/IO/polygon_soup_io.h>

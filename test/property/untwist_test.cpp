@@ -8,6 +8,7 @@
 
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/untwist.h>
 
 #include <boost/property_map/property_map.hpp>

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -209,10 +210,11 @@ TEST(Rounded_numbers, are_those_of_single_edges_and_faces)
       for (std::uint32_t f = 0; is_refined && f < 20 && f < input.number_of_faces(); ++f)
         IT::insert_vertex(t, IT::Surface_point{input.halfedge(IT::Face_index(f)), {0.25, 0.5, 0.25}});
       const IT::Delta_complex& c = t.connectivity();
-      IT::internal::Exact_engine::Rounded_numbers rounded(c);
+      IT::internal::Rounded_numbers rounded(c);
+      const IT::internal::Engine_numbers element_numbers(IT::internal::engine(t));
       const std::size_t half = c.number_of_faces() / 2;
-      IT::internal::engine(t).find_numbers(half, c.number_of_faces(), rounded);
-      IT::internal::engine(t).find_numbers(0, half, rounded);
+      element_numbers.find_numbers(half, c.number_of_faces(), rounded);
+      element_numbers.find_numbers(0, half, rounded);
       const auto expect_same = [&](double x, double expected) {
         ++numbers;
         if (std::isnan(x))

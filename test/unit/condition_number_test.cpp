@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/eigenvalues.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

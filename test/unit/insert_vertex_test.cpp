@@ -58,7 +58,7 @@ public:
     const IT::internal::Exact_engine& geometry = IT::internal::engine(triangulation);
     for (IT::Edge_index e : complex.edges()) {
       if (complex.is_flippable(e)) {
-        ASSERT_NE(geometry.sign_by_unfolding(e), CGAL::NEGATIVE) << e;
+        ASSERT_NE(geometry.test(e, IT::internal::Exact_engine::Means::UNFOLDING)->sign, CGAL::NEGATIVE) << e;
       }
     }
     for (IT::Face_index f : complex.faces())

@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/circle_pattern_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <gtest/gtest.h>
 

@@ -7,6 +7,7 @@
 #include "samples/sample_surfaces.h"
 
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 

@@ -46,7 +46,8 @@ void expect_refined(const Triangulation& triangulation, const IT::Refinement_rep
   ASSERT_TRUE(complex.is_valid());
   for (IT::Edge_index e : complex.edges()) {
     if (complex.is_flippable(e)) {
-      ASSERT_NE(IT::internal::engine(triangulation).sign_by_unfolding(e), CGAL::NEGATIVE);
+      ASSERT_NE(IT::internal::engine(triangulation).test(e, IT::internal::Exact_engine::Means::UNFOLDING)->sign,
+                CGAL::NEGATIVE);
     }
   }
   std::set<IT::Face_index> listed;

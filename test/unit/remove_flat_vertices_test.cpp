@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/remove_flat_vertices.h>
+#include <CGAL/Intrinsic_triangulations/surface_features.h>
 
 #include <gtest/gtest.h>
 

@@ -70,7 +70,7 @@ void expect_consistent(const Triangulation& triangulation)
   const IT::internal::Exact_engine& geometry = IT::internal::engine(triangulation);
   for (IT::Edge_index e : complex.edges()) {
     if (complex.is_flippable(e)) {
-      ASSERT_NE(geometry.sign_by_unfolding(e), CGAL::NEGATIVE) << e;
+      ASSERT_NE(geometry.test(e, IT::internal::Exact_engine::Means::UNFOLDING)->sign, CGAL::NEGATIVE) << e;
     }
   }
   for (IT::Face_index f : complex.faces()) {
@@ -163,8 +163,8 @@ TEST(Remove_vertex, flat_parts_are_decided_as_by_unfolding)
         const IT::internal::Exact_engine& geometry = IT::internal::engine(triangulation);
         for (IT::Edge_index e : complex.edges())
           if (complex.is_flippable(e)) {
-            const CGAL::Sign sign = geometry.sign_of_cotangents(e);
-            ASSERT_EQ(sign, geometry.sign_by_unfolding(e)) << e;
+            const CGAL::Sign sign = geometry.test(e)->sign;
+            ASSERT_EQ(sign, geometry.test(e, IT::internal::Exact_engine::Means::UNFOLDING)->sign) << e;
             ties += sign == CGAL::ZERO ? 1 : 0;
           }
       }

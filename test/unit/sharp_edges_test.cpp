@@ -5,7 +5,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/sharp_edges.h>
+#include <CGAL/Intrinsic_triangulations/surface_features.h>
 
 #include <gtest/gtest.h>
 

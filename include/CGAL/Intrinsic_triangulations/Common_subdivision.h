@@ -336,13 +336,13 @@ private:
     : engine_(std::move(released.engine)), overlay_(build_overlay<ConcurrencyTag>(released.go_further, progress)),
       positions_(engine_, overlay_, visitor(progress, part_of_graph, 1), ConcurrencyTag())
   {
-    engine_.set_interruption({});
+    engine_.decisions().interruption.exchange({});
   }
 
   template <class ConcurrencyTag>
   Overlay build_overlay(const std::function<bool()>& go_further, const Progress_function& progress)
   {
-    engine_.set_interruption(go_further);
+    engine_.decisions().interruption.exchange(go_further);
     engine_.prepare<ConcurrencyTag>();
     return Overlay(engine_.connectivity(), engine_.correspondence(), visitor(progress, 0, part_of_graph),
                    ConcurrencyTag());

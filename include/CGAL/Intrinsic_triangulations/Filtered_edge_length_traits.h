@@ -8,6 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_FILTERED_EDGE_LENGTH_TRAITS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_FILTERED_EDGE_LENGTH_TRAITS_H
 
+#include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
@@ -117,20 +118,9 @@ public:
   /// undecided tests are passed on to the exact engine of the triangulation
   using Uses_exact_geometry = Tag_true;
 
+  // Each difference, square and sum adds at most u, and nothing cancels: right up to 6 u.
   /// makes the squared length of an edge, with a relative error of at most 6 u.
-  struct Construct_edge_data
-  {
-    // Each difference, square and sum adds at most u, and nothing cancels: right up to 6 u.
-    /// \brief makes the edge from p to q.
-    /// \tparam Number `double`, or two of them for two edges
-    template <class Number>
-    Number operator()(const std::array<Number, 3>& p, const std::array<Number, 3>& q) const
-    {
-      return internal::squared_distance_3(p, q);
-    }
-    /// makes the edge of this length.
-    Edge_data from_length(double length) const { return length * length; }
-  };
+  using Construct_edge_data = Edge_length_traits<double>::Construct_edge_data;
 
   /// makes the area of a face with its first error bound.
   struct Construct_face_data
@@ -331,17 +321,9 @@ public:
     bool operator()(const Face_data& f) const { return f.value > f.error; }
   };
   /// gives the stored squared length of an edge, accurate to the stored bound.
-  struct Compute_squared_length
-  {
-    /// returns the squared length.
-    double operator()(const Edge_data& e) const { return e; }
-  };
+  using Compute_squared_length = Edge_length_traits<double>::Compute_squared_length;
   /// gives the length of an edge from the stored squared length.
-  struct Compute_length
-  {
-    /// returns the length.
-    double operator()(const Edge_data& e) const { return internal::rounded_sqrt(e); }
-  };
+  using Compute_length = Edge_length_traits<double>::Compute_length;
   /// gives the stored area of a face.
   struct Compute_area
   {

@@ -481,7 +481,7 @@ private:
     internal::Bounded_double_double sum;
     for (Halfedge_index h : halfedges(p)) {
       const Halfedge_index side = complex().is_border(h) ? complex().opposite(h) : h;
-      sum = sum + sqrt(internal::engine(triangulation_).corner(side).s_opposite);
+      sum = sum + sqrt(internal::Engine_numbers(internal::engine(triangulation_)).corner(side).s_opposite);
     }
     return sum;
   }

@@ -54,7 +54,6 @@ enum class Heat_boundary {
   AVERAGED   ///< the mean of both, often the most accurate
 };
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 struct Heat_options
@@ -76,7 +75,6 @@ Heat_options heat_options_of(const NamedParameters& np)
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
 ///

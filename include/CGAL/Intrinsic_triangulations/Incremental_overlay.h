@@ -16,7 +16,6 @@
 #include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -168,16 +167,6 @@ private:
   std::vector<Side> sides_; // of the sources of chords
 };
 
-/// \cond SKIP_IN_MANUAL
-namespace internal {
-
-// Says how the two differ, or nothing. Crossings have no numbers in common: those of
-// `incremental` are learnt along the intrinsic edges.
-std::string difference_of_overlays(const Overlay& overlay, const Incremental_overlay& incremental);
-
-} // namespace internal
-/// \endcond
-
 /// \ingroup PkgIntrinsicTriangulationsOverlay
 /// \brief returns whether two overlays are the same: whether each edge of both triangulations has
 /// the same crossings in the same order, and the same edges coincide, in the same direction.
@@ -193,7 +182,6 @@ bool are_same_overlay(const Overlay& overlay, const Incremental_overlay& increme
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Incremental_overlay_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/overlay/are_same_overlay_impl.h>
 #endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INCREMENTAL_OVERLAY_H

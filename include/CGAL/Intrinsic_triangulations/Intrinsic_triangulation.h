@@ -10,8 +10,8 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/Saved_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Removed_elements.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
@@ -198,7 +198,7 @@ public:
   void set_tie_proof(Tie_proof tie_proof)
   {
     CGAL_precondition(keeps_input());
-    engine_.set_tie_proof(tie_proof);
+    engine_.decisions().tie_proof = tie_proof;
   }
   /// \brief sets a function that is called from time to time during long exact decisions: if it returns `false`, the
   /// decision throws a `Cancelled_error`, and nothing changes.
@@ -210,7 +210,7 @@ public:
   std::function<bool()> set_interruption(std::function<bool()> go_further)
   {
     CGAL_precondition(keeps_input());
-    return engine_.set_interruption(std::move(go_further));
+    return engine_.decisions().interruption.exchange(std::move(go_further));
   }
 
   /// returns whether the input was kept.
@@ -259,7 +259,7 @@ public:
   FT length(Edge_index e) const
   {
     if constexpr (uses_exact_geometry)
-      return engine_.length(e);
+      return internal::Engine_numbers(engine_).length(e);
     return in_input_unit(traits_.compute_length_object()(edge_data(e)), 1);
   }
   /// returns the squared length of `e`.
@@ -271,7 +271,7 @@ public:
   FT area(Face_index f) const
   {
     if constexpr (uses_exact_geometry)
-      return engine_.area(f);
+      return internal::Engine_numbers(engine_).area(f);
     const Halfedge_index h = connectivity().halfedge(f);
     return in_input_unit(traits_.compute_area_object()(face_data(f), edge_data(edge(h)),
                                                        edge_data(edge(connectivity().next(h))),
@@ -284,7 +284,7 @@ public:
   {
     CGAL_precondition(!connectivity().is_border(h));
     if constexpr (uses_exact_geometry)
-      return engine_.cotangent(h);
+      return internal::Engine_numbers(engine_).cotangent(h);
     return traits_.compute_cotangent_object()(face_data(connectivity().face(h)), edge_data(edge(h)),
                                               edge_data(edge(connectivity().next(h))),
                                               edge_data(edge(connectivity().prev(h))));
@@ -294,7 +294,7 @@ public:
   FT cotangent_weight(Edge_index e) const
   {
     if constexpr (uses_exact_geometry)
-      return engine_.cotangent_weight(e);
+      return internal::Engine_numbers(engine_).cotangent_weight(e);
     const Halfedge_index h = connectivity().halfedge(e), g = connectivity().opposite(h);
     if (connectivity().is_border(h))
       return cotangent(g);
@@ -316,7 +316,7 @@ public:
     const Boolean answer = traits_.is_locally_Delaunay_object()(hinge(e));
     if constexpr (uses_exact_geometry)
       if (!is_certain(answer))
-        return engine_.sign_of_cotangents(e) != NEGATIVE;
+        return engine_.test(e)->sign != NEGATIVE;
     return answer;
   }
 
@@ -334,7 +334,7 @@ public:
       if (is_certain(answer)) // the filter decides no tie
         return certainly(answer) ? POSITIVE : NEGATIVE;
     }
-    return prepared_engine().sign_of_cotangents(e);
+    return prepared_engine().test(e)->sign;
   }
 
   /// \brief returns how many tests of `flip_to_Delaunay()` each stage decided.
@@ -342,7 +342,7 @@ public:
   /// With traits without exact geometry, all count as decided by the filter.
   Stage_counts stage_counts() const
   {
-    Stage_counts counts = uses_exact_geometry ? engine_.stage_counts() : Stage_counts();
+    Stage_counts counts = keeps_input() ? engine_.decisions().counts : Stage_counts();
     counts.decided[std::size_t(Stage::FILTER)] = number_of_filter_decisions_;
     return counts;
   }
@@ -514,14 +514,10 @@ private:
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
-    const Face_index f = connectivity().face(piece.side);
-    const Halfedge_index first = connectivity().halfedge(f);
+    const Halfedge_index first = connectivity().halfedge(connectivity().face(piece.side));
     make_room_for_vertex();
     const Vertex_index v = engine_.split_face(piece, location);
-    measure_star(v, [&] {
-      remove(engine_.unsplit_face(v));
-      engine_.set_halfedge(f, first);
-    });
+    measure_star(v, [&] { remove(engine_.unsplit_face(v, {first})); });
     return v;
   }
   // Splits an edge that coincides with an input edge, and the faces beside it, by a new vertex.
@@ -533,25 +529,19 @@ private:
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
-    const Face_index faces[] = {connectivity().face(h), connectivity().face(connectivity().opposite(h))};
-    Halfedge_index first[2];
-    for (int i : {0, 1})
-      if (faces[i].is_valid())
-        first[i] = connectivity().halfedge(faces[i]);
+    const auto first_beside = [this](Halfedge_index side) {
+      return connectivity().is_border(side) ? Halfedge_index() : connectivity().halfedge(connectivity().face(side));
+    };
+    const Halfedge_index first = first_beside(h), second = first_beside(connectivity().opposite(h));
     make_room_for_vertex();
     const Vertex_index v = engine_.split_edge(h, location);
-    measure_star(v, [&] {
-      remove(engine_.unsplit_edge(h));
-      for (int i : {0, 1})
-        if (faces[i].is_valid())
-          engine_.set_halfedge(faces[i], first[i]);
-    });
+    measure_star(v, [&] { remove(engine_.unsplit_edge(h, {first, second})); });
     return v;
   }
   // Replaces the triangulation, which is still its input, by one that a file says has come from it.
   // \exception Invalid_surface_error if it has not; then this can only be destroyed
-  template <class ConcurrencyTag>
-  void restore(internal::Saved_triangulation saved)
+  template <class ConcurrencyTag, class Saved>
+  void restore(Saved saved)
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
@@ -568,7 +558,7 @@ private:
           return false;
       return true;
     };
-    engine_.restore(saved, internal::block_runner<ConcurrencyTag>(), is_known);
+    saved.restore(engine_, internal::block_runner<ConcurrencyTag>(), is_known);
     edges_ = std::move(saved.squared_lengths);
     faces_.resize(connectivity().number_of_faces(), internal::default_init);
     bounds_ = internal::Cotangent_bounds(connectivity());
@@ -675,9 +665,12 @@ private:
     const auto measures = [&](const internal::Face_halfedges& face) {
       if (is_accurate(face_data(face.face)))
         return false;
-      if (!engine_.has_inserted_corner(face.h))
+      const auto is_given = [&](Halfedge_index side) {
+        return connectivity().source(side).idx() < engine_.metric().points().size();
+      };
+      if (is_given(face.h) && is_given(face.next) && is_given(face.prev))
         return true;
-      recompute(face.h, engine_.corner(face.h)); // the points of inserted vertices are no doubles
+      recompute(face.h, engine_.kept_corner(face.h)); // the points of inserted vertices are no doubles
       return false;
     };
     const bool measures_one = measures(one), measures_two = measures(two);
@@ -849,10 +842,8 @@ private:
   // \param around the halfedges around the edge before the flip
   void flip_back(const Hinge_halfedges& around, const Replaced_numbers& replaced)
   {
-    engine_.flip_back(around);
+    engine_.flip_back(around, {replaced.first_of_ijk, replaced.first_of_jil});
     const Face_index f = connectivity().face(around.ij), g = connectivity().face(around.ji);
-    engine_.set_halfedge(f, replaced.first_of_ijk);
-    engine_.set_halfedge(g, replaced.first_of_jil);
     edges_[edge(around.ij).idx()] = replaced.ij;
     faces_[f.idx()] = replaced.ijk;
     faces_[g.idx()] = replaced.jil;
@@ -875,7 +866,6 @@ private:
   std::uint64_t number_of_filter_decisions_ = 0;
 };
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // What is left of a triangulation that was given up.
@@ -916,7 +906,6 @@ const internal::Exact_engine& engine(const Triangulation& triangulation)
 }
 
 } // namespace internal
-/// \endcond
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

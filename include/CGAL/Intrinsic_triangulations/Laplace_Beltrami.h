@@ -39,7 +39,6 @@ enum class Stiffness_factor {
   ONE   ///< `w_ij = cot k + cot l`: as in section 3.1 of the paper
 };
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 template <class ConcurrencyTag, class Edge_weight>
@@ -74,7 +73,6 @@ inline double area_beside(const Delta_complex& complex, const std::vector<double
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the stiffness matrix for given cotangent weights.
@@ -229,7 +227,6 @@ Laplace_Beltrami_operator extrinsic_Laplacian(const TriangleMesh& mesh,
   return {stiffness_matrix<ConcurrencyTag>(triangulation), lumped_mass_matrix<ConcurrencyTag>(triangulation)};
 }
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // What turns a vector at the target of h into the parallel one at its source.
@@ -273,7 +270,6 @@ assemble_connection_Laplacian(const Delta_complex& complex, const std::vector<Pl
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the connection Laplacian: the operator on tangent vectors whose kernel consists of the parallel

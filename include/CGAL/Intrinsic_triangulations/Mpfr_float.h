@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_MPFR_FLOAT_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_MPFR_FLOAT_H
 
-#include <CGAL/Intrinsic_triangulations/boost_multiprecision_floats.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/boost_multiprecision_floats.h>
 
 #include <boost/multiprecision/mpfr.hpp>
 

@@ -32,7 +32,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // Begins the use of MPI and hypre where the program has not, and ends it with the program. hypre has one state for all
@@ -92,7 +91,6 @@ struct Hypre_objects
 };
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 ///

@@ -29,7 +29,6 @@ namespace Intrinsic_triangulations {
 template <class Traits>
 class Intrinsic_triangulation;
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 class Exact_engine;
 template <class ConcurrencyTag, class Triangulation>
@@ -52,7 +51,6 @@ struct Overlay_face_tag
   static constexpr char letter = 'f';
 };
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsOverlay
 /// \brief which of the two triangulations a segment of the overlay is part of: the labels o,

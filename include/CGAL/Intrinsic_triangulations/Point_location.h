@@ -299,7 +299,6 @@ private:
   std::vector<bool> has_inserted_; // for each input face, if there are inserted vertices
 };
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // The point of a triangle that is nearest to the origin.
@@ -361,7 +360,6 @@ private:
 };
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief returns the point of a surface that is nearest to a given point in space, for instance a picked one.

@@ -59,7 +59,6 @@ struct Direct
 struct Intrinsic_Delaunay
 {};
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // The mesh as it is: from its points, or if these do not show their coordinates, from their distances.
@@ -113,7 +112,6 @@ bool has_obtuse_border(const Triangulation& triangulation)
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
 ///

@@ -102,7 +102,6 @@ struct Tufted_cover
   Tufted_cover_report report;
 };
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 struct Cover_options
@@ -165,7 +164,6 @@ Tufted_cover build_cover_of_complex(const Delta_complex& complex, const std::vec
                                     const Cover_options& options);
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsCover
 /// \brief builds an oriented surface without border over any triangles, for operators that want one.

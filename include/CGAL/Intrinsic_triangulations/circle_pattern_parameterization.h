@@ -48,7 +48,6 @@ struct Circle_pattern
   int iterations = 0;                      ///< the number of steps of Newton's method
 };
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // The energy of Kharevych, Springborn and Schröder (2006), section 2, as a function of the
@@ -254,7 +253,6 @@ inline Planar_points lay_out(const Delta_complex& complex, const Circle_pattern_
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief returns the discrete conformal map of a disk by a circle pattern: it preserves the intersection angles of the

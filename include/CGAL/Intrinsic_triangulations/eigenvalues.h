@@ -31,7 +31,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // Solves (L + M) x = b, as Spectra asks for it: the shift is -1 always.
@@ -153,7 +152,6 @@ inline std::vector<Eigenpair> smallest_eigenpairs(const Eigen::SparseMatrix<doub
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the smallest solutions λ of `L u = λ M u`, in increasing order.
@@ -226,7 +224,6 @@ struct Extreme_eigenvalues
   double condition_number() const { return largest / smallest; }
 };
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // Which rows of the stiffness matrix count, and where it is singular.
@@ -365,7 +362,6 @@ double largest_eigenvalue(Operator& op)
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the smallest and the largest eigenvalue of a stiffness matrix, whose ratio is

@@ -28,7 +28,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // From the numbers of the traits. A face without area has one angle of π, opposite to its longest edge.
@@ -67,7 +66,6 @@ void for_each_halfedge_from(const Delta_complex& complex, Vertex_index v, const 
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief the numbers of all edges and faces.
@@ -137,11 +135,11 @@ std::vector<double> edge_lengths(const Intrinsic_triangulation<Traits>& triangul
 template <class Traits>
 std::vector<double> exact_edge_lengths(const Intrinsic_triangulation<Traits>& triangulation)
 {
-  const internal::Exact_engine& engine = internal::engine(triangulation);
+  const internal::Engine_numbers numbers(internal::engine(triangulation));
   std::vector<double> result;
   result.reserve(triangulation.connectivity().number_of_edges());
   for (Edge_index e : triangulation.connectivity().edges())
-    result.push_back(engine.length(e));
+    result.push_back(numbers.length(e));
   return result;
 }
 
@@ -245,7 +243,7 @@ double angle(const Intrinsic_triangulation<Traits>& triangulation, Halfedge_inde
 {
   CGAL_precondition(!triangulation.connectivity().is_border(h));
   if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry)
-    return internal::engine(triangulation).angle(h);
+    return internal::Engine_numbers(internal::engine(triangulation)).angle(h);
   else
     return internal::angle_by_number_type(triangulation, h);
 }

@@ -11,8 +11,11 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Delaunay_flipper.h>
-#include <CGAL/Intrinsic_triangulations/internal/flips/Parallel_Delaunay_flipper.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <CGAL/Intrinsic_triangulations/internal/flips/Parallel_Delaunay_flipper.h>
+#endif
+#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
@@ -47,7 +50,6 @@ inline std::uint64_t default_maximum_number_of_flips(std::size_t number_of_edges
   return (std::max)(std::uint64_t(10000000), 100 * std::uint64_t(number_of_edges));
 }
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // \param triangulation a Whole_triangulation, or what has its members
@@ -68,12 +70,15 @@ Flip_report flip_all(Triangulation triangulation, const ConstraintMap& is_constr
   std::optional<Interruption_scope<Triangulation>> scope;
   if constexpr (Triangulation::Traits::Uses_exact_geometry::value && !Is_silent<Visitor>::value)
     scope.emplace(triangulation, [&flipper] { return flipper.goes_further(); });
+  require_threads<ConcurrencyTag>();
+#ifdef CGAL_LINKED_WITH_TBB
   if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value) {
     using Parallel = Parallel_Delaunay_flipper<typename Triangulation::Traits, ConstraintMap, Visitor>;
     if (Parallel::is_useful(triangulation.triangulation()))
       return flipper.finish(
         Parallel(triangulation.triangulation(), is_constrained, visitor, budget, marks).settle_all(flipper));
   }
+#endif
   return flipper.finish(flipper.settle(0, n));
 }
 
@@ -102,7 +107,6 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief flips edges until the triangulation is Delaunay.

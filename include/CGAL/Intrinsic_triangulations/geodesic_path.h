@@ -129,7 +129,6 @@ struct Geodesic_path
   Geodesic_report report;                       ///< the report of the shortening
 };
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 template <class TriangleMesh>
@@ -157,7 +156,6 @@ inline Surface_point seen_from_one_side(const Delta_complex& input, const Surfac
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief returns the vertex at a point of the input, and inserts one if there is none.
@@ -194,7 +192,6 @@ Vertex_index vertex_at_point(Intrinsic_triangulation<Traits>& triangulation, con
                        parameters::edge_is_constrained_map(Static_boolean_property_map<Edge_index, true>()));
 }
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // From a triangulation of the mesh that has both vertices.
@@ -225,7 +222,6 @@ Geodesic_path shortened_edge_path(const TriangleMesh& mesh, Intrinsic_triangulat
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief finds a locally shortest path between two vertices of a mesh.

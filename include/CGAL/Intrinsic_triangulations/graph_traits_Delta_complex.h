@@ -84,7 +84,6 @@ private:
   Halfedge_index halfedge_;
 };
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 class Oriented_edge_iterator
@@ -113,31 +112,6 @@ struct Position_map
   friend value_type get(const Position_map&, const key_type& k) { return k.idx(); }
 };
 
-// For a property tag, the descriptors that it is about.
-template <class Tag>
-struct Descriptor_of
-{};
-template <>
-struct Descriptor_of<boost::vertex_index_t>
-{
-  using type = Vertex_index;
-};
-template <>
-struct Descriptor_of<boost::halfedge_index_t>
-{
-  using type = Halfedge_index;
-};
-template <>
-struct Descriptor_of<boost::edge_index_t>
-{
-  using type = Oriented_edge;
-};
-template <>
-struct Descriptor_of<boost::face_index_t>
-{
-  using type = Face_index;
-};
-
 template <class Descriptor, class T>
 struct Dynamic_map
 {
@@ -146,7 +120,6 @@ struct Dynamic_map
 };
 
 } // namespace internal
-/// \endcond
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
@@ -320,92 +293,43 @@ inline std::pair<Oriented_edge, bool> edge(Vertex_index u, Vertex_index v, const
   return {Oriented_edge(h.first), h.second};
 }
 
-// PropertyGraph
-
-template <class Tag>
-internal::Position_map<typename internal::Descriptor_of<Tag>::type> get(Tag, const Delta_complex&)
-{
-  return {};
-}
-template <class Tag>
-std::uint32_t get(Tag, const Delta_complex&, typename internal::Descriptor_of<Tag>::type descriptor)
-{
-  return descriptor.idx();
-}
-
-template <class T>
-typename internal::Dynamic_map<Vertex_index, T>::type get(const dynamic_vertex_property_t<T>&, const Delta_complex& g)
-{
-  return typename internal::Dynamic_map<Vertex_index, T>::type(g.number_of_vertices());
-}
-template <class T>
-typename internal::Dynamic_map<Halfedge_index, T>::type get(const dynamic_halfedge_property_t<T>&,
-                                                            const Delta_complex& g)
-{
-  return typename internal::Dynamic_map<Halfedge_index, T>::type(g.number_of_halfedges());
-}
-template <class T>
-typename internal::Dynamic_map<Oriented_edge, T>::type get(const dynamic_edge_property_t<T>&, const Delta_complex& g)
-{
-  return typename internal::Dynamic_map<Oriented_edge, T>::type(g.number_of_edges());
-}
-template <class T>
-typename internal::Dynamic_map<Face_index, T>::type get(const dynamic_face_property_t<T>&, const Delta_complex& g)
-{
-  return typename internal::Dynamic_map<Face_index, T>::type(g.number_of_faces());
-}
-
 } // namespace Intrinsic_triangulations
-
-template <>
-struct graph_has_property<Intrinsic_triangulations::Delta_complex, boost::vertex_index_t> : Tag_true
-{};
-template <>
-struct graph_has_property<Intrinsic_triangulations::Delta_complex, boost::halfedge_index_t> : Tag_true
-{};
-template <>
-struct graph_has_property<Intrinsic_triangulations::Delta_complex, boost::edge_index_t> : Tag_true
-{};
-template <>
-struct graph_has_property<Intrinsic_triangulations::Delta_complex, boost::face_index_t> : Tag_true
-{};
-
 } // namespace CGAL
 
-namespace boost {
-
-#define CGAL_INTRINSIC_TRIANGULATIONS_INDEX_MAP(TAG)                                                                   \
-  template <>                                                                                                          \
-  struct property_map<CGAL::Intrinsic_triangulations::Delta_complex, TAG>                                              \
+// PropertyGraph: the positions of one kind of elements, and what is stored for each of them.
+#define CGAL_INTRINSIC_TRIANGULATIONS_MAPS(ELEMENT, DESCRIPTOR, NUMBER)                                                \
+  namespace CGAL {                                                                                                     \
+  namespace Intrinsic_triangulations {                                                                                 \
+  inline internal::Position_map<DESCRIPTOR> get(boost::ELEMENT##_index_t, const Delta_complex&) { return {}; }         \
+  inline std::uint32_t get(boost::ELEMENT##_index_t, const Delta_complex&, DESCRIPTOR x) { return x.idx(); }           \
+  template <class T>                                                                                                   \
+  typename internal::Dynamic_map<DESCRIPTOR, T>::type get(const dynamic_##ELEMENT##_property_t<T>&,                    \
+                                                          const Delta_complex& g)                                      \
   {                                                                                                                    \
-    using type = CGAL::Intrinsic_triangulations::internal::Position_map<                                               \
-      CGAL::Intrinsic_triangulations::internal::Descriptor_of<TAG>::type>;                                             \
+    return typename internal::Dynamic_map<DESCRIPTOR, T>::type(g.NUMBER());                                            \
+  }                                                                                                                    \
+  }                                                                                                                    \
+  template <>                                                                                                          \
+  struct graph_has_property<Intrinsic_triangulations::Delta_complex, boost::ELEMENT##_index_t> : Tag_true              \
+  {};                                                                                                                  \
+  }                                                                                                                    \
+  namespace boost {                                                                                                    \
+  template <>                                                                                                          \
+  struct property_map<CGAL::Intrinsic_triangulations::Delta_complex, ELEMENT##_index_t>                                \
+  {                                                                                                                    \
+    using type = CGAL::Intrinsic_triangulations::internal::Position_map<CGAL::Intrinsic_triangulations::DESCRIPTOR>;   \
     using const_type = type;                                                                                           \
-  };
-CGAL_INTRINSIC_TRIANGULATIONS_INDEX_MAP(vertex_index_t)
-CGAL_INTRINSIC_TRIANGULATIONS_INDEX_MAP(halfedge_index_t)
-CGAL_INTRINSIC_TRIANGULATIONS_INDEX_MAP(edge_index_t)
-CGAL_INTRINSIC_TRIANGULATIONS_INDEX_MAP(face_index_t)
-#undef CGAL_INTRINSIC_TRIANGULATIONS_INDEX_MAP
-
-template <class T>
-struct property_map<CGAL::Intrinsic_triangulations::Delta_complex, CGAL::dynamic_vertex_property_t<T>>
-  : CGAL::Intrinsic_triangulations::internal::Dynamic_map<CGAL::Intrinsic_triangulations::Vertex_index, T>
-{};
-template <class T>
-struct property_map<CGAL::Intrinsic_triangulations::Delta_complex, CGAL::dynamic_halfedge_property_t<T>>
-  : CGAL::Intrinsic_triangulations::internal::Dynamic_map<CGAL::Intrinsic_triangulations::Halfedge_index, T>
-{};
-template <class T>
-struct property_map<CGAL::Intrinsic_triangulations::Delta_complex, CGAL::dynamic_edge_property_t<T>>
-  : CGAL::Intrinsic_triangulations::internal::Dynamic_map<CGAL::Intrinsic_triangulations::Oriented_edge, T>
-{};
-template <class T>
-struct property_map<CGAL::Intrinsic_triangulations::Delta_complex, CGAL::dynamic_face_property_t<T>>
-  : CGAL::Intrinsic_triangulations::internal::Dynamic_map<CGAL::Intrinsic_triangulations::Face_index, T>
-{};
-
-} // namespace boost
+  };                                                                                                                   \
+  template <class T>                                                                                                   \
+  struct property_map<CGAL::Intrinsic_triangulations::Delta_complex, CGAL::dynamic_##ELEMENT##_property_t<T>>          \
+    : CGAL::Intrinsic_triangulations::internal::Dynamic_map<CGAL::Intrinsic_triangulations::DESCRIPTOR, T>             \
+  {};                                                                                                                  \
+  }
+CGAL_INTRINSIC_TRIANGULATIONS_MAPS(vertex, Vertex_index, number_of_vertices)
+CGAL_INTRINSIC_TRIANGULATIONS_MAPS(halfedge, Halfedge_index, number_of_halfedges)
+CGAL_INTRINSIC_TRIANGULATIONS_MAPS(edge, Oriented_edge, number_of_edges)
+CGAL_INTRINSIC_TRIANGULATIONS_MAPS(face, Face_index, number_of_faces)
+#undef CGAL_INTRINSIC_TRIANGULATIONS_MAPS
 /// \endcond
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_GRAPH_TRAITS_DELTA_COMPLEX_H

@@ -40,7 +40,6 @@ struct Edge_normal_coordinate_tag
 /// \brief the property tag for `Intrinsic_triangulation::number_of_crossings()`.
 inline constexpr Edge_normal_coordinate_tag edge_normal_coordinate{};
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 template <class Traits>
@@ -111,7 +110,6 @@ struct Property_map_of<Traits, boost::face_index_t> : Index_map_of<Traits, boost
 {};
 
 } // namespace internal
-/// \endcond
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

@@ -39,7 +39,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 inline void check_new_vertex(const Delta_complex& input, const Surface_point& point)
@@ -80,7 +79,7 @@ inline std::optional<Halfedge_index> halfedge_along(const internal::Exact_engine
                            correspondence.coordinates().number_of_crossings(e) - 1 - start.position);
       for (std::size_t step = 1; !walk.step(); ++step)
         if (step % 1024 == 0)
-          engine.interruption().check();
+          engine.decisions().interruption.check();
       v = walk.end_vertex();
     }
     Sign order = NEGATIVE; // of the point and v, from the source on
@@ -115,14 +114,14 @@ inline std::optional<Vertex_index> vertex_at(const Delta_complex& complex,
 
 inline void check_area(const internal::Exact_engine& engine, const Surface_point& point)
 {
-  const Face_index f = engine.correspondence().input().face(point.halfedge);
-  if (!engine.has_input_face_area(f))
+  const Delta_complex& input = engine.correspondence().input();
+  const Face_index f = input.face(point.halfedge);
+  if (!engine.metric().has_area(input, f))
     throw Invalid_point_error("a new vertex lies in face " + std::to_string(f.idx()) +
                               " of the input, which has zero area: move it into another one");
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
 /// \brief inserts a vertex at a point of the input, and flips edges until the triangulation is Delaunay again.

@@ -15,12 +15,12 @@
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_conversion.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_kinds.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/check_triangles.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/copy_face_graph.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/metric/Rational_points.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/default_traits.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
-#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -56,7 +56,6 @@ struct Triangulation_and_report
   Flip_report report;                            ///< the report of `flip_to_Delaunay()`
 };
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // The metric exactly, or nothing if all coordinates are doubles, or not all finite.
@@ -138,7 +137,6 @@ Triangulation_and_report<Traits> flipped(Intrinsic_triangulation<Traits> triangu
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief the default traits for points of a kernel:
@@ -297,7 +295,7 @@ auto intrinsic_triangulation(const PointRange& points, const TriangleRange& tria
   const Traits traits = parameters::choose_parameter<Traits>(parameters::get_parameter(np, internal_np::geom_traits));
 
   const std::size_t number_of_vertices = std::size_t(std::distance(std::begin(points), std::end(points)));
-  Delta_complex connectivity = make_Delta_complex_from_triangles(number_of_vertices, triangles);
+  Delta_complex connectivity = internal::Delta_complex_builder::from_triangles(number_of_vertices, triangles);
   if constexpr (Triangulation::uses_exact_geometry && !internal::is_machine_number<typename Kernel::FT>) {
     const auto coordinates_of = [](const auto& p) -> const auto& { return p; };
     std::optional<Input_metric> metric = internal::rational_metric(points, coordinates_of, connectivity);

@@ -38,7 +38,6 @@ struct Mollification_report
                                            ///< infinite if an edge of length zero was lengthened
 };
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // Sums of lengths are rounded, so each condition is checked as it will be checked by
@@ -145,7 +144,6 @@ private:
 };
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief lengthens edges until every triangle satisfies the triangle inequality with a

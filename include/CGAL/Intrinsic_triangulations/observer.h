@@ -63,8 +63,14 @@ struct Default_visitor
 /// An empty function acts like one that always returns `true`.
 using Progress_function = std::function<bool(double fraction)>;
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
+
+// Whether a V can be given to a generic lambda, whose return type says what that has to have.
+template <class V, class Call>
+constexpr bool can_call(Call)
+{
+  return std::is_invocable<Call, V&>::value;
+}
 
 // What is called in place of a visitor that was given as a named parameter: a model of IntrinsicTriangulationVisitor,
 // whose events may be missing, or a function of the progress, of its fraction, or of nothing. By value, or as a
@@ -88,46 +94,10 @@ class Observer
     return visitor.get();
   }
 
-  template <class V, class = void>
-  struct Is_visitor : std::false_type
-  {};
-  template <class V>
-  struct Is_visitor<V, std::void_t<decltype(std::declval<V&>().go_further(std::declval<const Progress&>()))>>
-    : std::true_type
-  {};
-  template <class V, class = void>
-  struct Has_after_flip : std::false_type
-  {};
-  template <class V>
-  struct Has_after_flip<V, std::void_t<decltype(std::declval<V&>().after_flip(Edge_index()))>> : std::true_type
-  {};
-  template <class V, class = void>
-  struct Has_before_step : std::false_type
-  {};
-  template <class V>
-  struct Has_before_step<
-    V, std::void_t<decltype(std::declval<V&>().before_step(std::declval<const Refinement_progress&>()))>>
-    : std::true_type
-  {};
-  template <class V, class = void>
-  struct Has_after_insertion : std::false_type
-  {};
-  template <class V>
-  struct Has_after_insertion<V, std::void_t<decltype(std::declval<V&>().after_insertion(Vertex_index()))>>
-    : std::true_type
-  {};
-
-  template <class V, class Boolean, class = void>
-  struct Has_after_test : std::false_type
-  {};
-  template <class V, class Boolean>
-  struct Has_after_test<V, Boolean,
-                        std::void_t<decltype(std::declval<V&>().after_test(Edge_index(), std::declval<Boolean>()))>>
-    : std::true_type
-  {};
-
   using Visitor = std::remove_reference_t<decltype(unwrapped(std::declval<Given&>()))>;
-  static_assert(Is_visitor<Visitor>::value || std::is_invocable_r_v<bool, Visitor&, const Progress&> ||
+  static constexpr bool is_visitor =
+    can_call<Visitor>([](auto& v) -> decltype(void(v.go_further(std::declval<const Progress&>()))) {});
+  static_assert(is_visitor || std::is_invocable_r_v<bool, Visitor&, const Progress&> ||
                   std::is_invocable_r_v<bool, Visitor&, double> || std::is_invocable_r_v<bool, Visitor&>,
                 "a visitor needs a member function bool go_further(const Progress&), or is itself a function of a "
                 "Progress, of a fraction or "
@@ -137,14 +107,15 @@ public:
   using Is_silent = Boolean_tag<std::is_same<std::remove_const_t<Visitor>, Default_visitor>::value>;
 
   template <class Boolean>
-  static constexpr bool sees_tests = Has_after_test<Visitor, Boolean>::value;
+  static constexpr bool sees_tests =
+    can_call<Visitor>([](auto& v) -> decltype(void(v.after_test(Edge_index(), std::declval<Boolean>()))) {});
 
   explicit Observer(Given given) : given_(std::move(given)) {}
 
   bool go_further(const Progress& progress)
   {
     Visitor& visitor = unwrapped(given_);
-    if constexpr (Is_visitor<Visitor>::value)
+    if constexpr (is_visitor)
       return visitor.go_further(progress);
     else if constexpr (std::is_same<std::remove_const_t<Visitor>, Progress_function>::value)
       return !visitor || visitor(progress.fraction);
@@ -160,7 +131,7 @@ public:
 
   void after_flip([[maybe_unused]] Edge_index e)
   {
-    if constexpr (Has_after_flip<Visitor>::value)
+    if constexpr (can_call<Visitor>([](auto& v) -> decltype(void(v.after_flip(Edge_index()))) {}))
       unwrapped(given_).after_flip(e);
   }
   template <class Boolean>
@@ -170,12 +141,13 @@ public:
   }
   void before_step([[maybe_unused]] const Refinement_progress& progress)
   {
-    if constexpr (Has_before_step<Visitor>::value)
+    if constexpr (can_call<Visitor>(
+                    [](auto& v) -> decltype(void(v.before_step(std::declval<const Refinement_progress&>()))) {}))
       unwrapped(given_).before_step(progress);
   }
   void after_insertion([[maybe_unused]] Vertex_index v)
   {
-    if constexpr (Has_after_insertion<Visitor>::value)
+    if constexpr (can_call<Visitor>([](auto& v) -> decltype(void(v.after_insertion(Vertex_index()))) {}))
       unwrapped(given_).after_insertion(v);
   }
 
@@ -283,7 +255,6 @@ private:
 };
 
 } // namespace internal
-/// \endcond
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

@@ -36,7 +36,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // The triangles that the points around each point suggest: those around it in the Delaunay triangulation of its
@@ -132,7 +131,6 @@ inline Eigen::SparseMatrix<double> with_rows(const Eigen::SparseMatrix<double>& 
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsCover
 /// \brief returns the Laplace-Beltrami operator of points that lie near an unknown surface.

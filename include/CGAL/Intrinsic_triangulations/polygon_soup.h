@@ -60,14 +60,12 @@ std::uintmax_t readable_file_size(const std::string& file_name);
 /// if no program is known
 std::string conversion_advice(const std::string& file_name);
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // \exception Invalid_surface_error that names the file and a face that is no triangle
 void require_triangles(const std::string& file_name, const Polygon_soup& soup);
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsIO
 /// \brief reads the points and triangles of a file, as `read_polygon_soup()`.

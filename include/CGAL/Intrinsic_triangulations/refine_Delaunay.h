@@ -29,7 +29,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // Asks the observer of a refinement while edges are flipped before it.
@@ -44,7 +43,6 @@ struct Flips_before_refinement
 };
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
 /// \brief flips edges until the triangulation is Delaunay, and inserts vertices until no triangle is too thin or too

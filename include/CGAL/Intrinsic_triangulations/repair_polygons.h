@@ -96,7 +96,6 @@ inline const char* name(Repair_kind kind)
   return "";
 }
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // What a kind of repair counts, one and several.
@@ -118,7 +117,6 @@ inline Repaired_polygons repair(std::vector<std::array<double, 3>> points,
                                 std::vector<std::vector<std::size_t>> polygons, const Progress_function& progress);
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
 /// \brief returns whether `repair_polygons()` can repair a defect.

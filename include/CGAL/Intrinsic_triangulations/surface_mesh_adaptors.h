@@ -41,7 +41,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // Gives a mesh that has vertices alone the edges and faces of a complex or an overlay, by
@@ -93,7 +92,6 @@ auto points_of(const TriangleMesh& mesh, const NamedParameters& np)
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsAdaptors
 /// \brief copies a complex into a `Surface_mesh`, with the same numbering of all elements.

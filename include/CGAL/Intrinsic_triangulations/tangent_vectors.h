@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Planar_vector.h>
@@ -30,7 +31,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 template <class Triangulation>
@@ -60,17 +60,18 @@ inline double direction_on_input(const internal::Exact_engine& engine, Halfedge_
   const internal::Correspondence& correspondence = engine.correspondence();
   const Delta_complex& input = correspondence.input();
   const Vertex_index v = complex.source(h);
-  const auto begin = engine.edge_beginning(h);
+  const internal::Engine_numbers numbers(engine);
+  const auto begin = numbers.edge_beginning(h);
   double sum = std::arg(begin.vector);
   if (!correspondence.is_inserted(v)) {
     for (Halfedge_index side = first_axis(input, v); side != begin.reference; side = input.next_around_source(side))
-      sum += engine.input_angle(side);
+      sum += numbers.input_angle(side);
     return sum;
   }
   // From a side of the face to the next one, one turns left by π minus the angle between them.
   const auto turn = [&](Halfedge_index& side) {
     side = input.next(side);
-    return CGAL_PI - engine.input_angle(side);
+    return CGAL_PI - numbers.input_angle(side);
   };
   const Surface_point& location = correspondence.location(v);
   Halfedge_index side = location.halfedge;
@@ -108,7 +109,6 @@ std::pair<Halfedge_index, double> halfedge_with_direction(const Intrinsic_triang
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns each halfedge as a vector in the tangent plane of its source.
@@ -198,7 +198,6 @@ struct Vertex_frame
   }
 };
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 using Space_vector = std::array<double, 3>;
@@ -244,7 +243,6 @@ inline Vertex_frame frame_of(Space_vector normal, const Space_vector& first)
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the tangent planes of `halfedge_vectors_in_vertex()` in space, for drawing.

@@ -47,7 +47,6 @@ struct Traced_geodesic
   std::vector<Surface_point> points;
 };
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 Traced_geodesic trace(const internal::Exact_engine& engine, const Surface_direction& start, double length,
                       std::size_t maximum_number);
@@ -55,7 +54,6 @@ Traced_geodesic trace_in_triangulation(const internal::Exact_engine& engine, con
                                        double length, std::size_t maximum_number);
 Surface_direction direction_at_vertex(const internal::Exact_engine& engine, Halfedge_index h, double angle);
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief follows a straight line over the input faces.
@@ -124,15 +122,13 @@ Surface_direction direction_at_vertex(const Intrinsic_triangulation<Traits>& tri
   return internal::direction_at_vertex(internal::engine(triangulation), h, angle);
 }
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // Appends the source of h, its crossings with input edges in order, and its target.
-// \pre `geometry.prepare()` was called
+// \pre `engine.prepare()` was called
 void append_input_points(const internal::Exact_engine& engine, Halfedge_index h, std::vector<Surface_point>& points);
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief returns the points of the input through which intrinsic halfedges run, one after the other.

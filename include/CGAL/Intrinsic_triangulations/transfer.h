@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/area_in_input_unit.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/affine_image.h>
@@ -27,7 +28,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // The fraction that the triangle of three points takes of the face in whose coordinates they are.
@@ -68,7 +68,7 @@ struct Areas_in_both
       input.push_back(area_in_input_unit(engine.metric().four_areas_double_double(complex, f).hi() / 4,
                                          engine.metric().unit_exponent(), f));
     for (Face_index f : subdivision.intrinsic().faces())
-      intrinsic.push_back(engine.area(f));
+      intrinsic.push_back(internal::Engine_numbers(engine).area(f));
   }
 
   std::vector<double> input, intrinsic;
@@ -89,7 +89,6 @@ void for_each_overlay_fan(const Common_subdivision& subdivision, const Areas_in_
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsOverlay
 /// \brief returns the area of each face of the overlay, in the unit of the input.
@@ -112,7 +111,6 @@ inline std::vector<double> face_areas(const Common_subdivision& subdivision)
   return areas;
 }
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 template <class Value, class = void>
@@ -159,7 +157,6 @@ auto interpolate_at_crossings(const Common_subdivision& subdivision, const Delta
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
 /// \brief returns at each vertex of the overlay the piecewise linear function with given values at

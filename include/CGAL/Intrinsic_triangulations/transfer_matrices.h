@@ -30,7 +30,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
@@ -70,7 +69,6 @@ inline std::array<int, 3> corner_vertices(const Delta_complex& complex, Face_ind
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
 /// \brief returns `interpolate_input_values()` as a matrix: a row for each vertex of the overlay, a

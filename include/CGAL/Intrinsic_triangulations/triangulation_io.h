@@ -118,7 +118,7 @@ void write_triangulation(std::ostream& os, const Common_subdivision& subdivision
     [](Face_index) {
       return std::array<double, 2>{unknown, std::numeric_limits<double>::infinity()};
     }};
-  internal::write_saved_file(os, engine, engine.stage_counts(), numbers, {}, internal::go_further_function_of(np));
+  internal::write_saved_file(os, engine, engine.decisions().counts, numbers, {}, internal::go_further_function_of(np));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsIO
@@ -175,8 +175,8 @@ read_triangulation(std::istream& is, const NamedParameters& np = parameters::def
     whole.restore<ConcurrencyTag>(std::move(file.triangulation));
     whole.count_as_tested(file.counts[Stage::FILTER]);
     file.counts.decided[std::size_t(Stage::FILTER)] = 0;
-    whole.engine().stage_counts() = file.counts;
-    whole.engine().set_tie_proof(file.tie_proof);
+    whole.engine().decisions().counts = file.counts;
+    whole.engine().decisions().tie_proof = file.tie_proof;
   }
   if constexpr (internal::has_edge_constraints<NamedParameters>) {
     const auto map = get_parameter(np, internal_np::edge_is_constrained);

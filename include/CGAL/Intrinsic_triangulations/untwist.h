@@ -34,7 +34,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 Untwisting untwist(Delta_complex& complex, std::vector<Rational>& squared_lengths,
@@ -42,7 +41,6 @@ Untwisting untwist(Delta_complex& complex, std::vector<Rational>& squared_length
                    const std::function<bool(std::uint64_t, std::uint64_t)>& go_further);
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsTwists
 /// \brief returns the exact squares of lengths that are doubles, for `untwist()`. O(size).
@@ -125,7 +123,6 @@ struct Gluing_triangulation
   Untwisting untwisting; ///< the twists; `crossings` count how often its edges cross the given ones
 };
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // Passes everything on, and counts crossings.
@@ -150,7 +147,6 @@ private:
 };
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsTwists
 /// \brief constructs the intrinsic Delaunay triangulation of a gluing, from its exact lengths or squared lengths.

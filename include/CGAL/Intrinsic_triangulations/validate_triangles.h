@@ -117,14 +117,12 @@ std::string message(const Surface_report& report, const std::string& name = std:
 /// Complexity: constant.
 void throw_if_fatal(const Surface_report& report, const std::string& name = std::string());
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // What is found in polygons that were copied.
 Surface_report examine(const std::vector<std::array<double, 3>>& points, Polygon_sides& polygons);
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
 /// \brief examines whether polygons form an oriented 2-manifold of triangles with usable edge lengths.

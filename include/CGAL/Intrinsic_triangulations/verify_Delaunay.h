@@ -49,7 +49,6 @@ struct Delaunay_verification
   bool is_Delaunay() const { return not_Delaunay.empty() && inverted.empty(); }
 };
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // Decides blocks of faces, then blocks of edges.
@@ -117,7 +116,7 @@ private:
 
   void verify(Face_index f, Delaunay_verification& found) const
   {
-    engine_.interruption().check();
+    engine_.decisions().interruption.check();
     if (engine_.sign_of_area(f) == NEGATIVE)
       found.inverted.push_back(f);
   }
@@ -126,8 +125,8 @@ private:
     if (!complex_.is_flippable(e) || get(is_constrained_, e))
       return;
     ++found.tests;
-    engine_.interruption().check();
-    const Sign sign = engine_.sign_by_unfolding(e);
+    engine_.decisions().interruption.check();
+    const Sign sign = engine_.test(e, internal::Exact_engine::Means::UNFOLDING)->sign;
     if (sign == NEGATIVE)
       found.not_Delaunay.push_back(e);
     else if (sign == ZERO)
@@ -148,7 +147,6 @@ private:
 };
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief decides every interior edge again, exactly, from the input and the connectivity alone.

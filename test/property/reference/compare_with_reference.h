@@ -8,6 +8,7 @@
 #define IDT_TEST_COMPARE_WITH_REFERENCE_H
 
 #include "Reference_triangulation.h"
+#include "length_interval.h"
 
 #include "samples/sample_surface_types.h"
 
@@ -203,7 +204,7 @@ public:
       complain("connectivity", "the package's flips lead to another connectivity");
     else
       check_result(triangulation, replay);
-    result_.stages = IT::internal::engine(triangulation).stage_counts();
+    result_.stages = IT::internal::engine(triangulation).decisions().counts;
 
     const Edges package_edges = replay.unique_edges(options_.is_constrained);
     for (const auto& edge : package_edges)
@@ -277,7 +278,7 @@ private:
       result_.worst_length = (std::max)(result_.worst_length, error);
       if (!(error <= 1))
         complain("length", "edge ", e.idx(), " has length ", exact, ", the package says ", length);
-      const CGAL::Interval_nt<> interval = IT::internal::engine(triangulation).length_interval(e);
+      const CGAL::Interval_nt<> interval = length_interval(triangulation, e);
       const Real slack = exact * Real("1e-60"); // the reference is not exact either
       if (!(Real(interval.inf()) <= exact + slack && exact - slack <= Real(interval.sup())))
         complain("interval", "edge ", e.idx(), " has length ", exact, ", not in ", interval.inf(), " ... ",

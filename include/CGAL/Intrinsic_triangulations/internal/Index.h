@@ -66,7 +66,6 @@ private:
   size_type index_ = null_index();
 };
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 struct Vertex_tag
 {
@@ -85,7 +84,6 @@ struct Face_tag
   static constexpr char letter = 'f';
 };
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
 /// \brief descriptor of a vertex.

@@ -21,7 +21,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 enum class Parameter {
@@ -97,7 +96,6 @@ constexpr bool has_edge_constraints =
                 internal_np::Param_not_found>::value;
 
 } // namespace internal
-/// \endcond
 
 } // namespace Intrinsic_triangulations
 
@@ -111,130 +109,69 @@ auto get_parameter(const Intrinsic_triangulations::internal::Named_parameters<T,
 }
 /// \endcond
 
+// A function that begins a sequence with a parameter. The manual expands it, too.
+#define CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(name, parameter)                                                       \
+  template <class T>                                                                                                   \
+  auto name(const T& value)                                                                                            \
+  {                                                                                                                    \
+    using namespace Intrinsic_triangulations::internal;                                                                \
+    return named<Parameter::parameter>(value);                                                                         \
+  }
 /// \ingroup PkgIntrinsicTriangulationsNamedParameters
 /// \brief what exact decisions accept as a tie: a `Tie_proof`.
-template <class T>
-auto tie_proof(const T& value)
-{
-  return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::TIE_PROOF>(value);
-}
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(tie_proof, TIE_PROOF)
 /// \ingroup PkgIntrinsicTriangulationsNamedParameters
 /// \brief whether tubes of a gluing are untwisted before edges are flipped.
-template <class T>
-auto fast_forward(const T& value)
-{
-  return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::FAST_FORWARD>(value);
-}
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(fast_forward, FAST_FORWARD)
 /// \ingroup PkgIntrinsicTriangulationsNamedParameters
 /// \brief the angle in degrees below which no corner is to be.
-template <class T>
-auto minimum_angle(const T& value)
-{
-  return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::MINIMUM_ANGLE>(value);
-}
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(minimum_angle, MINIMUM_ANGLE)
 /// \ingroup PkgIntrinsicTriangulationsNamedParameters
 /// \brief the largest circumradius of a face, in the unit of the input.
-template <class T>
-auto maximum_circumradius(const T& value)
-{
-  return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::MAXIMUM_CIRCUMRADIUS>(
-    value);
-}
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(maximum_circumradius, MAXIMUM_CIRCUMRADIUS)
 /// \ingroup PkgIntrinsicTriangulationsNamedParameters
 /// \brief the largest length of an edge, in the unit of the input.
-template <class T>
-auto maximum_edge_length(const T& value)
-{
-  return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::MAXIMUM_EDGE_LENGTH>(
-    value);
-}
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(maximum_edge_length, MAXIMUM_EDGE_LENGTH)
 /// \ingroup PkgIntrinsicTriangulationsNamedParameters
 /// \brief the length of a side below which a face is not refined, in the unit of the input.
-template <class T>
-auto minimum_size(const T& value)
-{
-  return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::MINIMUM_SIZE>(value);
-}
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(minimum_size, MINIMUM_SIZE)
 /// \ingroup PkgIntrinsicTriangulationsNamedParameters
 /// \brief whether edges that are not flipped are split until no angle opposite to them is obtuse.
-template <class T>
-auto splits_encroached_edges(const T& value)
-{
-  return Intrinsic_triangulations::internal::named<
-    Intrinsic_triangulations::internal::Parameter::SPLITS_ENCROACHED_EDGES>(value);
-}
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(splits_encroached_edges, SPLITS_ENCROACHED_EDGES)
 /// \ingroup PkgIntrinsicTriangulationsNamedParameters
 /// \brief the time for which heat spreads, in units of the squared mean length of the edges.
-template <class T>
-auto time_coefficient(const T& value)
-{
-  return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::TIME_COEFFICIENT>(
-    value);
-}
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(time_coefficient, TIME_COEFFICIENT)
 /// \ingroup PkgIntrinsicTriangulationsNamedParameters
 /// \brief what heat does at the border: a `Heat_boundary`.
-template <class T>
-auto heat_boundary(const T& value)
-{
-  return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::HEAT_BOUNDARY>(value);
-}
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(heat_boundary, HEAT_BOUNDARY)
 /// \ingroup PkgIntrinsicTriangulationsNamedParameters
 /// \brief whether distances that are less than those of the vertices around allow are raised.
-template <class T>
-auto keeps_ridges(const T& value)
-{
-  return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::KEEPS_RIDGES>(value);
-}
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(keeps_ridges, KEEPS_RIDGES)
 /// \ingroup PkgIntrinsicTriangulationsNamedParameters
 /// \brief how much the length of a path may be changed at each edge that it crosses, as a part of the length of the
 /// edge.
-template <class T>
-auto tolerance(const T& value)
-{
-  return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::TOLERANCE>(value);
-}
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(tolerance, TOLERANCE)
 /// \ingroup PkgIntrinsicTriangulationsNamedParameters
 /// \brief what is built over triangles: a `Surface_cover`.
-template <class T>
-auto surface_cover(const T& value)
-{
-  return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::SURFACE_COVER>(value);
-}
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(surface_cover, SURFACE_COVER)
 /// \ingroup PkgIntrinsicTriangulationsNamedParameters
 /// \brief what is done with edges of length zero: a value of `Coincident_vertices`.
-template <class T>
-auto coincident_vertices(const T& value)
-{
-  return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::COINCIDENT_VERTICES>(
-    value);
-}
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(coincident_vertices, COINCIDENT_VERTICES)
 /// \ingroup PkgIntrinsicTriangulationsNamedParameters
 /// \brief whether all vertices at the same place become one.
-template <class T>
-auto is_welded(const T& value)
-{
-  return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::IS_WELDED>(value);
-}
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(is_welded, IS_WELDED)
 /// \ingroup PkgIntrinsicTriangulationsNamedParameters
 /// \brief if positive, the margin by which edges are lengthened, as by `mollify_lengths()`.
-template <class T>
-auto mollification(const T& value)
-{
-  return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::MOLLIFICATION>(value);
-}
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(mollification, MOLLIFICATION)
 /// \ingroup PkgIntrinsicTriangulationsNamedParameters
 /// \brief which mass matrix is returned: a `Mass_type`.
-template <class T>
-auto mass_type(const T& value)
-{
-  return Intrinsic_triangulations::internal::named<Intrinsic_triangulations::internal::Parameter::MASS_TYPE>(value);
-}
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(mass_type, MASS_TYPE)
+#undef CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER
 
 } // namespace parameters
 
 namespace Intrinsic_triangulations {
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // The value of a parameter, or the default; of the type of the default.
@@ -257,7 +194,6 @@ auto edge_constraints_of(const NamedParameters& np)
 }
 
 } // namespace internal
-/// \endcond
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

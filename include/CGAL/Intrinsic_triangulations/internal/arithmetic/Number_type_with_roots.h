@@ -42,9 +42,8 @@ auto checked_number_type()
   static_assert(
     Has_roots<FT>::value,
     "the number type of Edge_length_traits and Half_angle_traits must be a field with square root that CGAL knows: "
-    "take double, a float of Boost.Multiprecision (include its header, or boost_multiprecision_floats.h, before "
-    "those of Intrinsic_triangulations) or the FT of a kernel with square roots, or, for exact "
-    "decisions on points with rational coordinates, no traits at all");
+    "take double, a float of Boost.Multiprecision (include its header before those of Intrinsic_triangulations) or the "
+    "FT of a kernel with square roots, or, for exact decisions on points with rational coordinates, no traits at all");
   return Type<std::conditional_t<Has_roots<FT>::value, FT, double>>();
 }
 
@@ -58,7 +57,7 @@ using Number_type_with_roots = typename decltype(checked_number_type<FT>())::typ
 
 // Who has included Boost.Multiprecision need not ask for what makes its floats work; others need not parse it.
 #if defined(BOOST_MP_NUMBER_HPP) || defined(BOOST_MATH_EXTENDED_REAL_HPP) // since Boost 1.76, and before
-#include <CGAL/Intrinsic_triangulations/boost_multiprecision_floats.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/boost_multiprecision_floats.h>
 #endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_NUMBER_TYPE_WITH_ROOTS_H

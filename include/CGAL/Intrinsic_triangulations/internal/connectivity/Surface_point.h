@@ -71,7 +71,6 @@ inline std::array<double, 3> coordinates_from(const Delta_complex& complex, cons
   return {c, a, b};
 }
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // The side of its face that a point on an edge lies on.
@@ -98,7 +97,6 @@ inline std::pair<double, double> coordinates_on_edge(const Delta_complex& comple
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
 /// \brief returns the value at a point of the piecewise linear function with given values at the

@@ -65,7 +65,7 @@ struct Estimated_corner
 };
 
 // Compares the sum of the angles of corners with π.
-// \pre `geometry.prepare()` was called, and no corner has a face that is turned over
+// \pre `engine.prepare()` was called, and no corner has a face that is turned over
 // \exception Undecided_error, Cancelled_error as `sign_of_cotangent_weight()`
 Comparison_result compare_angle_sum_with_pi(const Exact_engine& engine, const std::vector<Estimated_corner>& corners);
 

@@ -11,24 +11,19 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/metric/Input_metric.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/reports.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Triangle_corner.h>
 #include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Block_runner.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Scratch_pool.h>
 
-#include <CGAL/Interval_nt.h>
 #include <CGAL/enum.h>
 #include <CGAL/tags.h>
 
-#include <array>
 #include <atomic>
-#include <complex>
 #include <cstddef>
-#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -41,11 +36,11 @@ namespace Intrinsic_triangulations {
 namespace internal {
 
 class Input_surface;
+class Engine_numbers;
+class Engine_restorer;
 class Exact_fallback;
 class Residues;
 class Vertex_positions;
-class Crossed_edges;
-struct Saved_triangulation;
 template <class Corner, class Image_corner>
 struct Known_corner;
 
@@ -57,12 +52,13 @@ struct Known_corner;
 // Without an input it is a connectivity only. `keep_input()` gives it one, and all but the changes need that.
 //
 // Its layers are folders, from the bottom up: history (integers, and what an edge crosses), metric (the input), layout
-// (triangles of the input laid out one after the other), and decide (signs from layouts).
+// (triangles of the input laid out one after the other), and decide (signs from layouts). Engine_numbers rounds what is
+// laid out, and Saved_triangulation replaces the triangulation by one from a file.
 //
 // All const member functions may be called by several threads at once: each works with memory of its own, and the first
 // one that needs the integers computes them while the others wait. Queries throw Integer_overflow_error if these leave
 // 64 bits, Undecided_error if a proof is demanded of a tie that takes too long, and Cancelled_error if the function
-// that was given to `set_interruption()` says so.
+// in `decisions().interruption` says so.
 class Exact_engine
 {
 public:
@@ -107,20 +103,46 @@ public:
   }
   // Undoes a flip, the last one that was not undone. Never throws.
   // \param around the halfedges around the edge before the flip
-  void flip_back(const Hinge_halfedges& around);
-  // Sets `halfedge(f)`, for who undoes a change.
-  void set_halfedge(Face_index f, Halfedge_index h) { connectivity_.set_halfedge(f, h); }
+  // \param first what shall be `halfedge(f)` of their faces
+  void flip_back(const Hinge_halfedges& around, std::initializer_list<Halfedge_index> first);
 
   // Flips are logged from now on until the next query, so that each takes the least time: for algorithms that consist
   // of flips. Those of other functions, which are few and between queries, are followed at once. O(1).
   void begin_journal();
-  // A flip in a part of the triangulation that a thread has to itself. What was flipped so is appended before the next
-  // query.
-  // \pre no query was made since `begin_journal()`
-  void flip_in_block(const Hinge_halfedges& around) { connectivity_.flip(around); }
-  void append(std::vector<Hinge_halfedges> flips);
-  // So many calls of append() do not throw then.
-  void make_room_for_journals(std::size_t number);
+  // Flips in parts of the triangulation, each of which a thread has to itself. At the end, when no thread flips, the
+  // engine takes them over.
+  // \pre no query is made from the last `begin_journal()` on until then
+  class Journals
+  {
+  public:
+    class Journal
+    {
+    public:
+      explicit Journal(Exact_engine& engine) : engine_(&engine) {}
+      void flip(const Hinge_halfedges& around)
+      {
+        if (engine_->keeps_input())
+          flips_.push_back(around);
+        engine_->connectivity_.flip(around);
+      }
+
+    private:
+      friend class Journals;
+      Exact_engine* engine_;
+      std::vector<Hinge_halfedges> flips_;
+    };
+
+    // \param most the number of journals, at most
+    Journals(Exact_engine& engine, std::size_t most);
+    Journals(const Journals&) = delete;
+    Journals& operator=(const Journals&) = delete;
+    ~Journals();
+    Journal& next() { return journals_.emplace_back(engine_); }
+
+  private:
+    Exact_engine& engine_;
+    std::vector<Journal> journals_;
+  };
 
   // \param location where the vertex lies: strictly inside a face of the input, and in `piece`
   Vertex_index split_face(const Triangle_piece& piece, const Surface_point& location);
@@ -128,38 +150,16 @@ public:
   // \param location where the vertex lies: on that input edge
   Vertex_index split_edge(Halfedge_index h, const Surface_point& location);
   // Removes an inserted vertex in the middle of three faces. Never throws if it was the last one that was inserted.
-  Removed_elements unsplit_face(Vertex_index v);
+  // \param first to undo a split: what shall be `halfedge(f)` of the faces that it split
+  Removed_elements unsplit_face(Vertex_index v, std::initializer_list<Halfedge_index> first = {});
   // Removes an inserted vertex, the target of `h`, on a straight line of two edges. Likewise.
-  Removed_elements unsplit_edge(Halfedge_index h);
-
-  // Replaces the triangulation by one that a file says has come from this input. All of that is checked, exactly.
-  // Its numbers stay there.
-  // \pre nothing was flipped, and `saved` has an entry for each of its elements
-  // \exception Invalid_surface_error if it is none; then this can only be destroyed
-  // \param is_known whether the numbers of a face are known to be right
-  void restore(Saved_triangulation& saved, const Block_runner& run, const std::function<bool(Face_index)>& is_known);
-  // Whether a face is known to be a triangle in space. Numbers that are rounded depend on that in the last place.
-  bool is_known_to_be_straight(Face_index f) const
-  {
-    find_straight_faces();
-    return is_straight(f);
-  }
-
-  // ---------------------------------------------------------------- how decisions are made
-
-  // What they accept as a tie.
-  void set_tie_proof(Tie_proof tie_proof);
-  Tie_proof tie_proof() const;
-  // A function that is called from time to time during a single decision that takes long: if it returns `false`, the
-  // decision ends with a Cancelled_error. Threads that decide call it, several at once if they do. An empty one, as at
-  // the beginning, ends none; copies do not take it over. Returns the one before.
-  std::function<bool()> set_interruption(std::function<bool()> go_further);
-  const Interruption& interruption() const;
-  // How the tests were decided, and those that others have counted.
-  Stage_counts& stage_counts();
-  const Stage_counts& stage_counts() const;
+  Removed_elements unsplit_edge(Halfedge_index h, std::initializer_list<Halfedge_index> first = {});
 
   // ---------------------------------------------------------------- decisions
+
+  // How they are made, and were made. \pre `keeps_input()`
+  Decisions& decisions();
+  const Decisions& decisions() const;
 
   // Computes the integers and recovers the input, where that was not done yet; all queries do so themselves. O(size +
   // number of flips) if there is a journal of flips, and O(1) otherwise. With threads, the integers are computed while
@@ -171,28 +171,26 @@ public:
       prepare(block_runner<ConcurrencyTag>());
   }
 
-  // The sign of `cot k + cot l` for the angles opposite to `e`. Where both faces have zero area, it is `NEGATIVE` if
-  // both angles are π, and `ZERO` otherwise. \pre `e` lies between two different faces
-  Sign sign_of_cotangents(Edge_index e) const;
-  // The same by the unfolding alone: what is known of the flips before, as that a face is straight in space, is not
-  // used.
-  Sign sign_by_unfolding(Edge_index e) const;
-  // The same on the way to a Delaunay triangulation: counts how the test was decided, and remembers what makes tests
-  // after the next flips cheap. `corners` receives the two corners, unless both faces lie in one plane in space.
-  Sign decide(Edge_index e, std::optional<Opposite_corners>& corners);
-  // By which stage a test was decided, and how.
+  // By which stage an edge was tested, and the sign of `cot k + cot l` for the angles opposite to it. Where both faces
+  // have zero area, that is `NEGATIVE` if both angles are π, and `ZERO` otherwise.
   struct Test
   {
     Stage stage;
     Sign sign;
   };
-  enum class Effort {
-    IN_PLANE,    // where both faces lie in one plane
-    SHORT_STRIPS // and where few input edges cross those that are not straight
+  // What a test may use.
+  enum class Means {
+    PLANES,       // only that both faces lie in one plane: there may be no answer
+    SHORT_STRIPS, // and layouts where few input edges cross the faces that are not straight: likewise
+    ALL,
+    UNFOLDING // layouts and what follows them: what is known of the flips before, as that a face is straight in space,
+              // is not used
   };
-  // The same by stages that never take long, for many tests while nothing is flipped. There is no answer where they do
-  // not suffice.
-  std::optional<Test> quick_test(Edge_index e, Effort effort) const;
+  // There is always an answer to `ALL` and to `UNFOLDING`. \pre `e` lies between two different faces
+  std::optional<Test> test(Edge_index e, Means means = Means::ALL) const;
+  // The sign on the way to a Delaunay triangulation: counts how the test was decided, and remembers what makes tests
+  // after the next flips cheap. `corners` receives the two corners, unless both faces lie in one plane in space.
+  Sign decide(Edge_index e, std::optional<Opposite_corners>& corners);
 
   // Whether the two faces of `e` form a strictly convex quadrilateral. \pre `e` lies between two different faces
   bool is_convex(Edge_index e) const;
@@ -204,100 +202,28 @@ public:
   // \param position after how many crossings `h` runs through the input face of the point
   Sign side_of(Halfedge_index h, std::int64_t position, const Surface_point& point) const;
 
-  // ---------------------------------------------------------------- numbers in the unit of the metric, with bounds
+  // ---------------------------------------------------------------- corners in the unit of the metric, with bounds
 
-  // The corner opposite to h, and those at a vertex: for each face the side opposite to it, counterclockwise.
-  // \pre h is not a border halfedge
-  Corner corner(Halfedge_index h) const;
+  // The corner opposite to h. What was laid out before is used, and what is laid out is kept. \pre h is no border
+  // halfedge
+  Corner kept_corner(Halfedge_index h);
+  // The corners at a vertex: for each face the side opposite to it, counterclockwise.
   std::vector<std::pair<Halfedge_index, Corner>> corners_at(Vertex_index v) const;
   // The same. What was laid out before is used, and what is laid out is kept, if edges at the vertex cross many input
   // edges.
-  Corner kept_corner(Halfedge_index h);
   std::vector<std::pair<Halfedge_index, Corner>> kept_corners_at(Vertex_index v);
-  // Whether a corner of the face of h was inserted into an input that is given by points.
-  bool has_inserted_corner(Halfedge_index h) const;
 
-  // ---------------------------------------------------------------- numbers in the unit of the input, rounded
-
-  // Returns the length of `e` in the unit of the input, within one unit in the last
-  // place.
-  double length(Edge_index e) const;
-
-  // Returns an interval around the length of `e`, in the unit of the input.
-  Interval_nt<> length_interval(Edge_index e) const;
-
-  // Returns the cotangent of the angle opposite to `h`, up to `2^-50 (1 + |cot|)`.
-  // \pre `h` is not a border halfedge, its face has positive area
-  double cotangent(Halfedge_index h) const;
-
-  // Returns the angle opposite to `h`, up to a relative error of `2^-49` unless it is below `2^-400`. In a face of
-  // zero area it is 0, or π rounded to `double`.
-  // \pre `h` is not a border halfedge
-  double angle(Halfedge_index h) const;
-
-  // Returns the sum of the cotangents of the one or two angles opposite to `e`, up to
-  // `2^-49` times one plus the sum of their absolute values. A sum of zero is exactly zero, and the sign is right.
-  // \pre `e` lies in faces of positive area
-  double cotangent_weight(Edge_index e) const;
-
-  // Returns the area of `f` in the unit of the input, up to a relative error of `2^-50`.
-  // A subnormal area is within two units in its last place, and not zero.
-  // \exception Invalid_surface_error if the unit of the input is so small or so large that the area leaves the range of
-  //   `double`
-  double area(Face_index f) const;
-
-  // Whether a face of the input has positive area.
-  bool has_input_face_area(Face_index f) const;
-
-  // Numbers of all elements, with one corner laid out for each face. NaN where that is not accurate enough to
-  // be rounded as where each corner and edge is laid out.
-  struct Rounded_numbers
-  {
-    explicit Rounded_numbers(const Delta_complex& complex);
-    // As cotangent_weight() up to the last digits, or NaN. \pre e is no border edge
-    double cotangent_weight(const Delta_complex& complex, Edge_index e) const;
-    // As angle() up to this relative error, or NaN. \pre h is not a border halfedge
-    double angle(Halfedge_index h, double relative_error) const;
-
-    Large_vector<double> lengths; // as length() returns them, up to the last digit
-    Large_vector<double> areas;   // in the unit of the metric
-    // Opposite to each halfedge of a face: `hi()`, `lo()` and `error()`, which is infinite unless the area is known to
-    // be positive.
-    Large_vector<std::array<double, 3>> cotangents;
-  };
-  // Finds what belongs to faces from first to before last: any number of threads may do that for other faces.
-  void find_numbers(std::size_t first, std::size_t last, Rounded_numbers& numbers) const;
-
-  // The cotangents of the angles of a face: opposite to `halfedge(f)` and to the halfedges that follow.
-  using Face_cotangents = std::array<Bounded_double_double, 3>;
-  // Finds them with one corner laid out. The errors are infinite where the area is not known to be positive.
-  void find_cotangents(Face_index f, Face_cotangents& result) const;
-  // The same in doubles, in a fraction of the time. The errors are infinite for long strips, too.
-  using Rounded_face_cotangents = std::array<Double_with_bound, 3>;
-  void find_cotangents(Face_index f, Rounded_face_cotangents& result) const;
-  // Likewise four times the area of a face, in the unit of the metric.
-  Double_with_bound rounded_four_areas(Face_index f) const;
-
-  // As `edge_beginning()` of `Unfolding`, with errors of at most 2^-50 of the vector, or of the source if that is
-  // longer.
-  struct Edge_beginning
-  {
-    std::complex<double> source, vector;
-    Halfedge_index reference;
-  };
-  Edge_beginning edge_beginning(Halfedge_index h) const;
-
-  // The angle at the source of an input halfedge, in its face, up to 2^-50. \pre `prepare()` was called, h is not a
-  // border halfedge
-  double input_angle(Halfedge_index h) const;
-
-  // The input as the images of its metric see it; the caller's own as long as the lease lives. \pre `prepare()` was
-  // called
+  // The input as the images of its metric see it, for layouts; the caller's own as long as the lease lives.
+  // \pre `prepare()` was called
   using Surface_lease = Scratch_pool<Input_surface>::Lease;
   Surface_lease input_surface() const;
 
 private:
+  friend class Engine_numbers;
+  friend class Engine_restorer;
+
   std::unique_ptr<Input_surface> new_surface() const;
+  Surface_lease prepared_surface() const;
 
   struct Memory;
   using Image_corner = Triangle_corner<Residues>;
@@ -314,6 +240,7 @@ private:
 
   bool flip_and_follow(const Hinge_halfedges& around);
   bool follow(const Hinge_halfedges& around);
+  void set_first(std::initializer_list<Halfedge_index> first);
   bool is_long_hinge(const Hinge_halfedges& around) const;
   bool is_prepared() const;
   void prepare(const Block_runner& run) const;
@@ -343,37 +270,14 @@ private:
   std::optional<Sign> sign_by_images(Edge_index e, const Opposite_corners& corners, Input_surface& surface,
                                      const FindImage& find_image) const;
 
-  template <std::size_t N, class Evaluate>
-  static std::array<std::complex<double>, N> rounded_vectors(Input_surface& surface, const Evaluate& evaluate);
-
   // As the public ones, with memory that the caller has taken.
-  Sign sign_of_cotangents(Edge_index e, Input_surface& surface) const;
+  Test test(Edge_index e, Input_surface& surface) const;
   Sign sign_of_area(Face_index f, Input_surface& surface) const;
-  double cotangent(Halfedge_index h, const Corner& corner, Input_surface& surface) const;
-  double signed_cotangent(Halfedge_index h, Input_surface& surface) const;
   Corner corner(Halfedge_index h, Input_surface& surface) const;
   Corner unfolded_corner(Halfedge_index h, Input_surface& surface) const;
   Bounded_double_double squared_length(Edge_index e, Input_surface& surface) const;
   Exact_fallback exact_fallback(Input_surface& surface) const;
   bool is_straight(Face_index f) const;
-  void check_line(Edge_index e) const;
-  // Whether the ends of the edges that h crosses lie on its two sides, or else on h, or else not so.
-  enum class Line_check {
-    STRAIGHT,
-    TOUCHING,
-    BENT
-  };
-  Line_check check_sides(Halfedge_index h, const Crossed_edges& crossed) const;
-  Face_index plane(Face_index f) const;
-  template <class Real>
-  struct Side_and_corner;
-  void find_angles(Face_index f, const Side_and_corner<Bounded_double_double>& at, Input_surface& surface,
-                   Large_vector<double>& angles) const;
-  bool are_sound(Face_index f, const Saved_triangulation& saved, const Side_and_corner<Bounded_double_double>& at,
-                 Input_surface& surface) const;
-  template <class Unfolding_>
-  Side_and_corner<Bounded_double_double> quickest_corner(Face_index f, const Unfolding_& unfolding) const;
-  std::optional<Side_and_corner<Double_with_bound>> rounded_corner(Face_index f) const;
   Corner straight_corner(Halfedge_index h) const;
 
   Delta_complex connectivity_;
@@ -390,8 +294,6 @@ private:
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_numbers_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_restore_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_signs_impl.h>
 #endif
 

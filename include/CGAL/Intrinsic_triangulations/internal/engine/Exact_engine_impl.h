@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Definitions of Exact_geometry: what it remembers, how it follows the flips, and corners.
+// Definitions of Exact_engine: what it remembers, how it follows the flips, and corners.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_IMPL_H
@@ -73,12 +73,10 @@ struct Exact_engine::Memory
 
   Sign decided(const Test& test)
   {
-    counts.add(test.stage, test.sign == ZERO);
+    decisions.counts.add(test.stage, test.sign == ZERO);
     return test.sign;
   }
 
-  Decision_settings settings;
-  Stage_counts counts;
   template <class Edges>
   void forget_developed_faces(const Delta_complex& complex, const Edges& flips)
   {
@@ -87,6 +85,7 @@ struct Exact_engine::Memory
         developed_faces.forget(complex.face(h));
   }
 
+  Decisions decisions;
   std::vector<Edge_index> journal;
   std::size_t number_of_known_flips = 0;
   std::optional<Straight_faces> straight_faces;
@@ -129,8 +128,8 @@ Exact_engine::Exact_engine(const Exact_engine& other) : connectivity_(other.conn
   const std::lock_guard<std::mutex> lock(other.memory_->mutex);
   correspondence_ = other.correspondence_;
   is_asked_ = other.is_asked_.load();
-  memory_->settings.tie_proof = other.memory_->settings.tie_proof;
-  memory_->counts = other.memory_->counts;
+  memory_->decisions.tie_proof = other.memory_->decisions.tie_proof;
+  memory_->decisions.counts = other.memory_->decisions.counts;
   memory_->journal = other.memory_->journal;
   memory_->number_of_known_flips = other.memory_->number_of_known_flips;
   memory_->straight_faces = other.memory_->straight_faces;
@@ -156,7 +155,7 @@ Exact_engine::Exact_engine(Exact_engine&& other) noexcept
   memory_->surface_of_images.reset();
   memory_->input_properties.reset();
   memory_->is_close_call.clear();
-  memory_->settings.interruption.exchange({});
+  memory_->decisions.interruption.exchange({});
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -174,34 +173,24 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_engine::~Exact_engine() = default;
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-const Stage_counts& Exact_engine::stage_counts() const
-{
-  static const Stage_counts none{};
-  return memory_ ? memory_->counts : none;
-}
+Decisions& Exact_engine::decisions() { return memory_->decisions; }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Stage_counts& Exact_engine::stage_counts() { return memory_->counts; }
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_engine::set_tie_proof(Tie_proof tie_proof) { memory_->settings.tie_proof = tie_proof; }
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Tie_proof Exact_engine::tie_proof() const { return memory_->settings.tie_proof; }
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-std::function<bool()> Exact_engine::set_interruption(std::function<bool()> go_further)
-{
-  return memory_->settings.interruption.exchange(std::move(go_further));
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-const Interruption& Exact_engine::interruption() const { return memory_->settings.interruption; }
+const Decisions& Exact_engine::decisions() const { return memory_->decisions; }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_engine::Surface_lease Exact_engine::input_surface() const
 {
   return memory_->surfaces.take([this] { return new_surface().release(); });
+}
+
+// For a query that also uses which faces are straight.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Exact_engine::Surface_lease Exact_engine::prepared_surface() const
+{
+  prepare();
+  find_straight_faces();
+  return input_surface();
 }
 
 // \pre `prepare()` was called
@@ -213,7 +202,7 @@ std::unique_ptr<Input_surface> Exact_engine::new_surface() const
     if (!memory_->input_properties)
       memory_->input_properties = std::make_unique<Input_properties>(correspondence_.input(), metric_);
   }
-  return std::make_unique<Input_surface>(correspondence_.input(), metric_, memory_->settings,
+  return std::make_unique<Input_surface>(correspondence_.input(), metric_, memory_->decisions,
                                          *memory_->input_properties);
 }
 
@@ -231,17 +220,20 @@ void Exact_engine::begin_journal()
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_engine::append(std::vector<Hinge_halfedges> flips)
+Exact_engine::Journals::Journals(Exact_engine& engine, std::size_t most) : engine_(engine)
 {
-  if (memory_)
-    correspondence_.append(std::move(flips));
+  journals_.reserve(most);
+  if (engine.memory_)
+    engine.correspondence_.make_room_for_journals(most);
 }
 
+// Flips of different journals commute as long as no other flip comes between: any order of them will do.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_engine::make_room_for_journals(std::size_t number)
+Exact_engine::Journals::~Journals()
 {
-  if (memory_)
-    correspondence_.make_room_for_journals(number);
+  if (engine_.memory_)
+    for (Journal& journal : journals_)
+      engine_.correspondence_.append(std::move(journal.flips_));
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -335,7 +327,7 @@ bool Exact_engine::flip_and_follow(const Hinge_halfedges& around)
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_engine::flip_back(const Hinge_halfedges& around)
+void Exact_engine::flip_back(const Hinge_halfedges& around, std::initializer_list<Halfedge_index> first)
 {
   if (memory_) {
     Memory& memory = *memory_;
@@ -350,6 +342,15 @@ void Exact_engine::flip_back(const Hinge_halfedges& around)
     correspondence_.flip_back(connectivity_, around);
   }
   connectivity_.flip_back(around);
+  set_first(first);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_engine::set_first(std::initializer_list<Halfedge_index> first)
+{
+  for (Halfedge_index h : first)
+    if (h.is_valid())
+      connectivity_.set_halfedge(connectivity_.face(h), h);
 }
 
 // Keeps up what is known of the faces, before the flip of the connectivity. Returns whether
@@ -415,7 +416,7 @@ void Exact_engine::prepare_insertion()
   find_straight_faces();
   prepare();
   if (correspondence_.number_of_inserted_vertices() == 0 || correspondence_.kept_crossings().is_empty())
-    Long_crossings(connectivity_, correspondence_, interruption()).keep();
+    Long_crossings(connectivity_, correspondence_, decisions().interruption).keep();
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -476,7 +477,7 @@ void Exact_engine::split_faces(const std::vector<Face_index>& faces, std::size_t
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Removed_elements Exact_engine::unsplit_edge(Halfedge_index h)
+Removed_elements Exact_engine::unsplit_edge(Halfedge_index h, std::initializer_list<Halfedge_index> first)
 {
   correspondence_.unsplit_edge(connectivity_, h);
   const Halfedge_index behind = connectivity_.continuation(h);
@@ -487,11 +488,12 @@ Removed_elements Exact_engine::unsplit_edge(Halfedge_index h)
                {connectivity_.face(connectivity_.opposite(h)), connectivity_.face(connectivity_.opposite(behind))});
   const Removed_elements removed = connectivity_.unsplit_edge(h);
   remove(removed);
+  set_first(first);
   return removed;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Removed_elements Exact_engine::unsplit_face(Vertex_index v)
+Removed_elements Exact_engine::unsplit_face(Vertex_index v, std::initializer_list<Halfedge_index> first)
 {
   const Halfedge_index a = connectivity_.halfedge(v), b = connectivity_.next_around_target(a),
                        c = connectivity_.next_around_target(b);
@@ -500,6 +502,7 @@ Removed_elements Exact_engine::unsplit_face(Vertex_index v)
   join_faces((std::min)(faces), faces);
   const Removed_elements removed = connectivity_.unsplit_face(v);
   remove(removed);
+  set_first(first);
   return removed;
 }
 
@@ -589,9 +592,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_engine::Corner Exact_engine::kept_corner(Halfedge_index h)
 {
   const Standard_arithmetic arithmetic;
-  prepare();
-  find_straight_faces();
-  return developed_corner(h, *input_surface());
+  return developed_corner(h, *prepared_surface());
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -640,21 +641,10 @@ std::vector<std::pair<Halfedge_index, Exact_engine::Corner>> Exact_engine::kept_
 // ---------------------------------------------------------------- corners
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_engine::Corner Exact_engine::corner(Halfedge_index h) const
-{
-  const Standard_arithmetic arithmetic;
-  prepare();
-  find_straight_faces();
-  return corner(h, *input_surface());
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 std::vector<std::pair<Halfedge_index, Exact_engine::Corner>> Exact_engine::corners_at(Vertex_index v) const
 {
   const Standard_arithmetic arithmetic;
-  prepare();
-  find_straight_faces(); // which is needed for a removal, too
-  const Surface_lease surface = input_surface();
+  const Surface_lease surface = prepared_surface(); // a removal needs to know the straight faces, too
   Double_double_metric metric(*surface);
   std::vector<std::pair<Halfedge_index, Corner>> result;
   Unfolding<Double_double_metric>(connectivity_, correspondence_, metric)

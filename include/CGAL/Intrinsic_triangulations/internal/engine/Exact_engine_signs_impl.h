@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Definitions of Exact_geometry: signs, each from the first stage that decides it.
+// Definitions of Exact_engine: signs, each from the first stage that decides it.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_SIGNS_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_SIGNS_IMPL_H
@@ -76,12 +76,6 @@ Sign Exact_engine::decide(Edge_index e, std::optional<Opposite_corners>& corners
   return memory.decided({decision.stage, decision.sign});
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-bool Exact_engine::has_inserted_corner(Halfedge_index h) const
-{
-  return positions().has_inserted_corner(connectivity_, h);
-}
-
 // \param straight_faces those of the memory; if they are const, nothing is remembered
 template <class Straight_faces>
 std::optional<Exact_engine::Test> Exact_engine::test_in_plane(Halfedge_index h, Straight_faces& straight_faces) const
@@ -95,18 +89,37 @@ std::optional<Exact_engine::Test> Exact_engine::test_in_plane(Halfedge_index h, 
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-std::optional<Exact_engine::Test> Exact_engine::quick_test(Edge_index e, Effort effort) const
+std::optional<Exact_engine::Test> Exact_engine::test(Edge_index e, Means means) const
 {
   const Standard_arithmetic arithmetic;
-  find_straight_faces();
   const Halfedge_index h = connectivity_.halfedge(e);
-  if (effort == Effort::IN_PLANE)
+  switch (means) {
+  case Means::PLANES:
+    find_straight_faces();
     return test_in_plane(h, std::as_const(*memory_->straight_faces));
-  prepare();
-  for (Halfedge_index side : {h, connectivity_.opposite(h)})
-    if (!is_straight(connectivity_.face(side)) && number_of_quantities(side) > short_strip)
-      return std::nullopt;
-  return test_by_corners(h, known_corners(h, *input_surface()));
+  case Means::SHORT_STRIPS:
+    find_straight_faces();
+    prepare();
+    for (Halfedge_index side : {h, connectivity_.opposite(h)})
+      if (!is_straight(connectivity_.face(side)) && number_of_quantities(side) > short_strip)
+        return std::nullopt;
+    return test_by_corners(h, known_corners(h, *input_surface()));
+  case Means::UNFOLDING: {
+    prepare();
+    const Surface_lease surface = input_surface();
+    Double_double_metric metric(*surface);
+    const Two_corners beside = corners_beside(connectivity_, e);
+    const Opposite_corners corners =
+      unfolded_corners(Unfolding<Double_double_metric>(connectivity_, correspondence_, metric), beside);
+    if (const Uncertain<Sign> sign = internal::sign_of_cotangents(corners.k, corners.l); is_certain(sign))
+      return Test{Stage::UNFOLDING, get_certain(sign)};
+    const auto decision = exact_fallback(*surface).sign_of_cotangents(beside);
+    return Test{decision.stage, decision.sign};
+  }
+  case Means::ALL:
+    break;
+  }
+  return test(e, *prepared_surface());
 }
 
 // From the corners beside h.
@@ -173,43 +186,20 @@ double Exact_engine::number_of_quantities(Halfedge_index h) const
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Sign Exact_engine::sign_of_cotangents(Edge_index e) const
+Exact_engine::Test Exact_engine::test(Edge_index e, Input_surface& surface) const
 {
-  const Standard_arithmetic arithmetic;
-  prepare();
-  find_straight_faces();
-  return sign_of_cotangents(e, *input_surface());
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Sign Exact_engine::sign_of_cotangents(Edge_index e, Input_surface& surface) const
-{
-  if (const std::optional<Test> test =
-        test_in_plane(connectivity_.halfedge(e), std::as_const(*memory_->straight_faces)))
-    return test->sign;
   const Halfedge_index h = connectivity_.halfedge(e);
+  if (const std::optional<Test> test = test_in_plane(h, std::as_const(*memory_->straight_faces)))
+    return *test;
   const Opposite_corners corners = known_corners(h, surface);
   if (const std::optional<Test> test = test_by_corners(h, corners))
-    return test->sign;
+    return *test;
   // New images would be computed in rings that all threads share.
   const auto find_image = [&](Halfedge_index side) { return image_of_developed_corner(side); };
   if (const std::optional<Sign> tie = sign_by_images(e, corners, surface, find_image))
-    return *tie;
-  return exact_fallback(surface).sign_of_cotangents(corners_beside(connectivity_, e)).sign;
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Sign Exact_engine::sign_by_unfolding(Edge_index e) const
-{
-  const Standard_arithmetic arithmetic;
-  prepare();
-  const Surface_lease surface = input_surface();
-  Double_double_metric metric(*surface);
-  const Two_corners beside = corners_beside(connectivity_, e);
-  const Opposite_corners corners =
-    unfolded_corners(Unfolding<Double_double_metric>(connectivity_, correspondence_, metric), beside);
-  const Uncertain<Sign> sign = internal::sign_of_cotangents(corners.k, corners.l);
-  return is_certain(sign) ? get_certain(sign) : exact_fallback(*surface).sign_of_cotangents(beside).sign;
+    return {Stage::MODULAR, *tie};
+  const auto decision = exact_fallback(surface).sign_of_cotangents(corners_beside(connectivity_, e));
+  return {decision.stage, decision.sign};
 }
 
 // The sign of the sum of cotangents, if images that were carried along tell that the edge is a tie, or that both
@@ -241,9 +231,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 bool Exact_engine::is_convex(Edge_index e) const
 {
   const Standard_arithmetic arithmetic;
-  prepare();
-  find_straight_faces();
-  const Surface_lease surface = input_surface();
+  const Surface_lease surface = prepared_surface();
   // At both ends of e the two angles have to sum to less than π.
   const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
   for (const Two_corners& at_end : {Two_corners{connectivity_.next(h), connectivity_.prev(g)},
@@ -262,15 +250,6 @@ Sign Exact_engine::sign_of_area(Face_index f) const
   const Standard_arithmetic arithmetic;
   prepare();
   return sign_of_area(f, *input_surface());
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-bool Exact_engine::has_input_face_area(Face_index f) const
-{
-  const Standard_arithmetic arithmetic;
-  const Delta_complex& input = correspondence_.input();
-  const Uncertain<Sign> sign = metric_.four_areas_double_double(input, f).sign();
-  return is_certain(sign) ? get_certain(sign) != ZERO : squared_four_areas(metric_, input, f) != 0;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -306,7 +285,7 @@ Sign Exact_engine::side_of(Halfedge_index h, std::int64_t position, const Surfac
       .area_beside(h, position, point);
   };
   const Surface_lease surface = input_surface();
-  Double_metric doubles(correspondence_.input(), metric_, interruption(), &*surface);
+  Double_metric doubles(correspondence_.input(), metric_, decisions().interruption, &*surface);
   if (const Uncertain<Sign> sign = area_beside(doubles).sign(); is_certain(sign))
     return get_certain(sign);
   if (!metric_.points().empty()) {

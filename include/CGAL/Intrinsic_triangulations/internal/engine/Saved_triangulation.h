@@ -9,16 +9,21 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_SAVED_TRIANGULATION_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Block_runner.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
+
+class Exact_engine;
 
 struct Saved_triangulation
 {
@@ -29,10 +34,21 @@ struct Saved_triangulation
   Large_vector<double> squared_lengths;
   Large_vector<std::array<double, 2>> areas;
   std::vector<bool> is_straight; // for each face: whether it was known to be a triangle in space
+
+  // Replaces the triangulation of an engine by this one, of which a file says that it has come from the engine's input.
+  // All of that is checked, exactly. The numbers stay here.
+  // \pre nothing was flipped, and there is an entry for each element
+  // \exception Invalid_surface_error if it has not; then the engine can only be destroyed
+  // \param is_known whether the numbers of a face are known to be right
+  void restore(Exact_engine& engine, const Block_runner& run, const std::function<bool(Face_index)>& is_known);
 };
 
 } // namespace internal
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/internal/engine/Saved_triangulation_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_SAVED_TRIANGULATION_H

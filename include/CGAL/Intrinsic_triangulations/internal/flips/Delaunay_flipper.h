@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/flips/Triangulation_block.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
 #include <CGAL/Intrinsic_triangulations/reports.h>
 
@@ -72,14 +71,6 @@ template <class Visitor>
 struct Is_silent<Visitor, std::void_t<typename Visitor::Is_silent>> : Visitor::Is_silent
 {};
 
-// Whether a flipper has the triangulation to itself; see Triangulation_block.
-template <class Triangulation>
-struct Is_whole_triangulation : std::true_type
-{};
-template <class Traits>
-struct Is_whole_triangulation<Triangulation_block<Traits>> : std::false_type
-{};
-
 // The edges are settled group by group, and a group in rounds: all candidates are tested, those
 // that are not Delaunay are flipped, and what lies around them are the next candidates, as is
 // what a flip of the same round has changed. Most tests of a round do not depend on each other,
@@ -92,7 +83,7 @@ template <class Triangulation, class ConstraintMap, class Visitor>
 class Delaunay_flipper
 {
   using Flip_outcome = typename Triangulation::Flip_outcome;
-  static constexpr bool is_whole = Is_whole_triangulation<Triangulation>::value;
+  static constexpr bool is_whole = Triangulation::is_whole;
   // Whether the tests of several edges can be made at once.
   static constexpr bool tests_together =
     Has_cotangent_bounds<typename Triangulation::Traits>::value && Is_silent<Visitor>::value &&

@@ -96,14 +96,14 @@ private:
       return;
     if constexpr (uses_exact_geometry) {
       const Exact_engine& engine = triangulation_.engine();
-      const auto test_with = [&](Exact_engine::Effort effort) {
-        return test_open(
-          edges, [&](Edge_index e, Stage_counts& counts) { return answer(engine.quick_test(e, effort), counts); });
+      const auto test_with = [&](Exact_engine::Means means) {
+        return test_open(edges,
+                         [&](Edge_index e, Stage_counts& counts) { return answer(engine.test(e, means), counts); });
       };
-      if (!test_with(Exact_engine::Effort::IN_PLANE))
+      if (!test_with(Exact_engine::Means::PLANES))
         return;
       engine.prepare<Parallel_tag>();
-      test_with(Exact_engine::Effort::SHORT_STRIPS);
+      test_with(Exact_engine::Means::SHORT_STRIPS);
     }
   }
 
@@ -176,7 +176,7 @@ private:
     flipper_.add(report);
     triangulation_.count_as_tested(std::exchange(counts.decided[std::size_t(Stage::FILTER)], 0));
     if constexpr (uses_exact_geometry)
-      triangulation_.engine().stage_counts() += counts;
+      triangulation_.engine().decisions().counts += counts;
   }
 
   Whole_triangulation<Traits> triangulation_;

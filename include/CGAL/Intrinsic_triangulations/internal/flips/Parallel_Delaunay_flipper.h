@@ -147,7 +147,7 @@ private:
     Edge_index::size_type first, last; // the edges of the block
     std::vector<Edge_index> candidates;
     Flip_report report;
-    std::vector<Hinge_halfedges>* journal;
+    Exact_engine::Journals::Journal* journal;
     std::vector<Edge_index> postponed, uncertain;
     std::exception_ptr exception;
   };
@@ -156,7 +156,7 @@ private:
   // \exception Cancelled_error if the visitor says so
   void settle_blocks(std::size_t n, std::size_t number_of_blocks, Flipper& flipper)
   {
-    typename Block::Journals journals(triangulation_, 2 * number_of_blocks + 1);
+    Exact_engine::Journals journals = Block::journals(triangulation_, 2 * number_of_blocks + 1);
     std::exception_ptr exception;
     for (std::size_t shift : {std::size_t(0), size / 2}) {
       is_first_round_ = shift == 0;
@@ -180,7 +180,7 @@ private:
       throw Cancelled_error("the flips were cancelled");
   }
 
-  std::vector<Task> make_tasks(std::size_t n, std::size_t shift, typename Block::Journals& journals) const
+  std::vector<Task> make_tasks(std::size_t n, std::size_t shift, Exact_engine::Journals& journals) const
   {
     std::vector<Task> tasks((n + shift + size - 1) / size);
     for (std::size_t i = 0; i < tasks.size(); ++i) {

@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 
@@ -17,8 +18,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -47,37 +46,17 @@ public:
     UNDECIDED,
     POSTPONED
   };
+  static constexpr bool is_whole = false;
 
   // Whether there may be blocks: numbers are of a type that threads need not share.
   static constexpr bool are_possible = is_for_threads<typename Triangulation::Edge_data>;
-  // The flips in all blocks, each block with a journal of its own. At the end, when no block is in use, the geometry
-  // takes them over.
-  class Journals
-  {
-  public:
-    // \param most the number of blocks, at most
-    Journals(Triangulation& triangulation, std::size_t most) : triangulation_(triangulation)
-    {
-      journals_.reserve(most);
-      triangulation_.engine_.make_room_for_journals(most);
-    }
-    Journals(const Journals&) = delete;
-    Journals& operator=(const Journals&) = delete;
-    ~Journals()
-    {
-      // Flips in different blocks commute, so that any order of the blocks of one round will do.
-      for (std::vector<Hinge_halfedges>& journal : journals_)
-        triangulation_.engine_.append(std::move(journal));
-    }
-    std::vector<Hinge_halfedges>& next() { return journals_.emplace_back(); }
+  using Journals = Exact_engine::Journals; // one for each block
 
-  private:
-    Triangulation& triangulation_;
-    std::vector<std::vector<Hinge_halfedges>> journals_;
-  };
+  // \param most the number of blocks, at most
+  static Journals journals(Triangulation& triangulation, std::size_t most) { return {triangulation.engine_, most}; }
 
   Triangulation_block(Triangulation& triangulation, Edge_index::size_type first, Edge_index::size_type last,
-                      std::vector<Hinge_halfedges>& journal)
+                      Journals::Journal& journal)
     : triangulation_(triangulation), first_(first), size_(last - first), journal_(journal)
   {}
 
@@ -108,12 +87,7 @@ public:
     if constexpr (Triangulation::uses_exact_geometry)
       if (!triangulation_.is_new_edge_known_to_have_length(old))
         return Flip_outcome::POSTPONED;
-    const auto flip = [&] {
-      if (triangulation_.keeps_input())
-        journal_.push_back(around);
-      triangulation_.engine_.flip_in_block(around);
-    };
-    switch (triangulation_.flip_hinge(around, old, flip)) {
+    switch (triangulation_.flip_hinge(around, old, [&] { journal_.flip(around); })) {
     case Triangulation::Flip_outcome::FLIPPED:
       return Flip_outcome::FLIPPED;
     case Triangulation::Flip_outcome::NOT_CONVEX:
@@ -134,7 +108,7 @@ private:
 
   Triangulation& triangulation_;
   Edge_index::size_type first_, size_;
-  std::vector<Hinge_halfedges>& journal_;
+  Journals::Journal& journal_;
 };
 
 } // namespace internal

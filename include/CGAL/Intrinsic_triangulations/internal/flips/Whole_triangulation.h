@@ -10,7 +10,6 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/Saved_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 
 #include <CGAL/Uncertain.h>
@@ -33,6 +32,7 @@ public:
   using Traits = Traits_;
   using Boolean = typename Triangulation::Boolean;
   using Flip_outcome = typename Triangulation::Flip_outcome;
+  static constexpr bool is_whole = true;
 
   explicit Whole_triangulation(Triangulation& triangulation) : triangulation_(triangulation) {}
 
@@ -75,7 +75,7 @@ public:
 
   std::function<bool()> set_interruption(std::function<bool()> go_further)
   {
-    return engine().set_interruption(std::move(go_further));
+    return engine().decisions().interruption.exchange(std::move(go_further));
   }
 
   // Notes for the statistics that so many edges were found to be Delaunay or not by what is stored.
@@ -96,8 +96,8 @@ public:
   Removed_elements unsplit_face(Vertex_index v) { return triangulation_.unsplit_face(v); }
   Removed_elements unsplit_edge(Halfedge_index h) { return triangulation_.unsplit_edge(h); }
 
-  template <class ConcurrencyTag>
-  void restore(Saved_triangulation saved)
+  template <class ConcurrencyTag, class Saved>
+  void restore(Saved saved)
   {
     triangulation_.template restore<ConcurrencyTag>(std::move(saved));
   }

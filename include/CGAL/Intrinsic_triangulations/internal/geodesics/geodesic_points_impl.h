@@ -42,11 +42,11 @@ inline Surface_point source_on_input(const Delta_complex& complex, const Corresp
 }
 
 // The input edges that h crosses, from the integers alone.
-// \pre `geometry.prepare()` was called, and h crosses some
+// \pre `engine.prepare()` was called, and h crosses some
 inline Crossed_edges find_crossed_edges(const Exact_engine& engine, Halfedge_index h)
 {
   const Delta_complex& complex = engine.connectivity();
-  const Crossed_halfedges sequence(complex, engine.correspondence(), h, engine.interruption());
+  const Crossed_halfedges sequence(complex, engine.correspondence(), h, engine.decisions().interruption);
   Crossed_edges crossed(engine.correspondence().input());
   for (std::size_t i = 0; i < sequence.size(); ++i)
     crossed.push_back(sequence[i]);

@@ -55,7 +55,7 @@ public:
     bool goes_on = leave_first_face();
     for (std::size_t i = 1; goes_on; ++i) {
       if (i % 64 == 0)
-        engine_.interruption().check();
+        engine_.decisions().interruption.check();
       if (i >= maximum_number_) {
         result_.status = Trace_status::BUDGET_EXHAUSTED;
         result_.length = length_;

@@ -40,7 +40,7 @@ public:
     const Normal_coordinates& coordinates = engine_.correspondence().coordinates();
     for (std::size_t step = 0;; ++step) {
       if (step % 1024 == 1023)
-        engine_.interruption().check();
+        engine_.decisions().interruption.check();
       std::optional<Triangle_piece> next;
       const auto names = coordinates.names(complex_, start);
       for (std::size_t i = step == 0 ? 0 : 1; i < names.size() && !next; ++i) { // not back across the first

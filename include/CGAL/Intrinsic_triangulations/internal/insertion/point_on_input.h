@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_POINT_ON_INPUT_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
@@ -69,7 +70,7 @@ public:
   {
     double& a = four_areas_[f.idx()];
     if (a == unknown)
-      a = engine_.has_input_face_area(f) ? engine_.metric().four_areas_double_double(input_, f).hi() : 0;
+      a = engine_.metric().has_area(input_, f) ? engine_.metric().four_areas_double_double(input_, f).hi() : 0;
     return a;
   }
   // The third corner of the face of h, in the frame of h.
@@ -98,7 +99,7 @@ inline Face_index input_face(const Exact_engine& engine, const Triangle_piece& p
   if (n > 0) {
     const Halfedge_index crossed =
       Crossed_halfedges(complex, correspondence, piece.side,
-                        engine.interruption())[std::size_t((std::max)(std::int64_t(0), piece.gap - 1))];
+                        engine.decisions().interruption)[std::size_t((std::max)(std::int64_t(0), piece.gap - 1))];
     return input.face(piece.gap > 0 ? crossed : input.opposite(crossed));
   }
   return uncrossed_input_face(complex, correspondence, piece.side);
@@ -126,7 +127,7 @@ std::optional<Point_to_insert> point_on_input(const Exact_engine& engine, Input_
     h = complex.next(h);
     std::rotate(weights.begin(), weights.begin() + 1, weights.end());
   }
-  const auto [source, vector, reference] = engine.edge_beginning(h);
+  const auto [source, vector, reference] = Engine_numbers(engine).edge_beginning(h);
   Plane_point to_point = vector * (weights[1] + weights[2] * apex(h)); // seen from the source of h
   const auto input_apex = [&](Halfedge_index g) { return shapes.apex(g); };
   const bool leaves_corner = !correspondence.is_inserted(complex.source(h));

@@ -38,7 +38,7 @@ void settle(Intrinsic_triangulation<Traits>& triangulation, const ConstraintMap&
   std::uint64_t steps = 0;
   while (!stack.empty()) {
     if (++steps % 1024 == 0)
-      engine(triangulation).interruption().check();
+      engine(triangulation).decisions().interruption.check();
     const Edge_index e = stack.back();
     stack.pop_back();
     if (!complex.is_flippable(e) || whole.is_known_Delaunay(e) || get(is_constrained, e) ||

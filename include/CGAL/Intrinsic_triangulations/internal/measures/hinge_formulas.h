@@ -66,7 +66,6 @@ FT squared_four_areas(const FT& s_ij, const FT& s_jk, const FT& s_ki)
   return FT(4) * s_ij * s_jk - p * p;
 }
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 // Sorts so that a >= b >= c. Where intervals overlap, any order does.
@@ -82,7 +81,6 @@ void sort_lengths(FT& a, FT& b, FT& c)
 }
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsFormulas
 /// \brief returns the square of four times the area of a triangle from its lengths, in

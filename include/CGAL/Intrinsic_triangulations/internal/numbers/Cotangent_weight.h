@@ -10,7 +10,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_COTANGENT_WEIGHT_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
@@ -77,7 +77,7 @@ BOOST_NOINLINE double cotangent_weight_by_number_type(const Triangulation& trian
 {
   if constexpr (Triangulation::uses_exact_geometry)
     if (e.idx() % 61 == 0) // the clock is as slow as a weight; a prime, as numbers of edges have periods
-      internal::engine(triangulation).interruption().check();
+      internal::engine(triangulation).decisions().interruption.check();
   require_positive_areas(triangulation, e);
   const double weight = CGAL::to_double(triangulation.cotangent_weight(e));
   if (!std::isfinite(weight))
@@ -150,7 +150,7 @@ public:
     Entry& entry = entries_[f.idx() % number_of_entries];
     if (entry.face != f) {
       entry.face = Face_index();
-      engine.find_cotangents(f, entry.cotangents);
+      Engine_numbers(engine).find_cotangents(f, entry.cotangents);
       entry.face = f;
     }
     const Halfedge_index first = complex.halfedge(f);
@@ -293,7 +293,7 @@ public:
       const auto& stored = triangulation_.face_data(f);
       if (is_accurate(stored.value, stored.error))
         return in_input_unit(stored.value, f);
-      const Double_with_bound rounded = internal::engine(triangulation_).rounded_four_areas(f);
+      const Double_with_bound rounded = Engine_numbers(internal::engine(triangulation_)).rounded_four_areas(f);
       if (is_accurate(rounded.hi(), rounded.error()))
         return in_input_unit(rounded.hi(), f);
     }

@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_ELEMENT_MEASURER_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
@@ -105,7 +105,7 @@ private:
       if (has_area(h))
         return triangulation_.cotangent(h);
       // At the corner of a flat face the scalar product is that of two parallel sides.
-      return std::copysign(infinity, internal::engine(triangulation_).corner(h).p.hi());
+      return std::copysign(infinity, Engine_numbers(internal::engine(triangulation_)).corner(h).p.hi());
     }
     const auto length = [&](Halfedge_index k) { return CGAL::to_double(triangulation_.length(complex_.edge(k))); };
     const double l_ij = length(h), l_jk = length(complex_.next(h)), l_ki = length(complex_.prev(h));
@@ -194,9 +194,10 @@ private:
     const std::size_t n = complex_.number_of_faces(), between_reports = progress_ ? 16 * elements_of_block : n;
     for (std::size_t begin = 0; begin < n; begin += between_reports) {
       report_progress(progress_, 0.5 * double(begin) / double(n), name);
-      for_each_block<ConcurrencyTag>(
-        (std::min)(between_reports, n - begin), elements_of_block / 4,
-        [&](std::size_t first, std::size_t last) { engine.find_numbers(begin + first, begin + last, *known_); });
+      for_each_block<ConcurrencyTag>((std::min)(between_reports, n - begin), elements_of_block / 4,
+                                     [&](std::size_t first, std::size_t last) {
+                                       Engine_numbers(engine).find_numbers(begin + first, begin + last, *known_);
+                                     });
     }
   }
 
@@ -244,7 +245,7 @@ private:
   const Delta_complex& complex_;
   const Progress_function progress_;
   double fraction_ = 0.5;
-  std::optional<Exact_engine::Rounded_numbers> known_; // of a triangulation with exact geometry
+  std::optional<Rounded_numbers> known_; // of a triangulation with exact geometry
 };
 
 // Counts negative cotangent weights, and finds the smallest: the exact geometry is only asked for those that can be it.

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
 #include <CGAL/Intrinsic_triangulations/internal/saving/Byte_stream.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
 #include <CGAL/Intrinsic_triangulations/internal/saving/Saved_file.h>
 #include <CGAL/Intrinsic_triangulations/internal/saving/Saved_header.h>
 
@@ -66,7 +67,7 @@ public:
       const std::array<Halfedge_index, 3> h = sides(complex, complex.halfedge(f));
       const std::array<double, 2> area = numbers.area(f);
       bytes_.put(h[0].idx(), h[1].idx(), h[2].idx(), area[0], area[1],
-                 std::uint8_t(engine_.is_known_to_be_straight(f)));
+                 std::uint8_t(Engine_numbers(engine_).is_known_to_be_straight(f)));
     });
     for_each(complex.edges(), [&](Edge_index e) {
       const Halfedge_index h = complex.halfedge(e);
@@ -89,7 +90,7 @@ private:
     result.metric = engine_.metric().rational_lengths()  ? Metric_kind::SQUARED_LENGTHS
                     : !engine_.metric().points().empty() ? Metric_kind::POINTS
                                                          : Metric_kind::LENGTHS;
-    result.tie_proof = engine_.tie_proof();
+    result.tie_proof = engine_.decisions().tie_proof;
     result.has_constraints = has_constraints;
     result.vertices = input.number_of_vertices();
     result.edges = input.number_of_edges();

@@ -25,7 +25,6 @@ namespace Intrinsic_triangulations {
 template <class T>
 using Large_vector = boost::container::vector<T, internal::Huge_page_allocator<T>>;
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 using boost::container::default_init;
 
@@ -37,7 +36,6 @@ void make_room(Vector& vector, std::size_t n)
     vector.reserve(vector.size() + vector.size() / 2 + n);
 }
 } // namespace internal
-/// \endcond
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

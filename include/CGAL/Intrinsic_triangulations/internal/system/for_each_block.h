@@ -43,6 +43,15 @@ std::size_t number_of_threads()
   return 1;
 }
 
+template <class ConcurrencyTag>
+constexpr void require_threads()
+{
+#ifndef CGAL_LINKED_WITH_TBB
+  static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
+                "Parallel_tag is used, but TBB is not: link with the target CGAL::TBB_support");
+#endif
+}
+
 // A block of so many elements is worth a task of its own.
 constexpr std::size_t elements_of_block = std::size_t(1) << 14;
 
@@ -62,10 +71,8 @@ void for_each_block(std::size_t n, std::size_t size, const Function& f)
       tbb::simple_partitioner());
     return;
   }
-#else
-  static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value,
-                "Parallel_tag is used, but TBB is not: link with the target CGAL::TBB_support");
 #endif
+  require_threads<ConcurrencyTag>();
   (void)size;
   if (n != 0)
     f(std::size_t(0), n);

@@ -36,7 +36,6 @@ struct Exact_gluing
   std::vector<internal::Rational> squared_lengths; ///< its square, in version 2
 };
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 class Exact_number_fields : public Length_fields
@@ -85,7 +84,6 @@ private:
 };
 
 } // namespace internal
-/// \endcond
 
 /// \ingroup PkgIntrinsicTriangulationsIO
 /// \brief writes a complex and the exact squared lengths of its edges, in version 2 of the gluing format.

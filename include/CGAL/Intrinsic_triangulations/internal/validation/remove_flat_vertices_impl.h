@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Definitions of remove_flat_vertices.h.
+// Definitions of surface_features.h: flat vertices.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_REMOVE_FLAT_VERTICES_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_REMOVE_FLAT_VERTICES_IMPL_H

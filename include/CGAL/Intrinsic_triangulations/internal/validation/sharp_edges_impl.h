@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Definitions of sharp_edges.h.
+// Definitions of surface_features.h: sharp edges.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_SHARP_EDGES_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_SHARP_EDGES_IMPL_H

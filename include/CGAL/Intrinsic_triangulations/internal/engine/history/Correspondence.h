@@ -19,6 +19,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/system/Block_runner.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/tags.h>
 
 #include <boost/config.hpp>
 
@@ -71,19 +72,13 @@ public:
   // \return the edges that were flipped before, in order; the journal is then cleared
   // \exception Integer_overflow_error as `flip()` of `Normal_coordinates`. Nothing is changed then, but
   //   the integers can no longer be computed, even if the flips are undone
-  std::vector<Edge_index> prepare(const Delta_complex& complex);
-  // As above: the integers and the input do not depend on each other, so that two threads can compute them.
-  std::vector<Edge_index> prepare(const Delta_complex& complex, const Block_runner& run);
+  // The integers and the input do not depend on each other, so that two threads can compute them.
+  std::vector<Edge_index> prepare(const Delta_complex& complex,
+                                  const Block_runner& run = block_runner<Sequential_tag>());
 
-  // Records the flip of `e`; to be called before the connectivity is flipped. O(1). An exception leaves everything as
-  // it was.
+  // Records the flip of the edge that the halfedges are around; to be called before the connectivity is flipped. O(1).
+  // An exception leaves everything as it was.
   // \exception Integer_overflow_error as `flip()` of `Normal_coordinates`, if `is_prepared()`
-  void flip(const Delta_complex& complex, Edge_index e)
-  {
-    CGAL_precondition(complex.is_flippable(e));
-    flip(complex, complex.hinge(e));
-  }
-  // As above, for the halfedges around the edge.
   void flip(const Delta_complex& complex, const Hinge_halfedges& around)
   {
     if (!is_prepared_) {

@@ -37,11 +37,6 @@ Correspondence::journaled_flips(const Delta_complex& complex) const
   return result;
 }
 
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Edge_index> Correspondence::prepare(const Delta_complex& complex)
-{
-  return prepare(complex, block_runner<Sequential_tag>());
-}
-
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Edge_index> Correspondence::prepare(const Delta_complex& complex,
                                                                                      const Block_runner& run)
 {

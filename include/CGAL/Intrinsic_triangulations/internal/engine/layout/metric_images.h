@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/metric/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Planar_vector.h>
-#include <CGAL/Intrinsic_triangulations/reports.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Fan_positions.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
@@ -44,13 +44,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
-
-// How exact decisions are made.
-struct Decision_settings
-{
-  Interruption interruption;
-  Tie_proof tie_proof = Tie_proof::PROBABLE_IF_COSTLY;
-};
 
 // What is found out about the input when it is first asked for. Threads that ask at the same time find the same.
 class Input_properties
@@ -105,17 +98,17 @@ private:
 class Input_surface
 {
 public:
-  Input_surface(const Delta_complex& connectivity, const Input_metric& metric, const Decision_settings& settings,
+  Input_surface(const Delta_complex& connectivity, const Input_metric& metric, const Decisions& decisions,
                 Input_properties& properties)
-    : connectivity_(connectivity), metric_(metric), settings_(settings), properties_(properties),
+    : connectivity_(connectivity), metric_(metric), decisions_(decisions), properties_(properties),
       ratios_(number_of_ratios(connectivity)), ratios_in_plane_(ratios_.size())
   {}
 
   const Delta_complex& connectivity() const { return connectivity_; }
   const Input_metric& metric() const { return metric_; }
 
-  const Interruption& interruption() const { return settings_.interruption; }
-  bool accepts_probable_ties() const { return settings_.tie_proof == Tie_proof::PROBABLE_IF_COSTLY; }
+  const Interruption& interruption() const { return decisions_.interruption; }
+  bool accepts_probable_ties() const { return decisions_.tie_proof == Tie_proof::PROBABLE_IF_COSTLY; }
 
   // The number of `number` of a sequence of fields that are random, but the same in each run.
   const Prime_fields& prime_fields(std::size_t number)
@@ -192,7 +185,7 @@ private:
 
   const Delta_complex& connectivity_;
   const Input_metric& metric_;
-  const Decision_settings& settings_;
+  const Decisions& decisions_;
   Input_properties& properties_; // which all threads share
   std::deque<Prime_fields> prime_fields_;
   std::vector<Entry> ratios_;

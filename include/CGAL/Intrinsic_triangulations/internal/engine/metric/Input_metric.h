@@ -105,6 +105,8 @@ public:
   using Double_double = internal::Bounded_double_double;
   Double_double squared_length_double_double(const Delta_complex& input, Edge_index e) const;
   Double_double four_areas_double_double(const Delta_complex& input, Face_index f) const;
+  // Whether a face has positive area, exactly.
+  bool has_area(const Delta_complex& input, Face_index f) const;
   /// \endcond
 
 private:

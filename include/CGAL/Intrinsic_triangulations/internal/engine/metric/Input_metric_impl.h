@@ -26,7 +26,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \cond SKIP_IN_MANUAL
 namespace internal {
 
 struct Rational_lengths
@@ -64,7 +63,6 @@ inline Exact_ring squared_length_in_ring(const Input_metric& metric, const Delta
 }
 
 } // namespace internal
-/// \endcond
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Input_metric Input_metric::from_points(Point_vector points)
@@ -141,6 +139,14 @@ Rational squared_four_areas(const Input_metric& metric, const Delta_complex& inp
     return from([&](Edge_index edge) { return metric.rational_lengths()->squared[edge.idx()]; });
   return internal::rational(
     from([&](Edge_index edge) { return internal::squared_length_in_ring(metric, input, edge); }));
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool Input_metric::has_area(const Delta_complex& input, Face_index f) const
+{
+  const internal::Standard_arithmetic arithmetic;
+  const Uncertain<Sign> sign = four_areas_double_double(input, f).sign();
+  return is_certain(sign) ? get_certain(sign) != ZERO : squared_four_areas(*this, input, f) != 0;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE

@@ -3,11 +3,12 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Definitions of Exact_geometry: vectors, lengths, angles, areas and weights, rounded to doubles.
+// Definitions of Engine_numbers.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_NUMBERS_IMPL_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_NUMBERS_IMPL_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_ENGINE_NUMBERS_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_ENGINE_NUMBERS_IMPL_H
 
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Double_metric.h>
@@ -55,7 +56,7 @@ inline double rounded_root(const Bounded_double_double& s, int unit_exponent)
 // Vectors that evaluate(metric) computes, each with an error of at most 2^-50 of its length, or of that of the last one
 // if that is longer.
 template <std::size_t N, class Evaluate>
-std::array<std::complex<double>, N> Exact_engine::rounded_vectors(Input_surface& surface, const Evaluate& evaluate)
+std::array<std::complex<double>, N> Engine_numbers::rounded_vectors(Input_surface& surface, const Evaluate& evaluate)
 {
   constexpr long largest_precision = 1 << 14; // more is not needed unless a ratio of lengths leaves the range of double
   std::array<std::complex<double>, N> result;
@@ -93,13 +94,13 @@ std::array<std::complex<double>, N> Exact_engine::rounded_vectors(Input_surface&
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_engine::Edge_beginning Exact_engine::edge_beginning(Halfedge_index h) const
+Engine_numbers::Edge_beginning Engine_numbers::edge_beginning(Halfedge_index h) const
 {
   const Standard_arithmetic arithmetic;
-  prepare();
+  engine_.prepare();
   Halfedge_index reference;
-  const auto vectors = rounded_vectors<2>(*input_surface(), [&](auto& metric) {
-    auto begin = Unfolding<std::decay_t<decltype(metric)>>(connectivity_, correspondence_, metric).edge_beginning(h);
+  const auto vectors = rounded_vectors<2>(*engine_.input_surface(), [&](auto& metric) {
+    auto begin = Unfolding<std::decay_t<decltype(metric)>>(complex_, correspondence_, metric).edge_beginning(h);
     reference = begin.reference;
     return std::array{begin.source, begin.vector};
   });
@@ -107,10 +108,10 @@ Exact_engine::Edge_beginning Exact_engine::edge_beginning(Halfedge_index h) cons
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-double Exact_engine::input_angle(Halfedge_index h) const
+double Engine_numbers::input_angle(Halfedge_index h) const
 {
   const Standard_arithmetic arithmetic;
-  const auto side = rounded_vectors<1>(*input_surface(), [&](auto& metric) {
+  const auto side = rounded_vectors<1>(*engine_.input_surface(), [&](auto& metric) {
     return std::array{
       Metric_frame<std::decay_t<decltype(metric)>>(correspondence_.input(), metric).ratios(h).at_source};
   });
@@ -118,89 +119,65 @@ double Exact_engine::input_angle(Halfedge_index h) const
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-double Exact_engine::length(Edge_index e) const
+double Engine_numbers::length(Edge_index e) const
 {
   const Standard_arithmetic arithmetic;
-  prepare();
-  const Surface_lease surface = input_surface();
-  const Bounded_double_double s = squared_length(e, *surface);
+  engine_.prepare();
+  const Surface_lease surface = engine_.input_surface();
+  const Bounded_double_double s = engine_.squared_length(e, *surface);
   if (has_good_root(s))
     return rounded_root(s, metric_.unit_exponent());
-  return std::ldexp(exact_fallback(*surface).length(e), metric_.unit_exponent());
+  return std::ldexp(engine_.exact_fallback(*surface).length(e), metric_.unit_exponent());
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Interval_nt<> Exact_engine::length_interval(Edge_index e) const
+Exact_engine::Corner Engine_numbers::corner(Halfedge_index h) const
 {
   const Standard_arithmetic arithmetic;
-  prepare();
-  const Surface_lease surface = input_surface();
-  const Bounded_double_double l = sqrt(squared_length(e, *surface));
-  double low, high;
-  if (l.error() < 0x1p-60 * l.hi()) {
-    low = high = l.hi();
-    while (low - l.hi() > l.lo() - 1.01 * l.error())
-      low = std::nextafter(low, 0.);
-    while (high - l.hi() < l.lo() + 1.01 * l.error())
-      high = std::nextafter(high, 2 * high);
-  } else {
-    const Mpfr_interval m = sqrt(exact_fallback(*surface).squared_length(e, 128));
-    low = m.lower_double();
-    high = m.upper_double();
-  }
-  // Where the scaling is not exact, it is wrong by less than the next double.
-  low = std::ldexp(low, metric_.unit_exponent());
-  high = std::ldexp(high, metric_.unit_exponent());
-  if (low >= (std::numeric_limits<double>::min)())
-    return Interval_nt<>(low, high);
-  return Interval_nt<>((std::max)(0., std::nextafter(low, 0.)), std::nextafter(high, 1.));
+  return engine_.corner(h, *engine_.prepared_surface());
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-double Exact_engine::cotangent(Halfedge_index h) const
+double Engine_numbers::cotangent(Halfedge_index h) const
 {
   const Standard_arithmetic arithmetic;
-  prepare();
-  find_straight_faces();
-  const Surface_lease surface = input_surface();
-  return cotangent(h, corner(h, *surface), *surface);
+  const Surface_lease surface = engine_.prepared_surface();
+  return cotangent(h, engine_.corner(h, *surface), *surface);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-double Exact_engine::cotangent(Halfedge_index h, const Corner& corner, Input_surface& surface) const
+double Engine_numbers::cotangent(Halfedge_index h, const Corner& corner, Input_surface& surface) const
 {
   const double p = corner.p.hi(), four_areas = corner.four_areas.hi();
   if (corner.four_areas.relative_error() < 0x1p-60 && corner.p.error() < 0x1p-60 * (std::abs(p) + four_areas))
     return p / four_areas;
-  return exact_fallback(surface).cotangent(
+  return engine_.exact_fallback(surface).cotangent(
     h, [](double width, double magnitude) { return width <= 0x1p-51 * (1 + magnitude); });
 }
 
 // As cotangent(), and zero only for a right angle, else with the right sign.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-double Exact_engine::signed_cotangent(Halfedge_index h, Input_surface& surface) const
+double Engine_numbers::signed_cotangent(Halfedge_index h, Input_surface& surface) const
 {
-  const Corner c = corner(h, surface);
+  const Corner c = engine_.corner(h, surface);
   const Sign sign =
-    is_certain(c.p.sign()) ? get_certain(c.p.sign()) : exact_fallback(surface).sign_of_scalar_product(h);
+    is_certain(c.p.sign()) ? get_certain(c.p.sign()) : engine_.exact_fallback(surface).sign_of_scalar_product(h);
   if (sign == ZERO)
     return 0;
   const double value = cotangent(h, c, surface);
-  return CGAL::sign(value) == sign ? value : exact_fallback(surface).cotangent(h, is_narrow);
+  return CGAL::sign(value) == sign ? value : engine_.exact_fallback(surface).cotangent(h, is_narrow);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-double Exact_engine::angle(Halfedge_index h) const
+double Engine_numbers::angle(Halfedge_index h) const
 {
   const Standard_arithmetic arithmetic;
-  prepare();
-  find_straight_faces();
-  const Surface_lease surface = input_surface();
-  const Corner c = corner(h, *surface);
+  const Surface_lease surface = engine_.prepared_surface();
+  const Corner c = engine_.corner(h, *surface);
   if (c.four_areas.relative_error() < 0x1p-60 && c.p.error() < 0x1p-60 * (std::abs(c.p.hi()) + c.four_areas.hi()))
     return std::atan2(std::abs(c.four_areas.hi()), c.p.hi()); // of a zero without its sign
-  Exact_fallback fallback = exact_fallback(*surface);
-  if (sign_of_area(connectivity_.face(h), *surface) == ZERO)
+  Exact_fallback fallback = engine_.exact_fallback(*surface);
+  if (engine_.sign_of_area(complex_.face(h), *surface) == ZERO)
     return fallback.sign_of_scalar_product(h) == NEGATIVE ? CGAL_PI : 0;
   const long scale = fallback.scale_of_corner(h);
   const double four_areas = fallback.number_of_corner(
@@ -212,59 +189,63 @@ double Exact_engine::angle(Halfedge_index h) const
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-double Exact_engine::cotangent_weight(Edge_index e) const
+double Engine_numbers::cotangent_weight(Edge_index e) const
 {
   const Standard_arithmetic arithmetic;
-  prepare();
-  find_straight_faces();
-  const Surface_lease surface = input_surface();
-  const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
-  if (connectivity_.is_border(h) || connectivity_.is_border(g))
-    return signed_cotangent(connectivity_.is_border(h) ? g : h, *surface);
-  const Corner k = corner(h, *surface), l = corner(g, *surface);
+  const Surface_lease surface = engine_.prepared_surface();
+  const Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
+  if (complex_.is_border(h) || complex_.is_border(g))
+    return signed_cotangent(complex_.is_border(h) ? g : h, *surface);
+  const Corner k = engine_.corner(h, *surface), l = engine_.corner(g, *surface);
   const Bounded_double_double weight = k.p / k.four_areas + l.p / l.four_areas;
   if (is_good_weight(weight))
     return weight.hi();
-  if (const auto by_diagonal = weight_by_other_diagonal(h, {k, l}); by_diagonal && is_good_weight(*by_diagonal))
+  if (const auto by_diagonal = engine_.weight_by_other_diagonal(h, {k, l}); by_diagonal && is_good_weight(*by_diagonal))
     return by_diagonal->hi();
   const double sum = cotangent(h, k, *surface) + cotangent(g, l, *surface);
   // Two angles of one triangle sum to less than π.
-  const Sign exact_sign = connectivity_.is_self_glued(e) ? POSITIVE : sign_of_cotangents(e, *surface);
+  const Sign exact_sign = complex_.is_self_glued(e) ? POSITIVE : engine_.test(e, *surface).sign;
   if (exact_sign == ZERO)
     return 0;
-  return CGAL::sign(sum) == exact_sign ? sum
-                                       : exact_fallback(*surface).sum_of_cotangents(corners_beside(connectivity_, e));
+  return CGAL::sign(sum) == exact_sign
+           ? sum
+           : engine_.exact_fallback(*surface).sum_of_cotangents(corners_beside(complex_, e));
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-double Exact_engine::area(Face_index f) const
+double Engine_numbers::area(Face_index f) const
 {
   const Standard_arithmetic arithmetic;
-  prepare();
-  find_straight_faces();
-  const Surface_lease surface = input_surface();
-  const Halfedge_index h = connectivity_.halfedge(f);
-  const Bounded_double_double a = corner(h, *surface).four_areas;
+  const Surface_lease surface = engine_.prepared_surface();
+  const Halfedge_index h = complex_.halfedge(f);
+  const Bounded_double_double a = engine_.corner(h, *surface).four_areas;
   if (is_good_area(a))
     return area_in_input_unit(a.hi() / 4, metric_.unit_exponent(), f);
-  if (sign_of_area(f, *surface) == ZERO)
+  if (engine_.sign_of_area(f, *surface) == ZERO)
     return 0;
   // In the unit of the input, since in that of the numbers it may be subnormal.
   const int unit = metric_.unit_exponent();
-  const double value = exact_fallback(*surface).number_of_corner(
+  const double value = engine_.exact_fallback(*surface).number_of_corner(
     h, [&](const auto& corner) { return ldexp(corner.four_areas, 2 * long(unit) - 2); }, is_narrow);
   return unit < 0 ? area_in_input_unit(std::ldexp(value, -2 * unit), unit, f) : value;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_engine::Rounded_numbers::Rounded_numbers(const Delta_complex& complex)
+bool Engine_numbers::is_known_to_be_straight(Face_index f) const
+{
+  engine_.find_straight_faces();
+  return engine_.is_straight(f);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Rounded_numbers::Rounded_numbers(const Delta_complex& complex)
   : lengths(complex.number_of_edges(), std::numeric_limits<double>::quiet_NaN()),
     areas(complex.number_of_faces(), std::numeric_limits<double>::quiet_NaN()),
     cotangents(complex.number_of_halfedges(), default_init)
 {}
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-double Exact_engine::Rounded_numbers::cotangent_weight(const Delta_complex& complex, Edge_index e) const
+double Rounded_numbers::cotangent_weight(const Delta_complex& complex, Edge_index e) const
 {
   const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
   const auto cotangent = [&](Halfedge_index side) {
@@ -276,7 +257,7 @@ double Exact_engine::Rounded_numbers::cotangent_weight(const Delta_complex& comp
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-double Exact_engine::Rounded_numbers::angle(Halfedge_index h, double relative_error) const
+double Rounded_numbers::angle(Halfedge_index h, double relative_error) const
 {
   const auto& [hi, lo, error] = cotangents[h.idx()];
   return error < relative_error * 0x1p-11 * (1 + std::abs(hi)) ? std::atan2(1., hi)
@@ -285,7 +266,7 @@ double Exact_engine::Rounded_numbers::angle(Halfedge_index h, double relative_er
 
 // A corner of a face, and the side that is opposite to it.
 template <class Real>
-struct Exact_engine::Side_and_corner
+struct Engine_numbers::Side_and_corner
 {
   Halfedge_index side;
   Triangle_corner<Real> corner;
@@ -315,71 +296,67 @@ struct Exact_engine::Side_and_corner
 
 // The corner of a face that takes the least time.
 template <class Unfolding_>
-Exact_engine::Side_and_corner<Bounded_double_double> Exact_engine::quickest_corner(Face_index f,
-                                                                                   const Unfolding_& unfolding) const
+Engine_numbers::Side_and_corner<Bounded_double_double>
+Engine_numbers::quickest_corner(Face_index f, const Unfolding_& unfolding) const
 {
-  if (is_straight(f))
-    return {connectivity_.halfedge(f), straight_corner(connectivity_.halfedge(f))};
-  const Halfedge_index h = correspondence_.coordinates().side_with_most_crossings(connectivity_, f);
+  if (engine_.is_straight(f))
+    return {complex_.halfedge(f), engine_.straight_corner(complex_.halfedge(f))};
+  const Halfedge_index h = correspondence_.coordinates().side_with_most_crossings(complex_, f);
   return {h, unfolding.opposite_corner(h)};
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_engine::find_cotangents(Face_index f, Face_cotangents& result) const
+void Engine_numbers::find_cotangents(Face_index f, Face_cotangents& result) const
 {
   const Standard_arithmetic arithmetic;
-  prepare();
-  find_straight_faces();
-  const Surface_lease surface = input_surface();
+  const Surface_lease surface = engine_.prepared_surface();
   Double_double_metric metric(*surface);
   metric.interruption().check();
-  quickest_corner(f, Unfolding<Double_double_metric>(connectivity_, correspondence_, metric))
-    .get_cotangents(connectivity_, f, result);
+  quickest_corner(f, Unfolding<Double_double_metric>(complex_, correspondence_, metric))
+    .get_cotangents(complex_, f, result);
 }
 
 // Nothing but the input and the integers is used, so that flips need not be repeated to find straight faces.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-std::optional<Exact_engine::Side_and_corner<Double_with_bound>> Exact_engine::rounded_corner(Face_index f) const
+std::optional<Engine_numbers::Side_and_corner<Double_with_bound>> Engine_numbers::rounded_corner(Face_index f) const
 {
   const Standard_arithmetic arithmetic;
-  prepare();
-  interruption().check();
-  Double_metric metric(correspondence_.input(), metric_, interruption());
-  const Unfolding<Double_metric> unfolding(connectivity_, correspondence_, metric);
-  const Halfedge_index side = correspondence_.coordinates().side_with_most_crossings(connectivity_, f);
-  if (number_of_quantities(side) > short_strip)
+  engine_.prepare();
+  engine_.decisions().interruption.check();
+  Double_metric metric(correspondence_.input(), metric_, engine_.decisions().interruption);
+  const Unfolding<Double_metric> unfolding(complex_, correspondence_, metric);
+  const Halfedge_index side = correspondence_.coordinates().side_with_most_crossings(complex_, f);
+  if (engine_.number_of_quantities(side) > Exact_engine::short_strip)
     return std::nullopt;
   return Side_and_corner<Double_with_bound>{side, unfolding.opposite_corner(side)};
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_engine::find_cotangents(Face_index f, Rounded_face_cotangents& result) const
+void Engine_numbers::find_cotangents(Face_index f, Rounded_face_cotangents& result) const
 {
   if (const auto c = rounded_corner(f))
-    c->get_cotangents(connectivity_, f, result);
+    c->get_cotangents(complex_, f, result);
   else
     result.fill({0, std::numeric_limits<double>::infinity()});
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Double_with_bound Exact_engine::rounded_four_areas(Face_index f) const
+Double_with_bound Engine_numbers::rounded_four_areas(Face_index f) const
 {
   const auto c = rounded_corner(f);
   return c ? c->corner.four_areas : Double_with_bound(0, std::numeric_limits<double>::infinity());
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_engine::find_numbers(const std::size_t first, const std::size_t last, Rounded_numbers& numbers) const
+void Engine_numbers::find_numbers(const std::size_t first, const std::size_t last, Rounded_numbers& numbers) const
 {
   using Real = Bounded_double_double;
-  prepare();
-  find_straight_faces();
-  const Surface_lease surface = input_surface();
+  const Surface_lease surface = engine_.prepared_surface();
   Double_double_metric metric(*surface);
-  const Unfolding<Double_double_metric> unfolding(connectivity_, correspondence_, metric);
+  const Unfolding<Double_double_metric> unfolding(complex_, correspondence_, metric);
   const auto note_length = [&](Halfedge_index h, const auto& length) {
-    const Edge_index e = connectivity_.edge(h);
-    if (h != connectivity_.halfedge(e) && !connectivity_.is_border(connectivity_.halfedge(e)))
+    const Edge_index e = complex_.edge(h);
+    if (h != complex_.halfedge(e) && !complex_.is_border(complex_.halfedge(e)))
       return;
     const Real l = length();
     if (is_rounded_alike(l))
@@ -392,7 +369,7 @@ void Exact_engine::find_numbers(const std::size_t first, const std::size_t last,
   const auto find = [&](Face_index f) {
     const Side_and_corner<Real> at = quickest_corner(f, unfolding);
     const Corner& c = at.corner;
-    const Halfedge_index h = at.side, second = connectivity_.next(h), third = connectivity_.prev(h);
+    const Halfedge_index h = at.side, second = complex_.next(h), third = complex_.prev(h);
     note_length(h, [&] { return sqrt(c.s_opposite); });
     note_length(second, [&] { return sqrt(c.s_second); });
     note_length(third, [&] { return sqrt(c.s_first); });
@@ -412,9 +389,8 @@ void Exact_engine::find_numbers(const std::size_t first, const std::size_t last,
   std::size_t number_of_straight = 0;
   const auto find_straight = [&] {
     const auto corners = [&](Face_index f) {
-      const Halfedge_index ij = connectivity_.halfedge(f);
-      return Three_corners{connectivity_.source(ij), connectivity_.target(ij),
-                           connectivity_.target(connectivity_.next(ij))};
+      const Halfedge_index ij = complex_.halfedge(f);
+      return Three_corners{complex_.source(ij), complex_.target(ij), complex_.target(complex_.next(ij))};
     };
     const Two_straight_faces two(metric_.points(), corners(straight[0]), corners(straight[number_of_straight - 1]));
     Two_straight_faces::Numbers known;
@@ -424,8 +400,8 @@ void Exact_engine::find_numbers(const std::size_t first, const std::size_t last,
         find(f);
         continue;
       }
-      Halfedge_index side = connectivity_.halfedge(f);
-      for (std::size_t c = 0; c < 3; ++c, side = connectivity_.next(side)) {
+      Halfedge_index side = complex_.halfedge(f);
+      for (std::size_t c = 0; c < 3; ++c, side = complex_.next(side)) {
         note_length(side, [&] { return known.lengths[c]; });
         note_cotangent(side, known.cotangents[c]);
       }
@@ -433,12 +409,12 @@ void Exact_engine::find_numbers(const std::size_t first, const std::size_t last,
     }
     number_of_straight = 0;
   };
-  const Vertex_positions all = positions();
+  const Vertex_positions all = engine_.positions();
   for (std::size_t i = first; i < last; ++i) {
     if (i % 1024 == 0)
-      interruption().check();
+      engine_.decisions().interruption.check();
     const Face_index f(static_cast<Face_index::size_type>(i));
-    if (!is_straight(f) || all.has_inserted_corner(connectivity_, connectivity_.halfedge(f))) {
+    if (!engine_.is_straight(f) || all.has_inserted_corner(complex_, complex_.halfedge(f))) {
       find(f);
       continue;
     }
@@ -454,4 +430,4 @@ void Exact_engine::find_numbers(const std::size_t first, const std::size_t last,
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_NUMBERS_IMPL_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_ENGINE_NUMBERS_IMPL_H

@@ -5,8 +5,8 @@
 //
 // What CGAL has to know of the floating-point numbers of Boost.Multiprecision.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_BOOST_MULTIPRECISION_FLOATS_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_BOOST_MULTIPRECISION_FLOATS_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_BOOST_MULTIPRECISION_FLOATS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_BOOST_MULTIPRECISION_FLOATS_H
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Number_type_with_roots.h>
 
@@ -75,4 +75,4 @@ struct Has_roots<FT, std::enable_if_t<boost::multiprecision::is_number<FT>::valu
 /// \endcond
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_BOOST_MULTIPRECISION_FLOATS_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_BOOST_MULTIPRECISION_FLOATS_H

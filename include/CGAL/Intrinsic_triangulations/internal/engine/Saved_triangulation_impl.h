@@ -3,14 +3,15 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Definitions of Exact_engine: a triangulation from a file, which is not believed.
+// Definition of Saved_triangulation: a triangulation from a file, which is not believed.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_RESTORE_IMPL_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_RESTORE_IMPL_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_SAVED_TRIANGULATION_IMPL_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_SAVED_TRIANGULATION_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_numbers_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Saved_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/for_each_halfedge_around.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
@@ -109,30 +110,71 @@ inline void mend_unbounded(const Delta_complex& complex, Halfedge_index side, co
     area = corner.four_areas.hi();
 }
 
+// See Saved_triangulation::restore().
+class Engine_restorer
+{
+public:
+  explicit Engine_restorer(Exact_engine& engine)
+    : engine_(engine), complex_(engine.connectivity_), correspondence_(engine.correspondence_),
+      metric_(engine.metric()), numbers_(engine)
+  {}
+
+  void operator()(Saved_triangulation& saved, const Block_runner& run, const std::function<bool(Face_index)>& is_known);
+
+private:
+  using Side_and_corner = Engine_numbers::Side_and_corner<Bounded_double_double>;
+  // Whether the ends of the edges that h crosses lie on its two sides, or else on h, or else not so.
+  enum class Line_check {
+    STRAIGHT,
+    TOUCHING,
+    BENT
+  };
+
+  void check_line(Edge_index e) const;
+  Line_check check_sides(Halfedge_index h, const Crossed_edges& crossed) const;
+  Face_index plane(Face_index f) const;
+  void find_angles(Face_index f, const Side_and_corner& at, Input_surface& surface, Large_vector<double>& angles) const;
+  bool are_sound(Face_index f, const Saved_triangulation& saved, const Side_and_corner& at,
+                 Input_surface& surface) const;
+
+  Exact_engine& engine_;
+  Delta_complex& complex_;
+  Correspondence& correspondence_;
+  const Input_metric& metric_;
+  const Engine_numbers numbers_;
+};
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Saved_triangulation::restore(Exact_engine& engine, const Block_runner& run,
+                                  const std::function<bool(Face_index)>& is_known)
+{
+  Engine_restorer{engine}(*this, run, is_known);
+}
+
 // The edges of the triangulation are lines through the input triangles that the integers name: then the faces between
 // them are the triangles that are laid out, as they are up to isotopy (see Correspondence_check). Inserted vertices are
 // no part of that isotopy: faces at them must not be inverted, and the angles at them and at their neighbours must sum to
 // those of the surface, as faces could be wound around a vertex twice.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_engine::restore(Saved_triangulation& saved, const Block_runner& run,
-                           const std::function<bool(Face_index)>& is_known)
+void Engine_restorer::operator()(Saved_triangulation& saved, const Block_runner& run,
+                                 const std::function<bool(Face_index)>& is_known)
 {
   const Standard_arithmetic arithmetic;
-  prepare();
-  Memory& memory = *memory_;
-  const std::size_t number_of_input_faces = connectivity_.number_of_faces(), number_of_points = metric_.points().size();
+  engine_.prepare();
+  Exact_engine::Memory& memory = *engine_.memory_;
+  const std::size_t number_of_input_faces = complex_.number_of_faces(), number_of_points = metric_.points().size();
   Delta_complex input = correspondence_.input();
   correspondence_ = Correspondence(std::move(input), std::move(saved.coordinates), std::move(saved.locations));
-  connectivity_ = std::move(saved.connectivity);
+  complex_ = std::move(saved.connectivity);
   memory.straight_faces =
-    Straight_faces(number_of_input_faces, number_of_points, std::vector<Face_index>(connectivity_.number_of_faces()));
+    Straight_faces(number_of_input_faces, number_of_points, std::vector<Face_index>(complex_.number_of_faces()));
   memory.knows_straight_faces = true;
 
-  Correspondence_check check(connectivity_, correspondence_, interruption());
+  Correspondence_check check(complex_, correspondence_, engine_.decisions().interruption);
   check.check_locations();
   if (number_of_points != 0)
     for (const Surface_point& location : correspondence_.locations())
-      memory.inserted_positions.push_back(positions().rounded(location));
+      memory.inserted_positions.push_back(engine_.positions().rounded(location));
   check(run);
   // In portions, so that what is kept of crossings takes no more memory than what was read.
   const auto for_each = [&](std::size_t n, const auto& number_of_crossings, const auto& f) {
@@ -141,7 +183,7 @@ void Exact_engine::restore(Saved_triangulation& saved, const Block_runner& run,
       for (std::int64_t sum = 0; end < n && sum < most_kept; ++end)
         sum += number_of_crossings(std::uint32_t(end));
       run(end - begin, elements_of_block, [&](std::size_t first, std::size_t last) {
-        const Surface_lease surface = input_surface();
+        const Exact_engine::Surface_lease surface = engine_.input_surface();
         for (std::size_t i = begin + first; i < begin + last; ++i)
           f(std::uint32_t(i), *surface);
       });
@@ -151,29 +193,28 @@ void Exact_engine::restore(Saved_triangulation& saved, const Block_runner& run,
   const Normal_coordinates& coordinates = correspondence_.coordinates();
   const auto at_edge = [&](std::uint32_t e) { return coordinates.number_of_crossings(Edge_index(e)); };
   const auto at_face = [&](std::uint32_t f) {
-    const Halfedge_index h = connectivity_.halfedge(Face_index(f));
+    const Halfedge_index h = complex_.halfedge(Face_index(f));
     std::int64_t sum = 0;
-    for (Halfedge_index side : {h, connectivity_.next(h), connectivity_.prev(h)})
-      sum += coordinates.number_of_crossings(connectivity_.edge(side));
+    for (Halfedge_index side : {h, complex_.next(h), complex_.prev(h)})
+      sum += coordinates.number_of_crossings(complex_.edge(side));
     return sum;
   };
-  for_each(connectivity_.number_of_edges(), at_edge,
-           [&](std::uint32_t e, Input_surface&) { check_line(Edge_index(e)); });
+  for_each(complex_.number_of_edges(), at_edge, [&](std::uint32_t e, Input_surface&) { check_line(Edge_index(e)); });
 
   const bool has_inserted = !correspondence_.locations().empty();
-  const std::vector<bool> are_bounded = bounded_faces(connectivity_, saved);
-  Large_vector<double> angles(has_inserted ? connectivity_.number_of_halfedges() : 0, default_init);
-  std::vector<Face_index> planes(connectivity_.number_of_faces());
+  const std::vector<bool> are_bounded = bounded_faces(complex_, saved);
+  Large_vector<double> angles(has_inserted ? complex_.number_of_halfedges() : 0, default_init);
+  std::vector<Face_index> planes(complex_.number_of_faces());
   const auto corner_of = [&](Face_index f, Input_surface& surface) {
     Double_double_metric metric(surface);
-    return quickest_corner(f, Unfolding<Double_double_metric>(connectivity_, correspondence_, metric));
+    return numbers_.quickest_corner(f, Unfolding<Double_double_metric>(complex_, correspondence_, metric));
   };
   const auto check_numbers = [&](Face_index f, const auto& corner, Input_surface& surface) {
     if (!are_sound(f, saved, corner, surface))
       throw_not_a_triangulation("face", f.idx(),
                                 "has an area or sides that differ from the true ones by more than its bound");
   };
-  for_each(connectivity_.number_of_faces(), at_face, [&](std::uint32_t i, Input_surface& surface) {
+  for_each(complex_.number_of_faces(), at_face, [&](std::uint32_t i, Input_surface& surface) {
     const Face_index f(i);
     if (number_of_points != 0 && saved.is_straight[i])
       planes[i] = plane(f);
@@ -189,19 +230,19 @@ void Exact_engine::restore(Saved_triangulation& saved, const Block_runner& run,
   memory.straight_faces = Straight_faces(number_of_input_faces, number_of_points, planes);
   const auto angle_in_input = [&](Halfedge_index h) {
     const auto in_space = rounded_ratios_in_space(correspondence_.input(), metric_.points(), h);
-    return in_space ? std::atan2(in_space->at_source.y().hi(), in_space->at_source.x().hi()) : input_angle(h);
+    return in_space ? std::atan2(in_space->at_source.y().hi(), in_space->at_source.x().hi()) : numbers_.input_angle(h);
   };
   if (has_inserted)
-    run(connectivity_.number_of_vertices(), elements_of_block, [&](std::size_t first, std::size_t last) {
-      interruption().check();
+    run(complex_.number_of_vertices(), elements_of_block, [&](std::size_t first, std::size_t last) {
+      engine_.decisions().interruption.check();
       for (std::size_t v = first; v < last; ++v)
-        check_angle_sum(*this, Vertex_index(std::uint32_t(v)), angle_in_input, angles);
+        check_angle_sum(engine_, Vertex_index(std::uint32_t(v)), angle_in_input, angles);
     });
-  const Surface_lease surface = input_surface();
-  for (Face_index f : connectivity_.faces())
+  const Exact_engine::Surface_lease surface = engine_.input_surface();
+  for (Face_index f : complex_.faces())
     if (!are_bounded[f.idx()]) {
       const auto corner = corner_of(f, *surface);
-      mend_unbounded(connectivity_, corner.side, corner.corner, are_bounded, saved);
+      mend_unbounded(complex_, corner.side, corner.corner, are_bounded, saved);
       if (saved.areas[f.idx()][1] != std::numeric_limits<double>::infinity()) // nor NaN
         check_numbers(f, corner, *surface);
     }
@@ -209,10 +250,10 @@ void Exact_engine::restore(Saved_triangulation& saved, const Block_runner& run,
 
 // Those opposite to the sides of a face, near enough to tell full turns apart. A face without area has angles of 0 and π.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_engine::find_angles(Face_index f, const Side_and_corner<Bounded_double_double>& at, Input_surface& surface,
-                               Large_vector<double>& angles) const
+void Engine_restorer::find_angles(Face_index f, const Side_and_corner& at, Input_surface& surface,
+                                  Large_vector<double>& angles) const
 {
-  const Halfedge_index h = at.side, next = connectivity_.next(h), prev = connectivity_.prev(h);
+  const Halfedge_index h = at.side, next = complex_.next(h), prev = complex_.prev(h);
   if (certainly(at.corner.four_areas.sign() == POSITIVE)) {
     const double four_areas = at.corner.four_areas.hi(), p = at.corner.p.hi();
     angles[h.idx()] = std::atan2(four_areas, p);
@@ -220,22 +261,22 @@ void Exact_engine::find_angles(Face_index f, const Side_and_corner<Bounded_doubl
     angles[prev.idx()] = std::atan2(four_areas, 2 * at.corner.s_second.hi() - p);
     return;
   }
-  if (sign_of_area(f, surface) == NEGATIVE)
+  if (engine_.sign_of_area(f, surface) == NEGATIVE)
     throw_not_a_triangulation("face", f.idx(), "is inverted");
   for (Halfedge_index side : {h, next, prev})
-    angles[side.idx()] = angle(side);
+    angles[side.idx()] = numbers_.angle(side);
 }
 
 // The invariants of Filtered_edge_length_traits.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-bool Exact_engine::are_sound(Face_index f, const Saved_triangulation& saved,
-                             const Side_and_corner<Bounded_double_double>& at, Input_surface& surface) const
+bool Engine_restorer::are_sound(Face_index f, const Saved_triangulation& saved, const Side_and_corner& at,
+                                Input_surface& surface) const
 {
   const double area = saved.areas[f.idx()][0], bound = saved.areas[f.idx()][1];
-  const Halfedge_index h = connectivity_.halfedge(f);
+  const Halfedge_index h = complex_.halfedge(f);
   bool are_finite = std::isfinite(area) && bound >= 0;
-  for (Halfedge_index side : {h, connectivity_.next(h), connectivity_.prev(h)})
-    are_finite = are_finite && std::isfinite(saved.squared_lengths[connectivity_.edge(side).idx()]);
+  for (Halfedge_index side : {h, complex_.next(h), complex_.prev(h)})
+    are_finite = are_finite && std::isfinite(saved.squared_lengths[complex_.edge(side).idx()]);
   if (!are_finite)
     return false;
   constexpr double u = 0x1p-53, rounded_up = 1 + 0x1p-40;
@@ -243,13 +284,13 @@ bool Exact_engine::are_sound(Face_index f, const Saved_triangulation& saved,
   const auto are_good = [&](Halfedge_index side, const auto& corner, const auto& difference) {
     double of_sides = 0, sum = 0;
     const auto add = [&](Halfedge_index g, const auto& s) {
-      const double stored = saved.squared_lengths[connectivity_.edge(g).idx()];
+      const double stored = saved.squared_lengths[complex_.edge(g).idx()];
       of_sides += (std::max)(difference(stored, s), 6 * u * stored);
       sum += stored;
     };
     add(side, corner.s_opposite);
-    add(connectivity_.next(side), corner.s_second);
-    add(connectivity_.prev(side), corner.s_first);
+    add(complex_.next(side), corner.s_second);
+    add(complex_.prev(side), corner.s_first);
     return bound >= rounded_up * 1.5 * of_sides && bound >= rounded_up * 1.5 * difference(area, corner.four_areas) &&
            bound >= rounded_up * 12 * u * sum && sum >= 0;
   };
@@ -258,7 +299,7 @@ bool Exact_engine::are_sound(Face_index f, const Saved_triangulation& saved,
       }))
     return true;
   Mpfr_metric precise_metric(surface, {256});
-  return are_good(h, Unfolding<Mpfr_metric>(connectivity_, correspondence_, precise_metric).opposite_corner(h),
+  return are_good(h, Unfolding<Mpfr_metric>(complex_, correspondence_, precise_metric).opposite_corner(h),
                   [&](double stored, const Mpfr_interval& x) {
                     const Mpfr_interval d = x - precise_metric.constant(stored);
                     return (std::max)(std::abs(d.lower_double()), std::abs(d.upper_double()));
@@ -268,25 +309,25 @@ bool Exact_engine::are_sound(Face_index f, const Saved_triangulation& saved,
 // An edge begins and ends in the input faces that the integers name, and each input edge that it crosses has one end on
 // either side of it.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_engine::check_line(Edge_index e) const
+void Engine_restorer::check_line(Edge_index e) const
 {
   const std::int64_t n = correspondence_.coordinates().crossings(e);
   if (n < 0)
     return;
   const auto fail = [&](const std::string& what) { throw_not_a_triangulation("edge", e.idx(), what); };
-  const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
-  const Face_index first = uncrossed_input_face(connectivity_, correspondence_, h),
-                   last = uncrossed_input_face(connectivity_, correspondence_, g);
+  const Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
+  const Face_index first = uncrossed_input_face(complex_, correspondence_, h),
+                   last = uncrossed_input_face(complex_, correspondence_, g);
   if (!first.is_valid() || !last.is_valid())
     fail("leaves the surface");
   bool has_length = false;
   if (n == 0) {
     if (first != last)
       fail("crosses no input edge, and its ends lie in different input faces");
-    if (!correspondence_.is_inserted(connectivity_.source(h)) && !correspondence_.is_inserted(connectivity_.target(h)))
+    if (!correspondence_.is_inserted(complex_.source(h)) && !correspondence_.is_inserted(complex_.target(h)))
       fail("joins two corners of one input face, and is none of its sides");
   } else {
-    const Crossed_halfedges sequence(connectivity_, correspondence_, h, interruption());
+    const Crossed_halfedges sequence(complex_, correspondence_, h, engine_.decisions().interruption);
     const Delta_complex& input = correspondence_.input();
     Crossed_edges crossed(input);
     for (std::size_t i = 0; i < sequence.size(); ++i)
@@ -299,16 +340,16 @@ void Exact_engine::check_line(Edge_index e) const
     has_length = check == Line_check::STRAIGHT;
   }
   if (!has_length) {
-    Double_metric doubles(correspondence_.input(), metric_, interruption());
+    Double_metric doubles(correspondence_.input(), metric_, engine_.decisions().interruption);
     has_length =
-      certainly(Unfolding<Double_metric>(connectivity_, correspondence_, doubles).squared_length(e).sign() == POSITIVE);
+      certainly(Unfolding<Double_metric>(complex_, correspondence_, doubles).squared_length(e).sign() == POSITIVE);
   }
-  if (!has_length && has_length_zero(e))
+  if (!has_length && engine_.has_length_zero(e))
     fail("has length zero");
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_engine::Line_check Exact_engine::check_sides(Halfedge_index h, const Crossed_edges& crossed) const
+Engine_restorer::Line_check Engine_restorer::check_sides(Halfedge_index h, const Crossed_edges& crossed) const
 {
   // Twice the area to an end of a crossed edge: positive if it lies on the right side. Calls visit(area) until that
   // returns `false`.
@@ -316,7 +357,7 @@ Exact_engine::Line_check Exact_engine::check_sides(Halfedge_index h, const Cross
     using Metric = std::decay_t<decltype(metric)>;
     using Frame = Metric_frame<Metric>;
     Strip<Frame> strip(correspondence_.input(), Frame(correspondence_.input(), metric));
-    Unfolding<Metric>(connectivity_, correspondence_, metric).lay_out(strip, h, crossed);
+    Unfolding<Metric>(complex_, correspondence_, metric).lay_out(strip, h, crossed);
     strip.for_each_crossing(
       [&](const auto& areas, const auto&, const auto&) { return visit(areas.left) && visit(areas.right); });
   };
@@ -335,11 +376,11 @@ Exact_engine::Line_check Exact_engine::check_sides(Halfedge_index h, const Cross
     });
     return is_bent ? Line_check::BENT : Line_check::STRAIGHT;
   };
-  Double_metric doubles(correspondence_.input(), metric_, interruption());
+  Double_metric doubles(correspondence_.input(), metric_, engine_.decisions().interruption);
   Line_check result = find_open(doubles);
   if (result == Line_check::BENT || open.empty())
     return result;
-  const Surface_lease surface = input_surface();
+  const Exact_engine::Surface_lease surface = engine_.input_surface();
   Double_double_metric double_doubles(*surface);
   result = find_open(double_doubles);
   for (std::size_t i = 0; i < open.size() && result != Line_check::BENT; ++i) {
@@ -354,7 +395,7 @@ Exact_engine::Line_check Exact_engine::check_sides(Halfedge_index h, const Cross
       return *found;
     };
     const Sign sign = exact_sign(*surface, area, [&] {
-      return "that edge " + std::to_string(connectivity_.edge(h).idx()) + " runs through a vertex of the input";
+      return "that edge " + std::to_string(complex_.edge(h).idx()) + " runs through a vertex of the input";
     });
     result = sign == POSITIVE ? result : sign == ZERO ? Line_check::TOUCHING : Line_check::BENT;
   }
@@ -363,7 +404,7 @@ Exact_engine::Line_check Exact_engine::check_sides(Halfedge_index h, const Cross
 
 // An input face in whose plane all lie that a face shares points with, or none. All of these meet its sides.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Face_index Exact_engine::plane(Face_index f) const
+Face_index Engine_restorer::plane(Face_index f) const
 {
   const Delta_complex& input = correspondence_.input();
   Face_index result;
@@ -372,13 +413,13 @@ Face_index Exact_engine::plane(Face_index f) const
       result = g;
     return result == g || have_one_plane(input, metric_.points(), result, g);
   };
-  const Halfedge_index h = connectivity_.halfedge(f);
-  for (Halfedge_index side : {h, connectivity_.next(h), connectivity_.prev(h)}) {
-    if (!lies_in_it(uncrossed_input_face(connectivity_, correspondence_, side)))
+  const Halfedge_index h = complex_.halfedge(f);
+  for (Halfedge_index side : {h, complex_.next(h), complex_.prev(h)}) {
+    if (!lies_in_it(uncrossed_input_face(complex_, correspondence_, side)))
       return {};
-    if (correspondence_.coordinates().number_of_crossings(connectivity_.edge(side)) == 0)
+    if (correspondence_.coordinates().number_of_crossings(complex_.edge(side)) == 0)
       continue;
-    const Crossed_halfedges crossed(connectivity_, correspondence_, side, interruption());
+    const Crossed_halfedges crossed(complex_, correspondence_, side, engine_.decisions().interruption);
     for (std::size_t i = 0; i < crossed.size(); ++i)
       if (!lies_in_it(input.face(crossed[i])))
         return {};
@@ -390,4 +431,4 @@ Face_index Exact_engine::plane(Face_index f) const
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_RESTORE_IMPL_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_SAVED_TRIANGULATION_IMPL_H

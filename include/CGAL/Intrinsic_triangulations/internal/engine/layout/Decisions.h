@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// How exact decisions are made.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_DECISIONS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_DECISIONS_H
+
+#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+struct Decisions
+{
+  // A function that is called from time to time during a single decision that takes long. Threads that decide call it,
+  // several at once if they do. Copies of an engine do not take it over.
+  Interruption interruption;
+  Tie_proof tie_proof = Tie_proof::PROBABLE_IF_COSTLY; // what is accepted as a tie
+  Stage_counts counts;                                 // how tests were decided
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_DECISIONS_H
