@@ -42,8 +42,9 @@ endfunction()
 # One GoogleTest executable, each of whose cases is a test of its own in CTest.
 # SANITIZE marks a test that the sanitizer lane of .ci/run builds and runs; SANITIZE_AT_NIGHT one that `scripts/test --all` runs, as it
 # takes long there, or computes much with numbers and little with memory; THREADS one that has several threads, for the preset
-# `thread-sanitize`. OPTIMIZE keeps -O1 under the sanitizers: for a test that computes for longer
-# than its compilation takes. TOGETHER compiles all sources as one, which takes half of the time: most of it goes into what they include.
+# `thread-sanitize`. OPTIMIZE keeps -O1 under the sanitizers: for a test that computes for longer than its compilation takes, or
+# has more names than fit into an object file of Windows without optimization. TOGETHER compiles all sources as one, which takes half of
+# the time: most of it goes into what they include.
 function(add_idt_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "SANITIZE;SANITIZE_AT_NIGHT;THREADS;OPTIMIZE;TOGETHER" "TIMEOUT;PREFIX" "LIBRARIES;DEFINITIONS")
   if(NOT arg_TIMEOUT)
