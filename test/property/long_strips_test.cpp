@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Long_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Level_line.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
@@ -190,8 +191,10 @@ TEST(Long_strips, what_edges_cross_is_kept_as_long_as_nothing_flips)
 {
   Triangulation t = triangulation_of(fan_box(40, 320));
   IT::flip_to_Delaunay(t);
+  const auto& engine = IT::internal::engine(t);
+  IT::internal::Long_crossings(engine.connectivity(), engine.correspondence(), engine.interruption()).keep();
   const std::size_t kept = check_kept_crossings(t);
-  EXPECT_GT(kept, 20u);
+  EXPECT_GT(kept, 100u);
   Triangulation moved = std::move(t);
   IT::flip_to_Delaunay(moved, CGAL::parameters::edge_is_constrained_map(
                                 CGAL::Static_boolean_property_map<IT::Edge_index, true>())); // tests nothing
