@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/compare_points.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/require_vertex.h>
+#include <CGAL/Intrinsic_triangulations/internal/numbers/Accurate_shapes.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
@@ -57,6 +58,7 @@ std::vector<Halfedge_index> shortest_edge_path(const Intrinsic_triangulation<Tra
   const Delta_complex& complex = triangulation.connectivity();
   for (Vertex_index v : {source, target})
     internal::require_vertex(v, complex.number_of_vertices());
+  const internal::Accurate_shapes<Traits> shapes(triangulation);
   // No path to the target is shorter than the straight line.
   std::function<double(Vertex_index)> distance_in_space = [](Vertex_index) { return 0.; };
   if (triangulation.keeps_input() && !internal::engine(triangulation).metric().points().empty()) {
@@ -71,7 +73,8 @@ std::vector<Halfedge_index> shortest_edge_path(const Intrinsic_triangulation<Tra
         c /= sum;
       return point_in_space(correspondence.input(), points, p);
     };
-    distance_in_space = [position, end = position(target), unit = triangulation.unit_exponent()](Vertex_index v) {
+    distance_in_space = [position, end = position(target),
+                         unit = triangulation.unit_exponent() - shapes.exponent()](Vertex_index v) {
       const auto [x, y, z] = position(v);
       return std::ldexp(std::hypot(x - end[0], y - end[1], z - end[2]), unit);
     };
@@ -95,9 +98,7 @@ std::vector<Halfedge_index> shortest_edge_path(const Intrinsic_triangulation<Tra
     do {
       const Halfedge_index out = complex.opposite(h);
       const auto next = complex.target(out).idx();
-      double through = d;
-      if (through < distance[next]) // lengths take most of the time
-        through += CGAL::to_double(triangulation.length(complex.edge(h)));
+      const double through = d + shapes.length(complex.edge(h));
       if (through < distance[next]) {
         distance[next] = through;
         arrival[next] = out;

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Long_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Delaunay_refiner.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
@@ -143,6 +144,8 @@ Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation
   for (Edge_index e : complex.edges())
     is_segment[e.idx()] = complex.is_border(e) || get(is_constrained, e);
   const internal::Standard_arithmetic arithmetic;
+  const internal::Exact_engine& engine = internal::engine(triangulation);
+  internal::Long_crossings(complex, engine.correspondence(), engine.interruption()).keep(); // ties ask for many
   auto observer = internal::observer_of(np);
   using Observer = decltype(observer);
   internal::Flips_before_refinement<Observer> before{observer};

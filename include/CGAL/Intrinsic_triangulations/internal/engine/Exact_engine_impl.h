@@ -147,13 +147,11 @@ Exact_engine::Exact_engine(Exact_engine&& other) noexcept
   if (!memory_)
     return;
   memory_->surfaces.clear();
-  if (memory_->images) { // of the faces that were developed
-    memory_->developed_faces = {};
-    memory_->split_face.reset();
-  }
   memory_->images.reset();
   memory_->surface_of_images.reset();
   memory_->input_properties.reset();
+  memory_->developed_faces = {};
+  memory_->split_face.reset();
   memory_->is_close_call.clear();
   memory_->decisions.interruption.exchange({});
 }

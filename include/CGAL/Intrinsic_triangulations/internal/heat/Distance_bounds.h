@@ -10,8 +10,8 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/heat/Accurate_shapes.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/rows_by_distance.h>
+#include <CGAL/Intrinsic_triangulations/internal/numbers/Accurate_shapes.h>
 
 #include <algorithm>
 #include <array>

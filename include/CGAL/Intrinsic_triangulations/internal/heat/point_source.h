@@ -12,7 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/heat/Accurate_shapes.h>
+#include <CGAL/Intrinsic_triangulations/internal/numbers/Accurate_shapes.h>
 
 #include <algorithm>
 #include <array>

@@ -57,11 +57,7 @@ public:
   std::size_t number_of_journaled_flips() const { return journal_.size(); }
 
   // Logs flips again from now on, until the next `prepare()`. O(1).
-  void begin_journal()
-  {
-    is_prepared_ = false;
-    crossings_.clear();
-  }
+  void begin_journal() { is_prepared_ = false; }
 
   // The edges of these flips, in order.
   std::vector<Edge_index> journaled_flips(const Delta_complex& complex) const;

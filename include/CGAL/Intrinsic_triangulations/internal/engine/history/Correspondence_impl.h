@@ -44,6 +44,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Edge_index> Correspondence::pre
     is_prepared_ = true;
     return {};
   }
+  crossings_.clear(); // they have not followed the flips
   Normal_coordinates coordinates;
   Delta_complex input;
   if (!knows_input_)

@@ -6,8 +6,8 @@
 // Lengths and cotangents of a triangulation: the stored numbers where they are good enough, and exact geometry
 // elsewhere.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_ACCURATE_SHAPES_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_ACCURATE_SHAPES_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_ACCURATE_SHAPES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_ACCURATE_SHAPES_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
@@ -90,4 +90,4 @@ private:
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_ACCURATE_SHAPES_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_ACCURATE_SHAPES_H
