@@ -8,10 +8,9 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_NUMBER_TYPE_WITH_ROOTS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_NUMBER_TYPE_WITH_ROOTS_H
 
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_kinds.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/quadruple_precision.h>
 
-#include <CGAL/Algebraic_structure_traits.h>
-#include <CGAL/Real_embeddable_traits.h>
 #include <CGAL/number_type_basic.h>
 
 #include <type_traits>
@@ -19,14 +18,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
-
-// Whether CGAL knows real numbers with division and square root in FT.
-template <class FT, class = void>
-struct Has_roots
-  : std::integral_constant<bool, std::is_convertible<typename Algebraic_structure_traits<FT>::Algebraic_category,
-                                                     Field_with_sqrt_tag>::value &&
-                                   Real_embeddable_traits<FT>::Is_real_embeddable::value>
-{};
 
 template <class T>
 struct Type

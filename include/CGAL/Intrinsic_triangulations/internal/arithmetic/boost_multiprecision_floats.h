@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_BOOST_MULTIPRECISION_FLOATS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_BOOST_MULTIPRECISION_FLOATS_H
 
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Number_type_with_roots.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_kinds.h>
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Real_embeddable_traits.h>

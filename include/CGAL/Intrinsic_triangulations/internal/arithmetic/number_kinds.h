@@ -10,6 +10,7 @@
 
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Interval_nt.h>
+#include <CGAL/Real_embeddable_traits.h>
 #include <CGAL/tags.h>
 
 #include <limits>
@@ -58,6 +59,14 @@ template <class FT>
 constexpr bool has_exact_roots =
   std::is_convertible<typename Algebraic_structure_traits<FT>::Is_exact, Tag_true>::value&&
     std::is_convertible<typename Algebraic_structure_traits<FT>::Algebraic_category, Field_with_sqrt_tag>::value;
+
+// Whether CGAL knows real numbers with division and square root in FT.
+template <class FT, class = void>
+struct Has_roots
+  : std::integral_constant<bool, std::is_convertible<typename Algebraic_structure_traits<FT>::Algebraic_category,
+                                                     Field_with_sqrt_tag>::value &&
+                                   Real_embeddable_traits<FT>::Is_real_embeddable::value>
+{};
 
 } // namespace internal
 } // namespace Intrinsic_triangulations

@@ -10,7 +10,6 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/Saved_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/for_each_halfedge_around.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>

@@ -12,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
 #include <CGAL/Intrinsic_triangulations/internal/saving/Byte_stream.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
-#include <CGAL/Intrinsic_triangulations/internal/saving/Saved_file.h>
 #include <CGAL/Intrinsic_triangulations/internal/saving/Saved_header.h>
 
 #include <array>
