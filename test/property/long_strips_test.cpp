@@ -17,6 +17,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Long_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Level_line.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Vertex_positions.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
@@ -247,7 +248,6 @@ TEST(Long_strips, lines_across_parallel_folds_are_proven_to_be_straight)
   EXPECT_NEAR(network.length(across), std::hypot(length, 1), 1e-14);
 }
 
-// Nor is another proof possible that a point lies on such a line.
 TEST(Long_strips, points_are_proven_to_lie_on_lines_across_parallel_folds)
 {
   constexpr std::uint32_t n = 24;
@@ -269,9 +269,17 @@ TEST(Long_strips, points_are_proven_to_lie_on_lines_across_parallel_folds)
   const IT::Halfedge_index h = network.halfedges(line).front();
   ASSERT_EQ(t.number_of_crossings(t.connectivity().edge(h)), 2 * (n - 1));
   const auto& engine = IT::internal::engine(t);
+  const auto surface = engine.input_surface();
+  IT::internal::Level_line level(t.connectivity(), engine.correspondence(), *surface);
+  const IT::internal::Vertex_positions::Inserted none;
+  const IT::internal::Vertex_positions positions(t.input(), engine.metric().points(),
+                                                 engine.correspondence().locations(), none);
   for (std::uint32_t i = 1; i + 1 < n; ++i) {
-    EXPECT_EQ(engine.side_of(h, 2 * i, point_of(i, 0.5)), CGAL::ZERO);
-    EXPECT_EQ(engine.side_of(h, 2 * i, point_of(i, 0.5 + 0x1p-53)), CGAL::POSITIVE);
+    const IT::Surface_point on_line = point_of(i, 0.5), above = point_of(i, 0.5 + 0x1p-53);
+    EXPECT_TRUE(level.contains(h, positions, on_line));
+    EXPECT_FALSE(level.contains(h, positions, above));
+    EXPECT_EQ(engine.side_of(h, 2 * i, on_line), CGAL::ZERO);
+    EXPECT_EQ(engine.side_of(h, 2 * i, above), CGAL::POSITIVE);
   }
 }
 
