@@ -295,8 +295,8 @@ TEST(Const_queries, the_integers_are_computed_while_the_input_is_recovered)
       for (IT::Edge_index e : complex.edges()) {
         if (!complex.is_flippable(e))
           continue;
-        one.flip(complex, e);
-        two.flip(complex, e);
+        one.flip(complex, complex.hinge(e));
+        two.flip(complex, complex.hinge(e));
         complex.flip(e);
       }
     EXPECT_EQ(one.prepare(complex), two.prepare(complex, run_blocks));

@@ -194,7 +194,7 @@ TEST(Long_strips, what_edges_cross_is_kept_as_long_as_nothing_flips)
   Triangulation t = triangulation_of(fan_box(40, 320));
   IT::flip_to_Delaunay(t);
   const auto& engine = IT::internal::engine(t);
-  IT::internal::Long_crossings(engine.connectivity(), engine.correspondence(), engine.interruption()).keep();
+  IT::internal::Long_crossings(engine.connectivity(), engine.correspondence(), engine.decisions().interruption).keep();
   const std::size_t kept = check_kept_crossings(t);
   EXPECT_GT(kept, 100u);
   Triangulation moved = std::move(t);
