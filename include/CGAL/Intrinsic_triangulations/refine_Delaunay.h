@@ -145,7 +145,8 @@ Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation
     is_segment[e.idx()] = complex.is_border(e) || get(is_constrained, e);
   const internal::Standard_arithmetic arithmetic;
   const internal::Exact_engine& engine = internal::engine(triangulation);
-  internal::Long_crossings(complex, engine.correspondence(), engine.decisions().interruption).keep(); // ties ask for many
+  // Ties ask for what many edges cross.
+  internal::Long_crossings(complex, engine.correspondence(), engine.decisions().interruption).keep();
   auto observer = internal::observer_of(np);
   using Observer = decltype(observer);
   internal::Flips_before_refinement<Observer> before{observer};
