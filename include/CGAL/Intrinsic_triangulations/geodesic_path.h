@@ -98,7 +98,8 @@ std::vector<Halfedge_index> shortest_edge_path(const Intrinsic_triangulation<Tra
     do {
       const Halfedge_index out = complex.opposite(h);
       const auto next = complex.target(out).idx();
-      const double through = d + shapes.length(complex.edge(h));
+      // Some lengths take long.
+      const double through = d < distance[next] ? d + shapes.length(complex.edge(h)) : d;
       if (through < distance[next]) {
         distance[next] = through;
         arrival[next] = out;

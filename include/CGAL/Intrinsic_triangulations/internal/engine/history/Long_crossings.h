@@ -39,17 +39,25 @@ public:
       interruption_(interruption)
   {}
 
-  // Keeps what all edges cross, if one of them crosses many.
+  // Keeps what all edges cross, if one of them crosses many and there is room for all: edges of strongly twisted
+  // surfaces may cross far more than could be followed.
   void keep()
   {
     bool is_any_long = false;
-    for (Edge_index e : complex_.edges())
-      is_any_long = is_any_long || number_of_crossings(e) > std::int64_t(Crossed_halfedges::few);
+    auto room = std::int64_t(Kept_crossings::largest_total);
+    for (Edge_index e : complex_.edges()) {
+      const std::int64_t n = number_of_crossings(e);
+      is_any_long = is_any_long || n > std::int64_t(Crossed_halfedges::few);
+      if (n > room)
+        return;
+      room -= n;
+    }
     if (!is_any_long)
       return;
-    crossed_.resize(complex_.number_of_edges());
-    for (Edge_index e : complex_.edges())
-      make_room(e);
+    for (Edge_index e : complex_.edges()) {
+      const auto n = std::size_t(number_of_crossings(e));
+      crossed_.push_back(n > 0 ? std::make_unique<Halfedge_index[]>(n) : nullptr);
+    }
     std::vector<Block> starts;
     for (Halfedge_index h : complex_.halfedges())
       if (!complex_.is_border(h) && number_of_crossings(complex_.edge(h)) > 0) {
@@ -77,15 +85,6 @@ private:
 
   std::int64_t number_of_crossings(Edge_index e) const { return coordinates_.number_of_crossings(e); }
 
-  void make_room(Edge_index e)
-  {
-    const auto n = std::size_t(number_of_crossings(e));
-    if (n == 0 || n > Kept_crossings::largest_total - total_)
-      return;
-    crossed_[e.idx()] = std::make_unique<Halfedge_index[]>(n);
-    total_ += n;
-  }
-
   // Whether all were followed from their other ends.
   bool is_known(const Block& start) const
   {
@@ -93,8 +92,7 @@ private:
     const Halfedge_index* const crossed = crossed_[e.idx()].get();
     const std::int64_t first =
       start.across == complex_.halfedge(e) ? start.position : number_of_crossings(e) - start.position - start.count;
-    return crossed &&
-           std::all_of(crossed + first, crossed + first + start.count, [](Halfedge_index h) { return h.is_valid(); });
+    return std::all_of(crossed + first, crossed + first + start.count, [](Halfedge_index h) { return h.is_valid(); });
   }
   // Those that come from a corner.
   void follow(const Block& start)
@@ -121,14 +119,12 @@ private:
   {
     const Halfedge_index ij = block.across, ji = complex_.opposite(ij);
     const std::int64_t n = number_of_crossings(complex_.edge(ij)), end = block.position + block.count;
-    if (Halfedge_index* const crossed = crossed_[complex_.edge(ij).idx()].get()) {
-      const auto first = fan_.begin() + block.first, last = first + block.count;
-      if (ij == complex_.halfedge(complex_.edge(ij)))
-        std::copy(first, last, crossed + block.position);
-      else
-        std::transform(first, last, std::make_reverse_iterator(crossed + (n - block.position)),
-                       Crossed_range::opposite);
-    }
+    Halfedge_index* const crossed = crossed_[complex_.edge(ij).idx()].get();
+    const auto first = fan_.begin() + block.first, last = first + block.count;
+    if (ij == complex_.halfedge(complex_.edge(ij)))
+      std::copy(first, last, crossed + block.position);
+    else
+      std::transform(first, last, std::make_reverse_iterator(crossed + (n - block.position)), Crossed_range::opposite);
     // Those before c_i go around i, those from c_i + e_l on around j, and the others end in the third corner.
     const Triangle_crossings t = coordinates_.triangle_crossings(complex_, ji);
     const std::int64_t around_i = (std::min)(end, t.c_j), from_j = (std::max)(block.position, t.c_j + t.e_k);
@@ -141,9 +137,7 @@ private:
   const Correspondence& correspondence_;
   const Normal_coordinates& coordinates_;
   const Interruption& interruption_;
-  std::vector<std::unique_ptr<Halfedge_index[]>>
-    crossed_; // by the halfedges with even numbers; not where it is too much
-  std::size_t total_ = 0;
+  std::vector<std::unique_ptr<Halfedge_index[]>> crossed_; // by the halfedges with even numbers
   std::vector<Halfedge_index> fan_; // that are followed, counterclockwise around their source
   std::vector<Block> blocks_;       // still to be followed
 };
