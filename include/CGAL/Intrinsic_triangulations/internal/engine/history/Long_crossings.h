@@ -138,8 +138,8 @@ private:
   const Normal_coordinates& coordinates_;
   const Interruption& interruption_;
   std::vector<std::unique_ptr<Halfedge_index[]>> crossed_; // by the halfedges with even numbers
-  std::vector<Halfedge_index> fan_; // that are followed, counterclockwise around their source
-  std::vector<Block> blocks_;       // still to be followed
+  std::vector<Halfedge_index> fan_;                        // that are followed, counterclockwise around their source
+  std::vector<Block> blocks_;                              // still to be followed
 };
 
 } // namespace internal
