@@ -189,6 +189,21 @@ TEST(Long_strips, what_edges_cross_is_kept_where_faces_are_glued_to_themselves)
   EXPECT_GT(kept, 300u);
 }
 
+TEST(Long_strips, what_edges_cross_is_not_followed_without_end)
+{
+  IT::Delta_complex complex = triangulation_of(samples::sheared_one_vertex_torus(1)).connectivity();
+  IT::internal::Correspondence correspondence;
+  for (std::uint32_t i = 0; i < 60; ++i) {
+    const IT::Hinge_halfedges around = complex.hinge(IT::Edge_index(i % 3));
+    correspondence.flip(complex, around);
+    complex.flip(around);
+  }
+  correspondence.prepare(complex);
+  EXPECT_GT(correspondence.coordinates().number_of_crossings(IT::Edge_index(0)), std::int64_t(1) << 36);
+  IT::internal::Long_crossings(complex, correspondence, IT::internal::Interruption()).keep();
+  EXPECT_TRUE(correspondence.kept_crossings().is_empty());
+}
+
 TEST(Long_strips, what_edges_cross_is_kept_as_long_as_nothing_flips)
 {
   Triangulation t = triangulation_of(fan_box(40, 320));
