@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <iostream>
 #include <vector>
 
@@ -55,4 +56,5 @@ int main()
   const IT::Planar_vector<double> opposite = map.back();
   std::cout << "to the opposite corner:      " << std::hypot(opposite.x(), opposite.y()) << ", exactly "
             << std::hypot(columns, rows) << '\n';
+  return EXIT_SUCCESS;
 }
