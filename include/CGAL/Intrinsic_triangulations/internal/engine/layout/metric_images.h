@@ -23,6 +23,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Square_root_basis.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/ratios_in_space.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Direct_mapped_cache.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/relaxed_atomic.h>
 
@@ -37,9 +38,9 @@
 #include <cstdint>
 #include <deque>
 #include <limits>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -101,7 +102,8 @@ public:
   Input_surface(const Delta_complex& connectivity, const Input_metric& metric, const Decisions& decisions,
                 Input_properties& properties)
     : connectivity_(connectivity), metric_(metric), decisions_(decisions), properties_(properties),
-      ratios_(number_of_ratios(connectivity)), ratios_in_plane_(ratios_.size())
+      ratios_(2 * std::size_t(connectivity.number_of_edges())),
+      ratios_in_plane_(2 * std::size_t(connectivity.number_of_edges()))
   {}
 
   const Delta_complex& connectivity() const { return connectivity_; }
@@ -135,26 +137,18 @@ public:
     return sign_of_normals(metric_.points(), {i, j}, {from, to}, {i, j}, {i, k});
   }
 
-  // A direct-mapped cache of corner ratios: neighbouring edges cross the same triangles.
+  // Neighbouring edges cross the same triangles.
   template <class Compute>
   const Corner_ratios<Double_double_disk>& remembered(Halfedge_index h, const Compute& compute)
   {
-    Entry& entry = ratios_[h.idx() & (ratios_.size() - 1)];
-    if (entry.halfedge != h) {
-      entry.ratios = compute();
-      entry.halfedge = h;
-    }
-    return entry.ratios;
+    return ratios_(h, h.idx(), compute);
   }
   // The same for ratios of vectors within a plane.
   template <class Compute>
   const Double_double_disk& remembered(Halfedge_index h, Vertex_index from, Vertex_index to, const Compute& compute)
   {
     const std::uint32_t hash = (h.idx() * 0x9e3779b1u) ^ (from.idx() * 0x85ebca6bu) ^ (to.idx() * 0xc2b2ae35u);
-    Plane_entry& entry = ratios_in_plane_[(hash >> 16) & (ratios_in_plane_.size() - 1)];
-    if (entry.halfedge != h || entry.from != from || entry.to != to)
-      entry = {h, from, to, compute()};
-    return entry.ratio;
+    return ratios_in_plane_({h, from, to}, hash >> 16, compute);
   }
 
   Fan_positions& fans() { return fans_; }
@@ -163,33 +157,13 @@ private:
   // Twice the digits before and behind the point.
   static constexpr double size_of_double = 2 * (1024 + 1074 + 53);
 
-  // A power of two: one for each halfedge of a small surface.
-  static std::size_t number_of_ratios(const Delta_complex& connectivity)
-  {
-    std::size_t result = 16;
-    while (result < 4096 && result < 2 * std::size_t(connectivity.number_of_edges()))
-      result *= 2;
-    return result;
-  }
-  struct Entry
-  {
-    Halfedge_index halfedge;
-    Corner_ratios<Double_double_disk> ratios;
-  };
-  struct Plane_entry
-  {
-    Halfedge_index halfedge;
-    Vertex_index from, to;
-    Double_double_disk ratio;
-  };
-
   const Delta_complex& connectivity_;
   const Input_metric& metric_;
   const Decisions& decisions_;
   Input_properties& properties_; // which all threads share
   std::deque<Prime_fields> prime_fields_;
-  std::vector<Entry> ratios_;
-  std::vector<Plane_entry> ratios_in_plane_;
+  Direct_mapped_cache<Halfedge_index, Corner_ratios<Double_double_disk>> ratios_;
+  Direct_mapped_cache<std::tuple<Halfedge_index, Vertex_index, Vertex_index>, Double_double_disk> ratios_in_plane_;
   Fan_positions fans_;
 };
 

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_DIRECT_MAPPED_CACHE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_DIRECT_MAPPED_CACHE_H
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Intrinsic_triangulations {
+namespace internal {
+
+// Values by keys, each at the one place that its hash gives. It grows where work goes on: few questions do not pay for
+// the memory of many.
+//
+// \tparam Key a default value of which is never asked for
+template <class Key, class Value>
+class Direct_mapped_cache
+{
+public:
+  // \param number_of_keys as many as there are, or more
+  explicit Direct_mapped_cache(std::size_t number_of_keys)
+  {
+    while (largest_size_ < (std::min)(number_of_keys, most_entries))
+      largest_size_ *= 2;
+    entries_.resize((std::min)(largest_size_, first_entries));
+  }
+
+  // Valid until the next call. `compute` must not ask the cache.
+  template <class Compute>
+  const Value& operator()(const Key& key, std::uint32_t hash, const Compute& compute)
+  {
+    Entry* entry = &entries_[hash & (entries_.size() - 1)];
+    if (entry->key == key)
+      return entry->value;
+    if (++misses_ > 4 * entries_.size() && entries_.size() < largest_size_) {
+      entries_ = std::vector<Entry>(2 * entries_.size());
+      misses_ = 0;
+      entry = &entries_[hash & (entries_.size() - 1)];
+    }
+    entry->value = compute();
+    entry->key = key;
+    return entry->value;
+  }
+
+private:
+  // Powers of two, as are all sizes. Some megabytes for each thread at most.
+  static constexpr std::size_t first_entries = 4096, most_entries = 32768;
+
+  struct Entry
+  {
+    Key key;
+    Value value;
+  };
+
+  std::size_t largest_size_ = 16, misses_ = 0;
+  std::vector<Entry> entries_;
+};
+
+} // namespace internal
+} // namespace Intrinsic_triangulations
+} // namespace CGAL
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_DIRECT_MAPPED_CACHE_H
