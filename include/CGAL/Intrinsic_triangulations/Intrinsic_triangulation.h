@@ -325,7 +325,9 @@ public:
   /// Where both faces have zero area, it is negative if both opposite angles are π, and
   /// zero otherwise.
   /// \pre `keeps_input()` and `connectivity().is_flippable(e)`
-  /// \exception Undecided_error as `sign_of_cotangent_weight()`
+  /// \exception Undecided_error if proofs of ties are demanded, and one takes too long
+  /// \exception Cancelled_error as described at `set_interruption()`
+  /// \exception Integer_overflow_error if an edge crosses more than 2^60 input edges
   Sign sign_of_cotangent_weight(Edge_index e) const
   {
     const Arithmetic arithmetic;
