@@ -231,18 +231,21 @@ public:
   }
   /// returns the connectivity of the input. It has the original vertices, edges, halfedges and faces; `halfedge(v)` and
   /// `halfedge(f)` may be other halfedges of the vertex and the face.
-  const Delta_complex& input() const { return prepared_engine().correspondence().input(); }
+  const Delta_complex& input() const { return internal::input(correspondence()); }
   /// returns how many times input edges cross `e`; 0 if it coincides with one.
-  std::int64_t number_of_crossings(Edge_index e) const { return integers().number_of_crossings(e); }
+  std::int64_t number_of_crossings(Edge_index e) const
+  {
+    return (std::max)(std::int64_t(0), internal::crossings(correspondence(), e));
+  }
   /// returns whether `e` coincides with an edge of the input, or with a part of one.
-  bool is_input_edge(Edge_index e) const { return integers().is_original(e); }
+  bool is_input_edge(Edge_index e) const { return internal::crossings(correspondence(), e) < 0; }
   /// returns the halfedge of the input along `h`. \pre `is_input_edge(connectivity().edge(h))`
-  Halfedge_index input_halfedge(Halfedge_index h) const { return prepared_engine().correspondence().input_halfedge(h); }
+  Halfedge_index input_halfedge(Halfedge_index h) const { return internal::input_halfedge(correspondence(), h); }
   /// returns whether `v` was inserted, that is, whether it is not a vertex of the input.
-  bool is_inserted(Vertex_index v) const { return prepared_engine().correspondence().is_inserted(v); }
+  bool is_inserted(Vertex_index v) const { return internal::is_inserted(correspondence(), v); }
   /// returns where an inserted vertex lies on the input. The coordinates are exact once they are divided by their sum.
   /// \pre `is_inserted(v)`
-  const Surface_point& location(Vertex_index v) const { return prepared_engine().correspondence().location(v); }
+  const Surface_point& location(Vertex_index v) const { return internal::location(correspondence(), v); }
   /// @}
 
   /// returns the triangles.
@@ -390,7 +393,7 @@ private:
     engine_.prepare();
     return engine_;
   }
-  const internal::Normal_coordinates& integers() const { return prepared_engine().correspondence().coordinates(); }
+  const internal::Correspondence& correspondence() const { return prepared_engine().correspondence(); }
 
   // What error bounds assume; interval types set the rounding mode themselves.
   struct Any_arithmetic

@@ -114,7 +114,7 @@ class Engine_restorer
 {
 public:
   explicit Engine_restorer(Exact_engine& engine)
-    : engine_(engine), complex_(engine.connectivity_), correspondence_(engine.correspondence_),
+    : engine_(engine), complex_(engine.connectivity_), correspondence_(engine.memory_->correspondence),
       metric_(engine.metric()), numbers_(engine)
   {}
 
@@ -182,7 +182,7 @@ void Engine_restorer::operator()(Saved_triangulation& saved, const Block_runner&
       for (std::int64_t sum = 0; end < n && sum < most_kept; ++end)
         sum += number_of_crossings(std::uint32_t(end));
       run(end - begin, elements_of_block, [&](std::size_t first, std::size_t last) {
-        const Exact_engine::Surface_lease surface = engine_.input_surface();
+        const Surface_lease surface = engine_.input_surface();
         for (std::size_t i = begin + first; i < begin + last; ++i)
           f(std::uint32_t(i), *surface);
       });
@@ -237,7 +237,7 @@ void Engine_restorer::operator()(Saved_triangulation& saved, const Block_runner&
       for (std::size_t v = first; v < last; ++v)
         check_angle_sum(engine_, Vertex_index(std::uint32_t(v)), angle_in_input, angles);
     });
-  const Exact_engine::Surface_lease surface = engine_.input_surface();
+  const Surface_lease surface = engine_.input_surface();
   for (Face_index f : complex_.faces())
     if (!are_bounded[f.idx()]) {
       const auto corner = corner_of(f, *surface);
@@ -379,7 +379,7 @@ Engine_restorer::Line_check Engine_restorer::check_sides(Halfedge_index h, const
   Line_check result = find_open(doubles);
   if (result == Line_check::BENT || open.empty())
     return result;
-  const Exact_engine::Surface_lease surface = engine_.input_surface();
+  const Surface_lease surface = engine_.input_surface();
   Double_double_metric double_doubles(*surface);
   result = find_open(double_doubles);
   for (std::size_t i = 0; i < open.size() && result != Line_check::BENT; ++i) {

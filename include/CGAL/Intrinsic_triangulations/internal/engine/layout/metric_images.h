@@ -24,6 +24,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/ratios_in_space.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Scratch_pool.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/relaxed_atomic.h>
 
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
@@ -191,6 +192,13 @@ private:
   std::vector<Entry> ratios_;
   std::vector<Plane_entry> ratios_in_plane_;
   Fan_positions fans_;
+};
+
+// One that a call has for itself.
+class Surface_lease : public Scratch_pool<Input_surface>::Lease
+{
+public:
+  Surface_lease(Lease&& lease) : Lease(std::move(lease)) {}
 };
 
 // In double-doubles with error bounds.
