@@ -13,7 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Removed_elements.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_conversion.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>

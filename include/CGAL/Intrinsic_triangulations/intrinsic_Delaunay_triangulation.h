@@ -16,7 +16,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_conversion.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_kinds.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/check_triangles.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/copy_face_graph.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/metric/Rational_points.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/default_traits.h>

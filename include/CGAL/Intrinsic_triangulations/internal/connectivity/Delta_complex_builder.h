@@ -31,6 +31,8 @@ using Defect = Invalid_surface_error::Defect;
 
 // Throws if descriptors cannot have so many values.
 void check_size(std::size_t number_of_halfedges);
+// Throws unless all faces are triangles: a face graph that was copied may have others.
+void check_triangles(const Delta_complex& complex);
 
 class Delta_complex_builder
 {

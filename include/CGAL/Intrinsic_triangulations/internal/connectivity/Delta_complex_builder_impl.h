@@ -31,6 +31,27 @@ void check_size(std::size_t number_of_halfedges)
     throw Invalid_surface_error(Defect::OUT_OF_RANGE, 0, 1, "the surface has too many edges for 32-bit indices");
 }
 
+inline bool is_triangle(const Delta_complex& complex, Halfedge_index h)
+{
+  const Halfedge_index last = complex.next(complex.next(h));
+  return last == complex.prev(h) && last != h;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void check_triangles(const Delta_complex& complex)
+{
+  std::size_t first = 0, count = 0;
+  for (Face_index f : complex.faces())
+    if (!is_triangle(complex, complex.halfedge(f))) {
+      first = count == 0 ? f.idx() : first;
+      ++count;
+    }
+  if (count > 0)
+    throw Invalid_surface_error(Defect::NOT_A_TRIANGLE, first, count,
+                                "face " + std::to_string(first) + " is not a triangle (" + std::to_string(count) +
+                                  " such faces); triangulate the faces first");
+}
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Delta_complex Delta_complex_builder::from_glued_sides(std::size_t number_of_vertices,
                                                       Large_vector<std::uint32_t> corner_vertex,

@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_DELTA_COMPLEX_SPLITS_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Removed_elements.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 

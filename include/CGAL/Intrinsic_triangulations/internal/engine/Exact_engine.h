@@ -16,7 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Triangle_corner.h>
 #include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Block_runner.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/tags.h>

@@ -10,7 +10,6 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Removed_elements.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>

@@ -16,7 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Rotation_system.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Block_runner.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 

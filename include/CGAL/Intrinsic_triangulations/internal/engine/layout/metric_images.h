@@ -25,7 +25,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Scratch_pool.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/relaxed_atomic.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/memory_access.h>
 
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 
