@@ -482,6 +482,38 @@ private:
 /// \param complex the complex
 bool is_simplicial(const Delta_complex& complex);
 
+namespace internal {
+
+// The halfedges that point to v, clockwise from halfedge(v), for a range-based loop. Nothing is flipped meanwhile.
+class Halfedges_around
+{
+public:
+  Halfedges_around(const Delta_complex& complex, Vertex_index v) : complex_(complex), first_(complex.halfedge(v)) {}
+
+  struct Iterator
+  {
+    Halfedge_index operator*() const { return h; }
+    Iterator& operator++()
+    {
+      h = around->complex_.next_around_target(h);
+      if (h == around->first_)
+        h = Halfedge_index();
+      return *this;
+    }
+    bool operator!=(const Iterator& other) const { return h != other.h; }
+    const Halfedges_around* around;
+    Halfedge_index h; // null at the end
+  };
+  Iterator begin() const { return {this, first_}; }
+  Iterator end() const { return {this, Halfedge_index()}; }
+
+private:
+  const Delta_complex& complex_;
+  Halfedge_index first_;
+};
+
+} // namespace internal
+
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 

@@ -102,13 +102,14 @@ public:
   /// \param traits the traits
   /// \exception Invalid_surface_error if a coordinate is not finite, an edge has length
   ///   zero, or squared lengths leave the range of the number type. O(size).
-  template <class PointRange>
-  Intrinsic_triangulation(Delta_complex connectivity, const PointRange& points, const Traits& traits = Traits())
-    : Intrinsic_triangulation(std::move(connectivity), converted(points), traits)
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
+  template <class PointRange, class ConcurrencyTag = Sequential_tag>
+  Intrinsic_triangulation(Delta_complex connectivity, const PointRange& points, const Traits& traits = Traits(),
+                          ConcurrencyTag = ConcurrencyTag())
+    : Intrinsic_triangulation(std::move(connectivity), converted(points), traits, ConcurrencyTag())
   {}
 
   /// \brief as above, but moves the points instead of copying them.
-  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
   template <class ConcurrencyTag = Sequential_tag>
   Intrinsic_triangulation(Delta_complex connectivity, Point_vector&& points, const Traits& traits = Traits(),
                           ConcurrencyTag = ConcurrencyTag())
@@ -417,7 +418,7 @@ private:
   static Point_vector converted(const PointRange& points)
   {
     Point_vector result;
-    result.reserve(std::size_t(std::distance(points.begin(), points.end())));
+    result.reserve(std::size_t(std::distance(std::begin(points), std::end(points))));
     for (const auto& p : points)
       result.push_back(
         {internal::convert_number<FT>(p[0]), internal::convert_number<FT>(p[1]), internal::convert_number<FT>(p[2])});

@@ -301,13 +301,7 @@ auto intrinsic_triangulation(const PointRange& points, const TriangleRange& tria
     if (metric) // some coordinate is not a double
       return Triangulation::from_metric(std::move(connectivity), std::move(*metric), traits);
   }
-  using FT = typename Traits::FT;
-  typename Triangulation::Point_vector copied;
-  copied.reserve(number_of_vertices);
-  for (const auto& p : points)
-    copied.push_back(
-      {internal::convert_number<FT>(p[0]), internal::convert_number<FT>(p[1]), internal::convert_number<FT>(p[2])});
-  return Triangulation(std::move(connectivity), std::move(copied), traits, ConcurrencyTag());
+  return Triangulation(std::move(connectivity), points, traits, ConcurrencyTag());
 }
 
 /// \ingroup PkgIntrinsicTriangulationsRef

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_DELTA_COMPLEX_BUILDER_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_DELTA_COMPLEX_BUILDER_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/for_each_halfedge_around.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
 
 #include <algorithm>
@@ -281,12 +281,14 @@ void Delta_complex_builder::check_fans(const Delta_complex& complex)
 {
   std::size_t number_of_met = 0;
   for (Vertex_index v : complex.vertices())
-    for_each_halfedge_around(complex, v, [&](Halfedge_index) { ++number_of_met; });
+    for ([[maybe_unused]] Halfedge_index h : Halfedges_around(complex, v))
+      ++number_of_met;
   if (number_of_met == complex.number_of_halfedges())
     return;
   std::vector<bool> is_met(complex.number_of_halfedges(), false);
   for (Vertex_index v : complex.vertices())
-    for_each_halfedge_around(complex, v, [&](Halfedge_index h) { is_met[h.idx()] = true; });
+    for (Halfedge_index h : Halfedges_around(complex, v))
+      is_met[h.idx()] = true;
   const std::size_t h = std::size_t(std::find(is_met.begin(), is_met.end(), false) - is_met.begin());
   const std::size_t v = complex.target(Halfedge_index(std::uint32_t(h))).idx();
   throw Invalid_surface_error(Defect::NON_MANIFOLD_VERTEX, v, 1,

@@ -91,12 +91,10 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Delta_complex::has_valid_vertices(std:
     if (first.idx() >= number_of_halfedges() || target(first) != v)
       return internal::report_defect(defect, v, "its halfedge does not point to it");
     bool meets_border = false;
-    Halfedge_index h = first;
-    do {
+    for (Halfedge_index h : internal::Halfedges_around(*this, v)) {
       meets_border = meets_border || is_border(h);
       ++number_of_visited;
-      h = next_around_target(h);
-    } while (h != first);
+    }
     if (meets_border && !is_border(first))
       return internal::report_defect(defect, v, "is on the border and its halfedge is not");
   }
@@ -110,19 +108,13 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Delta_complex::has_valid_vertices(std:
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool is_simplicial(const Delta_complex& complex)
 {
   std::vector<Vertex_index> last_met_from(complex.number_of_vertices());
-  for (Vertex_index v : complex.vertices()) {
-    const Halfedge_index first = complex.halfedge(v);
-    if (!first.is_valid())
-      continue;
-    Halfedge_index h = first;
-    do {
+  for (Vertex_index v : complex.vertices())
+    for (Halfedge_index h : internal::Halfedges_around(complex, v)) {
       Vertex_index& met_from = last_met_from[complex.source(h).idx()];
       if (met_from == v) // by another edge, or by the other halfedge of a loop
         return false;
       met_from = v;
-      h = complex.next_around_target(h);
-    } while (h != first);
-  }
+    }
   // Where no two edges have the same ends, faces with the same corners share all edges.
   for (Face_index f : complex.faces()) {
     const Halfedge_index h = complex.halfedge(f);

@@ -212,15 +212,9 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Delta_complex::move_edge(Edge_index fr
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Delta_complex::move_vertex(Vertex_index from, Vertex_index to)
 {
-  const Halfedge_index first = halfedge(from);
-  vertex_halfedges_[to.idx()] = first;
-  if (!first.is_valid())
-    return;
-  Halfedge_index h = first;
-  do {
+  vertex_halfedges_[to.idx()] = halfedge(from);
+  for (Halfedge_index h : internal::Halfedges_around(*this, from))
     record(h).target = to.idx();
-    h = next_around_target(h);
-  } while (h != first);
 }
 
 } // namespace Intrinsic_triangulations

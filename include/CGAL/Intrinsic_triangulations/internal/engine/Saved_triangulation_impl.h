@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/for_each_halfedge_around.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
@@ -50,22 +50,21 @@ void check_angle_sum(const Exact_engine& engine, Vertex_index v, const Input_ang
   const Delta_complex &complex = engine.connectivity(), &input = correspondence.input();
   bool is_concerned = correspondence.is_inserted(v), is_on_border = false;
   double sum = 0, expected = 0;
-  for_each_halfedge_around(complex, v, [&](Halfedge_index h) {
+  for (Halfedge_index h : Halfedges_around(complex, v)) {
     is_concerned = is_concerned || correspondence.is_inserted(complex.source(h));
     if (complex.is_border(h))
       is_on_border = true;
     else
       sum += angles[complex.prev(h).idx()]; // between h and the next one
-  });
+  }
   if (!is_concerned)
     return;
   if (correspondence.is_inserted(v))
     expected = is_on_border ? CGAL_PI : 2 * CGAL_PI;
   else
-    for_each_halfedge_around(input, v, [&](Halfedge_index h) {
+    for (Halfedge_index h : Halfedges_around(input, v))
       if (!input.is_border(input.opposite(h)))
         expected += input_angle(input.opposite(h));
-    });
   if (!(std::abs(sum - expected) < 1))
     throw_not_a_triangulation("vertex", v.idx(), "has angles that sum to more or less than those of the surface there");
 }

@@ -88,12 +88,8 @@ private:
   std::vector<Halfedge_index> edges_at_vertex() const
   {
     std::vector<Halfedge_index> result;
-    const Halfedge_index first = complex_.halfedge(v_);
-    Halfedge_index h = first;
-    do {
+    for (Halfedge_index h : Halfedges_around(complex_, v_))
       result.push_back(h);
-      h = complex_.next_around_target(h);
-    } while (h != first);
     return result;
   }
 
