@@ -512,6 +512,17 @@ private:
   Halfedge_index first_;
 };
 
+// The side of a face with the largest value(h), the first of them from halfedge(f) on.
+template <class Value>
+Halfedge_index side_with_largest(const Delta_complex& complex, Face_index f, const Value& value)
+{
+  Halfedge_index result = complex.halfedge(f);
+  for (Halfedge_index h : {complex.next(result), complex.prev(result)})
+    if (value(h) > value(result))
+      result = h;
+  return result;
+}
+
 } // namespace internal
 
 } // namespace Intrinsic_triangulations

@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/graph_traits_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/tags.h>

@@ -171,10 +171,7 @@ private:
     for (Face_index f : complex_.faces()) {
       if (!has_area_[f.idx()])
         continue;
-      Halfedge_index base = complex_.halfedge(f);
-      for (Halfedge_index h : {complex_.next(base), complex_.prev(base)})
-        if (length(h) > length(base))
-          base = h;
+      const Halfedge_index base = side_with_largest(complex_, f, [&](Halfedge_index h) { return length(h); });
       const Halfedge_index next = complex_.next(base), prev = complex_.prev(base);
       const double cot = shapes_.cotangent(next), height = length(base) / (cot + shapes_.cotangent(prev));
       if (height < least_height * length(base))

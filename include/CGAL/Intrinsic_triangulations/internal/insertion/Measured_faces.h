@@ -66,21 +66,11 @@ public:
   }
   Halfedge_index longest_side(Face_index f) const
   {
-    const Halfedge_index h = complex_.halfedge(f);
-    Halfedge_index result = h;
-    for (Halfedge_index side : {complex_.next(h), complex_.prev(h)})
-      if (length(side) > length(result))
-        result = side;
-    return result;
+    return side_with_largest(complex_, f, [&](Halfedge_index h) { return length(h); });
   }
   Halfedge_index shortest_side(Face_index f) const
   {
-    const Halfedge_index h = complex_.halfedge(f);
-    Halfedge_index result = h;
-    for (Halfedge_index side : {complex_.next(h), complex_.prev(h)})
-      if (length(side) < length(result))
-        result = side;
-    return result;
+    return side_with_largest(complex_, f, [&](Halfedge_index h) { return -length(h); });
   }
   double circumradius(Face_index f) const
   {

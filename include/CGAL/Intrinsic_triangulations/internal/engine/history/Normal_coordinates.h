@@ -136,11 +136,7 @@ public:
   // of all sides are relatively small.
   Halfedge_index side_with_most_crossings(const Delta_complex& complex, Face_index f) const
   {
-    Halfedge_index result = complex.halfedge(f);
-    for (Halfedge_index h : {complex.next(result), complex.prev(result)})
-      if (crossings(complex.edge(h)) > crossings(complex.edge(result)))
-        result = h;
-    return result;
+    return side_with_largest(complex, f, [&](Halfedge_index h) { return crossings(complex.edge(h)); });
   }
 
   // The names of `piece` on all sides of its triangle that it touches, itself first.
