@@ -529,8 +529,7 @@ Halfedge_index side_with_largest(const Delta_complex& complex, Face_index f, con
 } // namespace CGAL
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_checks_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_splits_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_impl.h>
 #endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_DELTA_COMPLEX_H
