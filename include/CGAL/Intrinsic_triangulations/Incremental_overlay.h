@@ -126,7 +126,9 @@ public:
   /// @}
 
 private:
+  /// \cond SKIP_IN_MANUAL
   friend class internal::Incremental_overlay_check; // of the tests
+  /// \endcond
 
   enum class Side : std::uint8_t {
     NONE,
