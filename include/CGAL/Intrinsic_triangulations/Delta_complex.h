@@ -496,16 +496,16 @@ public:
     Iterator& operator++()
     {
       h = around->complex_.next_around_target(h);
-      if (h == around->first_)
-        h = Halfedge_index();
+      is_at_end = h == around->first_;
       return *this;
     }
-    bool operator!=(const Iterator& other) const { return h != other.h; }
+    bool operator!=(const Iterator& other) const { return is_at_end != other.is_at_end; }
     const Halfedges_around* around;
-    Halfedge_index h; // null at the end
+    Halfedge_index h;
+    bool is_at_end;
   };
-  Iterator begin() const { return {this, first_}; }
-  Iterator end() const { return {this, Halfedge_index()}; }
+  Iterator begin() const { return {this, first_, !first_.is_valid()}; }
+  Iterator end() const { return {this, first_, true}; }
 
 private:
   const Delta_complex& complex_;
