@@ -18,6 +18,7 @@
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
 
+#include <boost/config.hpp>
 #include <boost/container/static_vector.hpp>
 #include <boost/iterator/iterator_facade.hpp>
 
@@ -512,9 +513,10 @@ private:
   Halfedge_index first_;
 };
 
-// The side of a face with the largest value(h), the first of them from halfedge(f) on.
+// The side of a face with the largest value(h), the first of them from halfedge(f) on. Inlined by force: refinement asks
+// for the longest side all the time.
 template <class Value>
-Halfedge_index side_with_largest(const Delta_complex& complex, Face_index f, const Value& value)
+BOOST_FORCEINLINE Halfedge_index side_with_largest(const Delta_complex& complex, Face_index f, const Value& value)
 {
   Halfedge_index result = complex.halfedge(f);
   for (Halfedge_index h : {complex.next(result), complex.prev(result)})
