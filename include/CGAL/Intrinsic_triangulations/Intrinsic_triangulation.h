@@ -100,9 +100,9 @@ public:
   /// \param points the position of each vertex, in the order of the vertices; three coordinates `p[i]` of any
   ///   number type, which are rounded to `FT` if it cannot hold them
   /// \param traits the traits
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
   /// \exception Invalid_surface_error if a coordinate is not finite, an edge has length
   ///   zero, or squared lengths leave the range of the number type. O(size).
-  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
   template <class PointRange, class ConcurrencyTag = Sequential_tag>
   Intrinsic_triangulation(Delta_complex connectivity, const PointRange& points, const Traits& traits = Traits(),
                           ConcurrencyTag = ConcurrencyTag())

@@ -279,7 +279,7 @@ private:
   std::unique_ptr<Memory> memory_; // null without an input
 };
 
-// For those who need no more of a Correspondence than this.
+// What Intrinsic_triangulation tells of a Correspondence, so that not all who include it include that.
 const Delta_complex& input(const Correspondence& correspondence);
 std::int64_t crossings(const Correspondence& correspondence, Edge_index e);
 Halfedge_index input_halfedge(const Correspondence& correspondence, Halfedge_index h);

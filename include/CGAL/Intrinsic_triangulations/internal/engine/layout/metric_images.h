@@ -194,7 +194,7 @@ private:
   Fan_positions fans_;
 };
 
-// One that a call has for itself.
+// An Input_surface that a call has for itself.
 class Surface_lease : public Scratch_pool<Input_surface>::Lease
 {
 public:
