@@ -5,7 +5,7 @@
 
 #include "Command_test.h"
 
-#include <CGAL/Intrinsic_triangulations/internal/overlay/find_property_map.h>
+#include <CGAL/Intrinsic_triangulations/internal/overlay/Carried_properties.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -8,6 +8,7 @@
 
 #include "fuzz_target.h"
 #include "overlay_triangulations.h"
+#include "property/Incremental_overlay_check.h"
 #include "property/flip_test_surfaces.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
@@ -57,8 +58,8 @@ inline void check_overlay(const Filtered_triangulation& triangulation, const Rec
                           const IT::Delta_complex& input)
 {
   const IT::Overlay overlay(triangulation);
-  require(record.overlay.is_valid(true), "the incremental overlay is valid");
-  require(IT::are_same_overlay(overlay, record.overlay, true), "both overlays are the same");
+  require(overlay_check::is_valid(record.overlay), "the incremental overlay is valid");
+  require(overlay_check::are_same_overlay(overlay, record.overlay), "both overlays are the same");
   require(test_surfaces::are_same_links(IT::intrinsic_triangulation_of(overlay), triangulation.connectivity()),
           "the overlay contains the result");
   require(test_surfaces::are_same_links(IT::input_triangulation_of(overlay), input), "the overlay contains the input");

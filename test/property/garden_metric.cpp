@@ -4,6 +4,7 @@
 // The garden, by the algorithms that need no linear algebra.
 
 #include "overlay_triangulations.h"
+#include "property/Incremental_overlay_check.h"
 #include "property/garden.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
@@ -87,8 +88,8 @@ void overlay(const Surface& surface)
   IT::Incremental_overlay incremental(input);
   IT::flip_to_Delaunay(t, CGAL::parameters::visitor(std::ref(incremental)));
   const IT::Overlay overlay(t);
-  EXPECT_TRUE(incremental.is_valid(true));
-  EXPECT_TRUE(IT::are_same_overlay(overlay, incremental, true));
+  EXPECT_TRUE(overlay_check::is_valid(incremental));
+  EXPECT_TRUE(overlay_check::are_same_overlay(overlay, incremental));
   EXPECT_EQ(int(overlay.number_of_vertices()) - int(overlay.number_of_segments()) + int(overlay.number_of_faces()),
             Euler_characteristic(input));
   EXPECT_EQ(IT::intrinsic_triangulation_of(overlay).number_of_faces(), t.connectivity().number_of_faces());

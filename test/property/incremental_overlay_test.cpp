@@ -4,6 +4,7 @@
 // After every flip the overlay that the integers give is the one that is updated by the order
 // along the quadrilateral's sides alone.
 
+#include "property/Incremental_overlay_check.h"
 #include "property/flip_test_surfaces.h"
 
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
@@ -33,6 +34,8 @@ using IT::Halfedge_index;
 using IT::Incremental_overlay;
 using IT::Overlay;
 using IT::Segment_label;
+using overlay_check::are_same_overlay;
+using overlay_check::is_valid;
 using Halfedges = std::vector<Halfedge_index>;
 
 // A triangulation without a metric, its integers, and the overlay that is updated.
@@ -70,7 +73,7 @@ struct Comparing_visitor
   {
     incremental.flip(e);
     const Overlay overlay(triangulation);
-    is_same = incremental.is_valid(true) && are_same_overlay(overlay, incremental, true) &&
+    is_same = is_valid(incremental) && are_same_overlay(overlay, incremental) &&
               overlay.number_of_segments() == incremental.number_of_segments() &&
               are_same_links(incremental.intrinsic(), triangulation.connectivity());
     most_crossings = std::max(most_crossings, overlay.number_of_crossings());
@@ -151,7 +154,7 @@ TEST(Incremental_overlay, LabelsOfAFlippedDiagonal)
   const Halfedge_index diagonal = halfedge(input, 0, 2);
   const Edge_index e = input.edge(diagonal);
   Incremental_overlay overlay(input);
-  EXPECT_TRUE(overlay.is_valid(true));
+  EXPECT_TRUE(is_valid(overlay));
   EXPECT_EQ(overlay.number_of_crossings(), 0u);
   for (Halfedge_index h : input.halfedges()) {
     EXPECT_EQ(overlay.label(overlay.first_part(h)), Segment_label::BOTH);
@@ -161,7 +164,7 @@ TEST(Incremental_overlay, LabelsOfAFlippedDiagonal)
   for (int turn = 1; turn <= 4; ++turn) {
     SCOPED_TRACE(turn);
     overlay.flip(e);
-    EXPECT_TRUE(overlay.is_valid(true));
+    EXPECT_TRUE(is_valid(overlay));
     const Halfedge_index h = overlay.intrinsic().halfedge(e);
     if (turn % 2 == 1) {
       EXPECT_EQ(overlay.number_of_crossings(), 1u);
@@ -335,7 +338,7 @@ TEST(Incremental_overlay, IsTheOtherOverlayAfterAnyFlips)
       [&] {
         ++flips;
         crossings = both.incremental.number_of_crossings();
-        return both.incremental.is_valid(true) && are_same_overlay(both.overlay(), both.incremental, true);
+        return is_valid(both.incremental) && are_same_overlay(both.overlay(), both.incremental);
       });
   }
   EXPECT_GT(coincidences, 1000u); // edges that landed on an input edge
@@ -390,6 +393,6 @@ TEST(Incremental_overlay, DiffersFromTheOverlayOfOtherFlips)
   Incremental_overlay turned = both.incremental;
   turned.flip(e);
   turned.flip(e);
-  EXPECT_TRUE(turned.is_valid(true));
+  EXPECT_TRUE(is_valid(turned));
   EXPECT_FALSE(are_same_overlay(both.overlay(), turned));
 }

@@ -5,7 +5,7 @@
 
 #include <CGAL/Intrinsic_triangulations/surface_mesh_adaptors.h>
 
-#include <CGAL/Intrinsic_triangulations/internal/overlay/find_property_map.h>
+#include <CGAL/Intrinsic_triangulations/internal/overlay/Carried_properties.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 

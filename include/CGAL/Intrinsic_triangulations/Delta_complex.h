@@ -13,13 +13,13 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/Index.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Removed_elements.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/prefetch.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/relaxed_atomic.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/memory_access.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
 
+#include <boost/config.hpp>
+#include <boost/container/static_vector.hpp>
 #include <boost/iterator/iterator_facade.hpp>
 
 #include <cstddef>
@@ -31,6 +31,56 @@
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsConnectivity
+///
+/// \brief the elements that the removal of a vertex took away, by their descriptors before it.
+///
+/// Descriptors have no holes: for each element of a list in turn, the last element takes its place. The lists
+/// are in descending order, so that an element that is removed never moves. `remove_entries()` does the same with an
+/// array. Halfedges move with their edges: `2e + i` becomes `2f + i`. The lists need no memory of their own, so that
+/// to copy them, and to remove entries, never throws.
+struct Removed_elements
+{
+  boost::container::static_vector<Vertex_index, 1> vertices; ///< one vertex
+  boost::container::static_vector<Edge_index, 3> edges;      ///< two or three edges
+  boost::container::static_vector<Face_index, 2> faces;      ///< one or two faces
+  std::uint32_t number_of_edges = 0;                         ///< that of edges before the removal
+
+  /// returns the descriptor after the removal of an edge that was not removed.
+  Edge_index edge_after(Edge_index e) const
+  {
+    std::uint32_t last = number_of_edges;
+    for (Edge_index hole : edges)
+      if (e.idx() == --last)
+        e = hole;
+    return e;
+  }
+  /// returns the descriptor that an edge had before the removal.
+  Edge_index edge_before(Edge_index e) const
+  {
+    for (std::size_t i = edges.size(); i-- > 0;)
+      if (e == edges[i])
+        e = Edge_index(std::uint32_t(number_of_edges - 1 - i));
+    return e;
+  }
+};
+
+/// \ingroup PkgIntrinsicTriangulationsConnectivity
+/// \brief removes from an array with one entry for each element those of `holes`, a list of `Removed_elements`.
+/// \param array the array
+/// \param holes what was removed, not before `first`
+/// \param first the number of the element that the first entry belongs to
+template <class Array, class Descriptors>
+void remove_entries(Array& array, const Descriptors& holes, std::size_t first = 0)
+{
+  for (auto hole : holes) {
+    const std::size_t n = hole.idx() - first;
+    if (n + 1 != array.size())
+      array[n] = array[array.size() - 1];
+    array.pop_back();
+  }
+}
 
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
 /// \brief a random access iterator over the descriptors of consecutive elements of one kind.
@@ -433,12 +483,55 @@ private:
 /// \param complex the complex
 bool is_simplicial(const Delta_complex& complex);
 
+namespace internal {
+
+// The halfedges that point to v, clockwise from halfedge(v), for a range-based loop. Nothing is flipped meanwhile.
+class Halfedges_around
+{
+public:
+  Halfedges_around(const Delta_complex& complex, Vertex_index v) : complex_(complex), first_(complex.halfedge(v)) {}
+
+  struct Iterator
+  {
+    Halfedge_index operator*() const { return h; }
+    Iterator& operator++()
+    {
+      h = around->complex_.next_around_target(h);
+      is_at_end = h == around->first_;
+      return *this;
+    }
+    bool operator!=(const Iterator& other) const { return is_at_end != other.is_at_end; }
+    const Halfedges_around* around;
+    Halfedge_index h;
+    bool is_at_end;
+  };
+  Iterator begin() const { return {this, first_, !first_.is_valid()}; }
+  Iterator end() const { return {this, first_, true}; }
+
+private:
+  const Delta_complex& complex_;
+  Halfedge_index first_;
+};
+
+// The side of a face with the largest value(h), the first of them from halfedge(f) on. Inlined by force: refinement asks
+// for the longest side all the time.
+template <class Value>
+BOOST_FORCEINLINE Halfedge_index side_with_largest(const Delta_complex& complex, Face_index f, const Value& value)
+{
+  Halfedge_index result = complex.halfedge(f);
+  for (Halfedge_index h : {complex.next(result), complex.prev(result)})
+    if (value(h) > value(result))
+      result = h;
+  return result;
+}
+
+} // namespace internal
+
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_checks_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_splits_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_impl.h>
 #endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_DELTA_COMPLEX_H

@@ -3,8 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The overlay of the input triangulation and the intrinsic one, updated with each flip, and its
-// comparison with an overlay that is built at the end.
+// The overlay of the input triangulation and the intrinsic one, updated with each flip.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INCREMENTAL_OVERLAY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INCREMENTAL_OVERLAY_H
@@ -20,6 +19,10 @@
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+
+namespace internal {
+class Incremental_overlay_check;
+}
 
 /// \ingroup PkgIntrinsicTriangulationsOverlay
 ///
@@ -122,15 +125,11 @@ public:
   std::vector<Halfedge_index> crossing_intrinsic_halfedges(Halfedge_index h) const;
   /// @}
 
-  /// \brief returns whether the graph is an overlay of `input()` and `intrinsic()`.
-  ///
-  /// That is: the segments form the edges of both, alternate at crossings, leave each vertex in the
-  /// right order, and bound faces that each lie in one input and one intrinsic face and have at
-  /// least three sides, since straight lines meet once. O(size).
-  /// \param verbose whether the first defect is described on `std::cerr`
-  bool is_valid(bool verbose = false) const;
-
 private:
+  /// \cond SKIP_IN_MANUAL
+  friend class internal::Incremental_overlay_check; // of the tests
+  /// \endcond
+
   enum class Side : std::uint8_t {
     NONE,
     LEFT,
@@ -166,16 +165,6 @@ private:
   std::vector<Halfedge> parts_, crossed_, right_chords_, left_chords_;
   std::vector<Side> sides_; // of the sources of chords
 };
-
-/// \ingroup PkgIntrinsicTriangulationsOverlay
-/// \brief returns whether two overlays are the same: whether each edge of both triangulations has
-/// the same crossings in the same order, and the same edges coincide, in the same direction.
-///
-/// The numbers of segments and crossings may differ. O(size).
-/// \param overlay built from the integers
-/// \param incremental updated flip by flip
-/// \param verbose whether the first difference is described on `std::cerr`
-bool are_same_overlay(const Overlay& overlay, const Incremental_overlay& incremental, bool verbose = false);
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

@@ -13,7 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Removed_elements.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_conversion.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
@@ -101,15 +100,16 @@ public:
   /// \param points the position of each vertex, in the order of the vertices; three coordinates `p[i]` of any
   ///   number type, which are rounded to `FT` if it cannot hold them
   /// \param traits the traits
+  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
   /// \exception Invalid_surface_error if a coordinate is not finite, an edge has length
   ///   zero, or squared lengths leave the range of the number type. O(size).
-  template <class PointRange>
-  Intrinsic_triangulation(Delta_complex connectivity, const PointRange& points, const Traits& traits = Traits())
-    : Intrinsic_triangulation(std::move(connectivity), converted(points), traits)
+  template <class PointRange, class ConcurrencyTag = Sequential_tag>
+  Intrinsic_triangulation(Delta_complex connectivity, const PointRange& points, const Traits& traits = Traits(),
+                          ConcurrencyTag = ConcurrencyTag())
+    : Intrinsic_triangulation(std::move(connectivity), converted(points), traits, ConcurrencyTag())
   {}
 
   /// \brief as above, but moves the points instead of copying them.
-  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
   template <class ConcurrencyTag = Sequential_tag>
   Intrinsic_triangulation(Delta_complex connectivity, Point_vector&& points, const Traits& traits = Traits(),
                           ConcurrencyTag = ConcurrencyTag())
@@ -231,18 +231,21 @@ public:
   }
   /// returns the connectivity of the input. It has the original vertices, edges, halfedges and faces; `halfedge(v)` and
   /// `halfedge(f)` may be other halfedges of the vertex and the face.
-  const Delta_complex& input() const { return prepared_engine().correspondence().input(); }
+  const Delta_complex& input() const { return internal::input(correspondence()); }
   /// returns how many times input edges cross `e`; 0 if it coincides with one.
-  std::int64_t number_of_crossings(Edge_index e) const { return integers().number_of_crossings(e); }
+  std::int64_t number_of_crossings(Edge_index e) const
+  {
+    return (std::max)(std::int64_t(0), internal::crossings(correspondence(), e));
+  }
   /// returns whether `e` coincides with an edge of the input, or with a part of one.
-  bool is_input_edge(Edge_index e) const { return integers().is_original(e); }
+  bool is_input_edge(Edge_index e) const { return internal::crossings(correspondence(), e) < 0; }
   /// returns the halfedge of the input along `h`. \pre `is_input_edge(connectivity().edge(h))`
-  Halfedge_index input_halfedge(Halfedge_index h) const { return prepared_engine().correspondence().input_halfedge(h); }
+  Halfedge_index input_halfedge(Halfedge_index h) const { return internal::input_halfedge(correspondence(), h); }
   /// returns whether `v` was inserted, that is, whether it is not a vertex of the input.
-  bool is_inserted(Vertex_index v) const { return prepared_engine().correspondence().is_inserted(v); }
+  bool is_inserted(Vertex_index v) const { return internal::is_inserted(correspondence(), v); }
   /// returns where an inserted vertex lies on the input. The coordinates are exact once they are divided by their sum.
   /// \pre `is_inserted(v)`
-  const Surface_point& location(Vertex_index v) const { return prepared_engine().correspondence().location(v); }
+  const Surface_point& location(Vertex_index v) const { return internal::location(correspondence(), v); }
   /// @}
 
   /// returns the triangles.
@@ -325,7 +328,9 @@ public:
   /// Where both faces have zero area, it is negative if both opposite angles are π, and
   /// zero otherwise.
   /// \pre `keeps_input()` and `connectivity().is_flippable(e)`
-  /// \exception Undecided_error as `sign_of_cotangent_weight()`
+  /// \exception Undecided_error if proofs of ties are demanded, and one takes too long
+  /// \exception Cancelled_error as described at `set_interruption()`
+  /// \exception Integer_overflow_error if an edge crosses more than 2^60 input edges
   Sign sign_of_cotangent_weight(Edge_index e) const
   {
     const Arithmetic arithmetic;
@@ -388,7 +393,7 @@ private:
     engine_.prepare();
     return engine_;
   }
-  const internal::Normal_coordinates& integers() const { return prepared_engine().correspondence().coordinates(); }
+  const internal::Correspondence& correspondence() const { return prepared_engine().correspondence(); }
 
   // What error bounds assume; interval types set the rounding mode themselves.
   struct Any_arithmetic
@@ -413,7 +418,7 @@ private:
   static Point_vector converted(const PointRange& points)
   {
     Point_vector result;
-    result.reserve(std::size_t(std::distance(points.begin(), points.end())));
+    result.reserve(std::size_t(std::distance(std::begin(points), std::end(points))));
     for (const auto& p : points)
       result.push_back(
         {internal::convert_number<FT>(p[0]), internal::convert_number<FT>(p[1]), internal::convert_number<FT>(p[2])});

@@ -33,23 +33,6 @@ namespace internal {
 class Exact_engine;
 template <class ConcurrencyTag, class Triangulation>
 const internal::Exact_engine& engine(const Triangulation& triangulation);
-
-struct Overlay_vertex_tag
-{
-  static constexpr char letter = 'v';
-};
-struct Overlay_halfedge_tag
-{
-  static constexpr char letter = 'h';
-};
-struct Segment_tag
-{
-  static constexpr char letter = 's';
-};
-struct Overlay_face_tag
-{
-  static constexpr char letter = 'f';
-};
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsOverlay
@@ -87,13 +70,13 @@ public:
   /// the type of indices and counts
   using size_type = std::uint32_t;
   /// a vertex of the surface or a crossing
-  using Vertex = Index<internal::Overlay_vertex_tag>;
+  using Vertex = Index<internal::Element_tag<'v', Overlay>>;
   /// one of the two directions of a segment
-  using Halfedge = Index<internal::Overlay_halfedge_tag>;
+  using Halfedge = Index<internal::Element_tag<'h', Overlay>>;
   /// a part of an edge between two crossings or vertices
-  using Segment = Index<internal::Segment_tag>;
+  using Segment = Index<internal::Element_tag<'s', Overlay>>;
   /// a convex polygon
-  using Face = Index<internal::Overlay_face_tag>;
+  using Face = Index<internal::Element_tag<'f', Overlay>>;
   /// a range of descriptors
   template <class Descriptor>
   using Range = Iterator_range<Descriptor_iterator<Descriptor>>;

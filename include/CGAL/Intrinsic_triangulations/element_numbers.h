@@ -38,12 +38,7 @@ double angle_by_number_type(const Triangulation& triangulation, Halfedge_index h
   if (certainly(triangulation.area(complex.face(h)) > typename Triangulation::FT(0)))
     return std::atan2(1., CGAL::to_double(triangulation.cotangent(h)));
   const auto length = [&](Halfedge_index side) { return CGAL::to_double(triangulation.length(complex.edge(side))); };
-  const Halfedge_index first = complex.halfedge(complex.face(h));
-  Halfedge_index longest = first;
-  for (Halfedge_index side : {complex.next(first), complex.prev(first)})
-    if (length(side) > length(longest))
-      longest = side;
-  return h == longest ? CGAL_PI : 0;
+  return h == side_with_largest(complex, complex.face(h), length) ? CGAL_PI : 0;
 }
 
 // Calls `visit(h)` for each halfedge with source v, counterclockwise, and on the border from border to border: the

@@ -9,6 +9,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_ERRORS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_ERRORS_H
 
+#include <CGAL/Intrinsic_triangulations/internal/Index.h>
+
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -151,6 +153,18 @@ class Cancelled_error : public Error
 public:
   using Error::Error;
 };
+
+namespace internal {
+
+// Throws unless there is such a vertex among n.
+inline void require_vertex(Vertex_index v, std::size_t n)
+{
+  if (!(v.idx() < n))
+    throw Invalid_argument_error("there is no vertex " + std::to_string(v.idx()) + ": there are " + std::to_string(n) +
+                                 " vertices, counted from 0");
+}
+
+} // namespace internal
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

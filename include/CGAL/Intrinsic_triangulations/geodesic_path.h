@@ -14,7 +14,6 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/compare_points.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/require_vertex.h>
 #include <CGAL/Intrinsic_triangulations/internal/numbers/Accurate_shapes.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
@@ -91,11 +90,9 @@ std::vector<Halfedge_index> shortest_edge_path(const Intrinsic_triangulation<Tra
     queue.pop();
     if (number == target.idx())
       break;
-    const Halfedge_index first = complex.halfedge(Vertex_index(number));
-    if (d > distance[number] || !first.is_valid())
+    if (d > distance[number])
       continue;
-    Halfedge_index h = first;
-    do {
+    for (Halfedge_index h : internal::Halfedges_around(complex, Vertex_index(number))) {
       const Halfedge_index out = complex.opposite(h);
       const auto next = complex.target(out).idx();
       // Some lengths take long.
@@ -105,8 +102,7 @@ std::vector<Halfedge_index> shortest_edge_path(const Intrinsic_triangulation<Tra
         arrival[next] = out;
         queue.push({through + distance_in_space(complex.target(out)), through, next});
       }
-      h = complex.next_around_target(h);
-    } while (h != first);
+    }
   }
   std::vector<Halfedge_index> path;
   for (Vertex_index v = target; v != source; v = complex.source(path.back())) {

@@ -232,15 +232,9 @@ inline Vertex_index target(Oriented_edge e, const Delta_complex& g) { return g.t
 
 inline Delta_complex::size_type degree(Vertex_index v, const Delta_complex& g)
 {
-  const Halfedge_index first = g.halfedge(v);
   Delta_complex::size_type n = 0;
-  if (first.is_valid()) {
-    Halfedge_index h = first;
-    do {
-      ++n;
-      h = g.next_around_target(h);
-    } while (h != first);
-  }
+  for ([[maybe_unused]] Halfedge_index h : internal::Halfedges_around(g, v))
+    ++n;
   return n;
 }
 inline Delta_complex::size_type degree(Face_index, const Delta_complex&) { return 3; }
@@ -276,15 +270,9 @@ inline Halfedge_index halfedge(Face_index f, const Delta_complex& g) { return g.
 
 inline std::pair<Halfedge_index, bool> halfedge(Vertex_index u, Vertex_index v, const Delta_complex& g)
 {
-  const Halfedge_index first = g.halfedge(v);
-  if (first.is_valid()) {
-    Halfedge_index h = first;
-    do {
-      if (g.source(h) == u)
-        return {h, true};
-      h = g.next_around_target(h);
-    } while (h != first);
-  }
+  for (Halfedge_index h : internal::Halfedges_around(g, v))
+    if (g.source(h) == u)
+      return {h, true};
   return {Halfedge_index(), false};
 }
 inline std::pair<Oriented_edge, bool> edge(Vertex_index u, Vertex_index v, const Delta_complex& g)

@@ -55,7 +55,7 @@ typename Traits::FT number_of_edge(Edge_cotangent_weight_tag, const Intrinsic_tr
 template <class Traits>
 std::int64_t number_of_edge(Edge_normal_coordinate_tag, const Intrinsic_triangulation<Traits>& g, Edge_index e)
 {
-  return internal::engine(g).correspondence().coordinates().crossings(e);
+  return crossings(engine(g).correspondence(), e);
 }
 
 // A number of each edge, computed on access.

@@ -14,7 +14,6 @@
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
 #include <CGAL/Intrinsic_triangulations/internal/parameterization/disk_shape.h>
 #include <CGAL/Intrinsic_triangulations/internal/parameterization/solve_with_fixed_values.h>
 

@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Removed_elements.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
@@ -19,7 +18,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Vertex_remover.h>
-#include <CGAL/Intrinsic_triangulations/internal/insertion/faces_without_area.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/settle_around.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
@@ -40,6 +38,24 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 
 namespace internal {
+
+template <class Traits>
+bool has_area(const Intrinsic_triangulation<Traits>& triangulation, Face_index f)
+{
+  return triangulation.traits().has_positive_area_object()(triangulation.face_data(f)) ||
+         engine(triangulation).sign_of_area(f) != ZERO;
+}
+
+// The halfedge of an edge in a face without area, if there is one.
+template <class Traits>
+std::optional<Halfedge_index> side_without_area(const Intrinsic_triangulation<Traits>& triangulation, Edge_index e)
+{
+  const Delta_complex& complex = triangulation.connectivity();
+  for (Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
+    if (!complex.is_border(h) && !has_area(triangulation, complex.face(h)))
+      return h;
+  return std::nullopt;
+}
 
 inline void check_new_vertex(const Delta_complex& input, const Surface_point& point)
 {

@@ -16,7 +16,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_conversion.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_kinds.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/check_triangles.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/copy_face_graph.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/metric/Rational_points.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/default_traits.h>
@@ -302,13 +301,7 @@ auto intrinsic_triangulation(const PointRange& points, const TriangleRange& tria
     if (metric) // some coordinate is not a double
       return Triangulation::from_metric(std::move(connectivity), std::move(*metric), traits);
   }
-  using FT = typename Traits::FT;
-  typename Triangulation::Point_vector copied;
-  copied.reserve(number_of_vertices);
-  for (const auto& p : points)
-    copied.push_back(
-      {internal::convert_number<FT>(p[0]), internal::convert_number<FT>(p[1]), internal::convert_number<FT>(p[2])});
-  return Triangulation(std::move(connectivity), std::move(copied), traits, ConcurrencyTag());
+  return Triangulation(std::move(connectivity), points, traits, ConcurrencyTag());
 }
 
 /// \ingroup PkgIntrinsicTriangulationsRef

@@ -17,6 +17,8 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
+class Delta_complex;
+
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
 /// \brief a descriptor: a 32-bit index whose type says what it is an index of.
 ///
@@ -67,36 +69,26 @@ private:
 };
 
 namespace internal {
-struct Vertex_tag
+// Of the elements of one kind of graph.
+template <char letter_, class Graph>
+struct Element_tag
 {
-  static constexpr char letter = 'v';
-};
-struct Halfedge_tag
-{
-  static constexpr char letter = 'h';
-};
-struct Edge_tag
-{
-  static constexpr char letter = 'e';
-};
-struct Face_tag
-{
-  static constexpr char letter = 'f';
+  static constexpr char letter = letter_;
 };
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
 /// \brief descriptor of a vertex.
-using Vertex_index = Index<internal::Vertex_tag>;
+using Vertex_index = Index<internal::Element_tag<'v', Delta_complex>>;
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
 /// \brief descriptor of a halfedge; halfedges `2e` and `2e + 1` belong to edge `e`.
-using Halfedge_index = Index<internal::Halfedge_tag>;
+using Halfedge_index = Index<internal::Element_tag<'h', Delta_complex>>;
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
 /// \brief descriptor of an edge.
-using Edge_index = Index<internal::Edge_tag>;
+using Edge_index = Index<internal::Element_tag<'e', Delta_complex>>;
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
 /// \brief descriptor of a face.
-using Face_index = Index<internal::Face_tag>;
+using Face_index = Index<internal::Element_tag<'f', Delta_complex>>;
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

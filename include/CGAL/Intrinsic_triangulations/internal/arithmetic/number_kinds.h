@@ -8,9 +8,12 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_NUMBER_KINDS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_NUMBER_KINDS_H
 
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/quadruple_precision.h>
+
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Real_embeddable_traits.h>
+#include <CGAL/number_type_basic.h>
 #include <CGAL/tags.h>
 
 #include <limits>
@@ -68,8 +71,35 @@ struct Has_roots
                                    Real_embeddable_traits<FT>::Is_real_embeddable::value>
 {};
 
+template <class T>
+struct Type
+{
+  using type = T;
+};
+
+// In a function, not in the traits: there the error would leave the class incomplete, and each use would be
+// another one.
+template <class FT>
+auto checked_number_type()
+{
+  static_assert(
+    Has_roots<FT>::value,
+    "the number type of Edge_length_traits and Half_angle_traits must be a field with square root that CGAL knows: "
+    "take double, a float of Boost.Multiprecision (include its header before those of Intrinsic_triangulations) or the "
+    "FT of a kernel with square roots, or, for exact decisions on points with rational coordinates, no traits at all");
+  return Type<std::conditional_t<Has_roots<FT>::value, FT, double>>();
+}
+
+// FT. After the sentence it is a type that compiles.
+template <class FT>
+using Number_type_with_roots = typename decltype(checked_number_type<FT>())::type;
+
 } // namespace internal
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
+
+#if defined(BOOST_MP_NUMBER_HPP) || defined(BOOST_MATH_EXTENDED_REAL_HPP) // since Boost 1.76, and before
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/boost_multiprecision_floats.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_NUMBER_KINDS_H

@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 
@@ -72,6 +73,16 @@ inline std::array<double, 3> coordinates_from(const Delta_complex& complex, cons
 }
 
 namespace internal {
+
+// A piece of a triangle (i, j, k) of the current triangulation, between the input edges that cross it.
+//
+// It is named by a part of a side: what lies behind `gap` crossings of `side`, counted from its source. A piece that
+// touches several sides has several names.
+struct Triangle_piece
+{
+  Halfedge_index side; // a halfedge of the triangle
+  std::int64_t gap;    // from 0 to the number of crossings of its edge
+};
 
 // The side of its face that a point on an edge lies on.
 inline Halfedge_index side_of(const Delta_complex& complex, const Surface_point& point)

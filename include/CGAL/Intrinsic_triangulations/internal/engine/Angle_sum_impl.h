@@ -74,7 +74,7 @@ private:
   const Delta_complex& complex_;
   const Exact_engine& engine_;
   const std::vector<Estimated_corner>& corners_;
-  Exact_engine::Surface_lease surface_;
+  Surface_lease surface_;
 };
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE

@@ -109,7 +109,6 @@ public:
 
 private:
   friend class Engine_restorer;
-  using Surface_lease = Exact_engine::Surface_lease;
 
   template <std::size_t N, class Evaluate>
   static std::array<std::complex<double>, N> rounded_vectors(Input_surface& surface, const Evaluate& evaluate);

@@ -8,22 +8,21 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_H
 
-#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/metric/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/reports.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Triangle_corner.h>
 #include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Block_runner.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Scratch_pool.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/tags.h>
 
-#include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -35,7 +34,9 @@ namespace Intrinsic_triangulations {
 
 namespace internal {
 
+class Correspondence;
 class Input_surface;
+class Surface_lease;
 class Engine_numbers;
 class Engine_restorer;
 class Exact_fallback;
@@ -81,7 +82,7 @@ public:
 
   const Delta_complex& connectivity() const { return connectivity_; }
   // Where the input lies in the triangulation. \pre `prepare()` was called, and not `begin_journal()` since
-  const Correspondence& correspondence() const { return correspondence_; }
+  const Correspondence& correspondence() const;
   const Input_metric& metric() const { return metric_; }
 
   // ---------------------------------------------------------------- changes: an exception leaves everything as it was,
@@ -90,14 +91,7 @@ public:
   // \return whether the new edge is known to be a straight line between two of the points
   bool flip(const Hinge_halfedges& around)
   {
-    bool is_straight = false;
-    if (memory_) {
-      if (is_asked_.load(std::memory_order_relaxed) ||
-          correspondence_.number_of_journaled_flips() >= longest_journal * std::size_t(connectivity_.number_of_edges()))
-        is_straight = flip_and_follow(around);
-      else
-        correspondence_.flip(connectivity_, around);
-    }
+    const bool is_straight = memory_ && log_or_follow(around);
     connectivity_.flip(around);
     return is_straight;
   }
@@ -215,7 +209,6 @@ public:
 
   // The input as the images of its metric see it, for layouts; the caller's own as long as the lease lives.
   // \pre `prepare()` was called
-  using Surface_lease = Scratch_pool<Input_surface>::Lease;
   Surface_lease input_surface() const;
 
 private:
@@ -238,6 +231,7 @@ private:
   // In input quantities: what is laid out in some microseconds.
   static constexpr double short_strip = 256;
 
+  bool log_or_follow(const Hinge_halfedges& around);
   bool flip_and_follow(const Hinge_halfedges& around);
   bool follow(const Hinge_halfedges& around);
   void set_first(std::initializer_list<Halfedge_index> first);
@@ -281,12 +275,16 @@ private:
   Corner straight_corner(Halfedge_index h) const;
 
   Delta_complex connectivity_;
-  mutable Correspondence correspondence_; // prepared by the first query that needs it
-  mutable std::atomic<bool> is_asked_{
-    false}; // whether flips have to be followed, as a query was made since begin_journal()
   Input_metric metric_;
   std::unique_ptr<Memory> memory_; // null without an input
 };
+
+// What Intrinsic_triangulation tells of a Correspondence, so that not all who include it include that.
+const Delta_complex& input(const Correspondence& correspondence);
+std::int64_t crossings(const Correspondence& correspondence, Edge_index e);
+Halfedge_index input_halfedge(const Correspondence& correspondence, Halfedge_index h);
+bool is_inserted(const Correspondence& correspondence, Vertex_index v);
+const Surface_point& location(const Correspondence& correspondence, Vertex_index v);
 
 } // namespace internal
 } // namespace Intrinsic_triangulations

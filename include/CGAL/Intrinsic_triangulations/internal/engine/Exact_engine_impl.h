@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Long_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Developed_faces.h>
@@ -85,6 +86,9 @@ struct Exact_engine::Memory
         developed_faces.forget(complex.face(h));
   }
 
+  Correspondence correspondence;     // prepared by the first query that needs it
+  std::atomic<bool> is_asked{false}; // flips have to be followed, as a query was made since begin_journal()
+
   Decisions decisions;
   std::vector<Edge_index> journal;
   std::size_t number_of_known_flips = 0;
@@ -113,8 +117,6 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_engine::keep_input(Input_metric metric)
 {
   std::unique_ptr<Memory> memory = std::make_unique<Memory>();
-  correspondence_ = {};
-  is_asked_ = false;
   metric_ = std::move(metric);
   memory_ = std::move(memory);
 }
@@ -126,8 +128,8 @@ Exact_engine::Exact_engine(const Exact_engine& other) : connectivity_(other.conn
     return;
   memory_ = std::make_unique<Memory>();
   const std::lock_guard<std::mutex> lock(other.memory_->mutex);
-  correspondence_ = other.correspondence_;
-  is_asked_ = other.is_asked_.load();
+  memory_->correspondence = other.memory_->correspondence;
+  memory_->is_asked = other.memory_->is_asked.load();
   memory_->decisions.tie_proof = other.memory_->decisions.tie_proof;
   memory_->decisions.counts = other.memory_->decisions.counts;
   memory_->journal = other.memory_->journal;
@@ -141,8 +143,7 @@ Exact_engine::Exact_engine(const Exact_engine& other) : connectivity_(other.conn
 // The surfaces refer to the members, which have moved.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_engine::Exact_engine(Exact_engine&& other) noexcept
-  : connectivity_(std::move(other.connectivity_)), correspondence_(std::move(other.correspondence_)),
-    is_asked_(other.is_asked_.load()), metric_(std::move(other.metric_)), memory_(std::move(other.memory_))
+  : connectivity_(std::move(other.connectivity_)), metric_(std::move(other.metric_)), memory_(std::move(other.memory_))
 {
   if (!memory_)
     return;
@@ -160,8 +161,6 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_engine& Exact_engine::operator=(Exact_engine other) noexcept
 {
   connectivity_ = std::move(other.connectivity_);
-  correspondence_ = std::move(other.correspondence_);
-  is_asked_ = other.is_asked_.load();
   metric_ = std::move(other.metric_);
   memory_ = std::move(other.memory_);
   return *this;
@@ -171,20 +170,23 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_engine::~Exact_engine() = default;
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+const Correspondence& Exact_engine::correspondence() const { return memory_->correspondence; }
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Decisions& Exact_engine::decisions() { return memory_->decisions; }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 const Decisions& Exact_engine::decisions() const { return memory_->decisions; }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_engine::Surface_lease Exact_engine::input_surface() const
+Surface_lease Exact_engine::input_surface() const
 {
   return memory_->surfaces.take([this] { return new_surface().release(); });
 }
 
 // For a query that also uses which faces are straight.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_engine::Surface_lease Exact_engine::prepared_surface() const
+Surface_lease Exact_engine::prepared_surface() const
 {
   prepare();
   find_straight_faces();
@@ -198,9 +200,9 @@ std::unique_ptr<Input_surface> Exact_engine::new_surface() const
   {
     const std::lock_guard<std::mutex> lock(memory_->mutex);
     if (!memory_->input_properties)
-      memory_->input_properties = std::make_unique<Input_properties>(correspondence_.input(), metric_);
+      memory_->input_properties = std::make_unique<Input_properties>(correspondence().input(), metric_);
   }
-  return std::make_unique<Input_surface>(correspondence_.input(), metric_, memory_->decisions,
+  return std::make_unique<Input_surface>(correspondence().input(), metric_, memory_->decisions,
                                          *memory_->input_properties);
 }
 
@@ -211,8 +213,8 @@ void Exact_engine::begin_journal()
 {
   if (!memory_)
     return;
-  correspondence_.begin_journal();
-  is_asked_ = false;
+  memory_->correspondence.begin_journal();
+  memory_->is_asked = false;
   memory_->is_prepared = false;
   memory_->knows_straight_faces = false;
 }
@@ -222,7 +224,7 @@ Exact_engine::Journals::Journals(Exact_engine& engine, std::size_t most) : engin
 {
   journals_.reserve(most);
   if (engine.memory_)
-    engine.correspondence_.make_room_for_journals(most);
+    engine.memory_->correspondence.make_room_for_journals(most);
 }
 
 // Flips of different journals commute as long as no other flip comes between: any order of them will do.
@@ -231,7 +233,7 @@ Exact_engine::Journals::~Journals()
 {
   if (engine_.memory_)
     for (Journal& journal : journals_)
-      engine_.correspondence_.append(std::move(journal.flips_));
+      engine_.memory_->correspondence.append(std::move(journal.flips_));
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -246,14 +248,14 @@ void Exact_engine::prepare(const Block_runner& run) const
   if (memory_->is_prepared.load(std::memory_order_relaxed))
     return;
   Memory& memory = *memory_;
-  memory.journal.reserve(memory.journal.size() + correspondence_.number_of_journaled_flips() -
+  memory.journal.reserve(memory.journal.size() + correspondence().number_of_journaled_flips() -
                          memory.number_of_known_flips);
-  const std::vector<Edge_index> flips = correspondence_.prepare(connectivity_, run);
+  const std::vector<Edge_index> flips = memory_->correspondence.prepare(connectivity_, run);
   memory.forget_developed_faces(connectivity_, flips);
   memory.journal.insert(memory.journal.end(), flips.begin() + std::ptrdiff_t(memory.number_of_known_flips),
                         flips.end());
   memory.number_of_known_flips = 0;
-  is_asked_ = true;
+  memory_->is_asked = true;
   memory.is_prepared.store(true, std::memory_order_release);
 }
 
@@ -268,7 +270,7 @@ void Exact_engine::find_straight_faces() const
     return;
   Memory& memory = *memory_;
   std::vector<Edge_index> flips = memory.journal;
-  const std::vector<Edge_index> later_flips = correspondence_.journaled_flips(connectivity_);
+  const std::vector<Edge_index> later_flips = correspondence().journaled_flips(connectivity_);
   flips.insert(flips.end(), later_flips.begin() + std::ptrdiff_t(memory.number_of_known_flips), later_flips.end());
   if (!flips.empty() || !memory.straight_faces) {
     Straight_faces straight_faces = memory.straight_faces
@@ -288,16 +290,27 @@ void Exact_engine::find_straight_faces() const
     std::vector<Edge_index>().swap(memory.journal);
     memory.number_of_known_flips = later_flips.size();
   }
-  is_asked_ = true;
+  memory_->is_asked = true;
   memory.knows_straight_faces.store(true, std::memory_order_release);
 }
 
 // ---------------------------------------------------------------- following the flips
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool Exact_engine::log_or_follow(const Hinge_halfedges& around)
+{
+  Correspondence& correspondence = memory_->correspondence;
+  if (memory_->is_asked.load(std::memory_order_relaxed) ||
+      correspondence.number_of_journaled_flips() >= longest_journal * std::size_t(connectivity_.number_of_edges()))
+    return flip_and_follow(around);
+  correspondence.flip(connectivity_, around);
+  return false;
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 bool Exact_engine::flip_and_follow(const Hinge_halfedges& around)
 {
-  if (correspondence_.number_of_journaled_flips() + memory_->journal.size() >=
+  if (correspondence().number_of_journaled_flips() + memory_->journal.size() >=
       longest_journal * std::size_t(connectivity_.number_of_edges())) {
     find_straight_faces();
     prepare();
@@ -306,20 +319,20 @@ bool Exact_engine::flip_and_follow(const Hinge_halfedges& around)
   Memory& memory = *memory_;
   const Edge_index e = connectivity_.edge(around.ij);
   const bool is_followed = memory.knows_straight_faces, is_straight = is_followed && follow(around),
-             is_journaled = !is_followed && correspondence_.is_prepared();
+             is_journaled = !is_followed && correspondence().is_prepared();
   if (is_journaled)
     memory.journal.push_back(e);
   if (!is_followed)
     memory.forget_developed_faces(connectivity_, std::array{e});
   try {
-    correspondence_.flip(connectivity_, around);
+    memory_->correspondence.flip(connectivity_, around);
   } catch (...) {
     if (is_journaled)
       memory.journal.pop_back();
     memory.forget_developed_faces(connectivity_, std::array{e});
     throw;
   }
-  if (is_followed && !correspondence_.is_prepared())
+  if (is_followed && !correspondence().is_prepared())
     ++memory.number_of_known_flips;
   return is_straight;
 }
@@ -332,12 +345,12 @@ void Exact_engine::flip_back(const Hinge_halfedges& around, std::initializer_lis
     memory.forget_developed_faces(connectivity_, std::array{connectivity_.edge(around.ij)});
     if (memory.knows_straight_faces) {
       memory.straight_faces->flip_back(connectivity_.face(around.ij), connectivity_.face(around.ji));
-      if (!correspondence_.is_prepared())
+      if (!correspondence().is_prepared())
         --memory.number_of_known_flips;
-    } else if (correspondence_.is_prepared()) {
+    } else if (correspondence().is_prepared()) {
       memory.journal.pop_back();
     }
-    correspondence_.flip_back(connectivity_, around);
+    memory_->correspondence.flip_back(connectivity_, around);
   }
   connectivity_.flip_back(around);
   set_first(first);
@@ -371,7 +384,7 @@ bool Exact_engine::follow(const Hinge_halfedges& around)
         return Faces::Known_corner{h, straight_corner(h), image_of_straight_corner(h)};
       if (!is_long)
         return std::nullopt;
-      return laid_out(correspondence_.coordinates().side_with_most_crossings(connectivity_, connectivity_.face(h)),
+      return laid_out(correspondence().coordinates().side_with_most_crossings(connectivity_, connectivity_.face(h)),
                       *input_surface());
     });
   }
@@ -386,11 +399,11 @@ bool Exact_engine::follow(const Hinge_halfedges& around)
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 bool Exact_engine::is_long_hinge(const Hinge_halfedges& around) const
 {
-  if (!correspondence_.is_prepared() || memory_->images)
+  if (!correspondence().is_prepared() || memory_->images)
     return false;
   std::int64_t number_of_crossings = 0;
   for (Halfedge_index h : {around.jk, around.ki, around.il, around.lj})
-    number_of_crossings += correspondence_.coordinates().number_of_crossings(connectivity_.edge(h));
+    number_of_crossings += correspondence().coordinates().number_of_crossings(connectivity_.edge(h));
   return number_of_crossings > long_hinge;
 }
 
@@ -402,9 +415,9 @@ void Exact_engine::recognize_straight_face(Halfedge_index h)
   if (is_straight(f) || metric_.points().empty())
     return;
   for (Halfedge_index side : {h, connectivity_.next(h), connectivity_.prev(h)})
-    if (correspondence_.coordinates().crossings(connectivity_.edge(side)) > 0)
+    if (correspondence().coordinates().crossings(connectivity_.edge(side)) > 0)
       return;
-  memory_->straight_faces->straighten(positions(), f, uncrossed_input_face(connectivity_, correspondence_, h));
+  memory_->straight_faces->straighten(positions(), f, uncrossed_input_face(connectivity_, correspondence(), h));
 }
 
 // The journal of flips cannot be repeated beyond an insertion, and input edges are followed faster before it.
@@ -413,8 +426,8 @@ void Exact_engine::prepare_insertion()
 {
   find_straight_faces();
   prepare();
-  if (correspondence_.number_of_inserted_vertices() == 0 || correspondence_.kept_crossings().is_empty())
-    Long_crossings(connectivity_, correspondence_, decisions().interruption).keep();
+  if (correspondence().number_of_inserted_vertices() == 0 || correspondence().kept_crossings().is_empty())
+    Long_crossings(connectivity_, correspondence(), decisions().interruption).keep();
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -427,7 +440,7 @@ Vertex_index Exact_engine::split_face(const Triangle_piece& piece, const Surface
   std::optional<Memory::Developed_faces::Whole> whole;
   if (memory_->developed_faces.contains(f))
     whole = memory_->developed_faces.whole(connectivity_, f);
-  split_faces({f}, 3, 3, location, [&] { correspondence_.split_face(connectivity_, piece, location); });
+  split_faces({f}, 3, 3, location, [&] { memory_->correspondence.split_face(connectivity_, piece, location); });
   memory_->split_face = whole; // nothing is left of a split that failed
   return connectivity_.split_face(piece.side);
 }
@@ -442,7 +455,8 @@ Vertex_index Exact_engine::split_edge(Halfedge_index h, const Surface_point& loc
   for (Halfedge_index side : {h, connectivity_.opposite(h)})
     if (!connectivity_.is_border(side))
       faces.push_back(connectivity_.face(side));
-  split_faces(faces, 1 + faces.size(), 2, location, [&] { correspondence_.split_edge(connectivity_, h, location); });
+  split_faces(faces, 1 + faces.size(), 2, location,
+              [&] { memory_->correspondence.split_edge(connectivity_, h, location); });
   return connectivity_.split_edge(h);
 }
 
@@ -477,7 +491,7 @@ void Exact_engine::split_faces(const std::vector<Face_index>& faces, std::size_t
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Removed_elements Exact_engine::unsplit_edge(Halfedge_index h, std::initializer_list<Halfedge_index> first)
 {
-  correspondence_.unsplit_edge(connectivity_, h);
+  memory_->correspondence.unsplit_edge(connectivity_, h);
   const Halfedge_index behind = connectivity_.continuation(h);
   if (!connectivity_.is_border(h))
     join_faces(connectivity_.face(h), {connectivity_.face(h), connectivity_.face(behind)});
@@ -516,7 +530,7 @@ void Exact_engine::join_faces(Face_index f, std::initializer_list<Face_index> fa
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_engine::remove(const Removed_elements& removed)
 {
-  correspondence_.remove(removed);
+  memory_->correspondence.remove(removed);
   Memory& memory = *memory_;
   memory.straight_faces->remove(removed.faces);
   memory.developed_faces.remove(connectivity_, removed);
@@ -529,7 +543,7 @@ void Exact_engine::remove(const Removed_elements& removed)
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Vertex_positions Exact_engine::positions() const
 {
-  return {correspondence_.input(), metric_.points(), correspondence_.locations(), memory_->inserted_positions};
+  return {correspondence().input(), metric_.points(), correspondence().locations(), memory_->inserted_positions};
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -569,7 +583,7 @@ Exact_engine::Corner Exact_engine::developed_corner(Halfedge_index h, Input_surf
   if (memory.developed_faces.contains(f))
     return memory.developed_faces.corner(connectivity_, h);
   memory.developed_faces.insert(
-    connectivity_, laid_out(correspondence_.coordinates().side_with_most_crossings(connectivity_, f), surface));
+    connectivity_, laid_out(correspondence().coordinates().side_with_most_crossings(connectivity_, f), surface));
   return memory.developed_faces.contains(f) ? memory.developed_faces.corner(connectivity_, h)
                                             : unfolded_corner(h, surface);
 }
@@ -582,7 +596,7 @@ Known_corner<Exact_engine::Corner, Exact_engine::Image_corner> Exact_engine::lai
   memory_->credit += flips_for_a_quantity * number_of_quantities(h);
   return {
     h, unfolded_corner(h, surface), memory_->image([&] {
-      return Unfolding<Residue_metric>(connectivity_, correspondence_, memory_->images->metric).opposite_corner(h);
+      return Unfolding<Residue_metric>(connectivity_, correspondence(), memory_->images->metric).opposite_corner(h);
     })};
 }
 
@@ -602,7 +616,7 @@ std::vector<std::pair<Halfedge_index, Exact_engine::Corner>> Exact_engine::kept_
   Memory& memory = *memory_;
   std::vector<std::pair<Halfedge_index, Corner>> result;
   const auto number_of_crossings = [&](Halfedge_index h) {
-    return correspondence_.coordinates().number_of_crossings(connectivity_.edge(h));
+    return correspondence().coordinates().number_of_crossings(connectivity_.edge(h));
   };
   if (const auto whole = std::exchange(memory.split_face, std::nullopt)) {
     Halfedge_index cheapest = whole->sides[0];
@@ -645,7 +659,7 @@ std::vector<std::pair<Halfedge_index, Exact_engine::Corner>> Exact_engine::corne
   const Surface_lease surface = prepared_surface(); // a removal needs to know the straight faces, too
   Double_double_metric metric(*surface);
   std::vector<std::pair<Halfedge_index, Corner>> result;
-  Unfolding<Double_double_metric>(connectivity_, correspondence_, metric)
+  Unfolding<Double_double_metric>(connectivity_, correspondence(), metric)
     .for_each_corner_at(v, [&](Halfedge_index h, const Corner& c) { result.emplace_back(h, c); });
   return result;
 }
@@ -660,20 +674,20 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_engine::Corner Exact_engine::unfolded_corner(Halfedge_index h, Input_surface& surface) const
 {
   Double_double_metric metric(surface);
-  return Unfolding<Double_double_metric>(connectivity_, correspondence_, metric).opposite_corner(h);
+  return Unfolding<Double_double_metric>(connectivity_, correspondence(), metric).opposite_corner(h);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Bounded_double_double Exact_engine::squared_length(Edge_index e, Input_surface& surface) const
 {
   Double_double_metric metric(surface);
-  return Unfolding<Double_double_metric>(connectivity_, correspondence_, metric).squared_length(e);
+  return Unfolding<Double_double_metric>(connectivity_, correspondence(), metric).squared_length(e);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_fallback Exact_engine::exact_fallback(Input_surface& surface) const
 {
-  return {connectivity_, correspondence_, surface};
+  return {connectivity_, correspondence(), surface};
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -683,6 +697,32 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_engine::Corner Exact_engine::straight_corner(Halfedge_index h) const
 {
   return internal::straight_corner<Corner>(connectivity_, positions(), h);
+}
+
+// ---------------------------------------------------------------- where the input lies
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+const Delta_complex& input(const Correspondence& correspondence) { return correspondence.input(); }
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::int64_t crossings(const Correspondence& correspondence, Edge_index e)
+{
+  return correspondence.coordinates().crossings(e);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Halfedge_index input_halfedge(const Correspondence& correspondence, Halfedge_index h)
+{
+  return correspondence.input_halfedge(h);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool is_inserted(const Correspondence& correspondence, Vertex_index v) { return correspondence.is_inserted(v); }
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+const Surface_point& location(const Correspondence& correspondence, Vertex_index v)
+{
+  return correspondence.location(v);
 }
 
 } // namespace internal

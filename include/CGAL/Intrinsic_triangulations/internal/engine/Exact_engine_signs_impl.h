@@ -38,7 +38,7 @@ Sign Exact_engine::decide(Edge_index e, std::optional<Opposite_corners>& corners
   Memory& memory = *memory_;
   const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
   find_straight_faces();
-  if (correspondence_.number_of_inserted_vertices() != 0) {
+  if (correspondence().number_of_inserted_vertices() != 0) {
     prepare();
     recognize_straight_face(h);
     recognize_straight_face(g);
@@ -110,7 +110,7 @@ std::optional<Exact_engine::Test> Exact_engine::test(Edge_index e, Means means) 
     Double_double_metric metric(*surface);
     const Two_corners beside = corners_beside(connectivity_, e);
     const Opposite_corners corners =
-      unfolded_corners(Unfolding<Double_double_metric>(connectivity_, correspondence_, metric), beside);
+      unfolded_corners(Unfolding<Double_double_metric>(connectivity_, correspondence(), metric), beside);
     if (const Uncertain<Sign> sign = internal::sign_of_cotangents(corners.k, corners.l); is_certain(sign))
       return Test{Stage::UNFOLDING, get_certain(sign)};
     const auto decision = exact_fallback(*surface).sign_of_cotangents(beside);
@@ -142,19 +142,19 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 std::optional<Bounded_double_double> Exact_engine::weight_by_other_diagonal(Halfedge_index h,
                                                                             const Opposite_corners& corners) const
 {
-  const Normal_coordinates& coordinates = correspondence_.coordinates();
+  const Normal_coordinates& coordinates = correspondence().coordinates();
   if (metric_.points().empty() || coordinates.number_of_crossings(connectivity_.edge(h)) != 1)
     return std::nullopt;
   const Halfedge_index g = connectivity_.opposite(h);
   for (Halfedge_index side :
        {connectivity_.next(h), connectivity_.prev(h), connectivity_.next(g), connectivity_.prev(g)})
-    if (!coordinates.is_original(connectivity_.edge(side)) || correspondence_.is_inserted(connectivity_.source(side)))
+    if (!coordinates.is_original(connectivity_.edge(side)) || correspondence().is_inserted(connectivity_.source(side)))
       return std::nullopt;
   const Bounded_double_double areas = corners.k.four_areas * corners.l.four_areas;
   if (!certainly(areas.sign() == POSITIVE))
     return std::nullopt;
-  const Delta_complex& input = correspondence_.input();
-  const Halfedge_index ji = input.next(correspondence_.input_halfedge(connectivity_.next(h)));
+  const Delta_complex& input = correspondence().input();
+  const Halfedge_index ji = input.next(correspondence().input_halfedge(connectivity_.next(h)));
   const Corner k = internal::straight_corner<Corner>(input, positions(), input.opposite(ji)),
                l = internal::straight_corner<Corner>(input, positions(), ji);
   return -(k.p * l.four_areas + l.p * k.four_areas) / areas;
@@ -179,7 +179,7 @@ Exact_engine::Opposite_corners Exact_engine::known_corners(Halfedge_index h, Inp
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 double Exact_engine::number_of_quantities(Halfedge_index h) const
 {
-  const Normal_coordinates& coordinates = correspondence_.coordinates();
+  const Normal_coordinates& coordinates = correspondence().coordinates();
   return double(coordinates.number_of_crossings(connectivity_.edge(connectivity_.next(h)))) +
          double(coordinates.number_of_crossings(connectivity_.edge(connectivity_.prev(h)))) +
          double(coordinates.triangle_crossings(connectivity_, h).e_k) + 16;
@@ -216,7 +216,7 @@ std::optional<Sign> Exact_engine::sign_by_images(Edge_index e, const Opposite_co
   if (!k || !l || !(k->p * l->four_areas + l->p * k->four_areas).is_zero() || !memory.images->rings.is_defined())
     return std::nullopt;
   const double number = number_of_quantities(h) + number_of_quantities(g);
-  if (Residue_rings::certainty(number, surface.largest_size(correspondence_.number_of_inserted_vertices() != 0)) < 128)
+  if (Residue_rings::certainty(number, surface.largest_size(correspondence().number_of_inserted_vertices() != 0)) < 128)
     return std::nullopt;
   const auto is_positive = [](const Bounded_double_double& x) { return certainly(x.sign() == POSITIVE); };
   if (is_positive(corners.k.four_areas) && is_positive(corners.l.four_areas))
@@ -281,11 +281,11 @@ Sign Exact_engine::side_of(Halfedge_index h, std::int64_t position, const Surfac
   const Standard_arithmetic arithmetic;
   prepare();
   const auto area_beside = [&](auto& metric) {
-    return Unfolding<std::decay_t<decltype(metric)>>(connectivity_, correspondence_, metric)
+    return Unfolding<std::decay_t<decltype(metric)>>(connectivity_, correspondence(), metric)
       .area_beside(h, position, point);
   };
   const Surface_lease surface = input_surface();
-  Double_metric doubles(correspondence_.input(), metric_, decisions().interruption, &*surface);
+  Double_metric doubles(correspondence().input(), metric_, decisions().interruption, &*surface);
   if (const Uncertain<Sign> sign = area_beside(doubles).sign(); is_certain(sign))
     return get_certain(sign);
   if (!metric_.points().empty()) {
@@ -297,7 +297,7 @@ Sign Exact_engine::side_of(Halfedge_index h, std::int64_t position, const Surfac
   }
   return exact_sign(
     *surface, area_beside, [&] { return "that a point lies on edge " + std::to_string(connectivity_.edge(h).idx()); },
-    [&] { return Level_line(connectivity_, correspondence_, *surface).contains(h, positions(), point); });
+    [&] { return Level_line(connectivity_, correspondence(), *surface).contains(h, positions(), point); });
 }
 
 } // namespace internal

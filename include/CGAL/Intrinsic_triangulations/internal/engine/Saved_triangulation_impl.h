@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/for_each_halfedge_around.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
@@ -50,22 +50,21 @@ void check_angle_sum(const Exact_engine& engine, Vertex_index v, const Input_ang
   const Delta_complex &complex = engine.connectivity(), &input = correspondence.input();
   bool is_concerned = correspondence.is_inserted(v), is_on_border = false;
   double sum = 0, expected = 0;
-  for_each_halfedge_around(complex, v, [&](Halfedge_index h) {
+  for (Halfedge_index h : Halfedges_around(complex, v)) {
     is_concerned = is_concerned || correspondence.is_inserted(complex.source(h));
     if (complex.is_border(h))
       is_on_border = true;
     else
       sum += angles[complex.prev(h).idx()]; // between h and the next one
-  });
+  }
   if (!is_concerned)
     return;
   if (correspondence.is_inserted(v))
     expected = is_on_border ? CGAL_PI : 2 * CGAL_PI;
   else
-    for_each_halfedge_around(input, v, [&](Halfedge_index h) {
+    for (Halfedge_index h : Halfedges_around(input, v))
       if (!input.is_border(input.opposite(h)))
         expected += input_angle(input.opposite(h));
-    });
   if (!(std::abs(sum - expected) < 1))
     throw_not_a_triangulation("vertex", v.idx(), "has angles that sum to more or less than those of the surface there");
 }
@@ -114,7 +113,7 @@ class Engine_restorer
 {
 public:
   explicit Engine_restorer(Exact_engine& engine)
-    : engine_(engine), complex_(engine.connectivity_), correspondence_(engine.correspondence_),
+    : engine_(engine), complex_(engine.connectivity_), correspondence_(engine.memory_->correspondence),
       metric_(engine.metric()), numbers_(engine)
   {}
 
@@ -182,7 +181,7 @@ void Engine_restorer::operator()(Saved_triangulation& saved, const Block_runner&
       for (std::int64_t sum = 0; end < n && sum < most_kept; ++end)
         sum += number_of_crossings(std::uint32_t(end));
       run(end - begin, elements_of_block, [&](std::size_t first, std::size_t last) {
-        const Exact_engine::Surface_lease surface = engine_.input_surface();
+        const Surface_lease surface = engine_.input_surface();
         for (std::size_t i = begin + first; i < begin + last; ++i)
           f(std::uint32_t(i), *surface);
       });
@@ -237,7 +236,7 @@ void Engine_restorer::operator()(Saved_triangulation& saved, const Block_runner&
       for (std::size_t v = first; v < last; ++v)
         check_angle_sum(engine_, Vertex_index(std::uint32_t(v)), angle_in_input, angles);
     });
-  const Exact_engine::Surface_lease surface = engine_.input_surface();
+  const Surface_lease surface = engine_.input_surface();
   for (Face_index f : complex_.faces())
     if (!are_bounded[f.idx()]) {
       const auto corner = corner_of(f, *surface);
@@ -379,7 +378,7 @@ Engine_restorer::Line_check Engine_restorer::check_sides(Halfedge_index h, const
   Line_check result = find_open(doubles);
   if (result == Line_check::BENT || open.empty())
     return result;
-  const Exact_engine::Surface_lease surface = engine_.input_surface();
+  const Surface_lease surface = engine_.input_surface();
   Double_double_metric double_doubles(*surface);
   result = find_open(double_doubles);
   for (std::size_t i = 0; i < open.size() && result != Line_check::BENT; ++i) {

@@ -12,7 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/files/Polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Huge_page_allocator.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 
 #include <algorithm>
 #include <cstddef>

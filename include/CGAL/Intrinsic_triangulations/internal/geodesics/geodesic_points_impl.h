@@ -87,7 +87,7 @@ void append_input_points(const Exact_engine& engine, Halfedge_index h, std::vect
     // Positions are those of the edge, in the direction of its own halfedge, which the overlay has as well.
     const bool is_backward = !is_in_own_direction(h);
     const Crossed_edges crossed = find_crossed_edges(engine, is_backward ? complex.opposite(h) : h);
-    const Exact_engine::Surface_lease surface = engine.input_surface();
+    const Surface_lease surface = engine.input_surface();
     Crossing_locator locator(complex, correspondence, *surface);
     const std::vector<Position_on_edges>& positions = locator(complex.edge(h), crossed);
     const std::size_t n = crossed.size();

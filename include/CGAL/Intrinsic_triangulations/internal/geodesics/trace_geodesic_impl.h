@@ -304,7 +304,7 @@ private:
   const Faces& faces_;
   const Delta_complex& complex_;
   const Exact_engine& engine_;
-  Exact_engine::Surface_lease surface_;
+  Surface_lease surface_;
   Double_double_metric metric_;
   const Surface_direction& start_;
   Line_layout<Faces, Double_double_metric> layout_;
@@ -368,7 +368,7 @@ Surface_direction direction_at_vertex(const Exact_engine& engine, Halfedge_index
   const Delta_complex& input = engine.correspondence().input();
   if (!(h.idx() < input.number_of_halfedges()) || !std::isfinite(angle))
     throw Invalid_point_error("a direction at a vertex needs a halfedge and a finite angle");
-  const Exact_engine::Surface_lease surface = engine.input_surface();
+  const Surface_lease surface = engine.input_surface();
   Double_double_metric metric(*surface);
   const Metric_frame<Double_double_metric> frame(input, metric);
   struct Fan_corner

@@ -12,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/require_vertex.h>
 #include <CGAL/Intrinsic_triangulations/internal/numbers/Accurate_shapes.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
@@ -171,10 +170,7 @@ private:
     for (Face_index f : complex_.faces()) {
       if (!has_area_[f.idx()])
         continue;
-      Halfedge_index base = complex_.halfedge(f);
-      for (Halfedge_index h : {complex_.next(base), complex_.prev(base)})
-        if (length(h) > length(base))
-          base = h;
+      const Halfedge_index base = side_with_largest(complex_, f, [&](Halfedge_index h) { return length(h); });
       const Halfedge_index next = complex_.next(base), prev = complex_.prev(base);
       const double cot = shapes_.cotangent(next), height = length(base) / (cot + shapes_.cotangent(prev));
       if (height < least_height * length(base))

@@ -54,10 +54,8 @@ public:
     sides_.reserve(3 * complex.number_of_faces());
     halfedges_.reserve(3 * complex.number_of_faces());
     for (Face_index f : complex.faces()) {
-      Halfedge_index base = complex.halfedge(f);
-      for (Halfedge_index h : {complex.next(base), complex.prev(base)})
-        if (lengths[complex.edge(h).idx()] > lengths[complex.edge(base).idx()])
-          base = h;
+      const Halfedge_index base =
+        side_with_largest(complex, f, [&](Halfedge_index h) { return lengths[complex.edge(h).idx()]; });
       const std::array<Halfedge_index, 3> around{base, complex.next(base), complex.prev(base)};
       std::array<double, 3> length;
       for (int i = 0; i < 3; ++i) {

@@ -405,20 +405,17 @@ private:
     flipped_.erase(std::remove_if(flipped_.begin(), flipped_.end(), is_at_v), flipped_.end());
     for (Edge_index e : flipped_)
       faces_.measure(e);
-    const Halfedge_index first = complex_.halfedge(v);
-    Halfedge_index h = first;
     const auto note_faces = [&](Halfedge_index h) {
       if (!complex_.is_border(h))
         note(complex_.face(h));
     };
-    do {
+    for (Halfedge_index h : Halfedges_around(complex_, v)) {
       note_faces(h);
       if (quality_.criteria().splits_encroached_edges)
         for (Halfedge_index side : {h, complex_.prev(h)})
           if ((side == h || !complex_.is_border(h)) && is_segment(side))
             segments_to_test_.push_back(complex_.edge(side));
-      h = complex_.next_around_target(h);
-    } while (h != first);
+    }
     for (Edge_index e : flipped_)
       for (Halfedge_index side : {complex_.halfedge(e), complex_.opposite(complex_.halfedge(e))})
         note_faces(side);

@@ -51,18 +51,12 @@ public:
   {
     lengths_.resize(complex_.number_of_edges());
     bool are_good = true;
-    const Halfedge_index first = complex_.halfedge(v);
-    Halfedge_index h = first;
-    do {
+    for (Halfedge_index h : Halfedges_around(complex_, v))
       are_good = are_good && has_good_length(complex_.edge(h));
-      h = complex_.next_around_target(h);
-    } while (h != first);
     if (!are_good)
       Whole_triangulation<Traits>(triangulation_).recompute(v);
-    do {
+    for (Halfedge_index h : Halfedges_around(complex_, v))
       measure(complex_.edge(h));
-      h = complex_.next_around_target(h);
-    } while (h != first);
   }
   double length(Edge_index e) const { return lengths_[e.idx()]; }
   double length(Halfedge_index h) const { return length(complex_.edge(h)); }
@@ -72,21 +66,11 @@ public:
   }
   Halfedge_index longest_side(Face_index f) const
   {
-    const Halfedge_index h = complex_.halfedge(f);
-    Halfedge_index result = h;
-    for (Halfedge_index side : {complex_.next(h), complex_.prev(h)})
-      if (length(side) > length(result))
-        result = side;
-    return result;
+    return side_with_largest(complex_, f, [&](Halfedge_index h) { return length(h); });
   }
   Halfedge_index shortest_side(Face_index f) const
   {
-    const Halfedge_index h = complex_.halfedge(f);
-    Halfedge_index result = h;
-    for (Halfedge_index side : {complex_.next(h), complex_.prev(h)})
-      if (length(side) < length(result))
-        result = side;
-    return result;
+    return side_with_largest(complex_, f, [&](Halfedge_index h) { return -length(h); });
   }
   double circumradius(Face_index f) const
   {

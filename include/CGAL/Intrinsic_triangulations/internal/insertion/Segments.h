@@ -55,13 +55,9 @@ public:
 
   bool has_segment(Vertex_index v) const
   {
-    const Halfedge_index first = complex_.halfedge(v);
-    Halfedge_index h = first;
-    do {
+    for (Halfedge_index h : Halfedges_around(complex_, v))
       if (contains(h))
         return true;
-      h = complex_.next_around_target(h);
-    } while (h != first);
     return false;
   }
 
@@ -170,12 +166,10 @@ private:
   // Whether two segments meet at v in less than 60 degrees.
   bool has_small_corner(Vertex_index v) const
   {
-    const Halfedge_index first = complex_.opposite(complex_.halfedge(v));
-    Halfedge_index h = first;
-    do {
+    for (Halfedge_index h : Halfedges_around(complex_, v))
       if (contains(h)) {
         double sum = 0;
-        for (Halfedge_index side = h; !complex_.is_border(side);) {
+        for (Halfedge_index side = complex_.opposite(h); !complex_.is_border(side);) {
           sum += faces_.angle(side);
           side = complex_.next_around_source(side);
           if (contains(side)) {
@@ -185,8 +179,6 @@ private:
           }
         }
       }
-      h = complex_.next_around_source(h);
-    } while (h != first);
     return false;
   }
 

@@ -48,13 +48,10 @@ public:
   double radius_of_input_faces(Vertex_index v) const
   {
     double radius = (std::numeric_limits<double>::infinity)();
-    const Halfedge_index first = input_.opposite(input_.halfedge(v));
-    Halfedge_index h = first;
-    do {
-      const double height = shapes_.four_areas(input_.face(h)) / (2 * shapes_.length(input_.edge(input_.next(h))));
+    for (Halfedge_index h : Halfedges_around(input_, v)) {
+      const double height = shapes_.four_areas(input_.face(h)) / (2 * shapes_.length(input_.edge(input_.prev(h))));
       radius = (std::min)(radius, std::ldexp(height, unit_exponent_));
-      h = input_.next_around_source(h);
-    } while (h != first);
+    }
     return radius;
   }
 

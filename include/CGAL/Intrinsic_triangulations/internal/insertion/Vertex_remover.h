@@ -11,9 +11,9 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Removed_elements.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Angle_sum.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/settle_around.h>
 
@@ -89,12 +89,8 @@ private:
   std::vector<Halfedge_index> edges_at_vertex() const
   {
     std::vector<Halfedge_index> result;
-    const Halfedge_index first = complex_.halfedge(v_);
-    Halfedge_index h = first;
-    do {
+    for (Halfedge_index h : Halfedges_around(complex_, v_))
       result.push_back(h);
-      h = complex_.next_around_target(h);
-    } while (h != first);
     return result;
   }
 

@@ -60,14 +60,11 @@ void settle_around(Intrinsic_triangulation<Traits>& triangulation, Vertex_index 
 {
   const Delta_complex& complex = triangulation.connectivity();
   stack.clear();
-  const Halfedge_index first = complex.halfedge(v);
-  Halfedge_index h = first;
-  do { // the edges that lead to v, and the sides opposite to it
+  for (Halfedge_index h : Halfedges_around(complex, v)) { // the edges that lead to v, and the sides opposite to it
     stack.push_back(complex.edge(h));
     if (!complex.is_border(h))
       stack.push_back(complex.edge(complex.prev(h)));
-    h = complex.next_around_target(h);
-  } while (h != first);
+  }
   settle(triangulation, is_constrained, stack, after_flip);
 }
 

@@ -9,7 +9,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MATRICES_ASSEMBLE_COLUMNS_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/for_each_halfedge_around.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 
 #include <Eigen/SparseCore>
@@ -48,12 +47,12 @@ public:
   void add(Index c)
   {
     entries_.clear();
-    for_each_halfedge_around(complex_, Vertex_index(Vertex_index::size_type(c)), [&](Halfedge_index h) {
+    for (Halfedge_index h : Halfedges_around(complex_, Vertex_index(Vertex_index::size_type(c)))) {
       const Edge_index e = complex_.edge(h);
       const Index row = Index(complex_.source(h).idx());
       if (row != c)
         entries_.push_back({std::uint64_t(row) << 32 | e.idx(), edge_value_(e)});
-    });
+    }
     sort(0, [](const Entry& x) { return x.row_and_edge; });
     const std::size_t begin = rows_.size();
     std::size_t i = 0;

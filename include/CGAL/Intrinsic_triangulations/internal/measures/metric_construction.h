@@ -12,11 +12,11 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/check_triangles.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/relaxed_atomic.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/memory_access.h>
 
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Uncertain.h>

@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/rounded_sqrt.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_type_basic.h>
@@ -19,6 +20,23 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
+
+using Points = Large_vector<std::array<double, 3>>;
+
+template <class FT>
+using Vector_3 = std::array<FT, 3>;
+
+template <class FT>
+FT scalar_product(const Vector_3<FT>& a, const Vector_3<FT>& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+template <class FT>
+Vector_3<FT> cross_product(const Vector_3<FT>& a, const Vector_3<FT>& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
 
 // Rounding can make a radicand that is zero slightly negative; an invalid one was
 // refused before.

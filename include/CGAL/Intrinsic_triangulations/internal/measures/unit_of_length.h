@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_kinds.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+#include <CGAL/Intrinsic_triangulations/internal/Index.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
@@ -315,6 +316,19 @@ int normalize_lengths(std::vector<FT>& lengths)
       offenders.add(e);
   throw_if_underflow("the length of edge ", offenders);
   return exponent;
+}
+
+// Lengths of 1e-160 or 1e160 are well within the range of double, but their squares are not.
+inline double area_in_input_unit(double area, int unit_exponent, Face_index f)
+{
+  using Limits = std::numeric_limits<double>;
+  const double result = std::ldexp(area, 2 * unit_exponent);
+  if (result > (Limits::max)() || (result < (Limits::min)() && area >= (Limits::min)()))
+    throw Invalid_surface_error(
+      Invalid_surface_error::Defect::OUT_OF_RANGE, f.idx(), 1,
+      "face " + std::to_string(f.idx()) +
+        ": its area leaves the range of double; scale the surface, or remove the face if that does not help");
+  return result;
 }
 
 } // namespace internal

@@ -10,7 +10,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_CARRIED_PROPERTIES_H
 
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/internal/overlay/find_property_map.h>
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Kernel_traits.h>
@@ -23,11 +22,25 @@
 #include <string>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
+
+// The map that the mesh has by this name, or one that converts to false. CGAL 5 gives a pair of a map and
+// whether it is there, CGAL 6 an optional map.
+template <class Index, class Value, class SurfaceMesh>
+auto find_property_map(const SurfaceMesh& mesh, const std::string& name)
+{
+  using Map = typename SurfaceMesh::template Property_map<Index, Value>;
+  const auto found = mesh.template property_map<Index, Value>(name);
+  if constexpr (std::is_same<decltype(found), const std::pair<Map, bool>>::value)
+    return found.first;
+  else
+    return found.value_or(Map());
+}
 
 // Empty for points of no kernel.
 template <class Kernel, class = void>

@@ -64,7 +64,6 @@ public:
   Halfedge first_part(Halfedge_index h) const { return first_intrinsic_parts_[h.idx()]; }
   Halfedge last_part(Halfedge_index h) const { return opposite(first_intrinsic_parts_[h.idx() ^ 1]); }
   Halfedge first_part_in_input(Halfedge_index h) const { return first_input_parts_[h.idx()]; }
-  Halfedge last_part_in_input(Halfedge_index h) const { return opposite(first_input_parts_[h.idx() ^ 1]); }
 
   void set_first_part(Halfedge_index h, Halfedge part) { first_intrinsic_parts_[h.idx()] = part; }
 

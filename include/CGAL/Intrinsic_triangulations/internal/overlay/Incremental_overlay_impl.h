@@ -10,13 +10,10 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Dynamic_overlay_graph_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/overlay/Incremental_overlay_check.h>
 
 #include <CGAL/assertions.h>
 
 #include <cstdint>
-#include <iostream>
-#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -46,14 +43,6 @@ Incremental_overlay::crossing_intrinsic_halfedges(Halfedge_index h) const
   for (Halfedge part = first_part_in_input(h); is_crossing(target(part)); part = straight_on(part))
     result.push_back(intrinsic_halfedge(next(part)));
   return result;
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool Incremental_overlay::is_valid(bool verbose) const
-{
-  const std::string defect = internal::Incremental_overlay_check(graph_, input_, intrinsic_).defect();
-  if (verbose && !defect.empty())
-    std::cerr << "Incremental_overlay: " << defect << std::endl;
-  return defect.empty();
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Incremental_overlay::take_out(Halfedge_index ij)
@@ -146,58 +135,6 @@ Incremental_overlay::before_diagonal(Halfedge_index arriving, Side side) const
   while (is_chord(graph_.next(h)) && sides_[opposite(graph_.next(h)).idx()] == side)
     h = opposite(graph_.next(h));
   return h;
-}
-
-namespace internal {
-
-// Says how the two differ, or nothing. Crossings have no numbers in common: those of
-// `incremental` are learnt along the intrinsic edges.
-inline std::string difference_of_overlays(const Overlay& overlay, const Incremental_overlay& incremental)
-{
-  using Halfedge = Overlay::Halfedge;
-  using Vertex = Overlay::Vertex;
-  if (overlay.number_of_intrinsic_edges() != incremental.intrinsic().number_of_edges())
-    return "they are of different surfaces";
-  std::vector<Vertex> in_incremental(overlay.number_of_vertices());
-  for (Edge_index e : incremental.intrinsic().edges()) {
-    const auto edge = [&](const char* what) { return "intrinsic edge " + std::to_string(e.idx()) + what; };
-    Halfedge part = incremental.first_part(incremental.intrinsic().halfedge(e));
-    if (overlay.input_halfedge(overlay.halfedge(*overlay.intrinsic_segments(e).begin())) !=
-        incremental.input_halfedge(part))
-      return edge(" does not coincide with the same input halfedge");
-    for (Vertex x : overlay.intrinsic_crossings(e)) {
-      if (!incremental.is_crossing(incremental.target(part)) ||
-          overlay.crossing_input_halfedge(x) != incremental.input_halfedge(incremental.next(part)))
-        return edge(" does not cross the same input halfedges");
-      in_incremental[x.idx()] = incremental.target(part);
-      part = incremental.straight_on(part);
-    }
-    if (incremental.is_crossing(incremental.target(part)))
-      return edge(" does not cross the same number of input edges");
-  }
-  for (Edge_index e : incremental.input().edges()) {
-    const auto edge = [&](const char* what) { return "input edge " + std::to_string(e.idx()) + what; };
-    Halfedge part = incremental.first_part_in_input(incremental.input().halfedge(e));
-    for (std::uint32_t i = 0; i + 1 < overlay.number_of_input_segments(e); ++i) {
-      if (in_incremental[overlay.input_crossing(e, i).idx()] != incremental.target(part))
-        return edge(" does not have the same crossings");
-      part = incremental.straight_on(part);
-    }
-    if (incremental.is_crossing(incremental.target(part)))
-      return edge(" does not have the same number of crossings");
-  }
-  return std::string();
-}
-
-} // namespace internal
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool are_same_overlay(const Overlay& overlay,
-                                                           const Incremental_overlay& incremental, bool verbose)
-{
-  const std::string difference = internal::difference_of_overlays(overlay, incremental);
-  if (verbose && !difference.empty())
-    std::cerr << "are_same_overlay: " << difference << std::endl;
-  return difference.empty();
 }
 
 } // namespace Intrinsic_triangulations

@@ -8,7 +8,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_PARAMETERIZATION_SOLVE_WITH_FIXED_VALUES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_PARAMETERIZATION_SOLVE_WITH_FIXED_VALUES_H
 
-#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
 
 #include <Eigen/Core>

@@ -20,7 +20,7 @@ void Overlay_positions::find_crossings(const internal::Exact_engine& engine, con
                                        std::size_t last, const internal::Loop_progress& progress)
 {
   const Delta_complex& intrinsic = engine.connectivity();
-  const internal::Exact_engine::Surface_lease surface = engine.input_surface();
+  const internal::Surface_lease surface = engine.input_surface();
   const Delta_complex& input = engine.correspondence().input();
   internal::Crossing_locator locate(intrinsic, engine.correspondence(), *surface);
   internal::Crossed_edges crossed(input);

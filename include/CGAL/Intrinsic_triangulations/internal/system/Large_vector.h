@@ -8,14 +8,91 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_LARGE_VECTOR_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_LARGE_VECTOR_H
 
-#include <CGAL/Intrinsic_triangulations/internal/system/Huge_page_allocator.h>
-
 #include <boost/container/vector.hpp>
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <new>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+
+namespace internal {
+
+constexpr std::size_t huge_page = std::size_t(1) << 21;
+
+// Asks for huge pages for memory that is not used yet. Best effort: a failure is ignored.
+inline void wish_for_huge_pages(void* const p, const std::size_t size)
+{
+#ifdef __linux__
+  const std::uintptr_t first = (std::uintptr_t(p) + huge_page - 1) / huge_page * huge_page,
+                       last = (std::uintptr_t(p) + size) / huge_page * huge_page;
+  if (first < last)
+    ::madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+#else
+  (void)p;
+  (void)size;
+#endif
+}
+
+// Asks for huge pages where an array is large enough. The arrays are filled once and little else happens to them: with
+// small pages, the page faults of that first pass can take longer than everything that is computed. On other systems
+// this is the operator `new`.
+template <class T>
+class Huge_page_allocator
+{
+public:
+  using value_type = T;
+
+  Huge_page_allocator() = default;
+  template <class U>
+  Huge_page_allocator(const Huge_page_allocator<U>&)
+  {}
+
+  T* allocate(std::size_t n)
+  {
+    if (n > (std::numeric_limits<std::size_t>::max)() / 2 / sizeof(T))
+      throw std::bad_alloc();
+    const std::size_t size = n * sizeof(T);
+#ifdef __linux__
+    if (size >= huge_page) {
+      // Not by aligned_alloc(): of a block that was freed, glibc's does not make one of the same size
+      // again, and a program that makes one triangulation after the other grows.
+      const std::size_t rounded = (size + huge_page - 1) / huge_page * huge_page;
+      void* const block = ::operator new(rounded + huge_page);
+      const std::uintptr_t begin = std::uintptr_t(block) / huge_page * huge_page + huge_page;
+      void* const p = static_cast<char*>(block) + (begin - std::uintptr_t(block));
+      static_cast<void**>(p)[-1] = block; // what `new` returns is aligned to more than a pointer: there is room
+      wish_for_huge_pages(p, rounded);
+      return static_cast<T*>(p);
+    }
+#endif
+    return static_cast<T*>(::operator new(size));
+  }
+  void deallocate(T* p, std::size_t n)
+  {
+#ifdef __linux__
+    if (n * sizeof(T) >= huge_page) {
+      ::operator delete(reinterpret_cast<void**>(p)[-1]);
+      return;
+    }
+#else
+    (void)n;
+#endif
+    ::operator delete(p);
+  }
+
+  friend bool operator==(const Huge_page_allocator&, const Huge_page_allocator&) { return true; }
+  friend bool operator!=(const Huge_page_allocator&, const Huge_page_allocator&) { return false; }
+};
+
+} // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
 /// \brief a vector that holds one item for each element of a surface: a vector of Boost with an allocator of its own.

@@ -15,12 +15,14 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <type_traits>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 #endif
 
 namespace CGAL {
@@ -99,6 +101,27 @@ bool for_each_element(const Range& range, std::size_t n, const Function& f)
     return result;
   }
   return f(std::size_t(0), n, range.begin(), range.end());
+}
+
+// Calls f(first, last) for ranges that make up [0, n), as for_each_block().
+using Block_runner =
+  std::function<void(std::size_t n, std::size_t size, const std::function<void(std::size_t, std::size_t)>& f)>;
+
+// The loop of a tag. It may be run under a lock: a thread that waits for the others begins no work from elsewhere,
+// which could ask for the same lock.
+template <class ConcurrencyTag>
+Block_runner block_runner()
+{
+  return [](std::size_t n, std::size_t size, const std::function<void(std::size_t, std::size_t)>& f) {
+    const auto run = [&] { for_each_block<ConcurrencyTag>(n, size, f); };
+#ifdef CGAL_LINKED_WITH_TBB
+    if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value) {
+      tbb::this_task_arena::isolate(run);
+      return;
+    }
+#endif
+    run();
+  };
 }
 
 } // namespace internal

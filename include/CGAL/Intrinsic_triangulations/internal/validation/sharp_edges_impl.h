@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_SHARP_EDGES_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_SHARP_EDGES_IMPL_H
 
-#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 
@@ -75,19 +75,10 @@ private:
     return v;
   }
 
-  Halfedge_index longest_side(Face_index f) const
-  {
-    const Halfedge_index h = complex_.halfedge(f);
-    Halfedge_index result = h;
-    for (Halfedge_index side : {complex_.next(h), complex_.prev(h)})
-      if (length(side) > length(result))
-        result = side;
-    return result;
-  }
   // The smallest height.
   double height(Face_index f) const
   {
-    const Halfedge_index h = longest_side(f);
+    const Halfedge_index h = side_with_largest(complex_, f, [&](Halfedge_index side) { return length(side); });
     const Vector across = cross_product(normalized(half_side(h)), normalized(half_side(complex_.next(h))));
     return std::hypot(across[0], across[1], across[2]) * length(complex_.next(h));
   }

@@ -10,7 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Removed_elements.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
@@ -66,16 +66,6 @@ struct Roundabout
 {
   Halfedge_index base; // an input halfedge
   std::uint64_t steps; // may exceed the degree of the source: it counts modulo the degree
-};
-
-// A piece of a triangle (i, j, k) of the current triangulation, between the input edges that cross it.
-//
-// It is named by a part of a side: what lies behind `gap` crossings of `side`, counted from its source. A piece that
-// touches several sides has several names.
-struct Triangle_piece
-{
-  Halfedge_index side; // a halfedge of the triangle
-  std::int64_t gap;    // from 0 to the number of crossings of its edge
 };
 
 // Normal coordinates and roundabouts: integers that determine exactly how the
@@ -146,11 +136,7 @@ public:
   // of all sides are relatively small.
   Halfedge_index side_with_most_crossings(const Delta_complex& complex, Face_index f) const
   {
-    Halfedge_index result = complex.halfedge(f);
-    for (Halfedge_index h : {complex.next(result), complex.prev(result)})
-      if (crossings(complex.edge(h)) > crossings(complex.edge(result)))
-        result = h;
-    return result;
+    return side_with_largest(complex, f, [&](Halfedge_index h) { return crossings(complex.edge(h)); });
   }
 
   // The names of `piece` on all sides of its triangle that it touches, itself first.

@@ -12,11 +12,10 @@
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/compare_points.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/complex_from_halfedges.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/for_each_halfedge_around.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Rotation_system.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Block_runner.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 
@@ -203,7 +202,8 @@ private:
     if (correspondence_.is_inserted(v))
       return correspondence_.input_halfedge(from_v).is_valid() ? 2 : 0;
     std::uint64_t result = 0;
-    for_each_halfedge_around(input_, v, [&](Halfedge_index) { ++result; });
+    for ([[maybe_unused]] Halfedge_index h : Halfedges_around(input_, v))
+      ++result;
     return result;
   }
 

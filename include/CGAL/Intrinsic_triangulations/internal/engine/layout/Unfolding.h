@@ -52,8 +52,9 @@ namespace internal {
 //   there is `fan_ratio(from, to, is_counterclockwise)` (see Fan_positions.h); `interruption()`, which can end a long
 //   computation.
 //
-// Lengths are in the unit of the metric. Cost: proportional to the number of crossings,
-// plus that of finding their order.
+// Lengths and areas of all edges and faces are in one unit, that of the metric, so that they can be compared and added;
+// vectors are each in the frame of its own reference. Cost: proportional to the number of crossings, plus that of
+// finding their order.
 template <class Metric>
 class Unfolding
 {

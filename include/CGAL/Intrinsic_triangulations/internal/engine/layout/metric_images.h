@@ -25,7 +25,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Direct_mapped_cache.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/relaxed_atomic.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Scratch_pool.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/memory_access.h>
 
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 
@@ -165,6 +166,13 @@ private:
   Direct_mapped_cache<Halfedge_index, Corner_ratios<Double_double_disk>> ratios_;
   Direct_mapped_cache<std::tuple<Halfedge_index, Vertex_index, Vertex_index>, Double_double_disk> ratios_in_plane_;
   Fan_positions fans_;
+};
+
+// An Input_surface that a call has for itself.
+class Surface_lease : public Scratch_pool<Input_surface>::Lease
+{
+public:
+  Surface_lease(Lease&& lease) : Lease(std::move(lease)) {}
 };
 
 // In double-doubles with error bounds.

@@ -1,18 +1,18 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Author(s)     : The Intrinsic_triangulations developers
-//
-// What an overlay graph that flips have changed must be.
+// What an overlay graph that flips have changed must be, and its comparison with an overlay that is built at the end.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_INCREMENTAL_OVERLAY_CHECK_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_INCREMENTAL_OVERLAY_CHECK_H
+#ifndef IDT_TEST_PROPERTY_INCREMENTAL_OVERLAY_CHECK_H
+#define IDT_TEST_PROPERTY_INCREMENTAL_OVERLAY_CHECK_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/overlay/Dynamic_overlay_graph.h>
+#include <CGAL/Intrinsic_triangulations/Incremental_overlay.h>
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -27,8 +27,8 @@ class Incremental_overlay_check
   using Halfedge = Graph::Halfedge;
 
 public:
-  Incremental_overlay_check(const Graph& graph, const Delta_complex& input, const Delta_complex& intrinsic)
-    : graph_(graph), input_(input), intrinsic_(intrinsic)
+  explicit Incremental_overlay_check(const Incremental_overlay& overlay)
+    : graph_(overlay.graph_), input_(overlay.input()), intrinsic_(overlay.intrinsic())
   {}
 
   // The first defect, or nothing.
@@ -202,4 +202,72 @@ private:
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_INCREMENTAL_OVERLAY_CHECK_H
+namespace overlay_check {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+// The first thing that is wrong goes to std::cerr.
+inline bool is_sound(const std::string& what_is_wrong)
+{
+  if (!what_is_wrong.empty())
+    std::cerr << what_is_wrong << std::endl;
+  return what_is_wrong.empty();
+}
+
+// Whether the segments form the edges of both triangulations, alternate at crossings, leave each vertex in the right
+// order, and bound faces that each lie in one input and one intrinsic face and have at least three sides, since straight
+// lines meet once.
+inline bool is_valid(const IT::Incremental_overlay& overlay)
+{
+  return is_sound(IT::internal::Incremental_overlay_check(overlay).defect());
+}
+
+// Says how the two differ, or nothing. Crossings have no numbers in common: those of
+// `incremental` are learnt along the intrinsic edges.
+inline std::string difference_of_overlays(const IT::Overlay& overlay, const IT::Incremental_overlay& incremental)
+{
+  using Halfedge = IT::Overlay::Halfedge;
+  using Vertex = IT::Overlay::Vertex;
+  if (overlay.number_of_intrinsic_edges() != incremental.intrinsic().number_of_edges())
+    return "they are of different surfaces";
+  std::vector<Vertex> in_incremental(overlay.number_of_vertices());
+  for (IT::Edge_index e : incremental.intrinsic().edges()) {
+    const auto edge = [&](const char* what) { return "intrinsic edge " + std::to_string(e.idx()) + what; };
+    Halfedge part = incremental.first_part(incremental.intrinsic().halfedge(e));
+    if (overlay.input_halfedge(overlay.halfedge(*overlay.intrinsic_segments(e).begin())) !=
+        incremental.input_halfedge(part))
+      return edge(" does not coincide with the same input halfedge");
+    for (Vertex x : overlay.intrinsic_crossings(e)) {
+      if (!incremental.is_crossing(incremental.target(part)) ||
+          overlay.crossing_input_halfedge(x) != incremental.input_halfedge(incremental.next(part)))
+        return edge(" does not cross the same input halfedges");
+      in_incremental[x.idx()] = incremental.target(part);
+      part = incremental.straight_on(part);
+    }
+    if (incremental.is_crossing(incremental.target(part)))
+      return edge(" does not cross the same number of input edges");
+  }
+  for (IT::Edge_index e : incremental.input().edges()) {
+    const auto edge = [&](const char* what) { return "input edge " + std::to_string(e.idx()) + what; };
+    Halfedge part = incremental.first_part_in_input(incremental.input().halfedge(e));
+    for (std::uint32_t i = 0; i + 1 < overlay.number_of_input_segments(e); ++i) {
+      if (in_incremental[overlay.input_crossing(e, i).idx()] != incremental.target(part))
+        return edge(" does not have the same crossings");
+      part = incremental.straight_on(part);
+    }
+    if (incremental.is_crossing(incremental.target(part)))
+      return edge(" does not have the same number of crossings");
+  }
+  return std::string();
+}
+
+// Whether each edge of both triangulations has the same crossings in the same order, and the same edges coincide, in the
+// same direction. The numbers of segments and crossings may differ.
+inline bool are_same_overlay(const IT::Overlay& overlay, const IT::Incremental_overlay& incremental)
+{
+  return is_sound(difference_of_overlays(overlay, incremental));
+}
+
+} // namespace overlay_check
+
+#endif // IDT_TEST_PROPERTY_INCREMENTAL_OVERLAY_CHECK_H

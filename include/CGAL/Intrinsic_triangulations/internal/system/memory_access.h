@@ -3,18 +3,42 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Ordinary variables that several threads read or store the same value in.
+// How memory is read and written, where that can be said: ahead of time, or by several threads.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_RELAXED_ATOMIC_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_RELAXED_ATOMIC_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_MEMORY_ACCESS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_MEMORY_ACCESS_H
 
 #ifndef __GNUC__
 #include <boost/atomic/atomic_ref.hpp>
 #endif
+#include <boost/config.hpp>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
+
+// Has the cache line of `*p` fetched in the background, to be written.
+inline void prefetch(const void* p)
+{
+#ifdef __GNUC__
+  __builtin_prefetch(p, 1);
+#else
+  (void)p;
+#endif
+}
+
+// The same to read it, as other threads may, too. A function that does nothing else has to be forced inline: GCC takes
+// it for one without effect, and leaves out its calls.
+BOOST_FORCEINLINE void prefetch_to_read(const void* p)
+{
+#ifdef __GNUC__
+  __builtin_prefetch(p, 0);
+#else
+  (void)p;
+#endif
+}
+
+// ---------------- Ordinary variables that several threads read, or store the same value in.
 
 // What std::atomic_ref of C++20 does. Boost's has 20,000 lines, which each user of a Delta_complex would parse.
 template <class T>
@@ -43,4 +67,4 @@ void relaxed_store(T& to, T value)
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_RELAXED_ATOMIC_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_MEMORY_ACCESS_H
