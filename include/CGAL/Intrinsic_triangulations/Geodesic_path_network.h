@@ -9,7 +9,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_PATH_NETWORK_H
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
@@ -100,6 +99,18 @@ public:
   /// fixes a vertex: paths through it keep passing through it.
   void fix(Vertex_index v) { is_fixed_[v.idx()] = true; }
 
+  /// \brief undoes all flips, and removes all paths and fixed vertices: network and triangulation are as they were when
+  /// the network was constructed.
+  ///
+  /// So one triangulation serves many paths. Never throws. O(number of flips).
+  void rewind()
+  {
+    geometry_.flips().undo(0);
+    paths_.clear();
+    outcomes_.clear();
+    std::fill(is_fixed_.begin(), is_fixed_.end(), false);
+  }
+
   /// \brief shortens all paths until they are locally shortest.
   ///
   /// \tparam NamedParameters a sequence of named parameters
@@ -139,6 +150,7 @@ public:
       if (outcome.status != Geodesic_status::CONTRACTIBLE)
         outcome.status = Geodesic_status::GEODESIC;
     try {
+      internal::engine(triangulation_).find_straight_faces(); // from now on all that is known of faces can be put back
       Queue queue;
       for (std::size_t p = 0; p < paths_.size(); ++p)
         push_path(p, queue);
@@ -325,17 +337,9 @@ private:
   internal::Wedge_outcome shorten_wedge(const internal::Wedge& wedge)
   {
     return geometry_.shorten(
-      wedge,
-      [&](Edge_index e) {
-        if (journal_)
-          internal::make_room(*journal_, 1);
-        return !paths_.is_used(e) && !is_constrained(e);
-      },
-      [&] { return goes_on(); },
+      wedge, [&](Edge_index e) { return !paths_.is_used(e) && !is_constrained(e); }, [&] { return goes_on(); },
       [&](Edge_index e) {
         ++report_.flips;
-        if (journal_)
-          journal_->push_back(e);
         after_flip_(e);
       });
   }
@@ -422,23 +426,21 @@ private:
       return false;
     const internal::Bounded_double_double length_before = precise_length(p);
     const std::uint64_t steps_before = report_.steps;
-    std::vector<Edge_index> flips;
-    journal_ = &flips;
+    const std::size_t changes_before = geometry_.flips().size();
     bool is_shorter = false;
     try {
       is_shorter =
         leads_round(s, wedge, is_on_left) &&
         (paths_.first(p) == Linked_paths::none || certainly((precise_length(p) - length_before).sign() == NEGATIVE));
     } catch (...) {
-      undo(s, loop, flips);
+      undo(s, loop, changes_before);
       throw;
     }
     if (is_shorter) {
-      journal_ = nullptr;
       ++report_.steps;
       push_path(p, queue);
     } else {
-      undo(s, loop, flips);
+      undo(s, loop, changes_before);
       report_.steps = steps_before;
     }
     return is_shorter;
@@ -465,12 +467,10 @@ private:
     return !is_stopped_;
   }
 
-  // Makes of a path the loop again that it was before these flips. Never throws.
-  void undo(Segment_index s, Halfedge_index loop, const std::vector<Edge_index>& flips)
+  // Makes of a path the loop again that it was when so much was changed. Never throws.
+  void undo(Segment_index s, Halfedge_index loop, std::size_t changes_before)
   {
-    journal_ = nullptr;
-    for (std::size_t i = flips.size(); i-- > 0;)
-      internal::Whole_triangulation<Traits>(triangulation_).flip_back(flips[i]);
+    geometry_.flips().undo(changes_before);
     paths_.restore_loop(s, loop);
   }
 
@@ -499,7 +499,6 @@ private:
   bool is_stopped_ = false;
   std::function<bool()> go_further_;
   std::function<void(Edge_index)> after_flip_;
-  std::vector<Edge_index>* journal_ = nullptr; // of flips that may have to be undone
 };
 
 } // namespace Intrinsic_triangulations

@@ -22,8 +22,10 @@
 #include <CGAL/enum.h>
 #include <CGAL/tags.h>
 
+#include <array>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -101,10 +103,18 @@ public:
     connectivity_.flip(around);
     return is_straight;
   }
+  // What a flip forgets: the halfedges of both faces and of both ends of the edge, and in which planes the faces are
+  // known to lie.
+  struct Forgotten
+  {
+    std::array<Halfedge_index, 2> of_faces, of_ends;
+    std::array<std::uint32_t, 2> planes;
+  };
+  Forgotten forgotten_by_flip(const Hinge_halfedges& around) const;
   // Undoes a flip, the last one that was not undone. Never throws.
   // \param around the halfedges around the edge before the flip
-  // \param first what shall be `halfedge(f)` of their faces
-  void flip_back(const Hinge_halfedges& around, std::initializer_list<Halfedge_index> first);
+  // \param forgotten what `forgotten_by_flip(around)` returned before it
+  void flip_back(const Hinge_halfedges& around, const Forgotten& forgotten);
 
   // Flips are logged from now on until the next query, so that each takes the least time: for algorithms that consist
   // of flips. Those of other functions, which are few and between queries, are followed at once. O(1).
@@ -170,6 +180,9 @@ public:
     if (!is_prepared())
       prepare(block_runner<ConcurrencyTag>());
   }
+
+  // Finds out which faces are straight, where that was not done yet; the queries that use it do so themselves. Likewise.
+  void find_straight_faces() const;
 
   // By which stage an edge was tested, and the sign of `cot k + cot l` for the angles opposite to it. Where both faces
   // have zero area, that is `NEGATIVE` if both angles are π, and `ZERO` otherwise.
@@ -244,7 +257,6 @@ private:
   bool is_long_hinge(const Hinge_halfedges& around) const;
   bool is_prepared() const;
   void prepare(const Block_runner& run) const;
-  void find_straight_faces() const;
   void recognize_straight_face(Halfedge_index h);
   void prepare_insertion();
   void remove(const Removed_elements& removed);

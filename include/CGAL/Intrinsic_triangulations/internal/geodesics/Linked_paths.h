@@ -61,6 +61,9 @@ public:
   // Returns the number of the new path.
   std::size_t add(const std::vector<Halfedge_index>& halfedges, bool is_closed);
 
+  // Removes all paths. Never throws.
+  void clear();
+
   // Replaces two consecutive segments, or a loop if they are the same.
   Replaced replace(Segment_index a, Segment_index b, const std::vector<Halfedge_index>& halfedges);
 

@@ -43,6 +43,15 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::size_t Linked_paths::add(const std::ve
   return paths_.size() - 1;
 }
 
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Linked_paths::clear()
+{
+  for (const Segment& segment : segments_)
+    if (segment.is_alive)
+      --number_of_uses_[complex_.edge(segment.halfedge).idx()];
+  segments_.clear();
+  paths_.clear();
+}
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Linked_paths::Replaced
 Linked_paths::replace(Segment_index a, Segment_index b, const std::vector<Halfedge_index>& halfedges)
 {

@@ -10,7 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Angle_sum.h>
-#include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Undoable_flips.h>
 
 #include <CGAL/enum.h>
 
@@ -39,7 +39,10 @@ class Wedge_geometry
 public:
   using Triangulation = Intrinsic_triangulation<Traits>;
 
-  explicit Wedge_geometry(Triangulation& triangulation) : triangulation_(triangulation) {}
+  explicit Wedge_geometry(Triangulation& triangulation) : flips_(triangulation), triangulation_(triangulation) {}
+
+  // What was changed, and can be undone.
+  Undoable_flips<Traits>& flips() { return flips_; }
 
   // Compares the angle with π: LARGER where the border lies between. `angle` is set to an estimate if it is below π.
   Comparison_result compare_with_pi(const Wedge& wedge, double* angle = nullptr)
@@ -84,7 +87,7 @@ public:
       if (before == wedge.first) // it is tested again unless it is a side
         before = Halfedge_index();
       const bool is_flippable = complex().is_flippable(e);
-      if (is_flippable && triangulation_.flip(e) == Triangulation::Flip_outcome::FLIPPED) {
+      if (is_flippable && flips_.flip(e)) {
         after_flip(e);
         if (rest-- == 0)
           return Wedge_outcome::BLOCKED;
@@ -112,7 +115,7 @@ private:
     if (!sum.is_below_pi() && !sum.is_above_pi()) {
       for (const Estimated_corner& corner : corners_)
         if (!(corner.angle.error < 0x1p-44))
-          Whole_triangulation<Traits>(triangulation_).recompute(complex().face(corner.opposite));
+          flips_.recompute(complex().face(corner.opposite));
       sum = estimate();
     }
     if (angle)
@@ -137,7 +140,8 @@ private:
     return sum;
   }
 
-  Triangulation& triangulation_;
+  Undoable_flips<Traits> flips_;
+  const Triangulation& triangulation_;
   std::vector<Estimated_corner> corners_;
 };
 
