@@ -24,6 +24,7 @@
 #include <CGAL/enum.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -275,17 +276,29 @@ private:
   }
 
   // Replaces two consecutive segments, or a loop if they are the same.
-  void replace(Segment_index a, Segment_index b, const std::vector<Halfedge_index>& halfedges, Queue& queue)
+  // \param is_on_left on which side of them the others lie
+  void replace(Segment_index a, Segment_index b, const std::vector<Halfedge_index>& halfedges, bool is_on_left,
+               Queue& queue)
   {
     const std::uint32_t p = paths_[a].path;
     const Vertex_index start = complex().source(paths_[a].halfedge);
+    const bool was_straight = paths_[b].is_straight[!is_on_left];
     const auto [before, first, last] = paths_.replace(a, b, halfedges);
     if (paths_.is_closed(p) && paths_.first(p) == Linked_paths::none) {
       outcomes_[p] = {Geodesic_status::CONTRACTIBLE, start};
       return;
     }
+    // On the side of the old segments, no angle between the new ones is below π, and those at their ends have grown.
+    const bool are_convex = a != b && first != Linked_paths::none;
+    if (before != Linked_paths::none) {
+      std::array<bool, 2>& is_straight = paths_.is_straight(before);
+      is_straight[is_on_left] = false;
+      is_straight[!is_on_left] = is_straight[!is_on_left] && are_convex;
+    }
     push(before, queue);
     for (Segment_index s = first; s != Linked_paths::none; s = paths_[s].next) {
+      if (are_convex)
+        paths_.is_straight(s)[!is_on_left] = s != last || was_straight;
       push(s, queue);
       if (s == last)
         break;
@@ -317,11 +330,15 @@ private:
       return;
     }
     for (bool is_on_left : {true, false}) {
+      if (paths_[a].is_straight[is_on_left])
+        continue;
       const internal::Wedge wedge =
         is_on_left ? left_wedge(g, h) : left_wedge(complex().opposite(h), complex().opposite(g));
       double angle = 0;
       if (!is_fenced(wedge) && geometry_.compare_with_pi(wedge, &angle) == SMALLER)
         queue.push({angle, a, b, is_on_left});
+      else
+        paths_.is_straight(a)[is_on_left] = true;
     }
   }
 
@@ -334,10 +351,11 @@ private:
     return !is_stopped_;
   }
 
-  internal::Wedge_outcome shorten_wedge(const internal::Wedge& wedge)
+  internal::Wedge_outcome shorten_wedge(const internal::Wedge& wedge, bool is_below_pi)
   {
     return geometry_.shorten(
-      wedge, [&](Edge_index e) { return !paths_.is_used(e) && !is_constrained(e); }, [&] { return goes_on(); },
+      wedge, is_below_pi, [&](Edge_index e) { return !paths_.is_used(e) && !is_constrained(e); },
+      [&] { return goes_on(); },
       [&](Edge_index e) {
         ++report_.flips;
         after_flip_(e);
@@ -396,12 +414,12 @@ private:
     if (complex().opposite(a) != b) {
       const internal::Wedge wedge =
         bend.is_on_left ? left_wedge(a, b) : left_wedge(complex().opposite(b), complex().opposite(a));
-      if (shorten_wedge(wedge) != internal::Wedge_outcome::SHORTENED)
+      if (shorten_wedge(wedge, true) != internal::Wedge_outcome::SHORTENED)
         return false;
       way = outer_side(wedge, bend.is_on_left);
     }
     ++report_.steps;
-    replace(bend.before, bend.after, way, queue);
+    replace(bend.before, bend.after, way, bend.is_on_left, queue);
     return true;
   }
 
@@ -416,7 +434,7 @@ private:
     const Halfedge_index g = is_on_left ? loop : complex().opposite(loop);
     const Halfedge_index x = complex().opposite(complex().prev(g)), y = complex().opposite(complex().next(g));
     if (x == complex().next(g)) {
-      replace(s, s, {}, queue);
+      replace(s, s, {}, is_on_left, queue);
       outcomes_[p].contraction = complex().target(x);
       ++report_.steps;
       return true;
@@ -452,12 +470,12 @@ private:
   bool leads_round(Segment_index s, const internal::Wedge& wedge, bool is_on_left)
   {
     paths_.remove(s);
-    const internal::Wedge_outcome outcome = shorten_wedge(wedge);
+    const internal::Wedge_outcome outcome = shorten_wedge(wedge, false);
     paths_.revive(s);
     if (outcome != internal::Wedge_outcome::SHORTENED)
       return false;
     Queue queue;
-    replace(s, s, outer_side(wedge, is_on_left), queue);
+    replace(s, s, outer_side(wedge, is_on_left), is_on_left, queue);
     while (!queue.empty() && !is_stopped_) {
       const Bend bend = queue.top();
       queue.pop();

@@ -361,7 +361,7 @@ public:
   {
     const Arithmetic arithmetic;
     if constexpr (uses_exact_geometry)
-      if (!is_convex(e, [this](Face_index f) { recompute(f); }))
+      if (!is_convex(e))
         return Flip_outcome::NOT_CONVEX;
     return flip_not_Delaunay(e);
   }
@@ -436,11 +436,12 @@ private:
 
   // Computes all numbers from the old hinge, and replaces it. `flip()` flips the connectivity, once it is certain that
   // the flip exists; an exception of it leaves everything as it was.
-  template <class Flip>
-  Flip_outcome flip_hinge(const Hinge_halfedges& around, const Hinge_data& old, const Flip& flip)
+  template <class Construct, class Flip>
+  Flip_outcome flip_hinge(const Hinge_halfedges& around, const Hinge_data& old, const Construct& construct,
+                          const Flip& flip)
   {
     typename Traits::Flipped_hinge_data flipped{};
-    const Boolean is_convex = traits_.construct_flipped_hinge_object()(old, flipped);
+    const Boolean is_convex = construct(old, flipped);
     if (!certainly(is_convex))
       return possibly(is_convex) ? Flip_outcome::UNDECIDED : Flip_outcome::NOT_CONVEX;
     flip();
@@ -470,10 +471,16 @@ private:
   // As above, for the halfedges around the edge.
   Flip_outcome flip_not_Delaunay(const Hinge_halfedges& around)
   {
+    return flip_convex(around, traits_.construct_flipped_hinge_object());
+  }
+  // As above, for a strictly convex quadrilateral. \param construct computes the numbers, as that functor of the traits
+  template <class Construct>
+  Flip_outcome flip_convex(const Hinge_halfedges& around, const Construct& construct)
+  {
     const Hinge_data old = hinge(around);
     bool is_straight = false;
     std::optional<Replaced> before;
-    const Flip_outcome outcome = flip_hinge(around, old, [&] {
+    const Flip_outcome outcome = flip_hinge(around, old, construct, [&] {
       // Asked here: `old` refers to the numbers that the flip replaces.
       if (!is_new_edge_known_to_have_length(old))
         before = replaced(around);
@@ -594,13 +601,14 @@ private:
   //
   // After many flips their error bounds are so wide that filters decide little. For traits with exact geometry. Costs
   // time proportional to the number of input edges that the sides cross.
-  void recompute(Face_index f)
+  // \return whether they are better: then the squared lengths are as accurate as at first
+  bool recompute(Face_index f)
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
     CGAL_precondition(keeps_input());
-    const Halfedge_index h = connectivity().halfedge(f);
-    recompute(h, engine_.kept_corner(h));
+    const Halfedge_index h = engine_.quickest_side(f);
+    return recompute(h, engine_.kept_corner(h));
   }
 
   // Replaces the stored numbers of all faces around `v` by those that follow from the input.
@@ -617,9 +625,7 @@ private:
   }
 
   // The numbers of both faces are replaced by better ones where they leave it open: more flips beside them may follow.
-  // \param recompute does that for a face
-  template <class Recompute>
-  bool is_convex(Edge_index e, const Recompute& recompute)
+  bool is_convex(Edge_index e)
   {
     const auto by_filter = traits_.is_convex_object();
     if (const Boolean answer = by_filter(hinge(e)); is_certain(answer))
@@ -673,11 +679,13 @@ private:
       measurer.measure(two);
   }
 
-  void recompute(Halfedge_index h, const internal::Exact_engine::Corner& c)
+  bool recompute(Halfedge_index h, const internal::Exact_engine::Corner& c)
   {
     const Face_data face = traits_.construct_refined_data_object()(c.four_areas, c.s_first, c.s_second, c.s_opposite);
-    if (face.error < std::numeric_limits<double>::infinity())
-      replace(h, c);
+    if (!(face.error < std::numeric_limits<double>::infinity()))
+      return false;
+    replace(h, c);
+    return true;
   }
 
   // Numbers that cannot be relied on are not stored for the sides, which other faces share.

@@ -217,9 +217,11 @@ public:
 
   // ---------------------------------------------------------------- corners in the unit of the metric, with bounds
 
-  // The corner opposite to h. What was laid out before is used, and what is laid out is kept. \pre h is no border
-  // halfedge
+  // The corner opposite to h. What was laid out before is used, and what is laid out is kept if that takes long. \pre h
+  // is no border halfedge
   Corner kept_corner(Halfedge_index h);
+  // The side of a face whose opposite corner takes the least time.
+  Halfedge_index quickest_side(Face_index f) const;
   // The corners at a vertex: for each face the side opposite to it, counterclockwise.
   std::vector<std::pair<Halfedge_index, Corner>> corners_at(Vertex_index v) const;
   // The same. What was laid out before is used, and what is laid out is kept, if edges at the vertex cross many input

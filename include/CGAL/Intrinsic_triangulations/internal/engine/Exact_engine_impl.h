@@ -602,7 +602,18 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_engine::Corner Exact_engine::kept_corner(Halfedge_index h)
 {
   const Standard_arithmetic arithmetic;
-  return developed_corner(h, *prepared_surface());
+  const Surface_lease surface = prepared_surface();
+  // To carry a face along, with those that flips join it to, takes longer than to lay out a short strip again.
+  if (!memory_->developed_faces.contains(connectivity_.face(h)) && number_of_quantities(h) <= short_strip)
+    return corner(h, *surface);
+  return developed_corner(h, *surface);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Halfedge_index Exact_engine::quickest_side(Face_index f) const
+{
+  prepare();
+  return correspondence_.coordinates().side_with_most_crossings(connectivity_, f);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE

@@ -84,11 +84,11 @@ public:
   Flip_outcome flip_not_Delaunay(const Hinge_halfedges& around) { return triangulation_.flip_not_Delaunay(around); }
   Flip_outcome flip_not_Delaunay(Edge_index e) { return triangulation_.flip_not_Delaunay(e); }
 
-  // What `flip(e)` decides first. \param recompute replaces the numbers of a face as `recompute(f)`
-  template <class Recompute>
-  bool is_convex(Edge_index e, const Recompute& recompute)
+  // \pre the quadrilateral is strictly convex. \param construct computes the numbers, as that functor of the traits
+  template <class Construct>
+  Flip_outcome flip_convex(const Hinge_halfedges& around, const Construct& construct)
   {
-    return triangulation_.is_convex(e, recompute);
+    return triangulation_.flip_convex(around, construct);
   }
   // What a flip, or `recompute(f)`, replaces, to be put back.
   using Replaced = typename Triangulation::Replaced;
@@ -116,9 +116,9 @@ public:
   }
 
   template <class Element>
-  void recompute(Element x)
+  auto recompute(Element x)
   {
-    triangulation_.recompute(x);
+    return triangulation_.recompute(x);
   }
 
 private:
