@@ -93,12 +93,17 @@ public:
         if (!network_)
           network_.emplace(t);
         const Rewinding rewinding{*network_};
-        return path(t, *network_, stops, is_closed, is_shortest, maximum_number);
+        Path result;
+        shorten(t, *network_, first_path(t, stops, is_closed, is_shortest, result), is_closed, maximum_number, result);
+        return result;
       });
     Surface copy = surface_;
     return copy.use([&](Triangulation& t) {
-      Network network(t);
-      return path(t, network, stops, is_closed, is_shortest, maximum_number);
+      Path result;
+      const std::vector<IT::Halfedge_index> start = first_path(t, stops, is_closed, is_shortest, result);
+      Network network(t); // of the triangulation with all vertices
+      shorten(t, network, start, is_closed, maximum_number, result);
+      return result;
     });
   }
 
@@ -175,8 +180,9 @@ private:
     ~Rewinding() { network.rewind(); }
   };
 
-  Path path(Triangulation& t, Network& network, const std::vector<Stop>& stops, bool is_closed, bool is_shortest,
-            std::uint64_t maximum_number) const
+  // Where the path begins, along edges. Stops that are no vertices are inserted.
+  std::vector<IT::Halfedge_index> first_path(Triangulation& t, const std::vector<Stop>& stops, bool is_closed,
+                                             bool is_shortest, Path& result) const
   {
     std::vector<IT::Vertex_index> vertices;
     for (const Stop& stop : stops)
@@ -184,9 +190,12 @@ private:
                                                         : IT::vertex_at_point(t, nearest(t, stop.point)));
     if (is_closed)
       vertices.push_back(vertices.front());
-    Path result;
-    const std::vector<IT::Halfedge_index> start =
-      is_shortest ? shortest_path(t, vertices, result) : edge_path(t, vertices);
+    return is_shortest ? shortest_path(t, vertices, result) : edge_path(t, vertices);
+  }
+
+  void shorten(const Triangulation& t, Network& network, const std::vector<IT::Halfedge_index>& start, bool is_closed,
+               std::uint64_t maximum_number, Path& result) const
+  {
     if (is_closed && start.empty())
       throw IT::Invalid_argument_error("a closed curve needs two different vertices");
     const std::size_t p = is_closed ? network.add_closed_path(start) : network.add_path(start);
@@ -200,7 +209,6 @@ private:
       append(t, at_input_vertex(t, network.contraction(p)), result);
     for (const IT::Surface_point& point : IT::geodesic_points(t, network.halfedges(p)))
       append(t, point, result);
-    return result;
   }
 
   static std::vector<IT::Halfedge_index> edge_path(const Triangulation& t, const std::vector<IT::Vertex_index>& stops)
