@@ -21,6 +21,8 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -69,7 +71,8 @@ const char* name_of(IT::Geodesic_status status)
                                             : "unfinished";
 }
 
-// A surface in space, and lines on it. Nothing changes it: each path flips a copy.
+// A surface in space, and lines on it. Nothing changes it for long: flips of paths between vertices are undone, and a
+// path that needs more changes flips a copy.
 class Surface_in_space
 {
 public:
@@ -83,31 +86,23 @@ public:
   // From stop to stop.
   Path path(const std::vector<Stop>& stops, bool is_closed, bool is_shortest, std::uint64_t maximum_number)
   {
+    const bool are_vertices =
+      std::all_of(stops.begin(), stops.end(), [](const Stop& stop) { return stop.vertex != Stop::no_vertex; });
+    if (are_vertices && !is_shortest)
+      return surface_.use([&](Triangulation& t) {
+        if (!network_)
+          network_.emplace(t);
+        const Rewinding rewinding{*network_};
+        Path result;
+        shorten(t, *network_, first_path(t, stops, is_closed, is_shortest, result), is_closed, maximum_number, result);
+        return result;
+      });
     Surface copy = surface_;
     return copy.use([&](Triangulation& t) {
-      std::vector<IT::Vertex_index> vertices;
-      for (const Stop& stop : stops)
-        vertices.push_back(stop.vertex != Stop::no_vertex ? IT::Vertex_index(stop.vertex)
-                                                          : IT::vertex_at_point(t, nearest(t, stop.point)));
-      if (is_closed)
-        vertices.push_back(vertices.front());
       Path result;
-      const std::vector<IT::Halfedge_index> start =
-        is_shortest ? shortest_path(t, vertices, result) : edge_path(t, vertices);
-      if (is_closed && start.empty())
-        throw IT::Invalid_argument_error("a closed curve needs two different vertices");
-      IT::Geodesic_path_network<IT::Filtered_edge_length_traits> network(t);
-      const std::size_t p = is_closed ? network.add_closed_path(start) : network.add_path(start);
-      result.initial_length = network.length(p);
-      result.flips = network.shorten(CGAL::parameters::visitor(Signal_visitor()).maximum_number(maximum_number)).flips;
-      Signal_watch::check();
-      result.length = network.length(p);
-      result.is_geodesic = network.is_geodesic(p);
-      result.status = name_of(network.status(p));
-      if (network.status(p) == IT::Geodesic_status::CONTRACTIBLE)
-        append(t, at_input_vertex(t, network.contraction(p)), result);
-      for (const IT::Surface_point& point : IT::geodesic_points(t, network.halfedges(p)))
-        append(t, point, result);
+      const std::vector<IT::Halfedge_index> start = first_path(t, stops, is_closed, is_shortest, result);
+      Network network(t); // of the triangulation with all vertices
+      shorten(t, network, start, is_closed, maximum_number, result);
       return result;
     });
   }
@@ -178,6 +173,44 @@ public:
   }
 
 private:
+  using Network = IT::Geodesic_path_network<IT::Filtered_edge_length_traits>;
+  struct Rewinding
+  {
+    Network& network;
+    ~Rewinding() { network.rewind(); }
+  };
+
+  // Where the path begins, along edges. Stops that are no vertices are inserted.
+  std::vector<IT::Halfedge_index> first_path(Triangulation& t, const std::vector<Stop>& stops, bool is_closed,
+                                             bool is_shortest, Path& result) const
+  {
+    std::vector<IT::Vertex_index> vertices;
+    for (const Stop& stop : stops)
+      vertices.push_back(stop.vertex != Stop::no_vertex ? IT::Vertex_index(stop.vertex)
+                                                        : IT::vertex_at_point(t, nearest(t, stop.point)));
+    if (is_closed)
+      vertices.push_back(vertices.front());
+    return is_shortest ? shortest_path(t, vertices, result) : edge_path(t, vertices);
+  }
+
+  void shorten(const Triangulation& t, Network& network, const std::vector<IT::Halfedge_index>& start, bool is_closed,
+               std::uint64_t maximum_number, Path& result) const
+  {
+    if (is_closed && start.empty())
+      throw IT::Invalid_argument_error("a closed curve needs two different vertices");
+    const std::size_t p = is_closed ? network.add_closed_path(start) : network.add_path(start);
+    result.initial_length = network.length(p);
+    result.flips = network.shorten(CGAL::parameters::visitor(Signal_visitor()).maximum_number(maximum_number)).flips;
+    Signal_watch::check();
+    result.length = network.length(p);
+    result.is_geodesic = network.is_geodesic(p);
+    result.status = name_of(network.status(p));
+    if (network.status(p) == IT::Geodesic_status::CONTRACTIBLE)
+      append(t, at_input_vertex(t, network.contraction(p)), result);
+    for (const IT::Surface_point& point : IT::geodesic_points(t, network.halfedges(p)))
+      append(t, point, result);
+  }
+
   static std::vector<IT::Halfedge_index> edge_path(const Triangulation& t, const std::vector<IT::Vertex_index>& stops)
   {
     std::vector<IT::Halfedge_index> result;
@@ -256,6 +289,7 @@ private:
 
   Points points_;
   Surface surface_;
+  std::optional<Network> network_; // of paths on the surface itself, from the first one on
 };
 
 std::unique_ptr<Surface_in_space> surface_in_space(const Doubles& points, const Indices& triangles)

@@ -254,6 +254,22 @@ void expect_valid(Triangulation& t, const IT::Delta_complex& input)
   ASSERT_EQ(std::int64_t(overlay.number_of_crossings()), crossings);
 }
 
+// Nothing at all is changed.
+void expect_same(const Triangulation& t, const Triangulation& before)
+{
+  ASSERT_TRUE(t.connectivity() == before.connectivity());
+  for (IT::Edge_index e : t.connectivity().edges()) {
+    ASSERT_EQ(t.edge_data(e), before.edge_data(e));
+    ASSERT_EQ(IT::internal::engine(t).correspondence().coordinates().crossings(e),
+              IT::internal::engine(before).correspondence().coordinates().crossings(e));
+    for (IT::Halfedge_index h : {t.connectivity().halfedge(e), t.connectivity().opposite(t.connectivity().halfedge(e))})
+      ASSERT_EQ(IT::internal::engine(t).correspondence().input_halfedge(h),
+                IT::internal::engine(before).correspondence().input_halfedge(h));
+  }
+  for (IT::Face_index f : t.connectivity().faces())
+    ASSERT_EQ(t.face_data(f).value, before.face_data(f).value);
+}
+
 // The cells by their vertices, in an order of their own.
 std::vector<std::vector<std::uint32_t>> cells(const Triangulation& t)
 {
@@ -402,20 +418,6 @@ protected:
         }
       });
     // Splits and their reversal are strong: nothing at all is changed.
-    const auto expect_same = [](const Triangulation& t, const Triangulation& before) {
-      ASSERT_TRUE(t.connectivity() == before.connectivity());
-      for (IT::Edge_index e : t.connectivity().edges()) {
-        ASSERT_EQ(t.edge_data(e), before.edge_data(e));
-        ASSERT_EQ(IT::internal::engine(t).correspondence().coordinates().crossings(e),
-                  IT::internal::engine(before).correspondence().coordinates().crossings(e));
-        for (IT::Halfedge_index h :
-             {t.connectivity().halfedge(e), t.connectivity().opposite(t.connectivity().halfedge(e))})
-          ASSERT_EQ(IT::internal::engine(t).correspondence().input_halfedge(h),
-                    IT::internal::engine(before).correspondence().input_halfedge(h));
-      }
-      for (IT::Face_index f : t.connectivity().faces())
-        ASSERT_EQ(t.face_data(f).value, before.face_data(f).value);
-    };
     const std::uint32_t n = start.connectivity().number_of_vertices();
     for (const IT::Surface_point& p : {points.front(), points.back()})
       sweep(
@@ -466,10 +468,9 @@ protected:
     };
     const Triangulation start = triangulation_of(surface);
     const IT::Delta_complex& input = start.connectivity();
-    const auto make = [&] {
-      auto state = std::make_unique<State>(start);
+    const auto add_paths = [&](State& state) {
       const std::uint32_t n = input.number_of_vertices();
-      state->network.add_path(IT::shortest_edge_path(start, IT::Vertex_index(0), IT::Vertex_index(n / 2)));
+      state.network.add_path(IT::shortest_edge_path(start, IT::Vertex_index(0), IT::Vertex_index(n / 2)));
       for (std::uint32_t v : {n / 3, n - 1}) { // around a vertex
         std::vector<IT::Halfedge_index> curve;
         const IT::Halfedge_index first = input.opposite(input.halfedge(IT::Vertex_index(v)));
@@ -481,8 +482,12 @@ protected:
           h = input.next_around_source(h);
         } while (h != first);
         if (h == first)
-          state->network.add_closed_path(curve);
+          state.network.add_closed_path(curve);
       }
+    };
+    const auto make = [&] {
+      auto state = std::make_unique<State>(start);
+      add_paths(*state);
       return state;
     };
     const auto length = [](const State& state) {
@@ -492,22 +497,34 @@ protected:
       return sum;
     };
     const double length_before = length(*make());
-    sweep(
-      name + ": geodesics", make, [&](auto& state) { state->network.shorten(CGAL::parameters::visitor(Visitor())); },
-      [&](auto& state, auto&) {
-        expect_valid(*state->triangulation, input);
-        const IT::Delta_complex& complex = state->triangulation->connectivity();
-        for (std::size_t p = 0; p < state->network.number_of_paths(); ++p) {
-          const auto halfedges = state->network.halfedges(p);
-          for (std::size_t i = 1; i < halfedges.size(); ++i)
-            ASSERT_EQ(complex.target(halfedges[i - 1]), complex.source(halfedges[i]));
-        }
-        EXPECT_LE(length(*state), length_before * (1 + 1e-12));
-        const IT::Geodesic_status status = state->network.shorten().status;
-        EXPECT_EQ(state->network.is_geodesic(),
-                  status == IT::Geodesic_status::GEODESIC || status == IT::Geodesic_status::CONTRACTIBLE);
-        expect_valid(*state->triangulation, input);
-      });
+    // At first, and when the network was rewound in between: then it can still be rewound.
+    for (const bool is_rewound : {false, true})
+      sweep(
+        name + ": geodesics" + (is_rewound ? " after others" : ""), make,
+        [&](auto& state) {
+          state->network.shorten(CGAL::parameters::visitor(Visitor()));
+          if (!is_rewound)
+            return;
+          state->network.rewind();
+          add_paths(*state);
+          state->network.shorten(CGAL::parameters::visitor(Visitor()));
+        },
+        [&](auto& state, auto&) {
+          expect_valid(*state->triangulation, input);
+          const IT::Delta_complex& complex = state->triangulation->connectivity();
+          for (std::size_t p = 0; p < state->network.number_of_paths(); ++p) {
+            const auto halfedges = state->network.halfedges(p);
+            for (std::size_t i = 1; i < halfedges.size(); ++i)
+              ASSERT_EQ(complex.target(halfedges[i - 1]), complex.source(halfedges[i]));
+          }
+          EXPECT_LE(length(*state), length_before * (1 + 1e-12));
+          const IT::Geodesic_status status = state->network.shorten().status;
+          EXPECT_EQ(state->network.is_geodesic(),
+                    status == IT::Geodesic_status::GEODESIC || status == IT::Geodesic_status::CONTRACTIBLE);
+          expect_valid(*state->triangulation, input);
+          state->network.rewind();
+          expect_same(*state->triangulation, start);
+        });
 
     Triangulation flipped = start;
     IT::flip_to_Delaunay(flipped);

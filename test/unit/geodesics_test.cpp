@@ -158,14 +158,13 @@ TEST(Undone_flips, leave_each_face_with_a_side_of_its_own)
     std::mt19937 random(seed);
     Triangulation t(IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
     const IT::Delta_complex& complex = t.connectivity();
-    std::vector<IT::Edge_index> flips;
+    IT::internal::Undoable_flips<Triangulation::Traits> flips(t);
     for (int i = 0; i < 20; ++i) {
       const IT::Edge_index e(std::uint32_t(random() % complex.number_of_edges()));
-      if (complex.is_flippable(e) && t.flip(e) == Triangulation::Flip_outcome::FLIPPED)
-        flips.push_back(e);
+      if (complex.is_flippable(e))
+        flips.flip(e);
     }
-    for (; !flips.empty(); flips.pop_back())
-      IT::internal::Whole_triangulation<Triangulation::Traits>(t).flip_back(flips.back());
+    flips.undo(0);
     for (IT::Face_index f : complex.faces())
       ASSERT_EQ(complex.face(complex.halfedge(f)), f) << seed;
   }
@@ -586,6 +585,77 @@ TEST(GeodesicNetwork, PathsShareEdges)
   EXPECT_TRUE(network.is_geodesic());
   for (std::size_t p = 0; p < network.number_of_paths(); p += 2)
     EXPECT_EQ(network.halfedges(p), network.halfedges(p + 1));
+}
+
+// Whether both are the same to the last bit, and know the same.
+void expect_same(const Triangulation& t, const Triangulation& before)
+{
+  const IT::Delta_complex& complex = t.connectivity();
+  ASSERT_TRUE(complex == before.connectivity());
+  for (IT::Vertex_index v : complex.vertices())
+    ASSERT_EQ(complex.halfedge(v), before.connectivity().halfedge(v));
+  for (IT::Edge_index e : complex.edges()) {
+    ASSERT_EQ(t.edge_data(e), before.edge_data(e));
+    ASSERT_EQ(t.number_of_crossings(e), before.number_of_crossings(e));
+    ASSERT_EQ(t.is_input_edge(e), before.is_input_edge(e));
+  }
+  for (IT::Halfedge_index h : complex.halfedges())
+    ASSERT_EQ(IT::internal::engine(t).correspondence().input_halfedge(h),
+              IT::internal::engine(before).correspondence().input_halfedge(h));
+  for (IT::Face_index f : complex.faces()) {
+    ASSERT_EQ(t.face_data(f).value, before.face_data(f).value);
+    ASSERT_EQ(t.face_data(f).error, before.face_data(f).error);
+    ASSERT_EQ(IT::internal::Engine_numbers(IT::internal::engine(t)).is_known_to_be_straight(f),
+              IT::internal::Engine_numbers(IT::internal::engine(before)).is_known_to_be_straight(f));
+  }
+}
+
+// From the input, and from a Delaunay triangulation, whose faces have other numbers, and where some are straight across
+// input edges.
+TEST(GeodesicNetwork, RewindsToTheLastBit)
+{
+  for (const samples::Indexed_triangles& surface :
+       {samples::bumpy_sphere(14, 11), samples::sheared_grid(8, 7, 3.), plate(2), grid(7, 6), cone(12, 5, 3.)})
+    for (const bool is_flipped : {false, true}) {
+      Triangulation start = triangulation_of(surface);
+      if (is_flipped)
+        IT::flip_to_Delaunay(start);
+      const std::uint32_t n = start.connectivity().number_of_vertices();
+      std::uint64_t flips = 0;
+      Triangulation t = start;
+      Network rewound(t);
+      for (std::uint32_t v = 1; v < 12; ++v) {
+        Triangulation copy = start;
+        Network network(copy);
+        for (Network* each : {&network, &rewound}) {
+          Triangulation& own = each == &network ? copy : t;
+          each->add_path(IT::shortest_edge_path(own, IT::Vertex_index(v % n), IT::Vertex_index((5 * v + n / 2) % n)));
+          each->add_path(IT::shortest_edge_path(own, IT::Vertex_index(n - 1 - v % n), IT::Vertex_index(3 * v % n)));
+          each->fix(IT::Vertex_index(7 * v % n));
+        }
+        const IT::Geodesic_report expected = network.shorten(), found = rewound.shorten();
+        flips += found.flips;
+        EXPECT_EQ(found.flips, expected.flips);
+        EXPECT_EQ(found.steps, expected.steps);
+        EXPECT_EQ(found.tests, expected.tests);
+        EXPECT_EQ(found.status, expected.status);
+        for (std::size_t p : {0, 1}) {
+          EXPECT_EQ(rewound.halfedges(p), network.halfedges(p));
+          EXPECT_EQ(rewound.length(p), network.length(p));
+          const auto points = IT::geodesic_points(t, rewound.halfedges(p)),
+                     expected_points = IT::geodesic_points(copy, network.halfedges(p));
+          ASSERT_EQ(points.size(), expected_points.size());
+          for (std::size_t i = 0; i < points.size(); ++i) {
+            EXPECT_EQ(points[i].halfedge, expected_points[i].halfedge);
+            EXPECT_EQ(points[i].coordinates, expected_points[i].coordinates);
+          }
+        }
+        rewound.rewind();
+        EXPECT_EQ(rewound.number_of_paths(), 0u);
+        ASSERT_NO_FATAL_FAILURE(expect_same(t, start));
+      }
+      EXPECT_GT(flips, 10u);
+    }
 }
 
 TEST(GeodesicNetwork, FixedVerticesConstrainedEdgesAndBudgets)

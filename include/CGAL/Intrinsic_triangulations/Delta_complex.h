@@ -305,6 +305,8 @@ public:
   void make_room_for_vertex();
   // Chooses `halfedge(f)`. \pre `face(h) == f`
   void set_halfedge(Face_index f, Halfedge_index h) { face_halfedges_[f.idx()] = h; }
+  // Chooses `halfedge(v)`. \pre `target(h) == v`, and `h` is on the border if `v` is
+  void set_halfedge(Vertex_index v, Halfedge_index h) { vertex_halfedges_[v.idx()] = h; }
   // Has what `flip(around)` changes fetched to the cache.
   void prefetch(const Hinge_halfedges& around) const
   {

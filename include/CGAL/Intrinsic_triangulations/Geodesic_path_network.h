@@ -9,7 +9,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_PATH_NETWORK_H
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
@@ -24,6 +23,7 @@
 #include <CGAL/enum.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -48,8 +48,8 @@ namespace Intrinsic_triangulations {
 /// blocked. Paths stay on their side of constrained edges and of the border: an angle with such an edge inside counts
 /// as straight.
 ///
-/// The triangulation is flipped, but stays a triangulation of the same surface. Do not flip it by other means while the
-/// network exists.
+/// The triangulation is flipped, but stays a triangulation of the same surface. Do not change it by other means while the
+/// network exists: insert vertices first.
 ///
 /// \tparam Traits traits with exact geometry, such as `Filtered_edge_length_traits`
 ///
@@ -99,6 +99,18 @@ public:
   /// fixes a vertex: paths through it keep passing through it.
   void fix(Vertex_index v) { is_fixed_[v.idx()] = true; }
 
+  /// \brief undoes all flips, and removes all paths and fixed vertices: network and triangulation are as they were when
+  /// the network was constructed.
+  ///
+  /// So one triangulation serves many paths. Never throws. O(number of flips).
+  void rewind()
+  {
+    geometry_.flips().undo(0);
+    paths_.clear();
+    outcomes_.clear();
+    std::fill(is_fixed_.begin(), is_fixed_.end(), false);
+  }
+
   /// \brief shortens all paths until they are locally shortest.
   ///
   /// \tparam NamedParameters a sequence of named parameters
@@ -138,6 +150,7 @@ public:
       if (outcome.status != Geodesic_status::CONTRACTIBLE)
         outcome.status = Geodesic_status::GEODESIC;
     try {
+      internal::engine(triangulation_).find_straight_faces(); // from now on all that is known of faces can be put back
       Queue queue;
       for (std::size_t p = 0; p < paths_.size(); ++p)
         push_path(p, queue);
@@ -262,17 +275,29 @@ private:
   }
 
   // Replaces two consecutive segments, or a loop if they are the same.
-  void replace(Segment_index a, Segment_index b, const std::vector<Halfedge_index>& halfedges, Queue& queue)
+  // \param is_on_left on which side of them the others lie
+  void replace(Segment_index a, Segment_index b, const std::vector<Halfedge_index>& halfedges, bool is_on_left,
+               Queue& queue)
   {
     const std::uint32_t p = paths_[a].path;
     const Vertex_index start = complex().source(paths_[a].halfedge);
+    const bool was_straight = paths_[b].is_straight[!is_on_left];
     const auto [before, first, last] = paths_.replace(a, b, halfedges);
     if (paths_.is_closed(p) && paths_.first(p) == Linked_paths::none) {
       outcomes_[p] = {Geodesic_status::CONTRACTIBLE, start};
       return;
     }
+    // On the side of the old segments, no angle between the new ones is below π, and those at their ends have grown.
+    const bool are_convex = a != b && first != Linked_paths::none;
+    if (before != Linked_paths::none) {
+      std::array<bool, 2>& is_straight = paths_.is_straight(before);
+      is_straight[is_on_left] = false;
+      is_straight[!is_on_left] = is_straight[!is_on_left] && are_convex;
+    }
     push(before, queue);
     for (Segment_index s = first; s != Linked_paths::none; s = paths_[s].next) {
+      if (are_convex)
+        paths_.is_straight(s)[!is_on_left] = s != last || was_straight;
       push(s, queue);
       if (s == last)
         break;
@@ -304,11 +329,15 @@ private:
       return;
     }
     for (bool is_on_left : {true, false}) {
+      if (paths_[a].is_straight[is_on_left])
+        continue;
       const internal::Wedge wedge =
         is_on_left ? left_wedge(g, h) : left_wedge(complex().opposite(h), complex().opposite(g));
       double angle = 0;
       if (!is_fenced(wedge) && geometry_.compare_with_pi(wedge, &angle) == SMALLER)
         queue.push({angle, a, b, is_on_left});
+      else
+        paths_.is_straight(a)[is_on_left] = true;
     }
   }
 
@@ -321,20 +350,13 @@ private:
     return !is_stopped_;
   }
 
-  internal::Wedge_outcome shorten_wedge(const internal::Wedge& wedge)
+  internal::Wedge_outcome shorten_wedge(const internal::Wedge& wedge, bool is_below_pi)
   {
     return geometry_.shorten(
-      wedge,
-      [&](Edge_index e) {
-        if (journal_)
-          internal::make_room(*journal_, 1);
-        return !paths_.is_used(e) && !is_constrained(e);
-      },
+      wedge, is_below_pi, [&](Edge_index e) { return !paths_.is_used(e) && !is_constrained(e); },
       [&] { return goes_on(); },
       [&](Edge_index e) {
         ++report_.flips;
-        if (journal_)
-          journal_->push_back(e);
         after_flip_(e);
       });
   }
@@ -391,12 +413,12 @@ private:
     if (complex().opposite(a) != b) {
       const internal::Wedge wedge =
         bend.is_on_left ? left_wedge(a, b) : left_wedge(complex().opposite(b), complex().opposite(a));
-      if (shorten_wedge(wedge) != internal::Wedge_outcome::SHORTENED)
+      if (shorten_wedge(wedge, true) != internal::Wedge_outcome::SHORTENED)
         return false;
       way = outer_side(wedge, bend.is_on_left);
     }
     ++report_.steps;
-    replace(bend.before, bend.after, way, queue);
+    replace(bend.before, bend.after, way, bend.is_on_left, queue);
     return true;
   }
 
@@ -411,7 +433,7 @@ private:
     const Halfedge_index g = is_on_left ? loop : complex().opposite(loop);
     const Halfedge_index x = complex().opposite(complex().prev(g)), y = complex().opposite(complex().next(g));
     if (x == complex().next(g)) {
-      replace(s, s, {}, queue);
+      replace(s, s, {}, is_on_left, queue);
       outcomes_[p].contraction = complex().target(x);
       ++report_.steps;
       return true;
@@ -421,23 +443,21 @@ private:
       return false;
     const internal::Bounded_double_double length_before = precise_length(p);
     const std::uint64_t steps_before = report_.steps;
-    std::vector<Edge_index> flips;
-    journal_ = &flips;
+    const std::size_t changes_before = geometry_.flips().size();
     bool is_shorter = false;
     try {
       is_shorter =
         leads_round(s, wedge, is_on_left) &&
         (paths_.first(p) == Linked_paths::none || certainly((precise_length(p) - length_before).sign() == NEGATIVE));
     } catch (...) {
-      undo(s, loop, flips);
+      undo(s, loop, changes_before);
       throw;
     }
     if (is_shorter) {
-      journal_ = nullptr;
       ++report_.steps;
       push_path(p, queue);
     } else {
-      undo(s, loop, flips);
+      undo(s, loop, changes_before);
       report_.steps = steps_before;
     }
     return is_shorter;
@@ -449,12 +469,12 @@ private:
   bool leads_round(Segment_index s, const internal::Wedge& wedge, bool is_on_left)
   {
     paths_.remove(s);
-    const internal::Wedge_outcome outcome = shorten_wedge(wedge);
+    const internal::Wedge_outcome outcome = shorten_wedge(wedge, false);
     paths_.revive(s);
     if (outcome != internal::Wedge_outcome::SHORTENED)
       return false;
     Queue queue;
-    replace(s, s, outer_side(wedge, is_on_left), queue);
+    replace(s, s, outer_side(wedge, is_on_left), is_on_left, queue);
     while (!queue.empty() && !is_stopped_) {
       const Bend bend = queue.top();
       queue.pop();
@@ -464,12 +484,10 @@ private:
     return !is_stopped_;
   }
 
-  // Makes of a path the loop again that it was before these flips. Never throws.
-  void undo(Segment_index s, Halfedge_index loop, const std::vector<Edge_index>& flips)
+  // Makes of a path the loop again that it was when so much was changed. Never throws.
+  void undo(Segment_index s, Halfedge_index loop, std::size_t changes_before)
   {
-    journal_ = nullptr;
-    for (std::size_t i = flips.size(); i-- > 0;)
-      internal::Whole_triangulation<Traits>(triangulation_).flip_back(flips[i]);
+    geometry_.flips().undo(changes_before);
     paths_.restore_loop(s, loop);
   }
 
@@ -498,7 +516,6 @@ private:
   bool is_stopped_ = false;
   std::function<bool()> go_further_;
   std::function<void(Edge_index)> after_flip_;
-  std::vector<Edge_index>* journal_ = nullptr; // of flips that may have to be undone
 };
 
 } // namespace Intrinsic_triangulations

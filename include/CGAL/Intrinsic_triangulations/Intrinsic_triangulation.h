@@ -441,11 +441,12 @@ private:
 
   // Computes all numbers from the old hinge, and replaces it. `flip()` flips the connectivity, once it is certain that
   // the flip exists; an exception of it leaves everything as it was.
-  template <class Flip>
-  Flip_outcome flip_hinge(const Hinge_halfedges& around, const Hinge_data& old, const Flip& flip)
+  template <class Construct, class Flip>
+  Flip_outcome flip_hinge(const Hinge_halfedges& around, const Hinge_data& old, const Construct& construct,
+                          const Flip& flip)
   {
     typename Traits::Flipped_hinge_data flipped{};
-    const Boolean is_convex = traits_.construct_flipped_hinge_object()(old, flipped);
+    const Boolean is_convex = construct(old, flipped);
     if (!certainly(is_convex))
       return possibly(is_convex) ? Flip_outcome::UNDECIDED : Flip_outcome::NOT_CONVEX;
     flip();
@@ -475,36 +476,30 @@ private:
   // As above, for the halfedges around the edge.
   Flip_outcome flip_not_Delaunay(const Hinge_halfedges& around)
   {
+    return flip_convex(around, traits_.construct_flipped_hinge_object());
+  }
+  // As above, for a strictly convex quadrilateral. \param construct computes the numbers, as that functor of the traits
+  template <class Construct>
+  Flip_outcome flip_convex(const Hinge_halfedges& around, const Construct& construct)
+  {
     const Hinge_data old = hinge(around);
     bool is_straight = false;
-    std::optional<Replaced_numbers> replaced;
-    const Flip_outcome outcome = flip_hinge(around, old, [&] {
+    std::optional<Replaced> before;
+    const Flip_outcome outcome = flip_hinge(around, old, construct, [&] {
       // Asked here: `old` refers to the numbers that the flip replaces.
       if (!is_new_edge_known_to_have_length(old))
-        replaced = replaced_numbers(around);
+        before = replaced(around);
       is_straight = engine_.flip(around);
     });
     if (outcome != Flip_outcome::FLIPPED)
       return outcome;
     if constexpr (uses_exact_geometry) {
-      if (replaced)
-        check_length(around, *replaced);
+      if (before)
+        check_length(around, *before);
       if (is_straight)
         measure_straight_faces(around);
     }
     return outcome;
-  }
-
-  // Undoes the flip of an edge, the last one that was not undone. Never throws.
-  void flip_back(Edge_index e)
-  {
-    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
-    typename Traits::Flipped_hinge_data flipped{};
-    traits_.construct_flipped_hinge_object()(hinge(e), flipped);
-    const Hinge_halfedges now = connectivity().hinge(e);
-    flip_back(
-      {now.ij, now.lj, now.jk, now.ji, now.ki, now.il},
-      {flipped.kl, flipped.jkl, flipped.ilk, now.ij, now.ji}); // both stay in their faces, as other sides need not
   }
 
   // ---------------------------------------------------------------- new vertices: nothing is flipped
@@ -611,13 +606,14 @@ private:
   //
   // After many flips their error bounds are so wide that filters decide little. For traits with exact geometry. Costs
   // time proportional to the number of input edges that the sides cross.
-  void recompute(Face_index f)
+  // \return whether they are better: then the squared lengths are as accurate as at first
+  bool recompute(Face_index f)
   {
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
     CGAL_precondition(keeps_input());
-    const Halfedge_index h = connectivity().halfedge(f);
-    recompute(h, engine_.kept_corner(h));
+    const Halfedge_index h = engine_.quickest_side(f);
+    return recompute(h, engine_.kept_corner(h));
   }
 
   // Replaces the stored numbers of all faces around `v` by those that follow from the input.
@@ -688,11 +684,13 @@ private:
       measurer.measure(two);
   }
 
-  void recompute(Halfedge_index h, const internal::Exact_engine::Corner& c)
+  bool recompute(Halfedge_index h, const internal::Exact_engine::Corner& c)
   {
     const Face_data face = traits_.construct_refined_data_object()(c.four_areas, c.s_first, c.s_second, c.s_opposite);
-    if (face.error < std::numeric_limits<double>::infinity())
-      replace(h, c);
+    if (!(face.error < std::numeric_limits<double>::infinity()))
+      return false;
+    replace(h, c);
+    return true;
   }
 
   // Numbers that cannot be relied on are not stored for the sides, which other faces share.
@@ -818,42 +816,56 @@ private:
     return true;
   }
 
-  // What a flip replaces.
-  struct Replaced_numbers
+  // The numbers of a face and its sides.
+  struct Face_numbers
   {
-    Edge_data ij;
-    Face_data ijk, jil;
-    Halfedge_index first_of_ijk, first_of_jil;
+    Edge_data side, next, prev;
+    Face_data face;
   };
-  BOOST_NOINLINE Replaced_numbers replaced_numbers(const Hinge_halfedges& around) const
+  Face_numbers numbers_of_face(Halfedge_index h) const
   {
-    const Face_index f = connectivity().face(around.ij), g = connectivity().face(around.ji);
-    return {edge_data(edge(around.ij)), face_data(f), face_data(g), connectivity().halfedge(f),
-            connectivity().halfedge(g)};
+    return {edge_data(edge(h)), edge_data(edge(connectivity().next(h))), edge_data(edge(connectivity().prev(h))),
+            face_data(connectivity().face(h))};
+  }
+  void put_back(Halfedge_index h, const Face_numbers& numbers)
+  {
+    edges_[edge(h).idx()] = numbers.side;
+    edges_[edge(connectivity().next(h)).idx()] = numbers.next;
+    edges_[edge(connectivity().prev(h)).idx()] = numbers.prev;
+    faces_[connectivity().face(h).idx()] = numbers.face;
+    bound_corners(h);
+  }
+
+  // What a flip replaces.
+  struct Replaced
+  {
+    Face_numbers ijk, jil;
+    internal::Exact_engine::Forgotten forgotten;
+  };
+  BOOST_NOINLINE Replaced replaced(const Hinge_halfedges& around) const
+  {
+    return {numbers_of_face(around.ij), numbers_of_face(around.ji), engine_.forgotten_by_flip(around)};
   }
 
   // Of the edge that a flip has made. An exception undoes it.
-  BOOST_NOINLINE void check_length(const Hinge_halfedges& around, const Replaced_numbers& replaced)
+  BOOST_NOINLINE void check_length(const Hinge_halfedges& around, const Replaced& before)
   {
     try {
       if (engine_.has_length_zero(edge(around.ij)))
         internal::throw_no_length(connectivity(), edge(around.ij));
     } catch (...) {
-      flip_back(around, replaced);
+      flip_back(around, before);
       throw;
     }
   }
 
+  // Undoes a flip, the last one that was not undone: all numbers are those that they were. Never throws.
   // \param around the halfedges around the edge before the flip
-  void flip_back(const Hinge_halfedges& around, const Replaced_numbers& replaced)
+  void flip_back(const Hinge_halfedges& around, const Replaced& before)
   {
-    engine_.flip_back(around, {replaced.first_of_ijk, replaced.first_of_jil});
-    const Face_index f = connectivity().face(around.ij), g = connectivity().face(around.ji);
-    edges_[edge(around.ij).idx()] = replaced.ij;
-    faces_[f.idx()] = replaced.ijk;
-    faces_[g.idx()] = replaced.jil;
-    bound_corners(around.ij);
-    bound_corners(around.ji);
+    engine_.flip_back(around, before.forgotten);
+    put_back(around.ij, before.ijk);
+    put_back(around.ji, before.jil);
   }
 
   FT in_input_unit(FT x, int dimension) const

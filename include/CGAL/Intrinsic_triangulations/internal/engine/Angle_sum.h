@@ -45,15 +45,14 @@ struct Bounded_angle
   }
 };
 
-// The angle of a corner from four times the area and twice the scalar product of its sides, with the bound E on errors
-// of its face (see Filtered_edge_length_traits): the point (p, a) is wrong by at most 1.08 E. A true area is not
-// negative.
-inline Bounded_angle bounded_angle(double p, double four_areas, double face_error)
+// The angle of a corner from twice the scalar product of its sides and four times the area. A true area is not negative.
+inline Bounded_angle bounded_angle(const Double_with_bound& p, const Double_with_bound& four_areas)
 {
-  const double a = (std::max)(four_areas, 0.), modulus = std::hypot(p, a);
-  if (!(modulus > 8 * face_error))
-    return {std::atan2(a, p), std::numeric_limits<double>::infinity()};
-  return {std::atan2(a, p), 1.3 * face_error / modulus + 0x1p-50};
+  const double a = (std::max)(four_areas.hi(), 0.), modulus = 0.7 * (std::abs(p.hi()) + a), // at most
+    error = p.error() + four_areas.error();
+  if (!(modulus > 8 * error))
+    return {std::atan2(a, p.hi()), std::numeric_limits<double>::infinity()};
+  return {std::atan2(a, p.hi()), 1.1 * error / modulus + 0x1p-50};
 }
 
 // A corner, by the halfedge that it is opposite to, and an estimate of its angle.

@@ -21,6 +21,7 @@
 #include <CGAL/enum.h>
 #include <CGAL/tags.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -95,10 +96,18 @@ public:
     connectivity_.flip(around);
     return is_straight;
   }
+  // What a flip forgets: the halfedges of both faces and of both ends of the edge, and in which planes the faces are
+  // known to lie.
+  struct Forgotten
+  {
+    std::array<Halfedge_index, 2> of_faces, of_ends;
+    std::array<std::uint32_t, 2> planes;
+  };
+  Forgotten forgotten_by_flip(const Hinge_halfedges& around) const;
   // Undoes a flip, the last one that was not undone. Never throws.
   // \param around the halfedges around the edge before the flip
-  // \param first what shall be `halfedge(f)` of their faces
-  void flip_back(const Hinge_halfedges& around, std::initializer_list<Halfedge_index> first);
+  // \param forgotten what `forgotten_by_flip(around)` returned before it
+  void flip_back(const Hinge_halfedges& around, const Forgotten& forgotten);
 
   // Flips are logged from now on until the next query, so that each takes the least time: for algorithms that consist
   // of flips. Those of other functions, which are few and between queries, are followed at once. O(1).
@@ -165,6 +174,9 @@ public:
       prepare(block_runner<ConcurrencyTag>());
   }
 
+  // Finds out which faces are straight, where that was not done yet; the queries that use it do so themselves. Likewise.
+  void find_straight_faces() const;
+
   // By which stage an edge was tested, and the sign of `cot k + cot l` for the angles opposite to it. Where both faces
   // have zero area, that is `NEGATIVE` if both angles are π, and `ZERO` otherwise.
   struct Test
@@ -198,9 +210,11 @@ public:
 
   // ---------------------------------------------------------------- corners in the unit of the metric, with bounds
 
-  // The corner opposite to h. What was laid out before is used, and what is laid out is kept. \pre h is no border
-  // halfedge
+  // The corner opposite to h. What was laid out before is used, and what is laid out is kept if that takes long. \pre h
+  // is no border halfedge
   Corner kept_corner(Halfedge_index h);
+  // The side of a face whose opposite corner takes the least time.
+  Halfedge_index quickest_side(Face_index f) const;
   // The corners at a vertex: for each face the side opposite to it, counterclockwise.
   std::vector<std::pair<Halfedge_index, Corner>> corners_at(Vertex_index v) const;
   // The same. What was laid out before is used, and what is laid out is kept, if edges at the vertex cross many input
@@ -238,7 +252,6 @@ private:
   bool is_long_hinge(const Hinge_halfedges& around) const;
   bool is_prepared() const;
   void prepare(const Block_runner& run) const;
-  void find_straight_faces() const;
   void recognize_straight_face(Halfedge_index h);
   void prepare_insertion();
   void remove(const Removed_elements& removed);

@@ -338,13 +338,23 @@ bool Exact_engine::flip_and_follow(const Hinge_halfedges& around)
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-void Exact_engine::flip_back(const Hinge_halfedges& around, std::initializer_list<Halfedge_index> first)
+Exact_engine::Forgotten Exact_engine::forgotten_by_flip(const Hinge_halfedges& around) const
+{
+  const Face_index f = connectivity_.face(around.ij), g = connectivity_.face(around.ji);
+  return {
+    {connectivity_.halfedge(f), connectivity_.halfedge(g)},
+    {connectivity_.halfedge(connectivity_.source(around.ij)), connectivity_.halfedge(connectivity_.target(around.ij))},
+    memory_ && memory_->knows_straight_faces ? memory_->straight_faces->planes(f, g) : Straight_faces::no_planes};
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+void Exact_engine::flip_back(const Hinge_halfedges& around, const Forgotten& forgotten)
 {
   if (memory_) {
     Memory& memory = *memory_;
     memory.forget_developed_faces(connectivity_, std::array{connectivity_.edge(around.ij)});
     if (memory.knows_straight_faces) {
-      memory.straight_faces->flip_back(connectivity_.face(around.ij), connectivity_.face(around.ji));
+      memory.straight_faces->put_back(connectivity_.face(around.ij), connectivity_.face(around.ji), forgotten.planes);
       if (!correspondence().is_prepared())
         --memory.number_of_known_flips;
     } else if (correspondence().is_prepared()) {
@@ -353,7 +363,9 @@ void Exact_engine::flip_back(const Hinge_halfedges& around, std::initializer_lis
     memory_->correspondence.flip_back(connectivity_, around);
   }
   connectivity_.flip_back(around);
-  set_first(first);
+  set_first({forgotten.of_faces[0], forgotten.of_faces[1]});
+  for (Halfedge_index h : forgotten.of_ends)
+    connectivity_.set_halfedge(connectivity_.target(h), h);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -604,7 +616,18 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_engine::Corner Exact_engine::kept_corner(Halfedge_index h)
 {
   const Standard_arithmetic arithmetic;
-  return developed_corner(h, *prepared_surface());
+  const Surface_lease surface = prepared_surface();
+  // To carry a face along, with those that flips join it to, takes longer than to lay out a short strip again.
+  if (!memory_->developed_faces.contains(connectivity_.face(h)) && number_of_quantities(h) <= short_strip)
+    return corner(h, *surface);
+  return developed_corner(h, *surface);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Halfedge_index Exact_engine::quickest_side(Face_index f) const
+{
+  prepare();
+  return correspondence().coordinates().side_with_most_crossings(connectivity_, f);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE

@@ -87,7 +87,8 @@ public:
     if constexpr (Triangulation::uses_exact_geometry)
       if (!triangulation_.is_new_edge_known_to_have_length(old))
         return Flip_outcome::POSTPONED;
-    switch (triangulation_.flip_hinge(around, old, [&] { journal_.flip(around); })) {
+    switch (triangulation_.flip_hinge(around, old, triangulation_.traits().construct_flipped_hinge_object(),
+                                      [&] { journal_.flip(around); })) {
     case Triangulation::Flip_outcome::FLIPPED:
       return Flip_outcome::FLIPPED;
     case Triangulation::Flip_outcome::NOT_CONVEX:

@@ -83,7 +83,20 @@ public:
 
   Flip_outcome flip_not_Delaunay(const Hinge_halfedges& around) { return triangulation_.flip_not_Delaunay(around); }
   Flip_outcome flip_not_Delaunay(Edge_index e) { return triangulation_.flip_not_Delaunay(e); }
-  void flip_back(Edge_index e) { triangulation_.flip_back(e); }
+
+  // \pre the quadrilateral is strictly convex. \param construct computes the numbers, as that functor of the traits
+  template <class Construct>
+  Flip_outcome flip_convex(const Hinge_halfedges& around, const Construct& construct)
+  {
+    return triangulation_.flip_convex(around, construct);
+  }
+  // What a flip, or `recompute(f)`, replaces, to be put back.
+  using Replaced = typename Triangulation::Replaced;
+  using Face_numbers = typename Triangulation::Face_numbers;
+  Replaced replaced(const Hinge_halfedges& around) const { return triangulation_.replaced(around); }
+  Face_numbers numbers_of_face(Halfedge_index h) const { return triangulation_.numbers_of_face(h); }
+  void flip_back(const Hinge_halfedges& around, const Replaced& before) { triangulation_.flip_back(around, before); }
+  void put_back(Halfedge_index h, const Face_numbers& numbers) { triangulation_.put_back(h, numbers); }
 
   Vertex_index split_face(const Triangle_piece& piece, const Surface_point& location)
   {
@@ -103,9 +116,9 @@ public:
   }
 
   template <class Element>
-  void recompute(Element x)
+  auto recompute(Element x)
   {
-    triangulation_.recompute(x);
+    return triangulation_.recompute(x);
   }
 
 private:

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/Index.h>
 #include <CGAL/Intrinsic_triangulations/internal/config.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -34,6 +35,8 @@ public:
     Segment_index prev, next; // around and around in a closed path
     std::uint32_t path;
     bool is_alive;
+    // Whether the angle to the right and to the left of its end is known not to be below π. To be kept up by the caller
+    std::array<bool, 2> is_straight{};
   };
   struct Replaced
   {
@@ -49,6 +52,7 @@ public:
   // The first segment of a path: none after a curve was shrunk to a point.
   Segment_index first(std::size_t p) const { return paths_[p].first; }
   const Segment& operator[](Segment_index s) const { return segments_[s]; }
+  std::array<bool, 2>& is_straight(Segment_index s) { return segments_[s].is_straight; }
 
   bool are_consecutive(Segment_index a, Segment_index b) const
   {
@@ -60,6 +64,9 @@ public:
 
   // Returns the number of the new path.
   std::size_t add(const std::vector<Halfedge_index>& halfedges, bool is_closed);
+
+  // Removes all paths. Never throws.
+  void clear();
 
   // Replaces two consecutive segments, or a loop if they are the same.
   Replaced replace(Segment_index a, Segment_index b, const std::vector<Halfedge_index>& halfedges);

@@ -43,6 +43,15 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::size_t Linked_paths::add(const std::ve
   return paths_.size() - 1;
 }
 
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Linked_paths::clear()
+{
+  for (const Segment& segment : segments_)
+    if (segment.is_alive)
+      --number_of_uses_[complex_.edge(segment.halfedge).idx()];
+  segments_.clear();
+  paths_.clear();
+}
+
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Linked_paths::Replaced
 Linked_paths::replace(Segment_index a, Segment_index b, const std::vector<Halfedge_index>& halfedges)
 {
@@ -80,7 +89,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Linked_paths::restore_loop(Segment_ind
       remove(i);
   if (!segments_[s].is_alive)
     revive(s);
-  segments_[s] = {loop, s, s, segments_[s].path, true};
+  segments_[s] = {loop, s, s, segments_[s].path, true, {}};
   path.first = s;
 }
 
@@ -110,7 +119,7 @@ Linked_paths::link(std::uint32_t p, Segment_index before, Segment_index after,
   Segment_index first = none, last = before;
   for (Halfedge_index h : halfedges) {
     const Segment_index s = Segment_index(segments_.size());
-    segments_.push_back({h, last, none, p, true});
+    segments_.push_back({h, last, none, p, true, {}});
     ++number_of_uses_[complex_.edge(h).idx()];
     if (last != none)
       segments_[last].next = s;

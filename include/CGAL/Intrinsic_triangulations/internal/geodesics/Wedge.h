@@ -10,7 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Angle_sum.h>
-#include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/flips/Undoable_flips.h>
 
 #include <CGAL/enum.h>
 
@@ -39,7 +39,10 @@ class Wedge_geometry
 public:
   using Triangulation = Intrinsic_triangulation<Traits>;
 
-  explicit Wedge_geometry(Triangulation& triangulation) : triangulation_(triangulation) {}
+  explicit Wedge_geometry(Triangulation& triangulation) : flips_(triangulation) {}
+
+  // What was changed, and can be undone.
+  Undoable_flips<Traits>& flips() { return flips_; }
 
   // Compares the angle with π: LARGER where the border lies between. `angle` is set to an estimate if it is below π.
   Comparison_result compare_with_pi(const Wedge& wedge, double* angle = nullptr)
@@ -62,18 +65,22 @@ public:
 
   // Flips edges inside of the wedge until its outer side is straight or turns towards the vertex everywhere. With an
   // angle below π that side is shorter then than the two halfedges.
+  // \param is_below_pi whether the angle is known to be below π
   // \param may_flip says for an edge whether it may be flipped
   // \param goes_on is called before each attempt; if it returns `false`, the work ends
   // \param after_flip is called after each flip
   template <class May_flip, class Go_on, class After_flip>
-  Wedge_outcome shorten(const Wedge& wedge, const May_flip& may_flip, const Go_on& goes_on,
+  Wedge_outcome shorten(const Wedge& wedge, bool is_below_pi, const May_flip& may_flip, const Go_on& goes_on,
                         const After_flip& after_flip)
   {
     // Where edges are loops at this very vertex, a flip can bring new edges into the wedge.
+    const auto is_loop = [this](Halfedge_index h) { return complex().source(h) == complex().target(h); };
     std::size_t rest = 64;
-    for (Halfedge_index h = wedge.first; h != wedge.last; h = complex().next_around_source(h))
+    bool is_doubtful = !is_below_pi || is_loop(wedge.last), is_blocked = false;
+    for (Halfedge_index h = wedge.first; h != wedge.last; h = complex().next_around_source(h)) {
       rest += 4;
-    bool is_blocked = false;
+      is_doubtful = is_doubtful || is_loop(h);
+    }
     for (Halfedge_index h = complex().next_around_source(wedge.first); h != wedge.last;) {
       const Edge_index e = complex().edge(h);
       if (!may_flip(e))
@@ -84,7 +91,7 @@ public:
       if (before == wedge.first) // it is tested again unless it is a side
         before = Halfedge_index();
       const bool is_flippable = complex().is_flippable(e);
-      if (is_flippable && triangulation_.flip(e) == Triangulation::Flip_outcome::FLIPPED) {
+      if (is_flippable && flips_.flip(e)) {
         after_flip(e);
         if (rest-- == 0)
           return Wedge_outcome::BLOCKED;
@@ -92,16 +99,18 @@ public:
         h = before.is_valid() && complex().edge(before) != e ? before : complex().next_around_source(wedge.first);
         continue;
       }
+      is_doubtful = is_doubtful || !is_flippable;
       h = complex().next_around_source(h);
     }
-    for (Halfedge_index h = complex().next_around_source(wedge.first); h != wedge.last;
+    // As the angle is below π, an edge that was not convex is so at its end.
+    for (Halfedge_index h = complex().next_around_source(wedge.first); is_doubtful && h != wedge.last;
          h = complex().next_around_source(h))
       is_blocked = is_blocked || compare_end_with_pi(h) == SMALLER;
     return is_blocked ? Wedge_outcome::BLOCKED : Wedge_outcome::SHORTENED;
   }
 
 private:
-  const Delta_complex& complex() const { return triangulation_.connectivity(); }
+  const Delta_complex& complex() const { return flips_.triangulation().connectivity(); }
 
   Halfedge_index clockwise(Halfedge_index h) const { return complex().next(complex().opposite(h)); }
 
@@ -109,35 +118,41 @@ private:
   Comparison_result compare_corners_with_pi(double* angle)
   {
     Bounded_angle sum = estimate();
-    if (!sum.is_below_pi() && !sum.is_above_pi()) {
+    // The corners with the largest errors become accurate first: seldom do others have to.
+    for (double largest_error : {0x1p-4, 0x1p-14, 0x1p-24, 0x1p-34, 0x1p-44}) {
+      if (sum.is_below_pi() || sum.is_above_pi())
+        break;
+      bool is_better = false;
       for (const Estimated_corner& corner : corners_)
-        if (!(corner.angle.error < 0x1p-44))
-          Whole_triangulation<Traits>(triangulation_).recompute(complex().face(corner.opposite));
-      sum = estimate();
+        if (!(corner.angle.error < largest_error))
+          is_better = flips_.recompute(complex().face(corner.opposite)) || is_better;
+      if (is_better)
+        sum = estimate();
     }
     if (angle)
       *angle = sum.value;
     return sum.is_below_pi()   ? SMALLER
            : sum.is_above_pi() ? LARGER
-                               : compare_angle_sum_with_pi(engine(triangulation_), corners_);
+                               : compare_angle_sum_with_pi(engine(flips_.triangulation()), corners_);
   }
 
   Bounded_angle estimate()
   {
-    const auto squared = [&](Halfedge_index side) { return triangulation_.edge_data(complex().edge(side)); };
+    const auto squared = [&](Halfedge_index side) { return flips_.squared_length(complex().edge(side)); };
     Bounded_angle sum;
     for (Estimated_corner& corner : corners_) {
+      if (sum.is_above_pi()) // and more makes no difference
+        break;
       const Halfedge_index h = corner.opposite;
-      const auto face = triangulation_.face_data(complex().face(h));
       corner.angle =
         bounded_angle(twice_scalar_product(squared(complex().next(h)), squared(complex().prev(h)), squared(h)),
-                      face.value, face.error);
+                      flips_.four_areas(complex().face(h)));
       sum += corner.angle;
     }
     return sum;
   }
 
-  Triangulation& triangulation_;
+  Undoable_flips<Traits> flips_;
   std::vector<Estimated_corner> corners_;
 };
 

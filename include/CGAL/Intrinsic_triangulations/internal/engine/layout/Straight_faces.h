@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Vertex_positions.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -40,6 +41,8 @@ namespace internal {
 // All that is known stays true if what a function is called before does not happen.
 class Straight_faces
 {
+  static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
+
 public:
   Straight_faces() = default;
   Straight_faces(std::size_t number_of_faces, std::size_t number_of_points)
@@ -102,12 +105,19 @@ public:
     return false;
   }
 
-  // A flip between these faces is undone: where more would have to be found out, they are not known to be straight.
-  // Never throws.
-  void flip_back(Face_index f, Face_index g)
+  // What is known of two faces, to be put back when the flip between them is undone. That never throws.
+  using Planes = std::array<std::uint32_t, 2>;
+  static constexpr Planes no_planes = {none, none};
+  Planes planes(Face_index f, Face_index g) const
   {
-    if (!(*this)(f) || !(*this)(g) || united(plane_[f.idx()]) != united(plane_[g.idx()]))
-      forget(f, g);
+    return plane_.empty() ? no_planes : Planes{plane_[f.idx()], plane_[g.idx()]};
+  }
+  void put_back(Face_index f, Face_index g, const Planes& planes)
+  {
+    if (plane_.empty())
+      return;
+    plane_[f.idx()] = planes[0];
+    plane_[g.idx()] = planes[1];
   }
 
   // Before a face is split, and so many parts are appended in all.
@@ -150,8 +160,6 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
-
   void forget(Face_index f, Face_index g)
   {
     if (!plane_.empty())
