@@ -27,7 +27,7 @@ CGAL::Interval_nt<> length_interval(const Triangulation& triangulation, CGAL::In
   const Standard_arithmetic arithmetic;
   const Exact_engine& geometry = engine(triangulation);
   const int unit = geometry.metric().unit_exponent();
-  const Exact_engine::Surface_lease surface = geometry.input_surface();
+  const Surface_lease surface = geometry.input_surface();
   Double_double_metric metric(*surface);
   const Bounded_double_double l =
     sqrt(Unfolding<Double_double_metric>(geometry.connectivity(), geometry.correspondence(), metric).squared_length(e));
