@@ -25,6 +25,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 
@@ -71,8 +72,8 @@ const char* name_of(IT::Geodesic_status status)
                                             : "unfinished";
 }
 
-// A surface in space, and lines on it. Nothing changes it for long: flips of paths between vertices are undone, and a
-// path that needs more changes flips a copy.
+// A surface in space, and lines on it. Nothing changes it: paths between vertices flip one copy, where they are undone, and
+// each other path flips its own, as does one that would have to wait for another thread.
 class Surface_in_space
 {
 public:
@@ -88,8 +89,11 @@ public:
   {
     const bool are_vertices =
       std::all_of(stops.begin(), stops.end(), [](const Stop& stop) { return stop.vertex != Stop::no_vertex; });
-    if (are_vertices && !is_shortest)
-      return surface_.use([&](Triangulation& t) {
+    if (const std::unique_lock<std::mutex> turn(network_mutex_, std::try_to_lock);
+        turn && are_vertices && !is_shortest) {
+      if (!flipped_)
+        flipped_ = std::make_unique<Surface>(surface_);
+      return flipped_->use([&](Triangulation& t) {
         if (!network_)
           network_.emplace(t);
         const Rewinding rewinding{*network_};
@@ -97,6 +101,7 @@ public:
         shorten(t, *network_, first_path(t, stops, is_closed, is_shortest, result), is_closed, maximum_number, result);
         return result;
       });
+    }
     Surface copy = surface_;
     return copy.use([&](Triangulation& t) {
       Path result;
@@ -289,7 +294,9 @@ private:
 
   Points points_;
   Surface surface_;
-  std::optional<Network> network_; // of paths on the surface itself, from the first one on
+  std::mutex network_mutex_;
+  std::unique_ptr<Surface> flipped_; // from the first path on
+  std::optional<Network> network_;   // on it
 };
 
 std::unique_ptr<Surface_in_space> surface_in_space(const Doubles& points, const Indices& triangles)

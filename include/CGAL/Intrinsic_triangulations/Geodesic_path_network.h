@@ -49,7 +49,7 @@ namespace Intrinsic_triangulations {
 /// as straight.
 ///
 /// The triangulation is flipped, but stays a triangulation of the same surface. Do not change it by other means while the
-/// network exists: insert vertices first.
+/// network exists: insert vertices first. Until it is rewound, a network keeps some 200 bytes for each flip.
 ///
 /// \tparam Traits traits with exact geometry, such as `Filtered_edge_length_traits`
 ///
