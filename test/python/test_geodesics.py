@@ -4,6 +4,7 @@
 # Paths, closed curves and lines in a direction.
 
 import math
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy
 import pytest
@@ -44,6 +45,15 @@ def test_a_query_does_not_depend_on_others(thin):
         solver.find_geodesic_path(1, target)
     assert numpy.array_equal(solver.find_geodesic_path(3, 400), first)
     assert numpy.array_equal(it.geodesic_path(*thin, 3, 400).positions, first)
+
+
+def test_threads_find_the_paths_that_one_finds(thin):
+    solver = it.EdgeFlipGeodesicSolver(*thin)
+    pairs = [(source, target) for source in (1, 3) for target in range(20, 300, 20)]
+    alone = [solver.find_geodesic_path(*pair) for pair in pairs]
+    with ThreadPoolExecutor(4) as pool:
+        together = list(pool.map(lambda pair: solver.find_geodesic_path(*pair), pairs))
+    assert all(map(numpy.array_equal, alone, together))
 
 
 def test_paths_through_several_vertices():
