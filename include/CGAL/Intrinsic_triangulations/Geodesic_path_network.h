@@ -150,7 +150,6 @@ public:
       if (outcome.status != Geodesic_status::CONTRACTIBLE)
         outcome.status = Geodesic_status::GEODESIC;
     try {
-      internal::engine(triangulation_).find_straight_faces(); // from now on all that is known of faces can be put back
       Queue queue;
       for (std::size_t p = 0; p < paths_.size(); ++p)
         push_path(p, queue);

@@ -612,7 +612,8 @@ private:
     static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
     CGAL_precondition(keeps_input());
-    const Halfedge_index h = engine_.quickest_side(f);
+    engine_.prepare();
+    const Halfedge_index h = internal::quickest_side(engine_, f);
     return recompute(h, engine_.kept_corner(h));
   }
 

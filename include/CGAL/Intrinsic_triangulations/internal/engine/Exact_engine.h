@@ -103,6 +103,7 @@ public:
     std::array<Halfedge_index, 2> of_faces, of_ends;
     std::array<std::uint32_t, 2> planes;
   };
+  // As long as the engine is not copied, queries do not change what is returned.
   Forgotten forgotten_by_flip(const Hinge_halfedges& around) const;
   // Undoes a flip, the last one that was not undone. Never throws.
   // \param around the halfedges around the edge before the flip
@@ -174,9 +175,6 @@ public:
       prepare(block_runner<ConcurrencyTag>());
   }
 
-  // Finds out which faces are straight, where that was not done yet; the queries that use it do so themselves. Likewise.
-  void find_straight_faces() const;
-
   // By which stage an edge was tested, and the sign of `cot k + cot l` for the angles opposite to it. Where both faces
   // have zero area, that is `NEGATIVE` if both angles are π, and `ZERO` otherwise.
   struct Test
@@ -213,8 +211,6 @@ public:
   // The corner opposite to h. What was laid out before is used, and what is laid out is kept if that takes long. \pre h
   // is no border halfedge
   Corner kept_corner(Halfedge_index h);
-  // The side of a face whose opposite corner takes the least time.
-  Halfedge_index quickest_side(Face_index f) const;
   // The corners at a vertex: for each face the side opposite to it, counterclockwise.
   std::vector<std::pair<Halfedge_index, Corner>> corners_at(Vertex_index v) const;
   // The same. What was laid out before is used, and what is laid out is kept, if edges at the vertex cross many input
@@ -252,6 +248,7 @@ private:
   bool is_long_hinge(const Hinge_halfedges& around) const;
   bool is_prepared() const;
   void prepare(const Block_runner& run) const;
+  void find_straight_faces() const;
   void recognize_straight_face(Halfedge_index h);
   void prepare_insertion();
   void remove(const Removed_elements& removed);
@@ -291,6 +288,9 @@ private:
   Input_metric metric_;
   std::unique_ptr<Memory> memory_; // null without an input
 };
+
+// The side of a face whose opposite corner takes the least time. \pre `engine.prepare()` was called
+Halfedge_index quickest_side(const Exact_engine& engine, Face_index f);
 
 // What Intrinsic_triangulation tells of a Correspondence, so that not all who include it include that.
 const Delta_complex& input(const Correspondence& correspondence);

@@ -259,7 +259,8 @@ void Exact_engine::prepare(const Block_runner& run) const
   memory.is_prepared.store(true, std::memory_order_release);
 }
 
-// Finds out which faces are straight, by repeating the flips that were not followed; flip() keeps it up from then on.
+// Finds out which faces are straight, where that was not done yet, by repeating the flips that were not followed; flip()
+// keeps it up from then on.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_engine::find_straight_faces() const
 {
@@ -340,11 +341,13 @@ bool Exact_engine::flip_and_follow(const Hinge_halfedges& around)
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_engine::Forgotten Exact_engine::forgotten_by_flip(const Hinge_halfedges& around) const
 {
+  if (memory_)
+    find_straight_faces(); // later flips would not know what is known before this one
   const Face_index f = connectivity_.face(around.ij), g = connectivity_.face(around.ji);
   return {
     {connectivity_.halfedge(f), connectivity_.halfedge(g)},
     {connectivity_.halfedge(connectivity_.source(around.ij)), connectivity_.halfedge(connectivity_.target(around.ij))},
-    memory_ && memory_->knows_straight_faces ? memory_->straight_faces->planes(f, g) : Straight_faces::no_planes};
+    memory_ ? memory_->straight_faces->planes(f, g) : Straight_faces::no_planes};
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -624,10 +627,9 @@ Exact_engine::Corner Exact_engine::kept_corner(Halfedge_index h)
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Halfedge_index Exact_engine::quickest_side(Face_index f) const
+Halfedge_index quickest_side(const Exact_engine& engine, Face_index f)
 {
-  prepare();
-  return correspondence().coordinates().side_with_most_crossings(connectivity_, f);
+  return engine.correspondence().coordinates().side_with_most_crossings(engine.connectivity(), f);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
