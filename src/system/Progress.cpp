@@ -25,7 +25,7 @@ std::string short_name(const std::string& path)
   if (name.size() > 30)
     name = "..." + name.substr(name.size() - 27);
   for (char& c : name)
-    if ((c >= 0 && c < ' ') || c == '\x7f')
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f')
       c = '?';
   return name;
 }

@@ -34,7 +34,7 @@ inline bool is_text_stl(const std::string& head)
   const std::size_t mark = head.compare(0, 3, "\xef\xbb\xbf") == 0 ? 3 : 0;
   const char *const end = head.data() + head.size(), *const word = skip_white(head.data() + mark, end);
   return is_keyword(std::string_view(word, static_cast<std::size_t>(skip_word(word, end) - word)), "solid") &&
-         std::all_of(word, end, [](char c) { return is_white(c) || !(c >= 0 && c < ' '); });
+         std::all_of(word, end, [](unsigned char c) { return is_white(static_cast<char>(c)) || c >= ' '; });
 }
 
 [[noreturn]] inline void refuse_neither(const std::string& path, const std::string& head, const std::string& trouble)
