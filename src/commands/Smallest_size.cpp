@@ -73,7 +73,11 @@ void Budget_warning::look(const IT::Refinement_progress& progress, const std::fu
   if (is_written_ || progress.estimated_points == estimate_)
     return;
   estimate_ = progress.estimated_points;
-  if (progress.points + estimate_ <= budget_)
+  if (progress.points + estimate_ <= budget_) {
+    was_exceeded_ = false;
+    return;
+  }
+  if (!std::exchange(was_exceeded_, true))
     return;
   is_written_ = true;
   std::cerr << erased_progress() << "idt: " << path_ << ": after " << with_separators(progress.points)

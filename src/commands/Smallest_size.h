@@ -41,7 +41,8 @@ private:
   double size_ = 0;
 };
 
-// Writes once to the standard error that the budget will not suffice, as soon as an estimate says so.
+// Writes once to the standard error that the budget will not suffice, as soon as two estimates in a row say so: the
+// first one takes the thin faces around a vertex for a strip that has to be filled evenly.
 class Budget_warning
 {
 public:
@@ -52,7 +53,7 @@ public:
 private:
   std::string path_;
   std::uint64_t budget_, estimate_ = 0;
-  bool is_written_ = false;
+  bool was_exceeded_ = false, is_written_ = false;
 };
 
 } // namespace idt

@@ -325,6 +325,25 @@ TEST_F(Refine_command, says_early_that_the_budget_will_not_suffice)
   EXPECT_EQ(again.err, "");
 }
 
+// The first estimate takes its thin faces for strips that have to be filled evenly.
+TEST_F(Refine_command, does_not_warn_of_a_budget_that_suffices)
+{
+  constexpr int n = 10'000;
+  std::ostringstream wheel;
+  wheel << "OFF\n" << n + 1 << ' ' << n << " 0\n0 0 1\n";
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * std::acos(-1.) * i / n;
+    wheel << std::cos(angle) << ' ' << std::sin(angle) << ' ' << 0.3 * std::sin(3 * angle) << '\n';
+  }
+  for (int i = 0; i < n; ++i)
+    wheel << "3 0 " << 1 + i << ' ' << 1 + (i + 1) % n << '\n';
+  write("wheel.off", wheel.str());
+  const Command_run run = idt("refine wheel.off --stats s.json");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_GT(stats()["inserted"], 2048);
+  EXPECT_EQ(run.err, "");
+}
+
 // Features of 1e-4 of the box are refined, and scans, of course.
 TEST_F(Refine_command, chooses_no_size_where_none_is_needed)
 {

@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/straight_walk.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
@@ -18,6 +19,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -299,6 +301,46 @@ TEST(Refine_Delaunay, asks_while_edges_are_flipped_at_first)
 
 // A vertex that is far away makes needles whose corners there are smaller than what doubles resolve. A line that is
 // followed in doubles then goes round and round.
+// Around a needle: where the walk stops, the line to the middle of its part in the same triangle ends, too.
+TEST(Straight_walk, stops_where_it_is_too_long)
+{
+  const std::vector<std::array<double, 3>> points{{0, 0, 0}, {1, 0, 0}, {0.5, 1e-4, 0}, {0.5, 0, 2e-4}};
+  const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(
+    4, std::vector<std::array<std::size_t, 3>>{{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}});
+  const auto length = [&](IT::Halfedge_index h) {
+    const auto &p = points[complex.source(h).idx()], &q = points[complex.target(h).idx()];
+    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  };
+  const auto apex = [&](IT::Halfedge_index h) {
+    return IT::internal::third_corner(length(h), length(complex.next(h)), length(complex.prev(h)));
+  };
+  IT::Halfedge_index h = complex.halfedge(IT::Face_index(0));
+  while (length(h) < 0.9)
+    h = complex.next(h);
+  const auto walk = [&](double distance, std::size_t most_edges) {
+    return IT::internal::walk_straight(
+      complex, h, 0.5, {0.5, distance}, false, apex, [](IT::Edge_index) { return false; }, most_edges);
+  };
+  constexpr std::size_t most_edges = 200, unlimited = std::size_t(1) << 20;
+  const auto stopped = walk(1, most_edges);
+  EXPECT_EQ(stopped.number_of_crossed_edges, most_edges + 1);
+  // Where the line enters the triangle in which it stopped, and where it leaves it.
+  const auto first_beyond = [&](std::size_t crossed) {
+    double below = 0, beyond = 1;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = (below + beyond) / 2;
+      (walk(middle, unlimited).number_of_crossed_edges < crossed ? below : beyond) = middle;
+    }
+    return beyond;
+  };
+  const auto expected = walk((first_beyond(most_edges + 1) + first_beyond(most_edges + 2)) / 2, unlimited);
+  EXPECT_EQ(expected.number_of_crossed_edges, most_edges + 1);
+  EXPECT_EQ(stopped.halfedge, expected.halfedge);
+  EXPECT_FALSE(stopped.barrier.is_valid());
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_NEAR(stopped.weights[i], expected.weights[i], 1e-6);
+}
+
 TEST(Refine_Delaunay, ends_at_the_tips_of_needles)
 {
   samples::Indexed_triangles surface;

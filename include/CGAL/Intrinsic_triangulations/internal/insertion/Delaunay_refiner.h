@@ -108,6 +108,9 @@ private:
   }
 
   static constexpr double smallest_whole_cone = CGAL_PI / 3;
+  // In edges. A walk that goes around a needle that often has come to where it is much thinner than a face is long. A
+  // vertex there lies in the circumcircle of the face, too, and no closer to its corners than half of a side.
+  static constexpr std::size_t farthest_walk = std::size_t(1) << 14;
 
   // Faces with a small angle come first, and of these those with the shortest side: what is inserted close to it
   // improves those that have longer ones (A. Ungor, "Off-centers", 2009). Of the faces with sides of the same size up
@@ -252,7 +255,7 @@ private:
   void refine(Face_index f)
   {
     if (const std::optional<Walk_end> end = walk_to_better_point(f))
-      if (!insert_or_split(f, end))
+      if (!insert_or_split(f, *end))
         return;
     if (const std::optional<Refinement_obstacle> reason = refine_at_circumcenter(f))
       left_[f] = {faces_.circumradius(f), *reason};
@@ -282,23 +285,21 @@ private:
       return split(f, complex_.edge(h));
     return insert_or_split(f, walk(complex_.opposite(h), {0.5, -y}));
   }
-  // From the middle of h to a point in the frame of h, if that is not too far.
-  std::optional<Walk_end> walk(Halfedge_index h, Plane_point end) const
+  // From the middle of h to a point in the frame of h, or until the walk is too far.
+  Walk_end walk(Halfedge_index h, Plane_point end) const
   {
     return walk_straight(
       complex_, h, 0.5, end, false, [&](Halfedge_index g) { return faces_.apex(g); },
-      [&](Edge_index e) { return segments_.contains(e); });
+      [&](Edge_index e) { return segments_.contains(e); }, farthest_walk);
   }
-  std::optional<Refinement_obstacle> insert_or_split(Face_index f, const std::optional<Walk_end>& end)
+  std::optional<Refinement_obstacle> insert_or_split(Face_index f, const Walk_end& end)
   {
-    if (!end)
-      return Refinement_obstacle::UNREPRESENTABLE;
-    if (end->barrier.is_valid())
-      return split(f, complex_.edge(end->barrier));
-    if (const std::optional<Edge_index> e = segments_.encroached_by(*end))
+    if (end.barrier.is_valid())
+      return split(f, complex_.edge(end.barrier));
+    if (const std::optional<Edge_index> e = segments_.encroached_by(end))
       return split(f, *e);
     const auto place =
-      point_on_input(engine_, shapes_, end->halfedge, end->weights, [&](Halfedge_index g) { return faces_.apex(g); });
+      point_on_input(engine_, shapes_, end.halfedge, end.weights, [&](Halfedge_index g) { return faces_.apex(g); });
     if (!place)
       return Refinement_obstacle::UNREPRESENTABLE;
     if (cones_.is_too_close(place->point))

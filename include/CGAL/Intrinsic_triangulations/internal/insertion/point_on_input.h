@@ -145,16 +145,22 @@ std::optional<Point_to_insert> point_on_input(const Exact_engine& engine, Input_
       base = next;
     }
   }
-  const std::optional<Walk_end> end = walk_straight(input, base, source, source + to_point, leaves_corner, input_apex,
-                                                    [&](Edge_index e) { return input.is_border(e); });
-  if (!end)
+  // An input edge that the line crosses leaves the face by a side. The others go around a vertex that rounding has put
+  // on the wrong side of the line.
+  std::size_t most_edges = std::size_t(1) << 12;
+  for (Halfedge_index side : {h, complex.next(h), complex.prev(h)})
+    most_edges += std::size_t(correspondence.coordinates().number_of_crossings(complex.edge(side)));
+  const Walk_end end = walk_straight(
+    input, base, source, source + to_point, leaves_corner, input_apex, [&](Edge_index e) { return input.is_border(e); },
+    most_edges);
+  if (end.number_of_crossed_edges > most_edges)
     return std::nullopt;
-  for (double w : end->weights)
+  for (double w : end.weights)
     if (!std::isfinite(w))
       return std::nullopt;
-  const Surface_point point{end->halfedge, rounded_coordinates(end->weights)};
+  const Surface_point point{end.halfedge, rounded_coordinates(end.weights)};
   // Input edges that cut off the corner are crossed first, one after the other.
-  const auto crossed = std::int64_t(end->number_of_crossed_edges);
+  const auto crossed = std::int64_t(end.number_of_crossed_edges);
   const Halfedge_index ki = complex.prev(h);
   const std::int64_t n_ki = correspondence.coordinates().number_of_crossings(complex.edge(ki));
   for (const Triangle_piece& piece : {Triangle_piece{h, crossed}, Triangle_piece{ki, n_ki - crossed}})

@@ -14,7 +14,6 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <optional>
 #include <utility>
 
 namespace CGAL {
@@ -56,11 +55,11 @@ struct Walk_end
 // \param leaves_corner whether the walk starts at the source of h, into the triangle
 // \param apex gives the third corner of the face of a halfedge, in the frame of that
 // \param is_barrier whether an edge that is met must not be crossed
-// \return nothing if rounding has made the line lose its way. Around the tip of a needle, it would go on forever
+// \param most_edges after so many crossed edges and one the walk stops, in the middle of the part of the line in that
+//   triangle: around a needle, it could go on for very long, and where rounding has made it lose its way, forever
 template <class Apex, class Is_barrier>
-std::optional<Walk_end> walk_straight(const Delta_complex& complex, Halfedge_index h, Plane_point start,
-                                      Plane_point end, bool leaves_corner, const Apex& apex,
-                                      const Is_barrier& is_barrier)
+Walk_end walk_straight(const Delta_complex& complex, Halfedge_index h, Plane_point start, Plane_point end,
+                       bool leaves_corner, const Apex& apex, const Is_barrier& is_barrier, std::size_t most_edges)
 {
   const auto weights = [](Plane_point z, Plane_point p) {
     const double c = z.imag() != 0 ? p.imag() / z.imag() : 0, b = p.real() - c * z.real();
@@ -74,9 +73,7 @@ std::optional<Walk_end> walk_straight(const Delta_complex& complex, Halfedge_ind
       x /= sum;
     return w;
   };
-  // As many crossings of an edge are laid out.
-  constexpr std::size_t most_edges = std::size_t(1) << 20;
-  for (std::size_t crossed = 0; crossed <= most_edges; ++crossed) {
+  for (std::size_t crossed = 0;; ++crossed) {
     const Plane_point z = apex(h);
     const std::array<double, 3> w = weights(z, end);
     const bool has_area = z.imag() > 0;
@@ -102,11 +99,15 @@ std::optional<Walk_end> walk_straight(const Delta_complex& complex, Halfedge_ind
     if (is_barrier(complex.edge(side)))
       return Walk_end{h, inside(w), side, crossed};
     const Plane_point corners[3] = {0, 1, z}, left = corners[(i + 2) % 3], right = corners[(i + 1) % 3];
+    if (crossed > most_edges) {
+      const Plane_point to_end = end - start, entry = start - start.imag() / to_end.imag() * to_end;
+      const double t = cross_product(left - entry, right - left) / cross_product(to_end, right - left);
+      return Walk_end{h, inside(weights(z, entry + t / 2 * to_end)), {}, crossed};
+    }
     start = (start - left) / (right - left);
     end = (end - left) / (right - left);
     h = complex.opposite(side);
   }
-  return std::nullopt;
 }
 
 } // namespace internal
