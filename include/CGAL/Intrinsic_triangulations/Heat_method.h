@@ -21,6 +21,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/heat/Pinned_system.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Ridge_keeper.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/point_source.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/rows_by_distance.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/unit_gradient.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
@@ -328,22 +329,23 @@ private:
     phi = phi.cwiseMax(0.);
     for (const auto& [row, distance] : pins)
       phi[row] = distance;
-    if (options_.keeps_ridges && !pins.empty()) {
-      if (!ridge_keeper_)
-        ridge_keeper_ = std::make_unique<internal::Ridge_keeper>(*surface_);
-      ridge_keeper_->raise(phi, pins, *interruption_);
-    }
-    std::vector<double> of_rows = within_bounds(phi, pins);
+    const std::vector<std::uint32_t> order = internal::rows_by_distance(phi);
+    if (options_.keeps_ridges && !pins.empty())
+      internal::Ridge_keeper(*surface_, pins, is_reachable).raise(phi);
+    const std::vector<double> of_rows = within_bounds(phi, pins, order);
+    const int half = surface_->exponent / 2;
+    const double one_part = std::ldexp(1., half), other_part = std::ldexp(1., surface_->exponent - half);
     distances_.resize(surface_->size());
     for (std::size_t v = 0; v < distances_.size(); ++v) {
       const std::uint32_t row = row_of_input(v);
       distances_[v] =
-        is_reachable[row] ? std::ldexp(of_rows[row], surface_->exponent) : std::numeric_limits<double>::infinity();
+        is_reachable[row] ? of_rows[row] * one_part * other_part : std::numeric_limits<double>::infinity();
     }
   }
 
   // In the unit that all components have in common.
-  std::vector<double> within_bounds(const Eigen::VectorXd& phi, internal::Pins pins)
+  std::vector<double> within_bounds(const Eigen::VectorXd& phi, internal::Pins pins,
+                                    const std::vector<std::uint32_t>& order)
   {
     std::vector<double> result;
     result.reserve(surface_->size());
@@ -352,7 +354,7 @@ private:
     for (auto& pin : pins)
       pin.second *= surface_->units[pin.first];
     const std::vector<double> before = result;
-    bounds_.apply(result, pins);
+    bounds_.apply(result, pins, order);
     number_of_bounded_distances_ = 0;
     for (std::size_t row = 0; row < result.size(); ++row)
       number_of_bounded_distances_ += std::abs(result[row] - before[row]) > 0.05 * result[row];
@@ -412,7 +414,6 @@ private:
   std::unique_ptr<Diffusion> diffusion_;
   std::unique_ptr<Diffusion> cold_border_;
   std::unique_ptr<Poisson> poisson_;
-  std::unique_ptr<const internal::Ridge_keeper> ridge_keeper_;
   internal::Distance_bounds bounds_;
   std::vector<std::uint32_t> representative_;
   std::map<Vertex_index, std::uint32_t> vertex_sources_; // with their rows

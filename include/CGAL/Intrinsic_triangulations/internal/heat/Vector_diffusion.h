@@ -58,7 +58,8 @@ public:
   std::vector<Vector> spread_likewise(const Vector& vectors, const Layered_heat& heat) const
   {
     return internal::spread_likewise(
-      vectors, heat, matrix_, [this](const Vector& b) { return solver_.solve(asked(b)); }, [](Vector&, std::size_t) {});
+      vectors, heat, matrix_, [this](const Vector& b) { return solver_.solve(interruption_.before(b)); },
+      [](Vector&, std::size_t) {});
   }
 
   const std::vector<Heat_edge>& edges() const { return edges_; }
@@ -67,7 +68,7 @@ private:
   Vector_diffusion(const Delta_complex& complex, const std::vector<Planar_vector<double>>& vectors,
                    const Heat_surface& surface, const Interruption& interruption)
     : interruption_(interruption), matrix_(heat_matrix(complex, vectors, surface)),
-      solver_(asked(matrix_), "the matrix of tangent vectors")
+      solver_(interruption_.before(matrix_), "the matrix of tangent vectors")
   {
     for (Edge_index e : complex.edges()) {
       if (surface.weights[e.idx()] == 0)
@@ -81,13 +82,6 @@ private:
       edges_.push_back({std::uint32_t(complex.source(h).idx()), std::uint32_t(complex.source(g).idx()),
                         surface.weights[e.idx()], in_units(h), in_units(g)});
     }
-  }
-
-  template <class T>
-  const T& asked(const T& argument) const
-  {
-    interruption_.check();
-    return argument;
   }
 
   static Matrix heat_matrix(const Delta_complex& complex, const std::vector<Planar_vector<double>>& vectors,

@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -35,18 +34,15 @@ std::vector<std::uint32_t> rows_by_distance(const Distances& distances)
     ++first[interval(d) + 1];
   for (std::size_t i = 0; i < n; ++i)
     first[i + 1] += first[i];
-  std::vector<std::pair<double, std::uint32_t>> order(n);
-  std::vector<std::uint32_t> position(first.begin(), first.end() - 1);
-  std::uint32_t row = 0;
-  for (const double d : distances)
-    order[position[interval(d)]++] = {d, row++};
-  std::vector<std::uint32_t> result;
-  result.reserve(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    std::sort(order.begin() + first[i], order.begin() + first[i + 1]);
-    for (std::uint32_t k = first[i]; k < first[i + 1]; ++k)
-      result.push_back(order[k].second);
-  }
+  std::vector<std::uint32_t> result(n), position(first.begin(), first.end() - 1);
+  for (std::uint32_t row = 0; row < std::uint32_t(n); ++row)
+    result[position[interval(distances[row])]++] = row;
+  const auto is_before = [&](std::uint32_t v, std::uint32_t w) {
+    return distances[v] < distances[w] || (distances[v] == distances[w] && v < w);
+  };
+  for (std::size_t i = 0; i < n; ++i)
+    if (first[i + 1] - first[i] > 1)
+      std::sort(result.begin() + first[i], result.begin() + first[i + 1], is_before);
   return result;
 }
 

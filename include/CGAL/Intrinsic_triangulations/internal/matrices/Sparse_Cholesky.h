@@ -14,6 +14,8 @@
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD
 #include <Eigen/CholmodSupport>
 #else
+#include <CGAL/Intrinsic_triangulations/internal/matrices/Factor_panels.h>
+
 #include <Eigen/SparseCholesky>
 #endif
 
@@ -51,14 +53,25 @@ public:
     solver_.factorize(matrix);
     if (solver_.info() != Eigen::Success)
       throw Numerical_error(std::string(what_) + " is not positive definite after rounding");
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD
+    panels_ = Factor_panels<Scalar>(solver_.matrixL().nestedExpression());
+#endif
   }
 
-  template <class Vector>
-  Vector solve(const Vector& right) const
+  // Each column is a system.
+  template <class Columns>
+  Columns solve(const Columns& right) const
   {
     if (right.rows() == 0)
       return right;
-    Vector x = solver_.solve(right);
+#ifdef CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD
+    const Columns x = solver_.solve(right);
+#else
+    Columns ordered = solver_.permutationP() * right;
+    for (Eigen::Index c = 0; c < ordered.cols(); ++c)
+      panels_.solve(solver_.matrixL().nestedExpression(), ordered.col(c).data());
+    const Columns x = solver_.permutationPinv() * ordered;
+#endif
     if (!x.allFinite())
       throw Numerical_error(std::string("a linear system cannot be solved: ") + what_ + " is too badly conditioned");
     return x;
@@ -69,6 +82,7 @@ private:
   Eigen::CholmodSupernodalLLT<Matrix> solver_;
 #else
   Eigen::SimplicialLLT<Matrix> solver_;
+  Factor_panels<Scalar> panels_;
 #endif
   const char* what_;
 };
