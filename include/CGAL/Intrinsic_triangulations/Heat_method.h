@@ -21,7 +21,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/heat/Pinned_system.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Ridge_keeper.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/point_source.h>
-#include <CGAL/Intrinsic_triangulations/internal/heat/rows_by_distance.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/unit_gradient.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
@@ -40,7 +39,6 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -86,10 +84,11 @@ Heat_options heat_options_of(const NamedParameters& np)
 ///     std::vector<double> distances = heat.distances();
 ///
 /// Heat spreads from the sources for a short time. Away from them its gradient has the direction of the gradient of the
-/// distance. The distance is the function whose gradient fits this direction best, raised to the smallest value that is
-/// consistent with its neighbors. It is exactly zero at each source, however many there are, and positive elsewhere. It
-/// never exceeds the shortest path along edges and, for a surface in space, is never shorter than the straight line. It
-/// is infinite in parts of the surface without a source and at vertices without faces.
+/// distance. The distance is the function whose gradient fits this direction best; where its slope is too small, it is
+/// raised to the smallest value that is consistent with its neighbors. It is exactly zero at each source, however many
+/// there are, and positive elsewhere. It never exceeds the shortest path along edges and, for a surface in space, is
+/// never shorter than the straight line. It is infinite in parts of the surface without a source and at vertices
+/// without faces.
 ///
 /// The matrices are factorized once. A set of sources then costs two solutions of linear systems. Several sources in
 /// one component cost a third one, and one more for each new source. Beyond 32 sources, one more factorization is
@@ -329,10 +328,9 @@ private:
     phi = phi.cwiseMax(0.);
     for (const auto& [row, distance] : pins)
       phi[row] = distance;
-    const std::vector<std::uint32_t> order = internal::rows_by_distance(phi);
     if (options_.keeps_ridges && !pins.empty())
       internal::Ridge_keeper(*surface_, pins, is_reachable).raise(phi);
-    const std::vector<double> of_rows = within_bounds(phi, pins, order);
+    const std::vector<double> of_rows = within_bounds(phi, pins);
     const int half = surface_->exponent / 2;
     const double one_part = std::ldexp(1., half), other_part = std::ldexp(1., surface_->exponent - half);
     distances_.resize(surface_->size());
@@ -344,20 +342,17 @@ private:
   }
 
   // In the unit that all components have in common.
-  std::vector<double> within_bounds(const Eigen::VectorXd& phi, internal::Pins pins,
-                                    const std::vector<std::uint32_t>& order)
+  std::vector<double> within_bounds(const Eigen::VectorXd& phi, internal::Pins pins)
   {
-    std::vector<double> result;
-    result.reserve(surface_->size());
-    for (std::size_t row = 0; row < surface_->size(); ++row)
-      result.push_back(phi[Eigen::Index(row)] * surface_->units[row]);
+    const Eigen::VectorXd before =
+      phi.cwiseProduct(Eigen::Map<const Eigen::VectorXd>(surface_->units.data(), phi.size()));
+    std::vector<double> result(before.begin(), before.end());
     for (auto& pin : pins)
       pin.second *= surface_->units[pin.first];
-    const std::vector<double> before = result;
-    bounds_.apply(result, pins, order);
+    bounds_.apply(result, pins);
     number_of_bounded_distances_ = 0;
     for (std::size_t row = 0; row < result.size(); ++row)
-      number_of_bounded_distances_ += std::abs(result[row] - before[row]) > 0.05 * result[row];
+      number_of_bounded_distances_ += std::abs(result[row] - before[Eigen::Index(row)]) > 0.05 * result[row];
     return result;
   }
 

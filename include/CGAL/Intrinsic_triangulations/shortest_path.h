@@ -27,7 +27,6 @@
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Distance_bounds.h>
-#include <CGAL/Intrinsic_triangulations/internal/heat/rows_by_distance.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 
@@ -84,7 +83,7 @@ Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& t
   std::map<std::uint32_t, double> pins;
   for (std::uint32_t source : sources)
     pins[source] = 0;
-  Distance_bounds(triangulation, row).apply(distances, pins, rows_by_distance(distances));
+  Distance_bounds(triangulation, row).apply(distances, pins);
   for (double d : distances)
     result.distances.push_back(std::ldexp(d, faces.exponent()));
   return result;

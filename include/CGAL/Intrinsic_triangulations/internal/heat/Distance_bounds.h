@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/rows_by_distance.h>
 #include <CGAL/Intrinsic_triangulations/internal/numbers/Accurate_shapes.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/memory_access.h>
 
@@ -68,9 +69,7 @@ public:
 
   // \param distances by rows; infinite ones become finite where edges lead
   // \param sources rows, and how far they are from the source that they stand for
-  // \param order the rows, better by their distances
-  void apply(std::vector<double>& distances, const std::map<std::uint32_t, double>& sources,
-             const std::vector<std::uint32_t>& order) const
+  void apply(std::vector<double>& distances, const std::map<std::uint32_t, double>& sources) const
   {
     std::vector<double> paths(first_.size() - 1, std::numeric_limits<double>::infinity());
     std::vector<std::uint32_t> origins(paths.size(), 0);
@@ -97,15 +96,13 @@ public:
     };
     // First in the order of the distances, in which nearly all paths are found at once. What gets a shorter path after
     // its turn follows by Dijkstra's algorithm.
-    constexpr std::size_t soon = 8;
+    const std::vector<std::uint32_t> order = rows_by_distance(distances);
     for (std::size_t i = 0; i < order.size(); ++i) {
-      if (i + soon < order.size()) {
-        const auto* const neighbor = neighbors_.data() + first_[order[i + soon]];
-        prefetch_to_read(neighbor);
-        prefetch_to_read(neighbor + 4); // in the next cache line
-      }
-      is_behind[order[i]] = true;
-      go_on_from(order[i]);
+      const std::uint32_t row = order[i], soon = order[(std::min)(i + 8, order.size() - 1)];
+      prefetch_to_read(neighbors_.data() + first_[soon]);
+      prefetch_to_read(neighbors_.data() + first_[soon + 1]);
+      is_behind[row] = true;
+      go_on_from(row);
     }
     while (!queue.empty()) {
       const auto [length, row] = queue.top();

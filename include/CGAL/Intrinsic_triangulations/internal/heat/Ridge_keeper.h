@@ -31,7 +31,7 @@ namespace internal {
 // below that: there it is raised. What is larger stays as it is. The distances of the others are those from before, so
 // that nothing adds up on the way; a second pass gets to the vertices next to those that were raised.
 //
-// Between two vertices the distance is linear, unless both are sources: then there are only ways over the vertices
+// Between two vertices the distance is linear, unless one is a source: then there are only ways over the vertices
 // themselves.
 class Ridge_keeper
 {
@@ -94,8 +94,7 @@ private:
     const int i = corner, j = (i + 1) % 3, k = (i + 2) % 3;
     const std::uint32_t v = face.row[i], a = face.row[j], b = face.row[k];
     const double at_v = distances[v], at_a = distances[a], at_b = distances[b];
-    const bool are_sources = is_fixed_[a] && is_fixed_[b];
-    if (are_sources && (at_a > 0 || at_b > 0))
+    if (is_fixed_[a] && is_fixed_[b] && (at_a > 0 || at_b > 0))
       return 0; // over a side of the face with a source inside it, ways lead somewhere: nothing is raised
     const double ax = x[j] - x[i], ay = y[j] - y[i], bx = x[k] - x[i], by = y[k] - y[i];
     const bool over_a = !only_nearer || at_a < at_v || (at_a == at_v && a < v),
@@ -105,7 +104,7 @@ private:
       result = at_a + std::sqrt(ax * ax + ay * ay);
     if (over_b)
       result = (std::min)(result, at_b + std::sqrt(bx * bx + by * by));
-    if (!over_a || !over_b || are_sources)
+    if (!over_a || !over_b || at_a == 0 || at_b == 0)
       return result;
     // Over the point at which the way and the side form the angle whose cosine is the slope of the distance along it.
     const double ex = bx - ax, ey = by - ay, square = ex * ex + ey * ey, area = face.base * face.height,

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -29,14 +30,12 @@ std::vector<std::uint32_t> rows_by_distance(const Distances& distances)
     if (d < std::numeric_limits<double>::infinity())
       largest = (std::max)(largest, d);
   const auto interval = [&](double d) { return d < largest ? std::size_t(d / largest * double(n - 1)) : n - 1; };
-  std::vector<std::uint32_t> first(n + 1, 0);
+  std::vector<std::uint32_t> first(n + 1, 0), result(n);
   for (const double d : distances)
-    ++first[interval(d) + 1];
-  for (std::size_t i = 0; i < n; ++i)
-    first[i + 1] += first[i];
-  std::vector<std::uint32_t> result(n), position(first.begin(), first.end() - 1);
-  for (std::uint32_t row = 0; row < std::uint32_t(n); ++row)
-    result[position[interval(distances[row])]++] = row;
+    ++first[interval(d)];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  for (std::size_t row = n; row-- > 0;)
+    result[--first[interval(distances[row])]] = std::uint32_t(row);
   const auto is_before = [&](std::uint32_t v, std::uint32_t w) {
     return distances[v] < distances[w] || (distances[v] == distances[w] && v < w);
   };

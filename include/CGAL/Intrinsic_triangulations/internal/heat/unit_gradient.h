@@ -58,10 +58,9 @@ inline Eigen::VectorXd flux_of_unit_gradient(const Heat_surface& surface, const 
       u = heat_of_face(instead, face);
     std::array<double, 2> v = slope(face, u);
     double norm = std::sqrt(v[0] * v[0] + v[1] * v[1]);
-    if (!(norm > 0x1p-450 && norm < 0x1p450)) { // the squares are out of range
+    if (!(norm > 0x1p-450 && norm < 0x1p450)) { // the squares are out of range, or there is no heat
       const double largest = (std::max)({std::abs(u[0]), std::abs(u[1]), std::abs(u[2])});
-      if (largest > 0)
-        v = slope(face, {u[0] / largest, u[1] / largest, u[2] / largest});
+      v = slope(face, {u[0] / largest, u[1] / largest, u[2] / largest});
       norm = std::hypot(v[0], v[1]);
     }
     if (norm > 0)
