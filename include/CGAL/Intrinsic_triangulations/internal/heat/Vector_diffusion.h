@@ -13,8 +13,8 @@
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Layered_heat.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Pinned_system.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 
 #include <Eigen/SparseCore>
@@ -58,7 +58,7 @@ public:
   std::vector<Vector> spread_likewise(const Vector& vectors, const Layered_heat& heat) const
   {
     return internal::spread_likewise(
-      vectors, heat, matrix_, [this](const Vector& b) { return solver_.solve(interruption_.before(b)); },
+      vectors, heat, matrix_, [this](const Vector& b) { return solver_.solve(after(interruption_, b)); },
       [](Vector&, std::size_t) {});
   }
 
@@ -68,7 +68,7 @@ private:
   Vector_diffusion(const Delta_complex& complex, const std::vector<Planar_vector<double>>& vectors,
                    const Heat_surface& surface, const Interruption& interruption)
     : interruption_(interruption), matrix_(heat_matrix(complex, vectors, surface)),
-      solver_(interruption_.before(matrix_), "the matrix of tangent vectors")
+      solver_(after(interruption_, matrix_), "the matrix of tangent vectors")
   {
     for (Edge_index e : complex.edges()) {
       if (surface.weights[e.idx()] == 0)

@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MATRICES_SPARSE_CHOLESKY_H
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/memory_access.h>
 
 #include <Eigen/SparseCore>
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD
@@ -84,7 +85,7 @@ private:
 #else
   // What takes time is to read the factor. Four columns in a row with the same rows below them are a panel: the numbers
   // of these rows are read once, and the right side as well.
-  static constexpr int wide = 4;
+  static constexpr int wide = 4, soon = 512;
 
   // Each column is sorted and begins with the diagonal.
   const Matrix& factor() const { return solver_.matrixL().nestedExpression(); }
@@ -126,7 +127,9 @@ private:
         x[c + k] -= entry(k, j) * y[j];
       y[k] = x[c + k] /= entry(k, k);
     }
+    const int end = factor().outerIndexPtr()[factor().cols()];
     for (int i = width; i < first[1] - first[0]; ++i) {
+      prefetch_to_read(values + (std::min)(first[0] + width * i + soon, end));
       Scalar sum = entry(i, 0) * y[0];
       for (int k = 1; k < width; ++k)
         sum += entry(i, k) * y[k];
@@ -141,9 +144,11 @@ private:
     const Scalar* const values = factor().valuePtr();
     const auto entry = [&](int i, int k) { return Eigen::numext::conj(values[first[k] + i - k]); };
     std::array<Scalar, width> sums{};
-    for (int i = width; i < first[1] - first[0]; ++i)
+    for (int i = width; i < first[1] - first[0]; ++i) {
+      prefetch_to_read(values + (std::max)(first[0] + width * i - soon, 0));
       for (int k = 0; k < width; ++k)
         sums[k] += entry(i, k) * x[row[i]];
+    }
     for (int k = width; k-- > 0;) {
       for (int j = k + 1; j < width; ++j)
         sums[k] += entry(j, k) * x[c + j];

@@ -41,13 +41,6 @@ public:
     if (go_further_ && now() >= next_question_.load(std::memory_order_relaxed))
       ask();
   }
-  // The argument, once that was asked.
-  template <class T>
-  const T& before(const T& argument) const
-  {
-    check();
-    return argument;
-  }
 
   using Clock = std::chrono::steady_clock;
   static inline Clock::duration time_between_questions = std::chrono::milliseconds(10); // tests ask more often
