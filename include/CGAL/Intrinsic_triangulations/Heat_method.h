@@ -84,11 +84,10 @@ Heat_options heat_options_of(const NamedParameters& np)
 ///     std::vector<double> distances = heat.distances();
 ///
 /// Heat spreads from the sources for a short time. Away from them its gradient has the direction of the gradient of the
-/// distance. The distance is the function whose gradient fits this direction best; where its slope is too small, it is
-/// raised to the smallest value that is consistent with its neighbors. It is exactly zero at each source, however many
-/// there are, and positive elsewhere. It never exceeds the shortest path along edges and, for a surface in space, is
-/// never shorter than the straight line. It is infinite in parts of the surface without a source and at vertices
-/// without faces.
+/// distance. The distance is the function whose gradient fits this direction best. Where it is too flat, it is raised
+/// to the smallest value that is consistent with its neighbors. It is exactly zero at each source and positive
+/// elsewhere. It never exceeds the shortest path along edges and, for a surface in space, is never shorter than the
+/// straight line. It is infinite in parts of the surface without a source and at vertices without faces.
 ///
 /// The matrices are factorized once. A set of sources then costs two solutions of linear systems. Several sources in
 /// one component cost a third one, and one more for each new source. Beyond 32 sources, one more factorization is
@@ -323,13 +322,12 @@ private:
         poisson_ = std::make_unique<Poisson>(surface_->stiffness, surface_->component,
                                              "the stiffness matrix with a fixed vertex in each part", *interruption_);
       is_reachable = reachable(pins);
-      phi = poisson_->solve(flux(pins, is_reachable), pins);
+      phi = poisson_->solve(flux(pins, is_reachable), pins).cwiseMax(0.);
+      for (const auto& [row, distance] : pins)
+        phi[row] = distance;
+      if (options_.keeps_ridges)
+        internal::Ridge_keeper(*surface_, pins, is_reachable).raise(phi);
     }
-    phi = phi.cwiseMax(0.);
-    for (const auto& [row, distance] : pins)
-      phi[row] = distance;
-    if (options_.keeps_ridges && !pins.empty())
-      internal::Ridge_keeper(*surface_, pins, is_reachable).raise(phi);
     const std::vector<double> of_rows = within_bounds(phi, pins);
     const int half = surface_->exponent / 2;
     const double one_part = std::ldexp(1., half), other_part = std::ldexp(1., surface_->exponent - half);

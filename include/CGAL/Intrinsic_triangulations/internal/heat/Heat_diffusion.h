@@ -15,7 +15,6 @@
 
 #include <Eigen/SparseCore>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -31,8 +31,7 @@ namespace internal {
 // below that: there it is raised. What is larger stays as it is. The distances of the others are those from before, so
 // that nothing adds up on the way; a second pass gets to the vertices next to those that were raised.
 //
-// Between two vertices the distance is linear, unless one is a source: then there are only ways over the vertices
-// themselves.
+// Between two vertices the distance is linear, unless one is a source, from which ways are straight.
 class Ridge_keeper
 {
 public:
@@ -99,9 +98,7 @@ private:
     const double ax = x[j] - x[i], ay = y[j] - y[i], bx = x[k] - x[i], by = y[k] - y[i];
     const bool over_a = !only_nearer || at_a < at_v || (at_a == at_v && a < v),
                over_b = !only_nearer || at_b < at_v || (at_b == at_v && b < v);
-    double result = infinity;
-    if (over_a)
-      result = at_a + std::sqrt(ax * ax + ay * ay);
+    double result = over_a ? at_a + std::sqrt(ax * ax + ay * ay) : infinity;
     if (over_b)
       result = (std::min)(result, at_b + std::sqrt(bx * bx + by * by));
     if (!over_a || !over_b || at_a == 0 || at_b == 0)

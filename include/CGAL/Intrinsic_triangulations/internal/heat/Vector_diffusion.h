@@ -20,10 +20,8 @@
 #include <Eigen/SparseCore>
 
 #include <algorithm>
-#include <cmath>
 #include <complex>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -56,7 +56,8 @@ public:
     if (solver_.info() != Eigen::Success)
       throw Numerical_error(std::string(what_) + " is not positive definite after rounding");
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD
-    find_panels();
+    if (panels_.empty())
+      find_panels();
 #endif
   }
 
@@ -96,7 +97,6 @@ private:
     const auto has_rows_of_next = [&](int c) {
       return first[c + 1] - first[c] == first[c + 2] - first[c + 1] + 1 && row[first[c] + 1] == c + 1;
     };
-    panels_.clear();
     for (int c = 0; c < factor().cols(); c += panels_.back().second) {
       int width = 1;
       while (width < wide && c + width < factor().cols() && has_rows_of_next(c + width - 1))
