@@ -162,15 +162,13 @@ private:
                 const std::map<std::uint32_t, double>& sources) const
   {
     distance = distance > 0 ? (std::min)(distance, path) : path / 2;
-    if (points_.empty() || points_[row][0] == nowhere || line(row, origin) - sources.at(origin) <= distance)
+    if (points_.empty() || points_[row][0] == nowhere)
       return distance;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const auto& source : sources) {
-      nearest = (std::min)(nearest, line(row, source.first) - source.second);
-      if (nearest <= distance)
-        return distance;
-    }
-    return (std::min)(nearest, path);
+    double nearest = line(row, origin) - sources.at(origin);
+    for (auto source = sources.begin(); nearest > distance && source != sources.end(); ++source)
+      if (source->first != origin)
+        nearest = (std::min)(nearest, line(row, source->first) - source->second);
+    return (std::min)((std::max)(nearest, distance), path);
   }
 
   double line(std::uint32_t v, std::uint32_t w) const
