@@ -30,7 +30,7 @@ std::vector<std::uint32_t> rows_by_distance(const Distances& distances)
     if (d < std::numeric_limits<double>::infinity())
       largest = (std::max)(largest, d);
   const auto interval = [&](double d) { return d < largest ? std::size_t(d / largest * double(n - 1)) : n - 1; };
-  std::vector<std::uint32_t> first(n + 1, 0), result(n);
+  std::vector<std::uint32_t> result(n), first(n + 1, 0);
   for (const double d : distances)
     ++first[interval(d)];
   std::partial_sum(first.begin(), first.end(), first.begin());
