@@ -68,7 +68,8 @@ private:
         distances[Eigen::Index(row)] = (std::max)(distances[Eigen::Index(row)], ways[row]);
   }
 
-  // Most rows are on no ridge: in a face around them the distance falls off into the face, and about as much as it can.
+  // Most rows are on no ridge: in a face around them the distance falls off into the face, and about as much as it can;
+  // not between two sources.
   std::vector<char> settled_rows(const Eigen::VectorXd& distances) const
   {
     std::vector<char> result = is_fixed_;
@@ -76,8 +77,9 @@ private:
       const auto& row = face.row;
       const auto [x, y] = slope(face, {distances[row[0]], distances[row[1]], distances[row[2]]});
       const double area = face.base * face.height, to_second = x * face.height - y * face.x, to_third = y * face.base;
-      const bool is_steep = x * x + y * y >= 0.9 * area * area, from_first = to_second + to_third >= 0,
-                 from_second = to_second <= 0, from_third = to_third <= 0;
+      const bool is_steep = (x * x + y * y >= 0.9 * area * area) &
+                            (is_fixed_[row[0]] + is_fixed_[row[1]] + is_fixed_[row[2]] < 2),
+                 from_first = to_second + to_third >= 0, from_second = to_second <= 0, from_third = to_third <= 0;
       result[row[0]] |= is_steep & from_second & from_third;
       result[row[1]] |= is_steep & from_first & from_third;
       result[row[2]] |= is_steep & from_first & from_second;
