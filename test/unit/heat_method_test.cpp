@@ -18,6 +18,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -236,6 +237,39 @@ TEST(Heat_method, pinned_values_solve_the_system)
       }
     }
   }
+}
+
+// The last columns of the factor have the same rows below them; the first ones do not.
+template <class Scalar>
+void expect_solutions(const Scalar& weight)
+{
+  constexpr int n = 12;
+  std::vector<Eigen::Triplet<Scalar>> entries;
+  for (int v = 0; v < n * n; ++v) {
+    entries.emplace_back(v, v, Scalar(5));
+    for (int w : {v % n + 1 < n ? v + 1 : v, v + n < n * n ? v + n : v})
+      if (w != v) {
+        entries.emplace_back(v, w, weight);
+        entries.emplace_back(w, v, Eigen::numext::conj(weight));
+      }
+  }
+  Eigen::SparseMatrix<Scalar> matrix(n * n, n * n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const IT::internal::Sparse_Cholesky<Scalar> solver(matrix, "a grid");
+  Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic> right = decltype(right)::Zero(n * n, 3);
+  for (int v = 0; v < n * n; ++v) {
+    right(v, 0) = Scalar(v % 7 - 3);
+    right(v, 1) = weight * Scalar(v % 5);
+  }
+  right(50, 2) = 1;
+  const decltype(right) x = solver.solve(right);
+  EXPECT_LT((matrix * x - right).norm(), 1e-13 * right.norm());
+}
+
+TEST(Heat_method, factors_solve_systems_of_numbers_and_of_vectors)
+{
+  expect_solutions<double>(-1);
+  expect_solutions<std::complex<double>>({-0.6, 0.8});
 }
 
 const double pi = std::acos(-1.);

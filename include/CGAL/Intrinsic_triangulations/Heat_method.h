@@ -39,7 +39,6 @@
 #include <limits>
 #include <map>
 #include <memory>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -85,10 +84,10 @@ Heat_options heat_options_of(const NamedParameters& np)
 ///     std::vector<double> distances = heat.distances();
 ///
 /// Heat spreads from the sources for a short time. Away from them its gradient has the direction of the gradient of the
-/// distance. The distance is the function whose gradient fits this direction best, raised to the smallest value that is
-/// consistent with its neighbors. It is exactly zero at each source, however many there are, and positive elsewhere. It
-/// never exceeds the shortest path along edges and, for a surface in space, is never shorter than the straight line. It
-/// is infinite in parts of the surface without a source and at vertices without faces.
+/// distance. The distance is the function whose gradient fits this direction best. Where it is too flat, it is raised
+/// to the smallest value that is consistent with its neighbors. It is exactly zero at each source and positive
+/// elsewhere. It never exceeds the shortest path along edges and, for a surface in space, is never shorter than the
+/// straight line. It is infinite in parts of the surface without a source and at vertices without faces.
 ///
 /// The matrices are factorized once. A set of sources then costs two solutions of linear systems. Several sources in
 /// one component cost a third one, and one more for each new source. Beyond 32 sources, one more factorization is
@@ -323,39 +322,35 @@ private:
         poisson_ = std::make_unique<Poisson>(surface_->stiffness, surface_->component,
                                              "the stiffness matrix with a fixed vertex in each part", *interruption_);
       is_reachable = reachable(pins);
-      phi = poisson_->solve(flux(pins, is_reachable), pins);
+      phi = poisson_->solve(flux(pins, is_reachable), pins).cwiseMax(0.);
+      for (const auto& [row, distance] : pins)
+        phi[row] = distance;
+      if (options_.keeps_ridges)
+        internal::Ridge_keeper(*surface_, pins, is_reachable).raise(phi);
     }
-    phi = phi.cwiseMax(0.);
-    for (const auto& [row, distance] : pins)
-      phi[row] = distance;
-    if (options_.keeps_ridges && !pins.empty()) {
-      if (!ridge_keeper_)
-        ridge_keeper_ = std::make_unique<internal::Ridge_keeper>(*surface_);
-      ridge_keeper_->raise(phi, pins, *interruption_);
-    }
-    std::vector<double> of_rows = within_bounds(phi, pins);
+    const std::vector<double> of_rows = within_bounds(phi, pins);
+    const int half = surface_->exponent / 2;
+    const double one_part = std::ldexp(1., half), other_part = std::ldexp(1., surface_->exponent - half);
     distances_.resize(surface_->size());
     for (std::size_t v = 0; v < distances_.size(); ++v) {
       const std::uint32_t row = row_of_input(v);
       distances_[v] =
-        is_reachable[row] ? std::ldexp(of_rows[row], surface_->exponent) : std::numeric_limits<double>::infinity();
+        is_reachable[row] ? of_rows[row] * one_part * other_part : std::numeric_limits<double>::infinity();
     }
   }
 
   // In the unit that all components have in common.
   std::vector<double> within_bounds(const Eigen::VectorXd& phi, internal::Pins pins)
   {
-    std::vector<double> result;
-    result.reserve(surface_->size());
-    for (std::size_t row = 0; row < surface_->size(); ++row)
-      result.push_back(phi[Eigen::Index(row)] * surface_->units[row]);
+    const Eigen::VectorXd before =
+      phi.cwiseProduct(Eigen::Map<const Eigen::VectorXd>(surface_->units.data(), phi.size()));
+    std::vector<double> result(before.begin(), before.end());
     for (auto& pin : pins)
       pin.second *= surface_->units[pin.first];
-    const std::vector<double> before = result;
     bounds_.apply(result, pins);
     number_of_bounded_distances_ = 0;
     for (std::size_t row = 0; row < result.size(); ++row)
-      number_of_bounded_distances_ += std::abs(result[row] - before[row]) > 0.05 * result[row];
+      number_of_bounded_distances_ += std::abs(result[row] - before[Eigen::Index(row)]) > 0.05 * result[row];
     return result;
   }
 
@@ -412,7 +407,6 @@ private:
   std::unique_ptr<Diffusion> diffusion_;
   std::unique_ptr<Diffusion> cold_border_;
   std::unique_ptr<Poisson> poisson_;
-  std::unique_ptr<const internal::Ridge_keeper> ridge_keeper_;
   internal::Distance_bounds bounds_;
   std::vector<std::uint32_t> representative_;
   std::map<Vertex_index, std::uint32_t> vertex_sources_; // with their rows

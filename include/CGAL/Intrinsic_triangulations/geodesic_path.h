@@ -32,7 +32,6 @@
 #include <queue>
 #include <string>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

@@ -19,7 +19,6 @@
 
 #include <CGAL/assertions.h>
 
-#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <utility>

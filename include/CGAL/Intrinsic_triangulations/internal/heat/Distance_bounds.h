@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/rows_by_distance.h>
 #include <CGAL/Intrinsic_triangulations/internal/numbers/Accurate_shapes.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/memory_access.h>
 
 #include <algorithm>
 #include <array>
@@ -68,8 +69,7 @@ public:
 
   // \param distances by rows; infinite ones become finite where edges lead
   // \param sources rows, and how far they are from the source that they stand for
-  template <class Distances>
-  void apply(Distances& distances, const std::map<std::uint32_t, double>& sources) const
+  void apply(std::vector<double>& distances, const std::map<std::uint32_t, double>& sources) const
   {
     std::vector<double> paths(first_.size() - 1, std::numeric_limits<double>::infinity());
     std::vector<std::uint32_t> origins(paths.size(), 0);
@@ -77,23 +77,30 @@ public:
       paths[row] = distance;
       origins[row] = row;
     }
-    std::vector<bool> is_behind(paths.size());
+    std::vector<char> is_behind(paths.size());
     std::priority_queue<std::pair<double, std::uint32_t>, std::vector<std::pair<double, std::uint32_t>>, std::greater<>>
       queue;
     const auto go_on_from = [&](std::uint32_t row) {
+      const double path = paths[row];
+      const std::uint32_t origin = origins[row];
       for (std::uint32_t i = first_[row]; i < first_[row + 1]; ++i) {
-        const auto [neighbor, length] = neighbors_[i];
-        if (paths[row] + length < paths[neighbor]) {
-          paths[neighbor] = paths[row] + length;
-          origins[neighbor] = origins[row];
-          if (is_behind[neighbor])
-            queue.push({paths[neighbor], neighbor});
-        }
+        // Without jumps, as it is anyone's guess which is shorter.
+        const auto& [neighbor, length] = neighbors_[i];
+        const double other = paths[neighbor];
+        const bool is_shorter = path + length < other;
+        paths[neighbor] = is_shorter ? path + length : other;
+        origins[neighbor] = is_shorter ? origin : origins[neighbor];
+        if (is_shorter & bool(is_behind[neighbor]))
+          queue.push({paths[neighbor], neighbor});
       }
     };
     // First in the order of the distances, in which nearly all paths are found at once. What gets a shorter path after
     // its turn follows by Dijkstra's algorithm.
-    for (const std::uint32_t row : rows_by_distance(distances)) {
+    const std::vector<std::uint32_t> order = rows_by_distance(distances);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const std::uint32_t row = order[i], soon = order[(std::min)(i + 8, order.size() - 1)];
+      prefetch_to_read(neighbors_.data() + first_[soon]);
+      prefetch_to_read(neighbors_.data() + first_[soon + 1]);
       is_behind[row] = true;
       go_on_from(row);
     }
@@ -104,8 +111,10 @@ public:
         go_on_from(row);
     }
     for (std::uint32_t row = 0; row < std::uint32_t(paths.size()); ++row)
-      if (paths[row] < std::numeric_limits<double>::infinity() && sources.count(row) == 0)
+      if (paths[row] < std::numeric_limits<double>::infinity())
         distances[row] = within(distances[row], paths[row], row, origins[row], sources);
+    for (const auto& [row, distance] : sources)
+      distances[row] = distance;
   }
 
 private:
@@ -153,21 +162,22 @@ private:
                 const std::map<std::uint32_t, double>& sources) const
   {
     distance = distance > 0 ? (std::min)(distance, path) : path / 2;
-    if (points_.empty() || points_[row][0] == nowhere || line(row, origin) - sources.at(origin) <= distance)
+    if (points_.empty() || points_[row][0] == nowhere)
       return distance;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const auto& source : sources) {
-      nearest = (std::min)(nearest, line(row, source.first) - source.second);
-      if (nearest <= distance)
-        return distance;
-    }
-    return (std::min)(nearest, path);
+    double nearest = line(row, origin) - sources.at(origin);
+    for (auto source = sources.begin(); nearest > distance && source != sources.end(); ++source)
+      if (source->first != origin)
+        nearest = (std::min)(nearest, line(row, source->first) - source->second);
+    return (std::min)((std::max)(nearest, distance), path);
   }
 
   double line(std::uint32_t v, std::uint32_t w) const
   {
     const auto &p = points_[v], &q = points_[w];
-    return q[0] == nowhere ? 0 : std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+    if (q[0] == nowhere)
+      return 0;
+    const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2], square = x * x + y * y + z * z;
+    return square > 0x1p-900 && square < 0x1p900 ? std::sqrt(square) : std::hypot(x, y, z);
   }
 
   std::vector<std::uint32_t> first_; // the neighbors of a row are those from this number on

@@ -15,7 +15,6 @@
 
 #include <Eigen/SparseCore>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -110,18 +109,21 @@ private:
     for (std::size_t number_of_lost = n;;) {
       const Vector& u = result.layers.back();
       const double largest = largest_of(u, is_ahead);
-      std::vector<bool> is_behind(n); // whether heat is sent on from there
+      const auto stays_lost = [&](std::size_t v) {
+        return std::abs(u[Eigen::Index(v)]) < lost * largest && is_lost[v] && !system_.is_cold(v);
+      };
       std::size_t still_lost = 0;
-      for (std::size_t v = 0; v < n; ++v) {
-        const double x = std::abs(u[Eigen::Index(v)]);
-        is_behind[v] = !is_lost[v] || x >= sent * largest;
-        is_ahead[v] = !is_behind[v];
-        is_lost[v] = is_lost[v] && x < lost * largest && !system_.is_cold(v);
-        still_lost += is_lost[v];
-      }
+      for (std::size_t v = 0; v < n; ++v)
+        still_lost += stays_lost(v);
       if (still_lost == 0 || still_lost == number_of_lost || largest == 0)
         return result;
       number_of_lost = still_lost;
+      std::vector<bool> is_behind(n); // whether heat is sent on from there
+      for (std::size_t v = 0; v < n; ++v) {
+        is_behind[v] = !is_lost[v] || std::abs(u[Eigen::Index(v)]) >= sent * largest;
+        is_ahead[v] = !is_behind[v];
+        is_lost[v] = stays_lost(v);
+      }
       const int exponent = -std::ilogb(largest) - std::ilogb(sent);
       Vector front = sent_on(system_.matrix(), u, is_behind, exponent);
       for (std::size_t v = 0; v < n; ++v)
@@ -140,8 +142,8 @@ private:
   {
     double result = 0;
     for (Eigen::Index v = 0; v < u.size(); ++v)
-      if (where[std::size_t(v)])
-        result = (std::max)(result, std::abs(u[v]));
+      if (std::abs(u[v]) > result && where[std::size_t(v)])
+        result = std::abs(u[v]);
     return result;
   }
 

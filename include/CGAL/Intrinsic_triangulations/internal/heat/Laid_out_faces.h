@@ -12,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/numbers/Accurate_shapes.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>

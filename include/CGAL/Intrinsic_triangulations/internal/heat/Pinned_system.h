@@ -28,6 +28,14 @@ namespace internal {
 // Values by rows.
 using Pins = std::map<std::uint32_t, double>;
 
+// The argument, after the interruption was asked.
+template <class T>
+const T& after(const Interruption& interruption, const T& argument)
+{
+  interruption.check();
+  return argument;
+}
+
 // Solves A x = b where x has given values at the pins, and A x is free there. One factorization of A serves for all
 // sets of few pins: what acts at them is found from a small dense system. Its matrix has one column for each pin that
 // was ever asked for, and is kept.
@@ -46,7 +54,7 @@ public:
   // \param interruption is asked before each factorization and solution; has to live as long
   Pinned_system(Matrix matrix, std::vector<bool> cold, const char* what, const Interruption& interruption)
     : matrix_(std::move(matrix)), cold_(std::move(cold)), what_(what), interruption_(interruption),
-      solver_(asked(with_identity_at({})), what)
+      solver_(after(interruption_, with_identity_at({})), what)
   {}
 
   // For a matrix whose kernel are the functions that are constant on each part: they are free.
@@ -54,7 +62,7 @@ public:
   Pinned_system(Matrix matrix, const std::vector<std::uint32_t>& part_of, const char* what,
                 const Interruption& interruption)
     : matrix_(std::move(matrix)), part_of_(part_of), what_(what), interruption_(interruption),
-      solver_(asked(anchored()), what)
+      solver_(after(interruption_, anchored()), what)
   {}
 
   const Matrix& matrix() const { return matrix_; }
@@ -65,7 +73,7 @@ public:
   template <class Columns>
   Columns solve(const Columns& b) const
   {
-    return solver_.solve(asked(b));
+    return solver_.solve(after(interruption_, b));
   }
 
   // Has no meaning in parts without pins.
@@ -90,13 +98,6 @@ public:
   std::size_t number_of_factorizations() const { return number_of_factorizations_; }
 
 private:
-  template <class T>
-  const T& asked(const T& argument) const
-  {
-    interruption_.check();
-    return argument;
-  }
-
   std::set<std::uint32_t> parts_of(const Pins& pins) const
   {
     std::set<std::uint32_t> result;
@@ -225,9 +226,9 @@ private:
       if (part_of_[v] == v && !parts.count(std::uint32_t(v)))
         matrix.coeffRef(Eigen::Index(v), Eigen::Index(v)) += 1;
     if (!pinned_solver_)
-      pinned_solver_.emplace(asked(matrix), what_);
+      pinned_solver_.emplace(after(interruption_, matrix), what_);
     else
-      pinned_solver_->factorize(asked(matrix));
+      pinned_solver_->factorize(after(interruption_, matrix));
     ++number_of_factorizations_;
     return pinned_solver_->solve(
       with_values(b - matrix_ * values, values, [&](std::size_t row) { return is_cold(row) || is_pinned[row]; }));

@@ -13,17 +13,15 @@
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Layered_heat.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Pinned_system.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 
 #include <Eigen/SparseCore>
 
 #include <algorithm>
-#include <cmath>
 #include <complex>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -58,7 +56,8 @@ public:
   std::vector<Vector> spread_likewise(const Vector& vectors, const Layered_heat& heat) const
   {
     return internal::spread_likewise(
-      vectors, heat, matrix_, [this](const Vector& b) { return solver_.solve(asked(b)); }, [](Vector&, std::size_t) {});
+      vectors, heat, matrix_, [this](const Vector& b) { return solver_.solve(after(interruption_, b)); },
+      [](Vector&, std::size_t) {});
   }
 
   const std::vector<Heat_edge>& edges() const { return edges_; }
@@ -67,7 +66,7 @@ private:
   Vector_diffusion(const Delta_complex& complex, const std::vector<Planar_vector<double>>& vectors,
                    const Heat_surface& surface, const Interruption& interruption)
     : interruption_(interruption), matrix_(heat_matrix(complex, vectors, surface)),
-      solver_(asked(matrix_), "the matrix of tangent vectors")
+      solver_(after(interruption_, matrix_), "the matrix of tangent vectors")
   {
     for (Edge_index e : complex.edges()) {
       if (surface.weights[e.idx()] == 0)
@@ -81,13 +80,6 @@ private:
       edges_.push_back({std::uint32_t(complex.source(h).idx()), std::uint32_t(complex.source(g).idx()),
                         surface.weights[e.idx()], in_units(h), in_units(g)});
     }
-  }
-
-  template <class T>
-  const T& asked(const T& argument) const
-  {
-    interruption_.check();
-    return argument;
   }
 
   static Matrix heat_matrix(const Delta_complex& complex, const std::vector<Planar_vector<double>>& vectors,

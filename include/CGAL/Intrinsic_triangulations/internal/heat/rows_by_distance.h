@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <utility>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -30,23 +30,18 @@ std::vector<std::uint32_t> rows_by_distance(const Distances& distances)
     if (d < std::numeric_limits<double>::infinity())
       largest = (std::max)(largest, d);
   const auto interval = [&](double d) { return d < largest ? std::size_t(d / largest * double(n - 1)) : n - 1; };
-  std::vector<std::uint32_t> first(n + 1, 0);
+  std::vector<std::uint32_t> result(n), first(n + 1, 0);
   for (const double d : distances)
-    ++first[interval(d) + 1];
+    ++first[interval(d)];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  for (std::size_t row = n; row-- > 0;)
+    result[--first[interval(distances[row])]] = std::uint32_t(row);
+  const auto is_before = [&](std::uint32_t v, std::uint32_t w) {
+    return distances[v] < distances[w] || (distances[v] == distances[w] && v < w);
+  };
   for (std::size_t i = 0; i < n; ++i)
-    first[i + 1] += first[i];
-  std::vector<std::pair<double, std::uint32_t>> order(n);
-  std::vector<std::uint32_t> position(first.begin(), first.end() - 1);
-  std::uint32_t row = 0;
-  for (const double d : distances)
-    order[position[interval(d)]++] = {d, row++};
-  std::vector<std::uint32_t> result;
-  result.reserve(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    std::sort(order.begin() + first[i], order.begin() + first[i + 1]);
-    for (std::uint32_t k = first[i]; k < first[i + 1]; ++k)
-      result.push_back(order[k].second);
-  }
+    if (first[i + 1] - first[i] > 1)
+      std::sort(result.begin() + first[i], result.begin() + first[i + 1], is_before);
   return result;
 }
 

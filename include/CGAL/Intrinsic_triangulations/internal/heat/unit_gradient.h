@@ -31,15 +31,19 @@ inline void add_flux(const Heat_face& face, double x, double y, Eigen::VectorXd&
   sums[face.row[2]] += to_third;
 }
 
-// Heat at the corners of a face, divided by the largest of them; zero if there is none.
+// Heat at the corners of a face.
 inline std::array<double, 3> heat_of_face(const Layered_heat& heat, const Heat_face& face)
 {
   const auto& row = face.row;
   const Eigen::VectorXd& u =
     heat.layers[(std::max)({heat.layer_of[row[0]], heat.layer_of[row[1]], heat.layer_of[row[2]]})];
-  const double largest = (std::max)({std::abs(u[row[0]]), std::abs(u[row[1]]), std::abs(u[row[2]])});
-  return largest > 0 ? std::array<double, 3>{u[row[0]] / largest, u[row[1]] / largest, u[row[2]] / largest}
-                     : std::array<double, 3>{0, 0, 0};
+  return {u[row[0]], u[row[1]], u[row[2]]};
+}
+
+// The gradient, times twice the area.
+inline std::array<double, 2> slope(const Heat_face& face, const std::array<double, 3>& u)
+{
+  return {(u[1] - u[0]) * face.height, (u[2] - u[0]) * face.base - (u[1] - u[0]) * face.x};
 }
 
 // That sum for X = -∇u/|∇u|. Nothing flows in a face in which u is constant.
@@ -52,11 +56,15 @@ inline Eigen::VectorXd flux_of_unit_gradient(const Heat_surface& surface, const 
     std::array<double, 3> u = heat_of_face(heat, face);
     if (u[0] == 0 && u[1] == 0 && u[2] == 0)
       u = heat_of_face(instead, face);
-    const double along = (u[1] - u[0]) / face.base, across = (u[2] - u[0] - along * face.x) / face.height,
-                 square = along * along + across * across,
-                 norm = square > 0x1p-900 && square < 0x1p900 ? std::sqrt(square) : std::hypot(along, across);
+    std::array<double, 2> v = slope(face, u);
+    double norm = std::sqrt(v[0] * v[0] + v[1] * v[1]);
+    if (!(norm > 0x1p-450 && norm < 0x1p450)) { // the squares are out of range, or there is no heat
+      const double largest = (std::max)({std::abs(u[0]), std::abs(u[1]), std::abs(u[2])});
+      v = slope(face, {u[0] / largest, u[1] / largest, u[2] / largest});
+      norm = std::hypot(v[0], v[1]);
+    }
     if (norm > 0)
-      add_flux(face, -along / norm, -across / norm, sums);
+      add_flux(face, -v[0] / norm, -v[1] / norm, sums);
   }
   return sums;
 }
