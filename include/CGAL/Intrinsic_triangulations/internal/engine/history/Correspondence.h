@@ -80,9 +80,11 @@ public:
       journal_.push_back(around);
       return;
     }
-    if (crossings_.is_empty())
+    if (locations_.empty()) { // it is soon found what the new edge crosses
+      const Edge_index e = complex.edge(around.ij);
+      crossings_.forget(e, coordinates_.number_of_crossings(e));
       coordinates_.flip(around);
-    else
+    } else
       flip_with_crossings(complex, around);
     turn_around_flipped(complex, around);
   }

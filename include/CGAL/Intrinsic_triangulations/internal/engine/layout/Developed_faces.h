@@ -20,6 +20,8 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <type_traits>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -58,67 +60,79 @@ class Developed_faces
   struct Point
   {
     Vector position;
+    std::uint32_t plane;
     std::unique_ptr<const Image> image; // seldom known, and large
   };
   struct Plane
   {
-    Real unit; // squared length
-    std::unique_ptr<const Residues> image_of_unit;
+    std::uint32_t size;                   // so many points
+    std::unique_ptr<const Residues> unit; // the squared length that is 1 in the images, if these are known
   };
-  // The plane, and the points at the source, the target and opposite to a halfedge.
-  struct Layout
-  {
-    Halfedge_index first;
-    std::uint32_t plane;
-    std::array<std::uint32_t, 3> corners;
-  };
+  // The numbers of the points at the source, the target and opposite to a halfedge.
+  using Triangle = std::array<std::uint32_t, 3>;
 
 public:
   using Known_corner = internal::Known_corner<Corner, Image_corner>;
 
-  bool contains(Face_index f) const { return !layout_of_.empty() && layout_of_[f.idx()] != none; }
+  // Whether the face of h is kept.
+  bool contains(Halfedge_index h) const { return !sources_.empty() && source(h) != none; }
 
-  // The corner opposite to h. \pre contains(complex.face(h))
+  // The corner opposite to h. \pre contains(h)
   Corner corner(const Delta_complex& complex, Halfedge_index h) const
   {
-    const Layout layout = seen_from(complex, h);
-    return corner<Corner>(planes_[layout.plane].unit, point(layout, 0).position, point(layout, 1).position,
-                          point(layout, 2).position);
+    const auto [i, j, k] = triangle(complex, h);
+    return corner(points_[i].position, points_[j].position, points_[k].position);
   }
 
-  // The image of that corner, if it is known. \pre contains(complex.face(h))
+  // The image of that corner, if it is known. \pre contains(h)
   std::optional<Image_corner> image_of_corner(const Delta_complex& complex, Halfedge_index h) const
   {
-    const Layout layout = seen_from(complex, h);
-    if (!has_images(layout))
+    const Triangle t = triangle(complex, h);
+    if (!has_images(t))
       return std::nullopt;
-    return corner<Image_corner>(*planes_[layout.plane].image_of_unit, *point(layout, 0).image, *point(layout, 1).image,
-                                *point(layout, 2).image);
+    const Image &i = *points_[t[0]].image, &j = *points_[t[1]].image, &k = *points_[t[2]].image;
+    const Image u = i - k, w = j - k, z = times_conjugate(w, u);
+    const Residues &unit = *planes_[points_[t[0]].plane].unit, two_units = unit + unit;
+    return Image_corner{two_units * z.x(), two_units * z.y(), unit * squared_norm(u), unit * squared_norm(w),
+                        unit * squared_norm(j - i)};
   }
 
-  // Keeps a face of which a corner is known.
+  // Keeps a face of which a corner is known, unless its error is too large.
   void insert(const Delta_complex& complex, const Known_corner& c)
   {
-    const std::optional<Layout> layout = laid_out(c);
-    if (layout)
-      keep(complex, complex.face(c.side), *layout);
+    if (const std::optional<Triangle> t = laid_out(c))
+      keep(complex, c.side, *t);
   }
 
-  // To be called before the flip of the connectivity. lay_out(h) gives a corner of the face of h, or none if that is
-  // not worth its price; where errors have become too large, so many faces are laid out anew. After an exception,
-  // nothing is known of the two faces.
+  // To be called before the flip of the connectivity. Follows it if both faces lie in one plane, side by side: then
+  // there is nothing to compute. Returns whether they do.
+  bool flip_in_plane(const Hinge_halfedges& around)
+  {
+    if (!contains(around.ij) || source(around.ij) != source(around.il) || source(around.ji) != source(around.jk))
+      return false;
+    // After the flip ij leads from l to k (see Delta_complex::flip()).
+    source(around.ij) = source(around.lj);
+    source(around.ji) = source(around.ki);
+    return true;
+  }
+  // Likewise, where they do not. lay_out(h) gives a corner of the face of h, or none if that is not worth its price;
+  // where errors have become too large, so many faces are laid out anew. After an exception, nothing is known of the
+  // two faces.
   template <class LayOut>
   void flip(const Delta_complex& complex, const Hinge_halfedges& around, int number_of_retries, const LayOut& lay_out)
   {
-    const Face_index ijk = complex.face(around.ij), jil = complex.face(around.ji);
+    const auto forget_both = [&] {
+      forget(complex, around.ij);
+      forget(complex, around.ji);
+    };
     try {
-      if (!follow(complex, around, number_of_retries, lay_out)) {
-        forget(ijk);
-        forget(jil);
-      }
+      if (!bring_together(complex, around, number_of_retries, lay_out))
+        return forget_both();
+      flip_in_plane(around);
+      if (points_.size() > 2 * most_points_)
+        compact();
     } catch (...) {
-      forget(ijk);
-      forget(jil);
+      forget_both();
       throw;
     }
   }
@@ -126,247 +140,266 @@ public:
   // A face that will be split by a vertex inside of it.
   struct Whole
   {
-    Layout layout;
     std::array<Halfedge_index, 3> sides;
+    Triangle corners;
   };
-  // To be called before the split. \pre contains(f)
-  Whole whole(const Delta_complex& complex, Face_index f) const
+  // To be called before the split. \pre contains(h)
+  Whole whole(const Delta_complex& complex, Halfedge_index h) const
   {
-    const Layout& kept = layouts_[layout_of_[f.idx()]];
-    return {kept, {kept.first, complex.next(kept.first), complex.prev(kept.first)}};
+    return {{h, complex.next(h), complex.prev(h)}, triangle(complex, h)};
   }
   // Keeps its three parts, of which a corner is known, that at the new vertex in one of them. Returns whether that was
   // done: not where errors have become too large.
   bool keep_parts(const Delta_complex& complex, const Whole& whole, const Known_corner& c)
   {
-    const std::optional<Layout> part = laid_out(c);
+    const std::optional<Triangle> part = laid_out(c);
     if (!part)
       return false;
     const std::size_t turn = c.side == whole.sides[0] ? 0 : c.side == whole.sides[1] ? 1 : 2;
-    const auto& [i, j, k] = whole.layout.corners;
+    const auto& [i, j, k] = whole.corners;
     const std::array<std::uint32_t, 5> corners{i, j, k, i, j};
-    const std::optional<std::uint32_t> v =
-      moved_apex(*part, {c.side, whole.layout.plane, {corners[turn], corners[turn + 1], corners[turn + 2]}});
-    if (!v)
+    const std::uint32_t v = moved((*part)[2], Motion(points_, {(*part)[0], (*part)[1]}, &corners[turn]), corners[turn]);
+    if (v == none)
       return false;
     for (std::size_t n = 0; n < 3; ++n)
-      keep(complex, complex.face(whole.sides[n]),
-           Layout{whole.sides[n], whole.layout.plane, {corners[n], corners[n + 1], *v}});
+      keep(complex, whole.sides[n], {corners[n], corners[n + 1], v});
     return true;
   }
 
-  // What is known of a face is no longer true. Never throws.
-  void forget(Face_index f)
+  // What is known of the face of h is no longer true. Never throws.
+  void forget(const Delta_complex& complex, Halfedge_index h)
   {
-    if (!contains(f))
-      return;
-    const std::uint32_t position = std::exchange(layout_of_[f.idx()], none);
-    layouts_[position].plane = first_free_;
-    first_free_ = position;
+    if (contains(h))
+      for (Halfedge_index side : {h, complex.next(h), complex.prev(h)})
+        source(side) = none;
   }
-  // Makes room for so many faces more, ...
+  // Makes room for so many edges more, ...
   void make_room(std::size_t number)
   {
-    if (!layout_of_.empty())
-      internal::make_room(layout_of_, number);
+    if (!sources_.empty())
+      internal::make_room(sources_, number);
   }
   // ... and appends them.
   void append(std::size_t number)
   {
-    if (!layout_of_.empty())
-      layout_of_.resize(layout_of_.size() + number, none);
+    if (!sources_.empty())
+      sources_.resize(sources_.size() + number, {none, none});
   }
-  // Follows the removal of a vertex, after that of the connectivity. Layouts name halfedges, so those at edges that
-  // have moved are no longer true. Never throws.
-  void remove(const Delta_complex& complex, const Removed_elements& removed)
+  template <class Edges>
+  void remove(const Edges& edges)
   {
-    if (layout_of_.empty())
-      return;
-    for (Face_index f : removed.faces)
-      forget(f);
-    remove_entries(layout_of_, removed.faces);
-    for (Edge_index e : removed.edges)
-      if (e.idx() < complex.number_of_edges())
-        for (Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
-          if (!complex.is_border(h))
-            forget(complex.face(h));
+    if (!sources_.empty())
+      remove_entries(sources_, edges);
   }
 
 private:
-  template <class LayOut>
-  bool follow(const Delta_complex& complex, const Hinge_halfedges& around, int number_of_retries, const LayOut& lay_out)
-  {
-    const auto lay_out_anew = [&](Halfedge_index h) -> std::optional<Layout> {
-      const std::optional<Known_corner> c = lay_out(h);
-      const std::optional<Layout> layout = c ? laid_out(*c) : std::nullopt;
-      return layout ? std::make_optional(turned(complex, *layout, h)) : std::nullopt;
-    };
-    const auto find = [&](Halfedge_index h) {
-      return contains(complex.face(h)) ? seen_from(complex, h) : lay_out_anew(h);
-    };
-    std::optional<Layout> above = find(around.ij), below = above ? find(around.ji) : std::nullopt;
-    if (!above || !below)
-      return false;
-    // Where errors have become too large, the older plane has the larger ones.
-    for (int number_of_trials = 0; !unite(*above, *below); ++number_of_trials) {
-      if (number_of_trials == number_of_retries)
-        return false;
-      std::optional<Layout>& older = above->plane < below->plane ? above : below;
-      older = lay_out_anew(older->first);
-      if (!older)
-        return false;
-    }
-    const auto [i, j, k] = above->corners;
-    const std::uint32_t l = below->corners[2];
-    // After the flip ij leads from l to k (see Delta_complex::flip()).
-    keep(complex, complex.face(around.ij), Layout{around.ij, above->plane, {l, k, i}});
-    keep(complex, complex.face(around.ji), Layout{around.ji, above->plane, {k, l, j}});
-    if (points_.size() > 2 * most_points_)
-      compact();
-    return true;
-  }
-
   static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
   // Beyond, it is better to lay the face out anew. Relative to the edges.
   static constexpr double largest_radius = 0x1p-65;
 
-  template <class Result, class Number, class Complex>
-  static Result corner(const Number& unit, const Complex& i, const Complex& j, const Complex& k)
+  std::uint32_t source(Halfedge_index h) const { return sources_[h.idx() >> 1][h.idx() & 1]; }
+  std::uint32_t& source(Halfedge_index h) { return sources_[h.idx() >> 1][h.idx() & 1]; }
+  Triangle triangle(const Delta_complex& complex, Halfedge_index h) const
   {
-    const Complex u = i - k, w = j - k, z = times_conjugate(w, u);
-    const Number two_units = unit + unit;
-    return {two_units * z.x(), two_units * z.y(), unit * squared_norm(u), unit * squared_norm(w),
-            unit * squared_norm(j - i)};
+    return {source(h), source(complex.next(h)), source(complex.prev(h))};
+  }
+  void keep(const Delta_complex& complex, Halfedge_index h, const Triangle& t)
+  {
+    if (sources_.empty())
+      sources_.resize(complex.number_of_edges(), {none, none});
+    source(h) = t[0];
+    source(complex.next(h)) = t[1];
+    source(complex.prev(h)) = t[2];
   }
 
-  // A point of the current plane of a layout.
-  const Point& point(const Layout& layout, int i) const { return points_[layout.corners[std::size_t(i)]]; }
-  bool has_images(const Layout& layout) const
+  static Corner corner(const Vector& i, const Vector& j, const Vector& k)
   {
-    return planes_[layout.plane].image_of_unit && point(layout, 0).image && point(layout, 1).image &&
-           point(layout, 2).image;
+    const Vector u = i - k, w = j - k, z = times_conjugate(w, u);
+    return {z.x().scaled(2), z.y().scaled(2), rounded_squared_norm(u), rounded_squared_norm(w),
+            rounded_squared_norm(j - i)};
+  }
+  // As accurate as double is, which suffices for a length: each coordinate is rounded by at most 2^-53 of itself, as is
+  // its square and their sum.
+  static Real rounded_squared_norm(const Vector& v)
+  {
+    const double x = v.x().hi(), y = v.y().hi(), s = x * x + y * y;
+    return {s, 0, 0x1.08p-51 * s + 1.1 * v.radius() * (2 * v.modulus() + v.radius()) + 1e-300};
   }
 
-  std::uint32_t add_point(const Vector& position, std::unique_ptr<const Image> image)
+  bool has_images(const Triangle& t) const { return points_[t[0]].image && points_[t[1]].image && points_[t[2]].image; }
+
+  std::uint32_t add_point(const Vector& position, std::uint32_t plane, std::unique_ptr<const Image> image)
   {
-    points_.push_back({position, std::move(image)});
+    points_.push_back({position, plane, std::move(image)});
+    ++planes_[plane].size;
     return std::uint32_t(points_.size() - 1);
   }
 
-  // The origin is the corner k opposite to the side ij, and the unit is ki.
-  std::optional<Layout> laid_out(const Known_corner& known)
+  // As seen from its side ij, in a plane of its own: the origin is the opposite corner k, and ki leads along the first
+  // axis. In the images ki is the unit. None where the error would be too large.
+  std::optional<Triangle> laid_out(const Known_corner& known)
   {
     const Corner& c = known.corner;
-    const Real two_s = c.s_first.scaled(2);
-    const Vector j(c.p / two_s, c.four_areas / two_s);
+    const Real length = sqrt(c.s_first);
+    const Vector j(c.p / length.scaled(2), c.four_areas / length.scaled(2));
     if (!(j.radius() < largest_radius * j.modulus()))
       return std::nullopt;
     std::unique_ptr<const Image> image_of_i, image_of_j, image_of_k;
-    std::unique_ptr<const Residues> image_of_unit;
+    std::unique_ptr<const Residues> unit;
     if (known.image) {
       const Image_corner& x = *known.image;
       const Residues zero = x.p - x.p, two_s_image = x.s_first + x.s_first;
-      image_of_unit = std::make_unique<const Residues>(x.s_first);
+      unit = std::make_unique<const Residues>(x.s_first);
       image_of_i = std::make_unique<const Image>(two_s_image / two_s_image, zero);
       image_of_j = std::make_unique<const Image>(x.p / two_s_image, x.four_areas / two_s_image);
       image_of_k = std::make_unique<const Image>(zero, zero);
     }
-    planes_.push_back({c.s_first, std::move(image_of_unit)});
-    return Layout{known.side,
-                  std::uint32_t(planes_.size() - 1),
-                  {add_point(Vector(Real(1), Real(0)), std::move(image_of_i)), add_point(j, std::move(image_of_j)),
-                   add_point(Vector(Real(0), Real(0)), std::move(image_of_k))}};
+    planes_.push_back({0, std::move(unit)});
+    const auto plane = std::uint32_t(planes_.size() - 1);
+    return Triangle{add_point(Vector(length, Real(0)), plane, std::move(image_of_i)),
+                    add_point(j, plane, std::move(image_of_j)),
+                    add_point(Vector(Real(0), Real(0)), plane, std::move(image_of_k))};
   }
 
-  Layout seen_from(const Delta_complex& complex, Halfedge_index h) const
+  // Brings two faces into one plane, side by side. Returns whether that was possible.
+  template <class LayOut>
+  bool bring_together(const Delta_complex& complex, const Hinge_halfedges& around, int number_of_retries,
+                      const LayOut& lay_out)
   {
-    return turned(complex, layouts_[layout_of_[complex.face(h).idx()]], h);
-  }
-  static Layout turned(const Delta_complex& complex, const Layout& kept, Halfedge_index h)
-  {
-    const std::size_t turn = h == kept.first ? 0 : h == complex.next(kept.first) ? 1 : 2;
-    return {h, kept.plane, {kept.corners[turn], kept.corners[(turn + 1) % 3], kept.corners[(turn + 2) % 3]}};
-  }
-
-  // Brings two faces (i, j, k) and (j, i, l) into the older of their planes.
-  bool unite(Layout& above, Layout& below)
-  {
-    if (above.corners[0] == below.corners[1] && above.corners[1] == below.corners[0])
-      return true;
-    Layout &stays = above.plane < below.plane ? above : below, &moves = above.plane < below.plane ? below : above;
-    const auto& [i, j, k] = stays.corners;
-    const std::optional<std::uint32_t> apex = moved_apex(moves, {moves.first, stays.plane, {j, i, k}});
-    if (!apex)
+    const auto find = [&](Halfedge_index h) {
+      if (!contains(h))
+        if (const std::optional<Known_corner> c = lay_out(h))
+          insert(complex, *c);
+      return contains(h);
+    };
+    if (!find(around.ij) || !find(around.ji))
       return false;
-    moves.corners = {j, i, *apex};
-    moves.plane = stays.plane;
-    return true;
-  }
-
-  // The point opposite to a side, if the side is moved to the first side of a layout in another plane; its third point
-  // does not matter beyond its image. None where the error would be too large.
-  std::optional<std::uint32_t> moved_apex(const Layout& from, const Layout& to)
-  {
-    const Vector side = moved_side(point(from, 0).position, point(from, 1).position, point(from, 2).position,
-                                   point(to, 0).position, point(to, 1).position);
-    const Vector apex = point(to, 0).position + side;
-    if (!(apex.radius() < largest_radius * side.modulus()))
-      return std::nullopt;
-    std::unique_ptr<const Image> image;
-    if (has_images(from) && has_images(to))
-      image = std::make_unique<const Image>(
-        *point(to, 0).image + moved_side(*point(from, 0).image, *point(from, 1).image, *point(from, 2).image,
-                                         *point(to, 0).image, *point(to, 1).image));
-    return add_point(apex, std::move(image));
-  }
-
-  // The side to the apex of a triangle over from-to, if that is moved to new_from-new_to.
-  template <class Complex>
-  static Complex moved_side(const Complex& from, const Complex& to, const Complex& apex, const Complex& new_from,
-                            const Complex& new_to)
-  {
-    const Complex edge = to - from, product = times_conjugate(apex - from, edge);
-    const auto norm = squared_norm(edge);
-    return (new_to - new_from) * Complex(product.x() / norm, product.y() / norm);
-  }
-
-  void keep(const Delta_complex& complex, Face_index f, const Layout& layout)
-  {
-    if (layout_of_.empty())
-      layout_of_.assign(complex.number_of_faces(), none);
-    std::uint32_t& position = layout_of_[f.idx()];
-    if (position == none && first_free_ != none) {
-      position = first_free_;
-      first_free_ = layouts_[position].plane;
-    } else if (position == none) {
-      layouts_.emplace_back();
-      position = std::uint32_t(layouts_.size() - 1);
+    for (int number_of_trials = 0;; ++number_of_trials) {
+      Halfedge_index moves = around.ij, stays = around.ji;
+      if (planes_[points_[source(moves)].plane].size > planes_[points_[source(stays)].plane].size)
+        std::swap(moves, stays);
+      if (join(complex, moves))
+        return true;
+      if (number_of_trials == number_of_retries)
+        return false;
+      forget(complex, stays);
+      if (!find(stays))
+        return false;
     }
-    layouts_[position] = layout;
+  }
+
+  // What takes the first side of a triangle to an edge of the same length in another plane.
+  class Motion
+  {
+  public:
+    Motion(const std::vector<Point>& points, std::array<std::uint32_t, 2> from, const std::uint32_t* to)
+      : points_(points), from_(from), to_{to[0], to[1]}, turn_(turn([](const Point& p) { return &p.position; }))
+    {
+      if (has_image(from[0]) && has_image(from[1]) && has_image(to[0]) && has_image(to[1]))
+        turn_of_images_ = turn([](const Point& p) { return p.image.get(); });
+    }
+    // The end of the edge that is nearer to a point. From there it is measured, as a turn that is not known exactly moves
+    // it less.
+    std::size_t nearer_end(std::uint32_t point) const
+    {
+      const auto distance = [&](std::size_t end) {
+        return (points_[point].position - points_[from_[end]].position).modulus();
+      };
+      return distance(1) < distance(0) ? 1 : 0;
+    }
+    Vector position(std::uint32_t point, std::size_t end) const
+    {
+      return points_[to_[end]].position + (points_[point].position - points_[from_[end]].position) * turn_;
+    }
+    std::unique_ptr<const Image> image(std::uint32_t point, std::size_t end) const
+    {
+      return turn_of_images_ && has_image(point)
+               ? std::make_unique<const Image>(*points_[to_[end]].image +
+                                               (*points_[point].image - *points_[from_[end]].image) * *turn_of_images_)
+               : nullptr;
+    }
+    std::uint32_t plane() const { return points_[to_[0]].plane; }
+
+  private:
+    bool has_image(std::uint32_t point) const { return points_[point].image != nullptr; }
+    template <class Get>
+    auto turn(const Get& get) const
+    {
+      const auto edge = *get(points_[from_[1]]) - *get(points_[from_[0]]),
+                 product = times_conjugate(*get(points_[to_[1]]) - *get(points_[to_[0]]), edge);
+      const auto norm = squared_norm(edge);
+      return std::decay_t<decltype(edge)>(product.x() / norm, product.y() / norm);
+    }
+
+    const std::vector<Point>& points_;
+    std::array<std::uint32_t, 2> from_, to_;
+    Vector turn_;
+    std::optional<Image> turn_of_images_;
+  };
+
+  // A point that is moved. None where the error would be too large beside the distance from another one.
+  std::uint32_t moved(std::uint32_t point, const Motion& motion, std::uint32_t other)
+  {
+    const std::size_t end = motion.nearer_end(point);
+    const Vector position = motion.position(point, end);
+    return position.radius() < largest_radius * (position - points_[other].position).modulus()
+             ? add_point(position, motion.plane(), motion.image(point, end))
+             : none;
+  }
+
+  // Moves the face of h into the plane of that beyond h, beside it, and with it those with which it lies side by side in
+  // its plane, where their errors allow. Thus planes become few, and each point is moved seldom. Returns whether it was
+  // moved itself.
+  bool join(const Delta_complex& complex, Halfedge_index h)
+  {
+    const Halfedge_index beyond = complex.opposite(h);
+    const std::uint32_t plane = points_[source(h)].plane, i = source(complex.next(beyond)), j = source(beyond);
+    const std::array<std::uint32_t, 2> to{i, j};
+    const Motion motion(points_, {source(h), source(complex.next(h))}, to.data());
+    std::unordered_map<std::uint32_t, std::uint32_t> new_point{{source(h), i}, {source(complex.next(h)), j}};
+    const bool is_alone = motion.plane() == plane;
+    bool is_moved = false;
+    std::vector<Halfedge_index> sides{h};
+    while (!sides.empty()) {
+      const Halfedge_index side = sides.back();
+      sides.pop_back();
+      const Triangle t = triangle(complex, side);
+      if (points_[t[0]].plane != plane) // it was moved before
+        continue;
+      const auto [apex, is_new] = new_point.try_emplace(t[2], none);
+      if (is_new)
+        apex->second = moved(t[2], motion, new_point[t[0]]);
+      if (apex->second == none)
+        continue;
+      for (Halfedge_index g : {complex.opposite(complex.next(side)), complex.opposite(complex.prev(side))})
+        if (!is_alone && contains(g) && source(g) == source(complex.next(complex.opposite(g))) &&
+            source(complex.next(g)) == source(complex.opposite(g)))
+          sides.push_back(g);
+      keep(complex, side, {new_point[t[0]], new_point[t[1]], apex->second});
+      is_moved = true;
+    }
+    return is_moved;
   }
 
   // Forgets the points and planes that no face lies in any more. What stays keeps its order.
   void compact()
   {
-    std::vector<bool> is_free(layouts_.size(), false);
-    for (std::uint32_t i = first_free_; i != none; i = layouts_[i].plane)
-      is_free[i] = true;
     std::vector<std::uint32_t> new_point(points_.size(), none), new_plane(planes_.size(), none);
-    for (std::size_t i = 0; i < layouts_.size(); ++i)
-      if (!is_free[i]) {
-        new_plane[layouts_[i].plane] = 0;
-        for (std::uint32_t corner : layouts_[i].corners)
-          new_point[corner] = 0;
-      }
+    for (const Ends& ends : sources_)
+      for (std::uint32_t point : ends)
+        if (point != none)
+          new_point[point] = new_plane[points_[point].plane] = 0;
     move_up(points_, new_point);
     move_up(planes_, new_plane);
-    for (std::size_t i = 0; i < layouts_.size(); ++i)
-      if (!is_free[i]) {
-        layouts_[i].plane = new_plane[layouts_[i].plane];
-        for (std::uint32_t& corner : layouts_[i].corners)
-          corner = new_point[corner];
-      }
-    most_points_ = (std::max)(points_.size(), most_points_at_first);
+    for (Plane& plane : planes_)
+      plane.size = 0;
+    for (Point& point : points_)
+      ++planes_[point.plane = new_plane[point.plane]].size;
+    for (Ends& ends : sources_)
+      for (std::uint32_t& point : ends)
+        if (point != none)
+          point = new_point[point];
+    most_points_ = (std::max)(points_.size(), most_points_at_first + sources_.size() / 4);
   }
 
   template <class Element>
@@ -383,11 +416,11 @@ private:
 
   static constexpr std::size_t most_points_at_first = 4096;
 
-  Large_vector<std::uint32_t> layout_of_; // for each face its position in layouts_, or none
-  std::vector<Layout> layouts_;
-  std::uint32_t first_free_ = none; // positions in layouts_ that are not in use: each has the next one as `plane`
+  // For both halfedges of an edge, the source as a point of the face, or none. Empty at first.
+  using Ends = std::array<std::uint32_t, 2>;
+  Large_vector<Ends> sources_;
   std::vector<Point> points_;
-  std::vector<Plane> planes_;                      // those that are older come first
+  std::vector<Plane> planes_;
   std::size_t most_points_ = most_points_at_first; // after the last compaction
 };
 
