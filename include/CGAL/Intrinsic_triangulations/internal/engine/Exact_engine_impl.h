@@ -390,7 +390,7 @@ bool Exact_engine::follow(const Hinge_halfedges& around)
     if (is_close_call || (is_long && memory.credit > 0) || faces.contains(around.ij) || faces.contains(around.ji)) {
       if (is_long && !is_close_call)
         memory.credit -= 1;
-      faces.flip(connectivity_, around, is_long ? 2 : 0, [&](Halfedge_index h) -> std::optional<Faces::Known_corner> {
+      faces.flip(connectivity_, around, [&](Halfedge_index h) -> std::optional<Faces::Known_corner> {
         if (is_straight(connectivity_.face(h)))
           return Faces::Known_corner{h, straight_corner(h), image_of_straight_corner(h)};
         if (!is_long)

@@ -13,6 +13,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Planar_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Residues.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -21,7 +23,6 @@
 #include <memory>
 #include <optional>
 #include <type_traits>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -61,6 +62,7 @@ class Developed_faces
   {
     Vector position;
     std::uint32_t plane;
+    std::uint32_t copy; // in the plane to which it was moved last, if that was since the last compaction
     std::unique_ptr<const Image> image; // seldom known, and large
   };
   struct Plane
@@ -115,18 +117,25 @@ public:
     source(around.ji) = source(around.ki);
     return true;
   }
-  // Likewise, where they do not. lay_out(h) gives a corner of the face of h, or none if that is not worth its price;
-  // where errors have become too large, so many faces are laid out anew. After an exception, nothing is known of the
-  // two faces.
+  // Likewise, where they do not: brings them together if it can. lay_out(h) gives a corner of the face of h, or none if
+  // that is not worth its price. Where that fails, and after an exception, nothing is known of the two faces.
   template <class LayOut>
-  void flip(const Delta_complex& complex, const Hinge_halfedges& around, int number_of_retries, const LayOut& lay_out)
+  void flip(const Delta_complex& complex, const Hinge_halfedges& around, const LayOut& lay_out)
   {
+    const auto find = [&](Halfedge_index h) {
+      if (!contains(h))
+        if (const std::optional<Known_corner> c = lay_out(h))
+          insert(complex, *c);
+      return contains(h);
+    };
+    const auto size_of_plane = [&](Halfedge_index h) { return planes_[points_[source(h)].plane].size; };
     const auto forget_both = [&] {
       forget(complex, around.ij);
       forget(complex, around.ji);
     };
     try {
-      if (!bring_together(complex, around, number_of_retries, lay_out))
+      if (!find(around.ij) || !find(around.ji) ||
+          !join(complex, size_of_plane(around.ij) <= size_of_plane(around.ji) ? around.ij : around.ji))
         return forget_both();
       flip_in_plane(around);
       if (points_.size() > 2 * most_points_)
@@ -230,7 +239,7 @@ private:
 
   std::uint32_t add_point(const Vector& position, std::uint32_t plane, std::unique_ptr<const Image> image)
   {
-    points_.push_back({position, plane, std::move(image)});
+    points_.push_back({position, plane, 0, std::move(image)});
     ++planes_[plane].size;
     return std::uint32_t(points_.size() - 1);
   }
@@ -259,33 +268,6 @@ private:
     return Triangle{add_point(Vector(length, Real(0)), plane, std::move(image_of_i)),
                     add_point(j, plane, std::move(image_of_j)),
                     add_point(Vector(Real(0), Real(0)), plane, std::move(image_of_k))};
-  }
-
-  // Brings two faces into one plane, side by side. Returns whether that was possible.
-  template <class LayOut>
-  bool bring_together(const Delta_complex& complex, const Hinge_halfedges& around, int number_of_retries,
-                      const LayOut& lay_out)
-  {
-    const auto find = [&](Halfedge_index h) {
-      if (!contains(h))
-        if (const std::optional<Known_corner> c = lay_out(h))
-          insert(complex, *c);
-      return contains(h);
-    };
-    if (!find(around.ij) || !find(around.ji))
-      return false;
-    for (int number_of_trials = 0;; ++number_of_trials) {
-      Halfedge_index moves = around.ij, stays = around.ji;
-      if (planes_[points_[source(moves)].plane].size > planes_[points_[source(stays)].plane].size)
-        std::swap(moves, stays);
-      if (join(complex, moves))
-        return true;
-      if (number_of_trials == number_of_retries)
-        return false;
-      forget(complex, stays);
-      if (!find(stays))
-        return false;
-    }
   }
 
   // What takes the first side of a triangle to an edge of the same length in another plane.
@@ -343,7 +325,7 @@ private:
     const std::size_t end = motion.nearer_end(point);
     const Vector position = motion.position(point, end);
     return position.radius() < largest_radius * (position - points_[other].position).modulus()
-             ? add_point(position, motion.plane(), motion.image(point, end))
+             ? points_[point].copy = add_point(position, motion.plane(), motion.image(point, end))
              : none;
   }
 
@@ -354,31 +336,35 @@ private:
   {
     const Halfedge_index beyond = complex.opposite(h);
     const std::uint32_t plane = points_[source(h)].plane, i = source(complex.next(beyond)), j = source(beyond);
-    const std::array<std::uint32_t, 2> to{i, j};
-    const Motion motion(points_, {source(h), source(complex.next(h))}, to.data());
-    std::unordered_map<std::uint32_t, std::uint32_t> new_point{{source(h), i}, {source(complex.next(h)), j}};
+    const std::array<std::uint32_t, 2> from{source(h), source(complex.next(h))}, to{i, j};
+    const Motion motion(points_, from, to.data());
+    const std::size_t first_copy = points_.size();
+    const auto copy = [&](std::uint32_t point) {
+      return point == from[0]                   ? i
+             : point == from[1]                 ? j
+             : points_[point].copy < first_copy ? none
+                                                : points_[point].copy;
+    };
     const bool is_alone = motion.plane() == plane;
-    bool is_moved = false;
-    std::vector<Halfedge_index> sides{h};
+    boost::container::small_vector<Halfedge_index, 16> sides{h};
     while (!sides.empty()) {
       const Halfedge_index side = sides.back();
       sides.pop_back();
       const Triangle t = triangle(complex, side);
       if (points_[t[0]].plane != plane) // it was moved before
         continue;
-      const auto [apex, is_new] = new_point.try_emplace(t[2], none);
-      if (is_new)
-        apex->second = moved(t[2], motion, new_point[t[0]]);
-      if (apex->second == none)
+      std::uint32_t apex = copy(t[2]);
+      if (apex == none && (apex = moved(t[2], motion, copy(t[0]))) == none)
         continue;
       for (Halfedge_index g : {complex.opposite(complex.next(side)), complex.opposite(complex.prev(side))})
         if (!is_alone && contains(g) && source(g) == source(complex.next(complex.opposite(g))) &&
             source(complex.next(g)) == source(complex.opposite(g)))
           sides.push_back(g);
-      keep(complex, side, {new_point[t[0]], new_point[t[1]], apex->second});
-      is_moved = true;
+      keep(complex, side, {copy(t[0]), copy(t[1]), apex});
+      if (is_alone)
+        break;
     }
-    return is_moved;
+    return source(h) == i && source(complex.next(h)) == j;
   }
 
   // Forgets the points and planes that no face lies in any more. What stays keeps its order.
@@ -393,8 +379,10 @@ private:
     move_up(planes_, new_plane);
     for (Plane& plane : planes_)
       plane.size = 0;
-    for (Point& point : points_)
+    for (Point& point : points_) {
       ++planes_[point.plane = new_plane[point.plane]].size;
+      point.copy = 0;
+    }
     for (Ends& ends : sources_)
       for (std::uint32_t& point : ends)
         if (point != none)
