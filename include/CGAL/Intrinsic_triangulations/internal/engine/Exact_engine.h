@@ -237,11 +237,8 @@ private:
 
   // In flips for each edge: bounds the memory of the journal.
   static constexpr std::size_t longest_journal = 8;
-  // In crossings of the four sides.
-  static constexpr std::int64_t long_hinge = 4;
-  // To carry a face along costs about as much as to lay out an eighth of a triangle, as most flips stay within one
-  // plane.
-  static constexpr double flips_for_a_quantity = 8;
+  // In crossings of the four sides, and of the edges at a vertex: to lay out shorter ones again takes no longer.
+  static constexpr std::int64_t long_hinge = 64, long_star = 4;
   // In input quantities: what is laid out in some microseconds.
   static constexpr double short_strip = 256;
 

@@ -96,10 +96,7 @@ struct Exact_engine::Memory
   Vertex_positions::Inserted inserted_positions; // kept if the input has points
   Developed_faces developed_faces;
   std::optional<Developed_faces::Whole> split_face; // the last one, until its parts are measured
-  // So many flips more of long hinges are followed, whether their tests were close or not. What is laid out pays for
-  // it: where tests are seldom close, it would not be worth it.
-  double credit = 0;
-  std::vector<bool> is_close_call; // a test took more than double since the last flip of the edge
+  std::vector<bool> is_close_call;                  // a test took more than double since the last flip of the edge
 
   std::unique_ptr<Input_surface> surface_of_images;
   std::unique_ptr<Carried_images> images; // of the developed faces, from the first tie on
@@ -387,9 +384,7 @@ bool Exact_engine::follow(const Hinge_halfedges& around)
   using Faces = Memory::Developed_faces;
   if (Faces& faces = memory.developed_faces; !faces.flip_in_plane(around)) {
     const bool is_long = is_long_hinge(around);
-    if (is_close_call || (is_long && memory.credit > 0) || faces.contains(around.ij) || faces.contains(around.ji)) {
-      if (is_long && !is_close_call)
-        memory.credit -= 1;
+    if (is_close_call || is_long || faces.contains(around.ij) || faces.contains(around.ji))
       faces.flip(connectivity_, around, [&](Halfedge_index h) -> std::optional<Faces::Known_corner> {
         if (is_straight(connectivity_.face(h)))
           return Faces::Known_corner{h, straight_corner(h), image_of_straight_corner(h)};
@@ -397,7 +392,6 @@ bool Exact_engine::follow(const Hinge_halfedges& around)
           return std::nullopt;
         return laid_out(correspondence().coordinates().side_with_most_crossings(connectivity_, connectivity_.face(h)));
       });
-    }
   }
   if (is_close_call)
     memory.is_close_call[e.idx()] = false;
@@ -603,7 +597,6 @@ Exact_engine::Corner Exact_engine::developed_corner(Halfedge_index h)
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Known_corner<Exact_engine::Corner, Exact_engine::Image_corner> Exact_engine::laid_out(Halfedge_index h)
 {
-  memory_->credit += flips_for_a_quantity * number_of_quantities(h);
   return {
     h, unfolded_corner(h, *input_surface()), memory_->image([&] {
       return Unfolding<Residue_metric>(connectivity_, correspondence(), memory_->images->metric).opposite_corner(h);
@@ -666,7 +659,7 @@ std::vector<std::pair<Halfedge_index, Exact_engine::Corner>> Exact_engine::kept_
   if (are_all_developed)
     return result;
   result = corners_at(v);
-  if (number > long_hinge)
+  if (number > long_star)
     for (const auto& [side, corner] : result)
       memory.developed_faces.insert(connectivity_, {side, corner, std::nullopt});
   return result;

@@ -42,10 +42,11 @@ struct Known_corner
 // To lay out a face over the input costs as much as its edges cross input edges. Where tests
 // are close for long, as in the caps of a prism or along the folds of a pillow, that would be
 // done again and again for strips of thousands of triangles. So a face that was laid out is
-// kept, as the positions of its corners in some plane, and a flip carries the corner of one
-// face over into the plane of the other. If both lie in the same plane there is nothing to
-// compute: a flip moves no vertex. Thus errors add up with the number of planes that a corner
-// is carried through, while errors of lengths would be multiplied by each flip.
+// kept, as the positions of its corners in some plane. If both faces of a flip lie in one plane,
+// side by side, there is nothing to compute: a flip moves no vertex. Otherwise the smaller plane
+// is moved to the other one: all of its points have true positions in which each of its faces is
+// congruent to the true one, so that one motion moves them all. So most flips change two numbers,
+// and a corner is moved seldom, while errors of lengths would be multiplied by each flip.
 //
 // Only faces of close calls, and those that flips make of them, are kept. Beside the positions, their images
 // in finite fields can be carried along: these have no errors at all, and tell ties at once.
@@ -157,22 +158,16 @@ public:
   {
     return {{h, complex.next(h), complex.prev(h)}, triangle(complex, h)};
   }
-  // Keeps its three parts, of which a corner is known, that at the new vertex in one of them. Returns whether that was
-  // done: not where errors have become too large.
-  bool keep_parts(const Delta_complex& complex, const Whole& whole, const Known_corner& c)
+  // Keeps its three parts, of which a corner is known, that at the new vertex in one of them: not where errors have
+  // become too large.
+  void keep_parts(const Delta_complex& complex, const Whole& whole, const Known_corner& c)
   {
     const std::optional<Triangle> part = laid_out(c);
-    if (!part)
-      return false;
     const std::size_t turn = c.side == whole.sides[0] ? 0 : c.side == whole.sides[1] ? 1 : 2;
-    const auto& [i, j, k] = whole.corners;
-    const std::array<std::uint32_t, 5> corners{i, j, k, i, j};
-    const std::uint32_t v = moved((*part)[2], Motion(points_, {(*part)[0], (*part)[1]}, &corners[turn]), corners[turn]);
-    if (v == none)
-      return false;
-    for (std::size_t n = 0; n < 3; ++n)
-      keep(complex, whole.sides[n], {corners[n], corners[n + 1], v});
-    return true;
+    const std::uint32_t i = whole.corners[turn], j = whole.corners[(turn + 1) % 3];
+    const std::uint32_t v = part ? moved((*part)[2], motion({(*part)[0], (*part)[1]}, {i, j}), i) : none;
+    for (std::size_t n = 0; v != none && n < 3; ++n)
+      keep(complex, whole.sides[n], {whole.corners[n], whole.corners[(n + 1) % 3], v});
   }
 
   // What is known of the face of h is no longer true. Never throws.
@@ -224,15 +219,7 @@ private:
   static Corner corner(const Vector& i, const Vector& j, const Vector& k)
   {
     const Vector u = i - k, w = j - k, z = times_conjugate(w, u);
-    return {z.x().scaled(2), z.y().scaled(2), rounded_squared_norm(u), rounded_squared_norm(w),
-            rounded_squared_norm(j - i)};
-  }
-  // As accurate as double is, which suffices for a length: each coordinate is rounded by at most 2^-53 of itself, as is
-  // its square and their sum.
-  static Real rounded_squared_norm(const Vector& v)
-  {
-    const double x = v.x().hi(), y = v.y().hi(), s = x * x + y * y;
-    return {s, 0, 0x1.08p-51 * s + 1.1 * v.radius() * (2 * v.modulus() + v.radius()) + 1e-300};
+    return {z.x().scaled(2), z.y().scaled(2), squared_norm(u), squared_norm(w), squared_norm(j - i)};
   }
 
   bool has_images(const Triangle& t) const { return points_[t[0]].image && points_[t[1]].image && points_[t[2]].image; }
@@ -270,74 +257,50 @@ private:
                     add_point(Vector(Real(0), Real(0)), plane, std::move(image_of_k))};
   }
 
-  // What takes the first side of a triangle to an edge of the same length in another plane.
-  class Motion
+  // What takes an edge to one of the same length in another plane, and all of its own plane with it.
+  struct Motion
   {
-  public:
-    Motion(const std::vector<Point>& points, std::array<std::uint32_t, 2> from, const std::uint32_t* to)
-      : points_(points), from_(from), to_{to[0], to[1]}, turn_(turn([](const Point& p) { return &p.position; }))
-    {
-      if (has_image(from[0]) && has_image(from[1]) && has_image(to[0]) && has_image(to[1]))
-        turn_of_images_ = turn([](const Point& p) { return p.image.get(); });
-    }
-    // The end of the edge that is nearer to a point. From there it is measured, as a turn that is not known exactly moves
-    // it less.
-    std::size_t nearer_end(std::uint32_t point) const
-    {
-      const auto distance = [&](std::size_t end) {
-        return (points_[point].position - points_[from_[end]].position).modulus();
-      };
-      return distance(1) < distance(0) ? 1 : 0;
-    }
-    Vector position(std::uint32_t point, std::size_t end) const
-    {
-      return points_[to_[end]].position + (points_[point].position - points_[from_[end]].position) * turn_;
-    }
-    std::unique_ptr<const Image> image(std::uint32_t point, std::size_t end) const
-    {
-      return turn_of_images_ && has_image(point)
-               ? std::make_unique<const Image>(*points_[to_[end]].image +
-                                               (*points_[point].image - *points_[from_[end]].image) * *turn_of_images_)
-               : nullptr;
-    }
-    std::uint32_t plane() const { return points_[to_[0]].plane; }
-
-  private:
-    bool has_image(std::uint32_t point) const { return points_[point].image != nullptr; }
-    template <class Get>
-    auto turn(const Get& get) const
-    {
-      const auto edge = *get(points_[from_[1]]) - *get(points_[from_[0]]),
-                 product = times_conjugate(*get(points_[to_[1]]) - *get(points_[to_[0]]), edge);
+    std::array<std::uint32_t, 2> from, to;
+    Vector turn;
+    std::optional<Image> turn_of_images;
+  };
+  Motion motion(std::array<std::uint32_t, 2> from, std::array<std::uint32_t, 2> to) const
+  {
+    const auto turn = [&](const auto& get) {
+      const auto edge = *get(from[1]) - *get(from[0]), product = times_conjugate(*get(to[1]) - *get(to[0]), edge);
       const auto norm = squared_norm(edge);
       return std::decay_t<decltype(edge)>(product.x() / norm, product.y() / norm);
-    }
-
-    const std::vector<Point>& points_;
-    std::array<std::uint32_t, 2> from_, to_;
-    Vector turn_;
-    std::optional<Image> turn_of_images_;
-  };
-
-  // A point that is moved. None where the error would be too large beside the distance from another one.
-  std::uint32_t moved(std::uint32_t point, const Motion& motion, std::uint32_t other)
+    };
+    const auto image = [&](std::uint32_t point) { return points_[point].image.get(); };
+    Motion result{from, to, turn([&](std::uint32_t point) { return &points_[point].position; }), {}};
+    if (image(from[0]) && image(from[1]) && image(to[0]) && image(to[1]))
+      result.turn_of_images = turn(image);
+    return result;
+  }
+  // A point that is moved: none where the error would be too large beside the distance from another one.
+  std::uint32_t moved(std::uint32_t point, const Motion& m, std::uint32_t other)
   {
-    const std::size_t end = motion.nearer_end(point);
-    const Vector position = motion.position(point, end);
-    return position.radius() < largest_radius * (position - points_[other].position).modulus()
-             ? points_[point].copy = add_point(position, motion.plane(), motion.image(point, end))
-             : none;
+    // From the nearer end of the edge, as a turn that is not known exactly moves it less.
+    const auto from_end = [&](std::size_t end) { return points_[point].position - points_[m.from[end]].position; };
+    const std::size_t end = from_end(1).modulus() < from_end(0).modulus() ? 1 : 0;
+    const Vector position = points_[m.to[end]].position + from_end(end) * m.turn;
+    if (!(position.radius() < largest_radius * (position - points_[other].position).modulus()))
+      return none;
+    std::unique_ptr<const Image> image;
+    if (m.turn_of_images && points_[point].image)
+      image = std::make_unique<const Image>(*points_[m.to[end]].image +
+                                            (*points_[point].image - *points_[m.from[end]].image) * *m.turn_of_images);
+    return points_[point].copy = add_point(position, points_[m.to[0]].plane, std::move(image));
   }
 
   // Moves the face of h into the plane of that beyond h, beside it, and with it those with which it lies side by side in
-  // its plane, where their errors allow. Thus planes become few, and each point is moved seldom. Returns whether it was
-  // moved itself.
+  // its plane, where their errors allow. Returns whether it was moved itself.
   bool join(const Delta_complex& complex, Halfedge_index h)
   {
     const Halfedge_index beyond = complex.opposite(h);
     const std::uint32_t plane = points_[source(h)].plane, i = source(complex.next(beyond)), j = source(beyond);
-    const std::array<std::uint32_t, 2> from{source(h), source(complex.next(h))}, to{i, j};
-    const Motion motion(points_, from, to.data());
+    const std::array<std::uint32_t, 2> from{source(h), source(complex.next(h))};
+    const Motion m = motion(from, {i, j});
     const std::size_t first_copy = points_.size();
     const auto copy = [&](std::uint32_t point) {
       return point == from[0]                   ? i
@@ -345,7 +308,7 @@ private:
              : points_[point].copy < first_copy ? none
                                                 : points_[point].copy;
     };
-    const bool is_alone = motion.plane() == plane;
+    const bool is_alone = points_[i].plane == plane;
     boost::container::small_vector<Halfedge_index, 16> sides{h};
     while (!sides.empty()) {
       const Halfedge_index side = sides.back();
@@ -354,15 +317,13 @@ private:
       if (points_[t[0]].plane != plane) // it was moved before
         continue;
       std::uint32_t apex = copy(t[2]);
-      if (apex == none && (apex = moved(t[2], motion, copy(t[0]))) == none)
+      if (apex == none && (apex = moved(t[2], m, copy(t[0]))) == none)
         continue;
       for (Halfedge_index g : {complex.opposite(complex.next(side)), complex.opposite(complex.prev(side))})
         if (!is_alone && contains(g) && source(g) == source(complex.next(complex.opposite(g))) &&
             source(complex.next(g)) == source(complex.opposite(g)))
           sides.push_back(g);
       keep(complex, side, {copy(t[0]), copy(t[1]), apex});
-      if (is_alone)
-        break;
     }
     return source(h) == i && source(complex.next(h)) == j;
   }
@@ -402,7 +363,7 @@ private:
     elements.erase(elements.begin() + n, elements.end());
   }
 
-  static constexpr std::size_t most_points_at_first = 4096;
+  static constexpr std::size_t most_points_at_first = 1024;
 
   // For both halfedges of an edge, the source as a point of the face, or none. Empty at first.
   using Ends = std::array<std::uint32_t, 2>;
