@@ -173,7 +173,7 @@ public:
   // What is known of the face of h is no longer true. Never throws.
   void forget(const Delta_complex& complex, Halfedge_index h)
   {
-    if (contains(h))
+    if (!sources_.empty()) // of a flip that was not followed, some sides may be known
       for (Halfedge_index side : {h, complex.next(h), complex.prev(h)})
         source(side) = none;
   }
