@@ -483,19 +483,21 @@ private:
   Flip_outcome flip_convex(const Hinge_halfedges& around, const Construct& construct)
   {
     const Hinge_data old = hinge(around);
+    if (BOOST_LIKELY(is_new_edge_known_to_have_length(old)))
+      return flip_convex(around, old, construct, [] {});
+    const Replaced before = replaced(around);
+    return flip_convex(around, old, construct, [&] { check_length(around, before); });
+  }
+  template <class Construct, class Check>
+  Flip_outcome flip_convex(const Hinge_halfedges& around, const Hinge_data& old, const Construct& construct,
+                           const Check& check)
+  {
     bool is_straight = false;
-    std::optional<Replaced> before;
-    const Flip_outcome outcome = flip_hinge(around, old, construct, [&] {
-      // Asked here: `old` refers to the numbers that the flip replaces.
-      if (!is_new_edge_known_to_have_length(old))
-        before = replaced(around);
-      is_straight = engine_.flip(around);
-    });
+    const Flip_outcome outcome = flip_hinge(around, old, construct, [&] { is_straight = engine_.flip(around); });
     if (outcome != Flip_outcome::FLIPPED)
       return outcome;
     if constexpr (uses_exact_geometry) {
-      if (before)
-        check_length(around, *before);
+      check();
       if (is_straight)
         measure_straight_faces(around);
     }

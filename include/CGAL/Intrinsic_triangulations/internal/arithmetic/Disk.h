@@ -8,14 +8,38 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_DISK_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_DISK_H
 
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/rounded_sqrt.h>
 
-#include <cmath>
+#include <type_traits>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
+
+// What `Two_doubles` offers, for two sums of two doubles.
+using Two_double_doubles = Basic_double_double<Two_doubles>;
+inline Two_double_doubles two(const Double_double& a, const Double_double& b) { return {{a.hi, b.hi}, {a.lo, b.lo}}; }
+inline Two_double_doubles firsts(const Two_double_doubles& a, const Two_double_doubles& b)
+{
+  return {firsts(a.hi, b.hi), firsts(a.lo, b.lo)};
+}
+inline Two_double_doubles seconds(const Two_double_doubles& a, const Two_double_doubles& b)
+{
+  return {seconds(a.hi, b.hi), seconds(a.lo, b.lo)};
+}
+inline Two_double_doubles swapped(const Two_double_doubles& a) { return {swapped(a.hi), swapped(a.lo)}; }
+inline Two_double_doubles operator*(Two_doubles signs, const Two_double_doubles& a)
+{
+  return {signs * a.hi, signs * a.lo};
+}
+inline Double_double first(const Two_double_doubles& a) { return {a.hi.first(), a.lo.first()}; }
+inline Double_double second(const Two_double_doubles& a) { return {a.hi.second(), a.lo.second()}; }
+inline double first(Two_doubles a) { return a.first(); }
+inline double second(Two_doubles a) { return a.second(); }
+inline Two_doubles high(Two_doubles a) { return a; }
 
 // A complex number known to lie within a disk. A strip of a thousand triangles is a product
 // of a thousand corner ratios: with a radius, relative errors add up; with a bound for each
@@ -27,65 +51,53 @@ template <class Number>
 class Disk
 {
   using Part = typename Number::Part;
+  // Both coordinates, with which the processor computes at once.
+  using Parts = std::conditional_t<std::is_same<Part, double>::value, Two_doubles, Two_double_doubles>;
 
 public:
   using Real = Number;
 
   Disk() = default;
   Disk(const Real& x, const Real& y)
-    : x_(x.part()), y_(y.part()),
-      radius_(x.error() + y.error() == 0
-                ? 0
-                : rounded_sqrt(x.error() * x.error() + y.error() * y.error()) * slightly_more + underflow)
+    : Disk(x.part(), y.part(),
+           x.error() + y.error() == 0
+             ? 0
+             : rounded_sqrt(x.error() * x.error() + y.error() * y.error()) * slightly_more + underflow)
   {}
-  Disk(const Part& x, const Part& y, double radius) : x_(x), y_(y), radius_(radius) {}
+  Disk(const Part& x, const Part& y, double radius) : z_(two(x, y)), radius_(radius) {}
 
   double radius() const { return radius_; }
   // An upper bound. Where squares underflow it is far too large, which is safe.
   double modulus() const
   {
-    const double x = high(x_), y = high(y_);
-    return rounded_sqrt(x * x + y * y) * slightly_more + underflow;
+    const Two_doubles squares = high(z_) * high(z_);
+    return rounded_sqrt(squares.first() + squares.second()) * slightly_more + underflow;
   }
 
-  Real x() const { return Real(x_, radius_); }
-  Real y() const { return Real(y_, radius_); }
+  Real x() const { return Real(first(z_), radius_); }
+  Real y() const { return Real(second(z_), radius_); }
 
   friend Disk operator+(const Disk& a, const Disk& b)
   {
     Disk r;
-    r.x_ = a.x_ + b.x_;
-    r.y_ = a.y_ + b.y_;
+    r.z_ = a.z_ + b.z_;
     r.radius_ = (a.radius_ + b.radius_) * slightly_more + unit * r.modulus() + tiny;
     return r;
   }
   friend Disk operator-(const Disk& a, const Disk& b)
   {
     Disk minus_b(b);
-    minus_b.x_ = -b.x_;
-    minus_b.y_ = -b.y_;
+    minus_b.z_ = -b.z_;
     return a + minus_b;
   }
-  friend Disk operator*(const Disk& a, const Disk& b)
-  {
-    Disk r;
-    r.x_ = a.x_ * b.x_ - a.y_ * b.y_;
-    r.y_ = a.x_ * b.y_ + a.y_ * b.x_;
-    r.set_radius_of_product(a, b);
-    return r;
-  }
-  friend Disk times_conjugate(const Disk& a, const Disk& b)
-  {
-    Disk r;
-    r.x_ = a.x_ * b.x_ + a.y_ * b.y_;
-    r.y_ = a.y_ * b.x_ - a.x_ * b.y_;
-    r.set_radius_of_product(a, b);
-    return r;
-  }
+  friend Disk operator*(const Disk& a, const Disk& b) { return product(a, b, Two_doubles(-1, 1)); }
+  friend Disk times_conjugate(const Disk& a, const Disk& b) { return product(b, a, Two_doubles(1, -1)); }
   friend Real squared_norm(const Disk& a)
   {
     const double m = a.modulus();
-    return Real(a.x_ * a.x_ + a.y_ * a.y_, ((2 * m + a.radius_) * a.radius_ + unit * m * m) * slightly_more + tiny);
+    const Parts squares = a.z_ * a.z_;
+    return Real(first(squares) + second(squares),
+                ((2 * m + a.radius_) * a.radius_ + unit * m * m) * slightly_more + tiny);
   }
 
 private:
@@ -95,13 +107,17 @@ private:
   static constexpr double tiny = 1e-300;
   static constexpr double underflow = 1e-150; // more than the root of what squares that underflow have lost
 
-  void set_radius_of_product(const Disk& a, const Disk& b)
+  // That of a, or of its conjugate.
+  static Disk product(const Disk& a, const Disk& b, Two_doubles signs)
   {
     const double m = a.modulus(), n = b.modulus();
-    radius_ = (m * b.radius_ + (n + b.radius_) * a.radius_ + unit * m * n) * slightly_more + tiny;
+    Disk r;
+    r.z_ = firsts(a.z_, a.z_) * b.z_ + signs * (seconds(a.z_, a.z_) * swapped(b.z_));
+    r.radius_ = (m * b.radius_ + (n + b.radius_) * a.radius_ + unit * m * n) * slightly_more + tiny;
+    return r;
   }
 
-  Part x_{}, y_{};
+  Parts z_{};
   double radius_ = 0;
 };
 

@@ -48,9 +48,10 @@ BOOST_FORCEINLINE void split(Number x, Number& head, Number& tail)
 }
 
 // p + e is exactly a * b (Dekker), unless something over- or underflows.
-inline void two_product(double a, double b, double& p, double& e)
+template <class Number>
+inline void two_product(Number a, Number b, Number& p, Number& e)
 {
-  double ah, al, bh, bl;
+  Number ah, al, bh, bl;
   split(unfused(a), ah, al);
   split(unfused(b), bh, bl);
   p = unfused(a * b);
@@ -62,39 +63,42 @@ inline double high(double x) { return x; }
 
 // Additions and multiplications are good to 2^-103 of the result; the caller bounds the
 // error of the whole expression.
-struct Double_double
+template <class Number>
+struct Basic_double_double
 {
-  double hi = 0, lo = 0;
+  Number hi = 0., lo = 0.;
 
-  static Double_double difference(double a, double b)
+  static Basic_double_double difference(const Number& a, const Number& b)
   {
-    Double_double r;
+    Basic_double_double r;
     two_sum(a, -b, r.hi, r.lo);
     return r;
   }
 
-  friend Double_double operator-(const Double_double& a) { return {-a.hi, -a.lo}; }
-  friend Double_double operator+(const Double_double& a, const Double_double& b)
+  friend Basic_double_double operator-(const Basic_double_double& a) { return {-a.hi, -a.lo}; }
+  friend Basic_double_double operator+(const Basic_double_double& a, const Basic_double_double& b)
   {
-    double s, e, t, f;
+    Number s, e, t, f;
     two_sum(a.hi, b.hi, s, e);
     two_sum(a.lo, b.lo, t, f);
-    Double_double r;
+    Basic_double_double r;
     fast_two_sum(s, e + t, r.hi, r.lo);
     fast_two_sum(r.hi, r.lo + f, r.hi, r.lo);
     return r;
   }
-  friend Double_double operator-(const Double_double& a, const Double_double& b) { return a + -b; }
-  friend Double_double operator*(const Double_double& a, const Double_double& b)
+  friend Basic_double_double operator-(const Basic_double_double& a, const Basic_double_double& b) { return a + -b; }
+  friend Basic_double_double operator*(const Basic_double_double& a, const Basic_double_double& b)
   {
-    double p, e;
+    Number p, e;
     two_product(a.hi, b.hi, p, e);
-    Double_double r;
+    Basic_double_double r;
     fast_two_sum(p, e + (a.hi * b.lo + a.lo * b.hi), r.hi, r.lo);
     return r;
   }
-  friend double high(const Double_double& x) { return x.hi; }
+  friend Number high(const Basic_double_double& x) { return x.hi; }
 };
+
+using Double_double = Basic_double_double<double>;
 
 } // namespace internal
 } // namespace Intrinsic_triangulations

@@ -233,11 +233,8 @@ private:
 
   // In flips for each edge: bounds the memory of the journal.
   static constexpr std::size_t longest_journal = 8;
-  // In crossings of the four sides.
-  static constexpr std::int64_t long_hinge = 4;
-  // To carry a face along costs about as much as to lay out an eighth of a triangle, as most flips stay within one
-  // plane.
-  static constexpr double flips_for_a_quantity = 8;
+  // In crossings of the four sides, and of the edges at a vertex: to lay out shorter ones again takes no longer.
+  static constexpr std::int64_t long_hinge = 64, long_star = 4;
   // In input quantities: what is laid out in some microseconds.
   static constexpr double short_strip = 256;
 
@@ -266,8 +263,8 @@ private:
   Opposite_corners known_corners(Halfedge_index h, Input_surface& surface) const;
   double number_of_quantities(Halfedge_index h) const;
   void carry_images();
-  Known_corner<Corner, Image_corner> laid_out(Halfedge_index h, Input_surface& surface);
-  Corner developed_corner(Halfedge_index h, Input_surface& surface);
+  Known_corner<Corner, Image_corner> laid_out(Halfedge_index h);
+  Corner developed_corner(Halfedge_index h);
   std::optional<Image_corner> image_of_straight_corner(Halfedge_index h);
   std::optional<Image_corner> image_of_developed_corner(Halfedge_index h) const;
   template <class FindImage>

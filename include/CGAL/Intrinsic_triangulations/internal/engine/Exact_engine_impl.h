@@ -83,7 +83,7 @@ struct Exact_engine::Memory
   {
     for (Edge_index e : flips) // faces that a flip has changed have an edge that was flipped
       for (Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
-        developed_faces.forget(complex.face(h));
+        developed_faces.forget(complex, h);
   }
 
   Correspondence correspondence;     // prepared by the first query that needs it
@@ -96,10 +96,7 @@ struct Exact_engine::Memory
   Vertex_positions::Inserted inserted_positions; // kept if the input has points
   Developed_faces developed_faces;
   std::optional<Developed_faces::Whole> split_face; // the last one, until its parts are measured
-  // So many flips more of long hinges are followed, whether their tests were close or not. What is laid out pays for
-  // it: where tests are seldom close, it would not be worth it.
-  double credit = 0;
-  std::vector<bool> is_close_call; // a test took more than double since the last flip of the edge
+  std::vector<bool> is_close_call;                  // a test took more than double since the last flip of the edge
 
   std::unique_ptr<Input_surface> surface_of_images;
   std::unique_ptr<Carried_images> images; // of the developed faces, from the first tie on
@@ -386,22 +383,18 @@ bool Exact_engine::follow(const Hinge_halfedges& around)
 {
   Memory& memory = *memory_;
   const Edge_index e = connectivity_.edge(around.ij);
-  const bool is_close_call = !memory.is_close_call.empty() && memory.is_close_call[e.idx()],
-             is_long = is_long_hinge(around);
+  const bool is_close_call = !memory.is_close_call.empty() && memory.is_close_call[e.idx()];
   using Faces = Memory::Developed_faces;
-  if (Faces& faces = memory.developed_faces; is_close_call || (is_long && memory.credit > 0) ||
-                                             faces.contains(connectivity_.face(around.ij)) ||
-                                             faces.contains(connectivity_.face(around.ji))) {
-    if (is_long && !is_close_call)
-      memory.credit -= 1;
-    faces.flip(connectivity_, around, is_long ? 2 : 0, [&](Halfedge_index h) -> std::optional<Faces::Known_corner> {
-      if (is_straight(connectivity_.face(h)))
-        return Faces::Known_corner{h, straight_corner(h), image_of_straight_corner(h)};
-      if (!is_long)
-        return std::nullopt;
-      return laid_out(correspondence().coordinates().side_with_most_crossings(connectivity_, connectivity_.face(h)),
-                      *input_surface());
-    });
+  if (Faces& faces = memory.developed_faces; !faces.flip_in_plane(around)) {
+    const bool is_long = is_long_hinge(around);
+    if (is_close_call || is_long || faces.contains(around.ij) || faces.contains(around.ji))
+      faces.flip(connectivity_, around, [&](Halfedge_index h) -> std::optional<Faces::Known_corner> {
+        if (is_straight(connectivity_.face(h)))
+          return Faces::Known_corner{h, straight_corner(h), image_of_straight_corner(h)};
+        if (!is_long)
+          return std::nullopt;
+        return laid_out(correspondence().coordinates().side_with_most_crossings(connectivity_, connectivity_.face(h)));
+      });
   }
   if (is_close_call)
     memory.is_close_call[e.idx()] = false;
@@ -453,8 +446,8 @@ Vertex_index Exact_engine::split_face(const Triangle_piece& piece, const Surface
   const Face_index f = connectivity_.face(piece.side);
   memory_->split_face.reset();
   std::optional<Memory::Developed_faces::Whole> whole;
-  if (memory_->developed_faces.contains(f))
-    whole = memory_->developed_faces.whole(connectivity_, f);
+  if (memory_->developed_faces.contains(piece.side))
+    whole = memory_->developed_faces.whole(connectivity_, piece.side);
   split_faces({f}, 3, 3, location, [&] { memory_->correspondence.split_face(connectivity_, piece, location); });
   memory_->split_face = whole; // nothing is left of a split that failed
   return connectivity_.split_face(piece.side);
@@ -488,15 +481,15 @@ void Exact_engine::split_faces(const std::vector<Face_index>& faces, std::size_t
   const std::size_t number_of_new_faces = faces.size() * (number_of_parts - 1);
   for (Face_index f : faces)
     memory.straight_faces->prepare_split(positions(), f, number_of_new_faces);
-  memory.developed_faces.make_room(number_of_new_faces);
+  memory.developed_faces.make_room(number_of_new_edges);
   make_room(memory.inserted_positions, 1);
   make_room(memory.is_close_call, number_of_new_edges);
   split_integers();
   for (Face_index f : faces) {
     memory.straight_faces->split(f, number_of_parts - 1);
-    memory.developed_faces.forget(f);
-    memory.developed_faces.append(number_of_parts - 1);
+    memory.developed_faces.forget(connectivity_, connectivity_.halfedge(f));
   }
+  memory.developed_faces.append(number_of_new_edges);
   if (has_points)
     memory.inserted_positions.push_back(*position);
   if (!memory.is_close_call.empty())
@@ -538,7 +531,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_engine::join_faces(Face_index f, std::initializer_list<Face_index> faces)
 {
   memory_->straight_faces->join(f, faces);
-  memory_->developed_faces.forget(f);
+  for (Face_index each : faces)
+    memory_->developed_faces.forget(connectivity_, connectivity_.halfedge(each));
 }
 
 // After the removal from the connectivity. Never throws.
@@ -548,7 +542,7 @@ void Exact_engine::remove(const Removed_elements& removed)
   memory_->correspondence.remove(removed);
   Memory& memory = *memory_;
   memory.straight_faces->remove(removed.faces);
-  memory.developed_faces.remove(connectivity_, removed);
+  memory.developed_faces.remove(removed.edges);
   if (!memory.is_close_call.empty())
     remove_entries(memory.is_close_call, removed.edges);
   if (!metric_.points().empty())
@@ -571,9 +565,8 @@ std::optional<Exact_engine::Image_corner> Exact_engine::image_of_straight_corner
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 std::optional<Exact_engine::Image_corner> Exact_engine::image_of_developed_corner(Halfedge_index h) const
 {
-  return memory_->developed_faces.contains(connectivity_.face(h))
-           ? memory_->developed_faces.image_of_corner(connectivity_, h)
-           : std::nullopt;
+  return memory_->developed_faces.contains(h) ? memory_->developed_faces.image_of_corner(connectivity_, h)
+                                              : std::nullopt;
 }
 
 // A tie seldom comes alone. From the first one on, images of corners in finite fields are carried along by the
@@ -589,28 +582,26 @@ void Exact_engine::carry_images()
 
 // As corner(), from what is kept of tests before.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_engine::Corner Exact_engine::developed_corner(Halfedge_index h, Input_surface& surface)
+Exact_engine::Corner Exact_engine::developed_corner(Halfedge_index h)
 {
   Memory& memory = *memory_;
   const Face_index f = connectivity_.face(h);
   if (is_straight(f))
     return straight_corner(h);
-  if (memory.developed_faces.contains(f))
+  if (memory.developed_faces.contains(h))
     return memory.developed_faces.corner(connectivity_, h);
-  memory.developed_faces.insert(
-    connectivity_, laid_out(correspondence().coordinates().side_with_most_crossings(connectivity_, f), surface));
-  return memory.developed_faces.contains(f) ? memory.developed_faces.corner(connectivity_, h)
-                                            : unfolded_corner(h, surface);
+  memory.developed_faces.insert(connectivity_,
+                                laid_out(correspondence().coordinates().side_with_most_crossings(connectivity_, f)));
+  return memory.developed_faces.contains(h) ? memory.developed_faces.corner(connectivity_, h)
+                                            : unfolded_corner(h, *input_surface());
 }
 
 // The corner opposite to h.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Known_corner<Exact_engine::Corner, Exact_engine::Image_corner> Exact_engine::laid_out(Halfedge_index h,
-                                                                                      Input_surface& surface)
+Known_corner<Exact_engine::Corner, Exact_engine::Image_corner> Exact_engine::laid_out(Halfedge_index h)
 {
-  memory_->credit += flips_for_a_quantity * number_of_quantities(h);
   return {
-    h, unfolded_corner(h, surface), memory_->image([&] {
+    h, unfolded_corner(h, *input_surface()), memory_->image([&] {
       return Unfolding<Residue_metric>(connectivity_, correspondence(), memory_->images->metric).opposite_corner(h);
     })};
 }
@@ -619,11 +610,12 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_engine::Corner Exact_engine::kept_corner(Halfedge_index h)
 {
   const Standard_arithmetic arithmetic;
-  const Surface_lease surface = prepared_surface();
+  prepare();
+  find_straight_faces();
   // To carry a face along, with those that flips join it to, takes longer than to lay out a short strip again.
-  if (!memory_->developed_faces.contains(connectivity_.face(h)) && number_of_quantities(h) <= short_strip)
-    return corner(h, *surface);
-  return developed_corner(h, *surface);
+  if (!memory_->developed_faces.contains(h) && number_of_quantities(h) <= short_strip)
+    return corner(h, *input_surface());
+  return developed_corner(h);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -651,7 +643,7 @@ std::vector<std::pair<Halfedge_index, Exact_engine::Corner>> Exact_engine::kept_
     for (Halfedge_index side : whole->sides)
       if (cost(side) < cost(cheapest))
         cheapest = side;
-    memory.developed_faces.keep_parts(connectivity_, *whole, laid_out(cheapest, *input_surface()));
+    memory.developed_faces.keep_parts(connectivity_, *whole, laid_out(cheapest));
   }
   bool are_all_developed = true;
   std::int64_t number = 0;
@@ -659,7 +651,7 @@ std::vector<std::pair<Halfedge_index, Exact_engine::Corner>> Exact_engine::kept_
   for (Halfedge_index vi = first;;) {
     number += number_of_crossings(vi);
     const Halfedge_index side = connectivity_.next(vi);
-    if (!connectivity_.is_border(vi) && !memory.developed_faces.contains(connectivity_.face(vi)))
+    if (!connectivity_.is_border(vi) && !memory.developed_faces.contains(vi))
       are_all_developed = false;
     else if (!connectivity_.is_border(vi) && are_all_developed)
       result.emplace_back(side, memory.developed_faces.corner(connectivity_, side));
@@ -669,7 +661,7 @@ std::vector<std::pair<Halfedge_index, Exact_engine::Corner>> Exact_engine::kept_
   if (are_all_developed)
     return result;
   result = corners_at(v);
-  if (number > long_hinge)
+  if (number > long_star)
     for (const auto& [side, corner] : result)
       memory.developed_faces.insert(connectivity_, {side, corner, std::nullopt});
   return result;

@@ -46,11 +46,10 @@ Sign Exact_engine::decide(Edge_index e, std::optional<Opposite_corners>& corners
   if (const std::optional<Test> test = test_in_plane(h, *memory.straight_faces))
     return memory.decided(*test);
   prepare();
-  const Surface_lease surface = input_surface();
   memory.is_close_call.resize(connectivity_.number_of_edges());
   memory.is_close_call[e.idx()] = true;
   const auto test_by_developed_corners = [&] {
-    corners = Opposite_corners{developed_corner(h, *surface), developed_corner(g, *surface)};
+    corners = Opposite_corners{developed_corner(h), developed_corner(g)};
     return test_by_corners(h, *corners);
   };
   if (const std::optional<Test> test = test_by_developed_corners())
@@ -58,19 +57,19 @@ Sign Exact_engine::decide(Edge_index e, std::optional<Opposite_corners>& corners
   const auto find_image = [&](Halfedge_index side) {
     return is_straight(connectivity_.face(side)) ? image_of_straight_corner(side) : image_of_developed_corner(side);
   };
-  if (const std::optional<Sign> tie = sign_by_images(e, *corners, *surface, find_image))
+  if (const std::optional<Sign> tie = sign_by_images(e, *corners, *input_surface(), find_image))
     return memory.decided({Stage::MODULAR, *tie});
   // Layouts that were carried along are not the best.
   bool is_laid_out_anew = false;
   for (Halfedge_index side : {h, g})
     if (!is_straight(connectivity_.face(side))) {
-      memory.developed_faces.forget(connectivity_.face(side));
+      memory.developed_faces.forget(connectivity_, side);
       is_laid_out_anew = true;
     }
   if (is_laid_out_anew)
     if (const std::optional<Test> test = test_by_developed_corners())
       return memory.decided(*test);
-  const auto decision = exact_fallback(*surface).sign_of_cotangents(corners_beside(connectivity_, e));
+  const auto decision = exact_fallback(*input_surface()).sign_of_cotangents(corners_beside(connectivity_, e));
   if (decision.is_rational && !memory.images)
     carry_images();
   return memory.decided({decision.stage, decision.sign});
@@ -164,9 +163,9 @@ std::optional<Bounded_double_double> Exact_engine::weight_by_other_diagonal(Half
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_engine::Corner Exact_engine::known_corner(Halfedge_index h, Input_surface& surface) const
 {
-  const Face_index f = connectivity_.face(h);
-  return !is_straight(f) && memory_->developed_faces.contains(f) ? memory_->developed_faces.corner(connectivity_, h)
-                                                                 : corner(h, surface);
+  return !is_straight(connectivity_.face(h)) && memory_->developed_faces.contains(h)
+           ? memory_->developed_faces.corner(connectivity_, h)
+           : corner(h, surface);
 }
 // On both sides of h.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -267,7 +266,7 @@ bool Exact_engine::has_length_zero(Edge_index e) const
   prepare();
   const auto& developed_faces = memory_->developed_faces;
   for (Halfedge_index h : {connectivity_.halfedge(e), connectivity_.opposite(connectivity_.halfedge(e))})
-    if (!connectivity_.is_border(h) && developed_faces.contains(connectivity_.face(h)))
+    if (!connectivity_.is_border(h) && developed_faces.contains(h))
       if (certainly(developed_faces.corner(connectivity_, h).s_opposite.sign() == POSITIVE))
         return false;
   const Surface_lease surface = input_surface();

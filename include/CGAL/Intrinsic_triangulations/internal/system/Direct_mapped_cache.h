@@ -50,7 +50,7 @@ public:
 
 private:
   // Powers of two, as are all sizes. Some megabytes for each thread at most.
-  static constexpr std::size_t first_entries = 4096, most_entries = 32768;
+  static constexpr std::size_t first_entries = 1024, most_entries = 32768;
 
   struct Entry
   {

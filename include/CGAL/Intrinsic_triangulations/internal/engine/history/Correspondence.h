@@ -80,10 +80,14 @@ public:
       journal_.push_back(around);
       return;
     }
-    if (crossings_.is_empty())
-      coordinates_.flip(around);
-    else
-      flip_with_crossings(complex, around);
+    if (locations_.empty()) { // it is soon found what the new edge crosses
+      const Edge_index e = complex.edge(around.ij);
+      crossings_.forget(e, coordinates_.number_of_crossings(e));
+      if (coordinates_.flip(around) > longest_walk)
+        shorten_walks(around.ij);
+      return;
+    }
+    flip_with_crossings(complex, around);
     turn_around_flipped(complex, around);
   }
   // Undoes a flip, the last one that was not undone, before that is done in the connectivity. Never throws.

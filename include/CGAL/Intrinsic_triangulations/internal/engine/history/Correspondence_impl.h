@@ -82,10 +82,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::flip_with_crossings(co
                                                                               const Hinge_halfedges& around)
 {
   const Edge_index e = complex.edge(around.ij);
-  Kept_crossings::Flipped flipped{nullptr, 0, coordinates_.number_of_crossings(e)};
-  if (!locations_.empty()) // otherwise it is soon found what an edge crosses
-    flipped = crossings_.flipped(complex, coordinates_, around,
-                                 coordinates_.is_original(e) ? input_halfedge(around.ij) : Halfedge_index());
+  Kept_crossings::Flipped flipped = crossings_.flipped(
+    complex, coordinates_, around, coordinates_.is_original(e) ? input_halfedge(around.ij) : Halfedge_index());
   coordinates_.flip(around);
   crossings_.flip(e, std::move(flipped));
 }

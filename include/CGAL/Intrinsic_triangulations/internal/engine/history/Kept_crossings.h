@@ -144,7 +144,8 @@ public:
   void forget(Edge_index e, std::int64_t number)
   {
     if (Table* const table = table_)
-      if (const Halfedge_index* const kept = table->slots[e.idx()].exchange(nullptr)) {
+      if (const Halfedge_index* const kept = table->slots[e.idx()]) { // seldom: an exchange would lock the memory
+        table->slots[e.idx()] = nullptr;
         total_ -= std::size_t(number);
         delete[] kept;
       }

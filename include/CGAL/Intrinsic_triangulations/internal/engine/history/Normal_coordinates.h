@@ -50,7 +50,6 @@ struct Triangle_crossings
     e_k = n_ij - c_i - c_j;
   }
 
-private:
   // Between sides crossed a and b times, beyond one that is crossed c times. If one of a and b
   // exceeds the sum of the others, the rest of it comes from a corner.
   static std::int64_t cut_off(std::int64_t a, std::int64_t b, std::int64_t c)
@@ -185,8 +184,8 @@ public:
     CGAL_precondition(complex.is_flippable(e));
     flip(complex.hinge(e));
   }
-  // As above, for the halfedges around the edge.
-  void flip(const Hinge_halfedges& around)
+  // As above, for the halfedges around the edge. Returns the steps of the longer one of both roundabouts.
+  std::uint64_t flip(const Hinge_halfedges& around)
   {
     const Halfedge_index ki = around.ki, lj = around.lj;
     const std::uint32_t ij = record_number(around.ij), at_jk = record_number(around.jk), at_ki = record_number(ki),
@@ -194,23 +193,26 @@ public:
     // After the flip the halfedge ij leads from l to k (see Delta_complex::flip()).
     if ((ij | at_jk | at_ki | at_il | at_lj) == 0) { // two input faces
       set_record(around.ij, {1, {lj.idx(), ki.idx()}, {1, 1}});
-      return;
+      return 1;
     }
 
     const Record* const records = records_.data();
     const auto number_of_crossings = [records](std::uint32_t i) {
       return (std::max)(std::int64_t(0), records[i].crossings);
     };
-    const std::int64_t n_ij = number_of_crossings(ij);
-    const Triangle_crossings above(n_ij, number_of_crossings(at_jk), number_of_crossings(at_ki)); // (i, j, k)
-    const Triangle_crossings below(n_ij, number_of_crossings(at_il), number_of_crossings(at_lj)); // (j, i, l)
-    const std::int64_t c_i1 = above.c_i, c_j1 = above.c_j, e_k1 = above.e_k;
-    const std::int64_t c_i2 = below.c_j, c_j2 = below.c_i, e_l2 = below.e_k;
+    const std::int64_t n_ij = number_of_crossings(ij), n_jk = number_of_crossings(at_jk),
+                       n_ki = number_of_crossings(at_ki), n_il = number_of_crossings(at_il),
+                       n_lj = number_of_crossings(at_lj);
+    // Of the triangles (i, j, k) and (j, i, l)
+    const auto cut_off = Triangle_crossings::cut_off;
+    const std::int64_t c_i1 = cut_off(n_ij, n_ki, n_jk), c_j1 = cut_off(n_ij, n_jk, n_ki), e_k1 = n_ij - c_i1 - c_j1,
+                       c_i2 = cut_off(n_ij, n_il, n_lj), c_j2 = cut_off(n_ij, n_lj, n_il), e_l2 = n_ij - c_i2 - c_j2;
 
     // Counted from i, the segments that end in k cross ij at the positions after c_i1,
     // those that end in l at the positions after c_i2: one that does both joins k and l.
     const bool joins_k_and_l = (std::max)(c_i1, c_i2) < (std::min)(c_i1 + e_k1, c_i2 + e_l2);
-    const std::int64_t n = above.c_k + below.c_k + above.e_i + above.e_j + below.e_i + below.e_j +
+    // What cuts a corner off or leaves another one crosses the longer rest of its sides.
+    const std::int64_t n = (std::max)(n_jk - c_j1, n_ki - c_i1) + (std::max)(n_lj - c_j2, n_il - c_i2) +
                            (std::max)(std::int64_t(0), c_i1 - c_i2 - e_l2) +
                            (std::max)(std::int64_t(0), c_i2 - c_i1 - e_k1) + (records[ij].crossings < 0 ? 1 : 0);
     const std::int64_t n_kl = joins_k_and_l ? -1 : n;
@@ -220,6 +222,7 @@ public:
     r_kl.steps += std::uint64_t((std::min)((std::max)(std::int64_t(0), c_i2 - c_i1), e_k1));
     r_lk.steps += std::uint64_t((std::min)((std::max)(std::int64_t(0), c_j1 - c_j2), e_l2));
     set_record(around.ij, {n_kl, {r_lk.base.idx(), r_kl.base.idx()}, {r_lk.steps, r_kl.steps}});
+    return (std::max)(r_lk.steps, r_kl.steps);
   }
 
 private:

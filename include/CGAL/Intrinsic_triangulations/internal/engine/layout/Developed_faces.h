@@ -13,6 +13,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Planar_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Residues.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -20,6 +22,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -39,10 +42,11 @@ struct Known_corner
 // To lay out a face over the input costs as much as its edges cross input edges. Where tests
 // are close for long, as in the caps of a prism or along the folds of a pillow, that would be
 // done again and again for strips of thousands of triangles. So a face that was laid out is
-// kept, as the positions of its corners in some plane, and a flip carries the corner of one
-// face over into the plane of the other. If both lie in the same plane there is nothing to
-// compute: a flip moves no vertex. Thus errors add up with the number of planes that a corner
-// is carried through, while errors of lengths would be multiplied by each flip.
+// kept, as the positions of its corners in some plane. If both faces of a flip lie in one plane,
+// side by side, there is nothing to compute: a flip moves no vertex. Otherwise the smaller plane
+// is moved to the other one: all of its points have true positions in which each of its faces is
+// congruent to the true one, so that one motion moves them all. So most flips change two numbers,
+// and a corner is moved seldom, while errors of lengths would be multiplied by each flip.
 //
 // Only faces of close calls, and those that flips make of them, are kept. Beside the positions, their images
 // in finite fields can be carried along: these have no errors at all, and tell ties at once.
@@ -58,67 +62,87 @@ class Developed_faces
   struct Point
   {
     Vector position;
+    std::uint32_t plane;
+    std::uint32_t copy; // in the plane to which it was moved last, if that was since the last compaction
     std::unique_ptr<const Image> image; // seldom known, and large
   };
   struct Plane
   {
-    Real unit; // squared length
-    std::unique_ptr<const Residues> image_of_unit;
+    std::uint32_t size;                   // so many points
+    std::unique_ptr<const Residues> unit; // the squared length that is 1 in the images, if these are known
   };
-  // The plane, and the points at the source, the target and opposite to a halfedge.
-  struct Layout
-  {
-    Halfedge_index first;
-    std::uint32_t plane;
-    std::array<std::uint32_t, 3> corners;
-  };
+  // The numbers of the points at the source, the target and opposite to a halfedge.
+  using Triangle = std::array<std::uint32_t, 3>;
 
 public:
   using Known_corner = internal::Known_corner<Corner, Image_corner>;
 
-  bool contains(Face_index f) const { return !layout_of_.empty() && layout_of_[f.idx()] != none; }
+  // Whether the face of h is kept.
+  bool contains(Halfedge_index h) const { return !sources_.empty() && source(h) != none; }
 
-  // The corner opposite to h. \pre contains(complex.face(h))
+  // The corner opposite to h. \pre contains(h)
   Corner corner(const Delta_complex& complex, Halfedge_index h) const
   {
-    const Layout layout = seen_from(complex, h);
-    return corner<Corner>(planes_[layout.plane].unit, point(layout, 0).position, point(layout, 1).position,
-                          point(layout, 2).position);
+    const auto [i, j, k] = triangle(complex, h);
+    return corner(points_[i].position, points_[j].position, points_[k].position);
   }
 
-  // The image of that corner, if it is known. \pre contains(complex.face(h))
+  // The image of that corner, if it is known. \pre contains(h)
   std::optional<Image_corner> image_of_corner(const Delta_complex& complex, Halfedge_index h) const
   {
-    const Layout layout = seen_from(complex, h);
-    if (!has_images(layout))
+    const Triangle t = triangle(complex, h);
+    if (!has_images(t))
       return std::nullopt;
-    return corner<Image_corner>(*planes_[layout.plane].image_of_unit, *point(layout, 0).image, *point(layout, 1).image,
-                                *point(layout, 2).image);
+    const Image &i = *points_[t[0]].image, &j = *points_[t[1]].image, &k = *points_[t[2]].image;
+    const Image u = i - k, w = j - k, z = times_conjugate(w, u);
+    const Residues &unit = *planes_[points_[t[0]].plane].unit, two_units = unit + unit;
+    return Image_corner{two_units * z.x(), two_units * z.y(), unit * squared_norm(u), unit * squared_norm(w),
+                        unit * squared_norm(j - i)};
   }
 
-  // Keeps a face of which a corner is known.
+  // Keeps a face of which a corner is known, unless its error is too large.
   void insert(const Delta_complex& complex, const Known_corner& c)
   {
-    const std::optional<Layout> layout = laid_out(c);
-    if (layout)
-      keep(complex, complex.face(c.side), *layout);
+    if (const std::optional<Triangle> t = laid_out(c))
+      keep(complex, c.side, *t);
   }
 
-  // To be called before the flip of the connectivity. lay_out(h) gives a corner of the face of h, or none if that is
-  // not worth its price; where errors have become too large, so many faces are laid out anew. After an exception,
-  // nothing is known of the two faces.
-  template <class LayOut>
-  void flip(const Delta_complex& complex, const Hinge_halfedges& around, int number_of_retries, const LayOut& lay_out)
+  // To be called before the flip of the connectivity. Follows it if both faces lie in one plane, side by side: then
+  // there is nothing to compute. Returns whether they do.
+  bool flip_in_plane(const Hinge_halfedges& around)
   {
-    const Face_index ijk = complex.face(around.ij), jil = complex.face(around.ji);
+    if (!contains(around.ij) || source(around.ij) != source(around.il) || source(around.ji) != source(around.jk))
+      return false;
+    // After the flip ij leads from l to k (see Delta_complex::flip()).
+    source(around.ij) = source(around.lj);
+    source(around.ji) = source(around.ki);
+    return true;
+  }
+  // Likewise, where they do not: brings them together if it can. lay_out(h) gives a corner of the face of h, or none if
+  // that is not worth its price. Where that fails, and after an exception, nothing is known of the two faces.
+  template <class LayOut>
+  void flip(const Delta_complex& complex, const Hinge_halfedges& around, const LayOut& lay_out)
+  {
+    const auto find = [&](Halfedge_index h) {
+      if (!contains(h))
+        if (const std::optional<Known_corner> c = lay_out(h))
+          insert(complex, *c);
+      return contains(h);
+    };
+    const auto size_of_plane = [&](Halfedge_index h) { return planes_[points_[source(h)].plane].size; };
+    const auto forget_both = [&] {
+      forget(complex, around.ij);
+      forget(complex, around.ji);
+    };
     try {
-      if (!follow(complex, around, number_of_retries, lay_out)) {
-        forget(ijk);
-        forget(jil);
-      }
+      if (!find(around.ij) || !find(around.ji) ||
+          !join(complex, size_of_plane(around.ij) <= size_of_plane(around.ji) ? around.ij : around.ji))
+        return forget_both();
+      flip_in_plane(around);
+      if (points_.size() > 2 * most_points_)
+        compact();
     } catch (...) {
-      forget(ijk);
-      forget(jil);
+      forget_both();
       throw;
     }
   }
@@ -126,247 +150,205 @@ public:
   // A face that will be split by a vertex inside of it.
   struct Whole
   {
-    Layout layout;
     std::array<Halfedge_index, 3> sides;
+    Triangle corners;
   };
-  // To be called before the split. \pre contains(f)
-  Whole whole(const Delta_complex& complex, Face_index f) const
+  // To be called before the split. \pre contains(h)
+  Whole whole(const Delta_complex& complex, Halfedge_index h) const
   {
-    const Layout& kept = layouts_[layout_of_[f.idx()]];
-    return {kept, {kept.first, complex.next(kept.first), complex.prev(kept.first)}};
+    return {{h, complex.next(h), complex.prev(h)}, triangle(complex, h)};
   }
-  // Keeps its three parts, of which a corner is known, that at the new vertex in one of them. Returns whether that was
-  // done: not where errors have become too large.
-  bool keep_parts(const Delta_complex& complex, const Whole& whole, const Known_corner& c)
+  // Keeps its three parts, of which a corner is known, that at the new vertex in one of them: not where errors have
+  // become too large.
+  void keep_parts(const Delta_complex& complex, const Whole& whole, const Known_corner& c)
   {
-    const std::optional<Layout> part = laid_out(c);
-    if (!part)
-      return false;
+    const std::optional<Triangle> part = laid_out(c);
     const std::size_t turn = c.side == whole.sides[0] ? 0 : c.side == whole.sides[1] ? 1 : 2;
-    const auto& [i, j, k] = whole.layout.corners;
-    const std::array<std::uint32_t, 5> corners{i, j, k, i, j};
-    const std::optional<std::uint32_t> v =
-      moved_apex(*part, {c.side, whole.layout.plane, {corners[turn], corners[turn + 1], corners[turn + 2]}});
-    if (!v)
-      return false;
-    for (std::size_t n = 0; n < 3; ++n)
-      keep(complex, complex.face(whole.sides[n]),
-           Layout{whole.sides[n], whole.layout.plane, {corners[n], corners[n + 1], *v}});
-    return true;
+    const std::uint32_t i = whole.corners[turn], j = whole.corners[(turn + 1) % 3];
+    const std::uint32_t v = part ? moved((*part)[2], motion({(*part)[0], (*part)[1]}, {i, j}), i) : none;
+    for (std::size_t n = 0; v != none && n < 3; ++n)
+      keep(complex, whole.sides[n], {whole.corners[n], whole.corners[(n + 1) % 3], v});
   }
 
-  // What is known of a face is no longer true. Never throws.
-  void forget(Face_index f)
+  // What is known of the face of h is no longer true. Never throws.
+  void forget(const Delta_complex& complex, Halfedge_index h)
   {
-    if (!contains(f))
-      return;
-    const std::uint32_t position = std::exchange(layout_of_[f.idx()], none);
-    layouts_[position].plane = first_free_;
-    first_free_ = position;
+    if (!sources_.empty()) // of a flip that was not followed, some sides may be known
+      for (Halfedge_index side : {h, complex.next(h), complex.prev(h)})
+        source(side) = none;
   }
-  // Makes room for so many faces more, ...
+  // Makes room for so many edges more, ...
   void make_room(std::size_t number)
   {
-    if (!layout_of_.empty())
-      internal::make_room(layout_of_, number);
+    if (!sources_.empty())
+      internal::make_room(sources_, number);
   }
   // ... and appends them.
   void append(std::size_t number)
   {
-    if (!layout_of_.empty())
-      layout_of_.resize(layout_of_.size() + number, none);
+    if (!sources_.empty())
+      sources_.resize(sources_.size() + number, {none, none});
   }
-  // Follows the removal of a vertex, after that of the connectivity. Layouts name halfedges, so those at edges that
-  // have moved are no longer true. Never throws.
-  void remove(const Delta_complex& complex, const Removed_elements& removed)
+  template <class Edges>
+  void remove(const Edges& edges)
   {
-    if (layout_of_.empty())
-      return;
-    for (Face_index f : removed.faces)
-      forget(f);
-    remove_entries(layout_of_, removed.faces);
-    for (Edge_index e : removed.edges)
-      if (e.idx() < complex.number_of_edges())
-        for (Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
-          if (!complex.is_border(h))
-            forget(complex.face(h));
+    if (!sources_.empty())
+      remove_entries(sources_, edges);
   }
 
 private:
-  template <class LayOut>
-  bool follow(const Delta_complex& complex, const Hinge_halfedges& around, int number_of_retries, const LayOut& lay_out)
-  {
-    const auto lay_out_anew = [&](Halfedge_index h) -> std::optional<Layout> {
-      const std::optional<Known_corner> c = lay_out(h);
-      const std::optional<Layout> layout = c ? laid_out(*c) : std::nullopt;
-      return layout ? std::make_optional(turned(complex, *layout, h)) : std::nullopt;
-    };
-    const auto find = [&](Halfedge_index h) {
-      return contains(complex.face(h)) ? seen_from(complex, h) : lay_out_anew(h);
-    };
-    std::optional<Layout> above = find(around.ij), below = above ? find(around.ji) : std::nullopt;
-    if (!above || !below)
-      return false;
-    // Where errors have become too large, the older plane has the larger ones.
-    for (int number_of_trials = 0; !unite(*above, *below); ++number_of_trials) {
-      if (number_of_trials == number_of_retries)
-        return false;
-      std::optional<Layout>& older = above->plane < below->plane ? above : below;
-      older = lay_out_anew(older->first);
-      if (!older)
-        return false;
-    }
-    const auto [i, j, k] = above->corners;
-    const std::uint32_t l = below->corners[2];
-    // After the flip ij leads from l to k (see Delta_complex::flip()).
-    keep(complex, complex.face(around.ij), Layout{around.ij, above->plane, {l, k, i}});
-    keep(complex, complex.face(around.ji), Layout{around.ji, above->plane, {k, l, j}});
-    if (points_.size() > 2 * most_points_)
-      compact();
-    return true;
-  }
-
   static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
   // Beyond, it is better to lay the face out anew. Relative to the edges.
   static constexpr double largest_radius = 0x1p-65;
 
-  template <class Result, class Number, class Complex>
-  static Result corner(const Number& unit, const Complex& i, const Complex& j, const Complex& k)
+  std::uint32_t source(Halfedge_index h) const { return sources_[h.idx() >> 1][h.idx() & 1]; }
+  std::uint32_t& source(Halfedge_index h) { return sources_[h.idx() >> 1][h.idx() & 1]; }
+  Triangle triangle(const Delta_complex& complex, Halfedge_index h) const
   {
-    const Complex u = i - k, w = j - k, z = times_conjugate(w, u);
-    const Number two_units = unit + unit;
-    return {two_units * z.x(), two_units * z.y(), unit * squared_norm(u), unit * squared_norm(w),
-            unit * squared_norm(j - i)};
+    return {source(h), source(complex.next(h)), source(complex.prev(h))};
+  }
+  void keep(const Delta_complex& complex, Halfedge_index h, const Triangle& t)
+  {
+    if (sources_.empty())
+      sources_.resize(complex.number_of_edges(), {none, none});
+    source(h) = t[0];
+    source(complex.next(h)) = t[1];
+    source(complex.prev(h)) = t[2];
   }
 
-  // A point of the current plane of a layout.
-  const Point& point(const Layout& layout, int i) const { return points_[layout.corners[std::size_t(i)]]; }
-  bool has_images(const Layout& layout) const
+  static Corner corner(const Vector& i, const Vector& j, const Vector& k)
   {
-    return planes_[layout.plane].image_of_unit && point(layout, 0).image && point(layout, 1).image &&
-           point(layout, 2).image;
+    const Vector u = i - k, w = j - k, z = times_conjugate(w, u);
+    return {z.x().scaled(2), z.y().scaled(2), squared_norm(u), squared_norm(w), squared_norm(j - i)};
   }
 
-  std::uint32_t add_point(const Vector& position, std::unique_ptr<const Image> image)
+  bool has_images(const Triangle& t) const { return points_[t[0]].image && points_[t[1]].image && points_[t[2]].image; }
+
+  std::uint32_t add_point(const Vector& position, std::uint32_t plane, std::unique_ptr<const Image> image)
   {
-    points_.push_back({position, std::move(image)});
+    points_.push_back({position, plane, 0, std::move(image)});
+    ++planes_[plane].size;
     return std::uint32_t(points_.size() - 1);
   }
 
-  // The origin is the corner k opposite to the side ij, and the unit is ki.
-  std::optional<Layout> laid_out(const Known_corner& known)
+  // As seen from its side ij, in a plane of its own: the origin is the opposite corner k, and ki leads along the first
+  // axis. In the images ki is the unit. None where the error would be too large.
+  std::optional<Triangle> laid_out(const Known_corner& known)
   {
     const Corner& c = known.corner;
-    const Real two_s = c.s_first.scaled(2);
-    const Vector j(c.p / two_s, c.four_areas / two_s);
+    const Real length = sqrt(c.s_first);
+    const Vector j(c.p / length.scaled(2), c.four_areas / length.scaled(2));
     if (!(j.radius() < largest_radius * j.modulus()))
       return std::nullopt;
     std::unique_ptr<const Image> image_of_i, image_of_j, image_of_k;
-    std::unique_ptr<const Residues> image_of_unit;
+    std::unique_ptr<const Residues> unit;
     if (known.image) {
       const Image_corner& x = *known.image;
       const Residues zero = x.p - x.p, two_s_image = x.s_first + x.s_first;
-      image_of_unit = std::make_unique<const Residues>(x.s_first);
+      unit = std::make_unique<const Residues>(x.s_first);
       image_of_i = std::make_unique<const Image>(two_s_image / two_s_image, zero);
       image_of_j = std::make_unique<const Image>(x.p / two_s_image, x.four_areas / two_s_image);
       image_of_k = std::make_unique<const Image>(zero, zero);
     }
-    planes_.push_back({c.s_first, std::move(image_of_unit)});
-    return Layout{known.side,
-                  std::uint32_t(planes_.size() - 1),
-                  {add_point(Vector(Real(1), Real(0)), std::move(image_of_i)), add_point(j, std::move(image_of_j)),
-                   add_point(Vector(Real(0), Real(0)), std::move(image_of_k))}};
+    planes_.push_back({0, std::move(unit)});
+    const auto plane = std::uint32_t(planes_.size() - 1);
+    return Triangle{add_point(Vector(length, Real(0)), plane, std::move(image_of_i)),
+                    add_point(j, plane, std::move(image_of_j)),
+                    add_point(Vector(Real(0), Real(0)), plane, std::move(image_of_k))};
   }
 
-  Layout seen_from(const Delta_complex& complex, Halfedge_index h) const
+  // What takes an edge to one of the same length in another plane, and all of its own plane with it.
+  struct Motion
   {
-    return turned(complex, layouts_[layout_of_[complex.face(h).idx()]], h);
+    std::array<std::uint32_t, 2> from, to;
+    Vector turn;
+    std::optional<Image> turn_of_images;
+  };
+  Motion motion(std::array<std::uint32_t, 2> from, std::array<std::uint32_t, 2> to) const
+  {
+    const auto turn = [&](const auto& get) {
+      const auto edge = *get(from[1]) - *get(from[0]), product = times_conjugate(*get(to[1]) - *get(to[0]), edge);
+      const auto norm = squared_norm(edge);
+      return std::decay_t<decltype(edge)>(product.x() / norm, product.y() / norm);
+    };
+    const auto image = [&](std::uint32_t point) { return points_[point].image.get(); };
+    Motion result{from, to, turn([&](std::uint32_t point) { return &points_[point].position; }), {}};
+    if (image(from[0]) && image(from[1]) && image(to[0]) && image(to[1]))
+      result.turn_of_images = turn(image);
+    return result;
   }
-  static Layout turned(const Delta_complex& complex, const Layout& kept, Halfedge_index h)
+  // A point that is moved: none where the error would be too large beside the distance from another one.
+  std::uint32_t moved(std::uint32_t point, const Motion& m, std::uint32_t other)
   {
-    const std::size_t turn = h == kept.first ? 0 : h == complex.next(kept.first) ? 1 : 2;
-    return {h, kept.plane, {kept.corners[turn], kept.corners[(turn + 1) % 3], kept.corners[(turn + 2) % 3]}};
-  }
-
-  // Brings two faces (i, j, k) and (j, i, l) into the older of their planes.
-  bool unite(Layout& above, Layout& below)
-  {
-    if (above.corners[0] == below.corners[1] && above.corners[1] == below.corners[0])
-      return true;
-    Layout &stays = above.plane < below.plane ? above : below, &moves = above.plane < below.plane ? below : above;
-    const auto& [i, j, k] = stays.corners;
-    const std::optional<std::uint32_t> apex = moved_apex(moves, {moves.first, stays.plane, {j, i, k}});
-    if (!apex)
-      return false;
-    moves.corners = {j, i, *apex};
-    moves.plane = stays.plane;
-    return true;
-  }
-
-  // The point opposite to a side, if the side is moved to the first side of a layout in another plane; its third point
-  // does not matter beyond its image. None where the error would be too large.
-  std::optional<std::uint32_t> moved_apex(const Layout& from, const Layout& to)
-  {
-    const Vector side = moved_side(point(from, 0).position, point(from, 1).position, point(from, 2).position,
-                                   point(to, 0).position, point(to, 1).position);
-    const Vector apex = point(to, 0).position + side;
-    if (!(apex.radius() < largest_radius * side.modulus()))
-      return std::nullopt;
+    // From the nearer end of the edge, as a turn that is not known exactly moves it less.
+    const auto from_end = [&](std::size_t end) { return points_[point].position - points_[m.from[end]].position; };
+    const std::size_t end = from_end(1).modulus() < from_end(0).modulus() ? 1 : 0;
+    const Vector position = points_[m.to[end]].position + from_end(end) * m.turn;
+    if (!(position.radius() < largest_radius * (position - points_[other].position).modulus()))
+      return none;
     std::unique_ptr<const Image> image;
-    if (has_images(from) && has_images(to))
-      image = std::make_unique<const Image>(
-        *point(to, 0).image + moved_side(*point(from, 0).image, *point(from, 1).image, *point(from, 2).image,
-                                         *point(to, 0).image, *point(to, 1).image));
-    return add_point(apex, std::move(image));
+    if (m.turn_of_images && points_[point].image)
+      image = std::make_unique<const Image>(*points_[m.to[end]].image +
+                                            (*points_[point].image - *points_[m.from[end]].image) * *m.turn_of_images);
+    return points_[point].copy = add_point(position, points_[m.to[0]].plane, std::move(image));
   }
 
-  // The side to the apex of a triangle over from-to, if that is moved to new_from-new_to.
-  template <class Complex>
-  static Complex moved_side(const Complex& from, const Complex& to, const Complex& apex, const Complex& new_from,
-                            const Complex& new_to)
+  // Moves the face of h into the plane of that beyond h, beside it, and with it those with which it lies side by side in
+  // its plane, where their errors allow. Returns whether it was moved itself.
+  bool join(const Delta_complex& complex, Halfedge_index h)
   {
-    const Complex edge = to - from, product = times_conjugate(apex - from, edge);
-    const auto norm = squared_norm(edge);
-    return (new_to - new_from) * Complex(product.x() / norm, product.y() / norm);
-  }
-
-  void keep(const Delta_complex& complex, Face_index f, const Layout& layout)
-  {
-    if (layout_of_.empty())
-      layout_of_.assign(complex.number_of_faces(), none);
-    std::uint32_t& position = layout_of_[f.idx()];
-    if (position == none && first_free_ != none) {
-      position = first_free_;
-      first_free_ = layouts_[position].plane;
-    } else if (position == none) {
-      layouts_.emplace_back();
-      position = std::uint32_t(layouts_.size() - 1);
+    const Halfedge_index beyond = complex.opposite(h);
+    const std::uint32_t plane = points_[source(h)].plane, i = source(complex.next(beyond)), j = source(beyond);
+    const std::array<std::uint32_t, 2> from{source(h), source(complex.next(h))};
+    const Motion m = motion(from, {i, j});
+    const std::size_t first_copy = points_.size();
+    const auto copy = [&](std::uint32_t point) {
+      return point == from[0]                   ? i
+             : point == from[1]                 ? j
+             : points_[point].copy < first_copy ? none
+                                                : points_[point].copy;
+    };
+    const bool is_alone = points_[i].plane == plane;
+    boost::container::small_vector<Halfedge_index, 16> sides{h};
+    while (!sides.empty()) {
+      const Halfedge_index side = sides.back();
+      sides.pop_back();
+      const Triangle t = triangle(complex, side);
+      if (points_[t[0]].plane != plane) // it was moved before
+        continue;
+      std::uint32_t apex = copy(t[2]);
+      if (apex == none && (apex = moved(t[2], m, copy(t[0]))) == none)
+        continue;
+      for (Halfedge_index g : {complex.opposite(complex.next(side)), complex.opposite(complex.prev(side))})
+        if (!is_alone && contains(g) && source(g) == source(complex.next(complex.opposite(g))) &&
+            source(complex.next(g)) == source(complex.opposite(g)))
+          sides.push_back(g);
+      keep(complex, side, {copy(t[0]), copy(t[1]), apex});
     }
-    layouts_[position] = layout;
+    return source(h) == i && source(complex.next(h)) == j;
   }
 
   // Forgets the points and planes that no face lies in any more. What stays keeps its order.
   void compact()
   {
-    std::vector<bool> is_free(layouts_.size(), false);
-    for (std::uint32_t i = first_free_; i != none; i = layouts_[i].plane)
-      is_free[i] = true;
     std::vector<std::uint32_t> new_point(points_.size(), none), new_plane(planes_.size(), none);
-    for (std::size_t i = 0; i < layouts_.size(); ++i)
-      if (!is_free[i]) {
-        new_plane[layouts_[i].plane] = 0;
-        for (std::uint32_t corner : layouts_[i].corners)
-          new_point[corner] = 0;
-      }
+    for (const Ends& ends : sources_)
+      for (std::uint32_t point : ends)
+        if (point != none)
+          new_point[point] = new_plane[points_[point].plane] = 0;
     move_up(points_, new_point);
     move_up(planes_, new_plane);
-    for (std::size_t i = 0; i < layouts_.size(); ++i)
-      if (!is_free[i]) {
-        layouts_[i].plane = new_plane[layouts_[i].plane];
-        for (std::uint32_t& corner : layouts_[i].corners)
-          corner = new_point[corner];
-      }
-    most_points_ = (std::max)(points_.size(), most_points_at_first);
+    for (Plane& plane : planes_)
+      plane.size = 0;
+    for (Point& point : points_) {
+      ++planes_[point.plane = new_plane[point.plane]].size;
+      point.copy = 0;
+    }
+    for (Ends& ends : sources_)
+      for (std::uint32_t& point : ends)
+        if (point != none)
+          point = new_point[point];
+    most_points_ = (std::max)(points_.size(), most_points_at_first + sources_.size() / 4);
   }
 
   template <class Element>
@@ -381,13 +363,13 @@ private:
     elements.erase(elements.begin() + n, elements.end());
   }
 
-  static constexpr std::size_t most_points_at_first = 4096;
+  static constexpr std::size_t most_points_at_first = 1024;
 
-  Large_vector<std::uint32_t> layout_of_; // for each face its position in layouts_, or none
-  std::vector<Layout> layouts_;
-  std::uint32_t first_free_ = none; // positions in layouts_ that are not in use: each has the next one as `plane`
+  // For both halfedges of an edge, the source as a point of the face, or none. Empty at first.
+  using Ends = std::array<std::uint32_t, 2>;
+  Large_vector<Ends> sources_;
   std::vector<Point> points_;
-  std::vector<Plane> planes_;                      // those that are older come first
+  std::vector<Plane> planes_;
   std::size_t most_points_ = most_points_at_first; // after the last compaction
 };
 
