@@ -17,7 +17,6 @@
 
 #include <array>
 #include <cmath>
-#include <type_traits>
 
 #ifdef CGAL_HAS_SSE2
 CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(CGAL_HAS_SSE2, 1)

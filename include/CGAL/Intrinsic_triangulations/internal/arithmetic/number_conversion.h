@@ -17,7 +17,6 @@
 
 #include <cmath>
 #include <sstream>
-#include <string>
 #include <type_traits>
 
 namespace CGAL {

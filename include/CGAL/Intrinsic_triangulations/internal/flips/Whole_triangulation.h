@@ -16,7 +16,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <type_traits>
 #include <utility>
 
 namespace CGAL {

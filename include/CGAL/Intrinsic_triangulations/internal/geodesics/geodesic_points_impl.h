@@ -14,7 +14,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/positions/Crossing_locator.h>
 
 #include <cstddef>
-#include <cstdint>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {

@@ -18,7 +18,6 @@
 #include <CGAL/enum.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 
 namespace CGAL {

@@ -13,7 +13,6 @@
 
 #include <CGAL/assertions.h>
 
-#include <cstdint>
 #include <vector>
 
 namespace CGAL {

@@ -18,7 +18,6 @@
 
 #include <boost/container/static_vector.hpp>
 
-#include <optional>
 #include <unordered_set>
 #include <vector>
 

@@ -13,7 +13,6 @@
 #include <boost/container/static_vector.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <limits>
 

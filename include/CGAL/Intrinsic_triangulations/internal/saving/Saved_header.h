@@ -17,7 +17,6 @@
 #include <locale>
 #include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {

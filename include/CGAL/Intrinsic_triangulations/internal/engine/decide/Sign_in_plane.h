@@ -18,7 +18,6 @@
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 

@@ -13,7 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>

@@ -19,7 +19,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
-#include <cmath>
 #include <optional>
 #include <type_traits>
 

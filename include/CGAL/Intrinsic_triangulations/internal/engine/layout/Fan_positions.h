@@ -13,7 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Disk.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <unordered_map>
 
 namespace CGAL {

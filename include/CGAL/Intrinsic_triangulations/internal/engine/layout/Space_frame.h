@@ -17,7 +17,6 @@
 #include <boost/config.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <type_traits>

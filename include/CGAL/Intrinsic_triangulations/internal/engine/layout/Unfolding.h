@@ -25,8 +25,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <utility>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {

@@ -13,7 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 
-#include <array>
 #include <cstddef>
 #include <vector>
 

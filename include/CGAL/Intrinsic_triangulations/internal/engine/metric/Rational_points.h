@@ -18,7 +18,6 @@
 
 #include <cmath>
 #include <memory>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <type_traits>
