@@ -111,8 +111,6 @@ double area(double a) { return a; }
 double error(double) { return 0; }
 double area(const IT::Bounded_area& a) { return a.value; }
 double error(const IT::Bounded_area& a) { return a.error; }
-double first(const Two_doubles& a) { return a.first(); }
-double second(const Two_doubles& a) { return a.second(); }
 template <class Two_faces>
 IT::Bounded_area first(const Two_faces& a)
 {
