@@ -111,13 +111,15 @@ double area(double a) { return a; }
 double error(double) { return 0; }
 double area(const IT::Bounded_area& a) { return a.value; }
 double error(const IT::Bounded_area& a) { return a.error; }
+double first_of(const Two_doubles& a) { return a.first(); }
+double second_of(const Two_doubles& a) { return a.second(); }
 template <class Two_faces>
-IT::Bounded_area first(const Two_faces& a)
+IT::Bounded_area first_of(const Two_faces& a)
 {
   return a.first();
 }
 template <class Two_faces>
-IT::Bounded_area second(const Two_faces& a)
+IT::Bounded_area second_of(const Two_faces& a)
 {
   return a.second();
 }
@@ -147,7 +149,7 @@ TYPED_TEST(Two_faces, have_the_numbers_of_each)
     int number = 0;
     for (const auto& u : {s, t}) {
       const auto of_face = face(u[0], u[1], u[2]);
-      const auto one = number == 0 ? first(areas) : second(areas);
+      const auto one = number == 0 ? first_of(areas) : second_of(areas);
       EXPECT_TRUE(are_same(area(one), area(of_face)));
       EXPECT_TRUE(are_same(error(one), error(of_face)));
       const std::array<double, 3> lengths{edge(u[0], u[1]), edge(u[1], u[2]), edge(u[0], u[2])};
