@@ -330,6 +330,7 @@ TEST_F(Refine_command, does_not_warn_of_a_budget_that_suffices)
 {
   constexpr int n = 10'000;
   std::ostringstream wheel;
+  wheel.precision(17);
   wheel << "OFF\n" << n + 1 << ' ' << n << " 0\n0 0 1\n";
   for (int i = 0; i < n; ++i) {
     const double angle = 2 * std::acos(-1.) * i / n;
