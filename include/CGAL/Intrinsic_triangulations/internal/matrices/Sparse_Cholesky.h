@@ -86,7 +86,8 @@ private:
 #else
   // What takes time is to read the factor. Four columns in a row with the same rows below them are a panel: the numbers
   // of these rows are read once, and the right side as well.
-  static constexpr int wide = 4, soon = 512;
+  static constexpr int wide = 4;
+  static constexpr std::ptrdiff_t soon = 512; // numbers ahead
 
   // Each column is sorted and begins with the diagonal.
   const Matrix& factor() const { return solver_.matrixL().nestedExpression(); }
@@ -127,9 +128,9 @@ private:
         x[c + k] -= entry(k, j) * y[j];
       y[k] = x[c + k] /= entry(k, k);
     }
-    const int end = factor().outerIndexPtr()[factor().cols()];
+    const std::ptrdiff_t begin = first[0], end = factor().nonZeros();
     for (int i = width; i < first[1] - first[0]; ++i) {
-      prefetch_to_read(values + (std::min)(first[0] + width * i + soon, end));
+      prefetch_to_read(values + (std::min)(begin + width * i + soon, end));
       Scalar sum = entry(i, 0) * y[0];
       for (int k = 1; k < width; ++k)
         sum += entry(i, k) * y[k];
@@ -143,9 +144,10 @@ private:
     const auto *const first = factor().outerIndexPtr() + c, *const row = factor().innerIndexPtr() + first[0];
     const Scalar* const values = factor().valuePtr();
     const auto entry = [&](int i, int k) { return Eigen::numext::conj(values[first[k] + i - k]); };
+    const std::ptrdiff_t begin = first[0];
     std::array<Scalar, width> sums{};
     for (int i = width; i < first[1] - first[0]; ++i) {
-      prefetch_to_read(values + (std::max)(first[0] + width * i - soon, 0));
+      prefetch_to_read(values + (std::max)(begin + width * i - soon, std::ptrdiff_t(0)));
       for (int k = 0; k < width; ++k)
         sums[k] += entry(i, k) * x[row[i]];
     }
