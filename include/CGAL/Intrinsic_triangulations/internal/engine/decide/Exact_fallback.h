@@ -209,7 +209,7 @@ private:
     return false;
   }
 
-  static constexpr double smallest = std::numeric_limits<double>::denorm_min();
+  static constexpr double smallest = 0x1p-1074;
 
   static bool is_tiny(const Mpfr_interval& x)
   {
