@@ -97,7 +97,7 @@ inline double decode_length(Bytes& bytes, const std::vector<double>& before)
                                         -1,
                                         infinity,
                                         std::numeric_limits<double>::quiet_NaN(),
-                                        std::numeric_limits<double>::denorm_min(),
+                                        0x1p-1074,
                                         std::numeric_limits<double>::min(),
                                         std::numeric_limits<double>::max(),
                                         1e150};

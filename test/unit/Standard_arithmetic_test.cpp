@@ -16,18 +16,13 @@
 #include <gtest/gtest.h>
 
 #include <cfenv>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
 namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
-
-double half_of_smallest_normal()
-{
-  volatile double x = (std::numeric_limits<double>::min)();
-  return x / 2;
-}
 
 // fegetround() tells that of the x87 unit.
 bool rounds_to_nearest()
@@ -43,30 +38,49 @@ bool rounds_long_doubles_to_nearest()
   return one + small == one && one - small == one;
 }
 
+// The register of the processor where a bit says that subnormal numbers become zero.
+#if defined(CGAL_HAS_SSE2)
+#define CAN_FLUSH_TO_ZERO
+using Control = unsigned int;
+constexpr Control flushing = 0x8040;
+Control control() { return _mm_getcsr(); }
+void set_control(Control c) { _mm_setcsr(c); }
+#elif defined(__GNUC__) && defined(__aarch64__)
+#define CAN_FLUSH_TO_ZERO
+using Control = std::uint64_t;
+constexpr Control flushing = 0x1000000;
+Control control()
+{
+  Control result;
+  asm volatile("mrs %0, fpcr" : "=r"(result));
+  return result;
+}
+void set_control(Control c) { asm volatile("msr fpcr, %0" : : "r"(c) : "memory"); }
+#else
+using Control = int;
+constexpr Control flushing = 0;
+Control control() { return 0; }
+void set_control(Control) {}
+#endif
+
 // A mode of the processor, until the end of its scope.
 class Mode
 {
 public:
-  explicit Mode(int rounding, bool flushes = false)
+  explicit Mode(int rounding, bool flushes = false) : before_(control())
   {
-#ifdef CGAL_HAS_SSE2
-    before_ = _mm_getcsr();
     if (flushes)
-      _mm_setcsr(before_ | 0x8040);
-#endif
-    (void)flushes;
+      set_control(before_ | flushing);
     std::fesetround(rounding);
   }
   ~Mode()
   {
     std::fesetround(FE_TONEAREST);
-#ifdef CGAL_HAS_SSE2
-    _mm_setcsr(before_);
-#endif
+    set_control(before_);
   }
 
 private:
-  unsigned int before_ = 0;
+  Control before_;
 };
 
 // All kinds of numbers and decisions of a surface, in one row.
@@ -113,9 +127,13 @@ TEST(Standard_arithmetic, is_set_and_the_old_mode_returns)
   }
 }
 
-#ifdef CGAL_HAS_SSE2
+#ifdef CAN_FLUSH_TO_ZERO
 TEST(Standard_arithmetic, keeps_subnormal_numbers)
 {
+  const auto half_of_smallest_normal = [] {
+    volatile double x = (std::numeric_limits<double>::min)();
+    return x / 2;
+  };
   const Mode mode(FE_TONEAREST, true);
   {
     const IT::internal::Standard_arithmetic arithmetic;

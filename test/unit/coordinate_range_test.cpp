@@ -34,7 +34,7 @@ using Defect = IT::Invalid_surface_error::Defect;
 using Points = std::vector<std::array<double, 3>>;
 using Triangles = std::vector<std::array<std::size_t, 3>>;
 
-constexpr double least = std::numeric_limits<double>::denorm_min();
+constexpr double least = 0x1p-1074;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 // The smallest number whose square is not rounded to zero.
 const double smallest_root = std::sqrt(2.) * 0x1p-538;

@@ -55,8 +55,7 @@ Points hard_numbers()
     points.push_back(p);
   }
   points.push_back({{0.1, -0.0, 1.0 / 3.0}});
-  points.push_back({{std::numeric_limits<double>::denorm_min(), (std::numeric_limits<double>::max)(),
-                     -(std::numeric_limits<double>::min)()}});
+  points.push_back({{0x1p-1074, (std::numeric_limits<double>::max)(), -(std::numeric_limits<double>::min)()}});
   while (points.size() % 3 != 0)
     points.push_back({{1.0 * static_cast<double>(points.size()), 1, 1}});
   return points;

@@ -5,7 +5,9 @@
 // digits.
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/corner_signs.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Double_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Triangle_corner.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Two_straight_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/ratios_in_space.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
@@ -120,6 +122,34 @@ TEST(Two_straight_faces, nothing_is_known_without_area)
   ASSERT_TRUE(two.get(true, numbers));
   EXPECT_EQ(numbers.twice_area.hi(), 1);
   EXPECT_EQ(numbers.cotangents[2].hi(), 1);
+}
+
+TEST(Straight_corner, bounds_hold)
+{
+  using Straight_corner = IT::internal::Triangle_corner<Bounded_double_double>;
+  const std::vector<Triangle> all = triangles();
+  std::size_t number_of_known = 0;
+  for (const Triangle& t : all)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Point &i = t[c], &j = t[(c + 1) % 3], &k = t[(c + 2) % 3];
+      const auto found = IT::internal::straight_corner<Straight_corner>(i, j, k);
+      if (!found)
+        continue;
+      ++number_of_known;
+      const Corner exact(k, i, j);
+      expect_within(2 * exact.product, found->p);
+      expect_within(2 * exact.twice_area, found->four_areas);
+      expect_within(exact.s, found->s_first);
+      expect_within(exact.s_second, found->s_second);
+      expect_within(Corner(i, j, k).s, found->s_opposite);
+      EXPECT_LT(found->s_opposite.relative_error(), 0x1p-98);
+      EXPECT_LE(found->four_areas.error(), Number(0x1p-95 * sqrt(Number(exact.s * exact.s_second))));
+      EXPECT_LE(found->p.error(), found->four_areas.error());
+    }
+  EXPECT_GT(number_of_known, 2 * all.size());
+  // A right angle, which other numbers can prove, and no area
+  EXPECT_FALSE(IT::internal::straight_corner<Straight_corner>(Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 0}));
+  EXPECT_FALSE(IT::internal::straight_corner<Straight_corner>(Point{1, 0, 0}, Point{2, 0, 0}, Point{0, 0, 0}));
 }
 
 Number value(const Bounded_double_double& x) { return Number(x.hi()) + x.lo(); }

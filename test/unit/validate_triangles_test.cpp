@@ -269,7 +269,7 @@ TEST(Validate_triangles, zero_length_edge)
   // Coincident vertices without an edge between them do no harm; the smallest difference is a length.
   const Points apart = {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 0}}, {{-1, 0, 0}}, {{0, -1, 0}}};
   EXPECT_EQ(IT::examine_polygons(apart, Polygons{{0, 1, 2}, {3, 4, 5}}).first_fatal(), nullptr);
-  const double least = std::numeric_limits<double>::denorm_min();
+  const double least = 0x1p-1074;
   const Points tiny = {{{0, 0, 0}}, {{least, 0, 0}}, {{0, least, 0}}};
   const IT::Surface_report report = IT::examine_polygons(tiny, Polygons{{0, 1, 2}});
   EXPECT_TRUE(report.findings.empty()) << IT::message(report);

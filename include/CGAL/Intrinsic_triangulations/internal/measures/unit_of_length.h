@@ -173,7 +173,7 @@ struct Box
     double largest = 0;
     for (int i = 0; i < 3; ++i)
       if (high[i] > low[i])
-        largest = (std::max)({largest, high[i] / 2 - low[i] / 2, std::numeric_limits<double>::denorm_min()});
+        largest = (std::max)({largest, high[i] / 2 - low[i] / 2, 0x1p-1074});
     return largest;
   }
   // Whether a coordinate is the same everywhere, so that no length depends on it.

@@ -134,7 +134,7 @@ public:
       const double low = x.lower_double(), high = x.upper_double();
       const double magnitude = (std::max)(std::abs(low), std::abs(high));
       if (is_tiny(x))
-        return get_certain(x.sign()) * smallest;
+        return int(get_certain(x.sign())) * smallest;
       // Where the sign is open, the middle could be zero.
       const bool is_as_narrow_as_can_be = high - low <= 2 * smallest && is_certain(x.sign());
       if (magnitude < std::numeric_limits<double>::infinity() &&
@@ -180,7 +180,7 @@ public:
       if (!is_certain(sum.sign()))
         continue;
       if (is_tiny(sum)) // and not 0
-        return get_certain(sum.sign()) * smallest;
+        return int(get_certain(sum.sign())) * smallest;
       require_range(sum, complex_.face(corners.opposite_to_k));
       const double low = sum.lower_double(), high = sum.upper_double();
       if (high - low <= (std::max)(2 * smallest, 0x1p-50 * (std::max)(std::abs(low), std::abs(high))))
@@ -209,7 +209,7 @@ private:
     return false;
   }
 
-  static constexpr double smallest = std::numeric_limits<double>::denorm_min();
+  static constexpr double smallest = 0x1p-1074;
 
   static bool is_tiny(const Mpfr_interval& x)
   {

@@ -9,7 +9,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_CORNER_SIGNS_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/rounded_sqrt.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Vertex_positions.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
@@ -19,6 +21,7 @@
 #include <CGAL/number_utils.h>
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <type_traits>
 
@@ -67,12 +70,40 @@ inline std::optional<Sign> side_in_plane(const Delta_complex& complex, const Ver
   return static_cast<Sign>(Rational(value(rational, false)).sign());
 }
 
+// As straight_corner(), of points of the input and in a quarter of the time: one bound for all errors instead of a running
+// one. Nothing where something could underflow, or an exact zero might be missed.
+template <class Corner>
+std::optional<Corner> straight_corner(const std::array<double, 3>& i, const std::array<double, 3>& j,
+                                      const std::array<double, 3>& k)
+{
+  const Split_vector<double> ki = split_vector(k, i), kj = split_vector(k, j), side = split_vector(i, j);
+  const Split_double_double<double> p = split_scalar_product(ki, kj), s_first = split_scalar_product(ki, ki),
+                                    s_second = split_scalar_product(kj, kj), s_side = split_scalar_product(side, side),
+                                    square = split_squared_area(ki, kj);
+  const auto is_usual = [](double s) { return s > 1e-100 && s < 1e100; };
+  // Products of two vectors are good to 2^-102 of those of their lengths, and so is the area to 2^-100.
+  const double error = 0x1p-97 * rounded_sqrt(s_first.hi * s_second.hi);
+  if (!is_usual(s_first.hi) || !is_usual(s_second.hi) || !is_usual(s_side.hi) || !(square.hi > 1e-200) ||
+      !(std::abs(p.hi) > error))
+    return std::nullopt;
+  const auto bounded = [](const Split_double_double<double>& x, double bound) {
+    return Bounded_double_double(x.hi, x.lo, bound);
+  };
+  return Corner{bounded(p, error).scaled(2), bounded(square_root(square), error).scaled(2),
+                bounded(s_first, 0x1p-100 * s_first.hi), bounded(s_second, 0x1p-100 * s_second.hi),
+                bounded(s_side, 0x1p-100 * s_side.hi)};
+}
+
 // Lengths and angles from three points.
 template <class Corner>
 Corner straight_corner(const Delta_complex& complex, const Vertex_positions& positions, Halfedge_index ij)
 {
   using Real = Bounded_double_double;
   const Vertex_index i = complex.source(ij), j = complex.target(ij), k = complex.target(complex.next(ij));
+  if (const Points& points = positions.points();
+      !positions.is_inserted(i) && !positions.is_inserted(j) && !positions.is_inserted(k))
+    if (const std::optional<Corner> corner = straight_corner<Corner>(points[i.idx()], points[j.idx()], points[k.idx()]))
+      return *corner;
   const auto ki = positions.direction<Real>(k, i), kj = positions.direction<Real>(k, j),
              side = positions.direction<Real>(i, j);
   const auto normal = cross_product(ki, kj);
