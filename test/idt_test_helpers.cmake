@@ -36,8 +36,13 @@ function(idt_join_sources result)
   file(CONFIGURE OUTPUT ${result} @ONLY CONTENT "@includes@\n@bodies@")
 endfunction()
 
+set(test_timeout 300)
+if(CMAKE_CROSSCOMPILING AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
+  set(test_timeout 3000) # an emulated processor
+endif()
+
 # add_idt_test(NAME SOURCE... [SANITIZE] [SANITIZE_AT_NIGHT] [THREADS] [LIBRARIES TARGET...] [DEFINITIONS DEF...]
-#              [TIMEOUT SECONDS] [PREFIX PREFIX] [OPTIMIZE] [TOGETHER])
+#              [PREFIX PREFIX] [OPTIMIZE] [TOGETHER])
 #
 # One GoogleTest executable, each of whose cases is a test of its own in CTest.
 # SANITIZE marks a test that the sanitizer lane of .ci/run builds and runs; SANITIZE_AT_NIGHT one that `scripts/test --all` runs, as it
@@ -46,10 +51,7 @@ endfunction()
 # has more names than fit into an object file of Windows without optimization. TOGETHER compiles all sources as one, which takes half of
 # the time: most of it goes into what they include.
 function(add_idt_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "SANITIZE;SANITIZE_AT_NIGHT;THREADS;OPTIMIZE;TOGETHER" "TIMEOUT;PREFIX" "LIBRARIES;DEFINITIONS")
-  if(NOT arg_TIMEOUT)
-    set(arg_TIMEOUT 300)
-  endif()
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SANITIZE;SANITIZE_AT_NIGHT;THREADS;OPTIMIZE;TOGETHER" "PREFIX" "LIBRARIES;DEFINITIONS")
   get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
   set_property(DIRECTORY PROPERTY LABELS ${folder})
 
@@ -100,7 +102,7 @@ function(add_idt_test name)
     ${prefix}
     DISCOVERY_MODE PRE_TEST
     DISCOVERY_TIMEOUT 120
-    PROPERTIES ${label} TIMEOUT ${arg_TIMEOUT})
+    PROPERTIES ${label} TIMEOUT ${test_timeout})
 endfunction()
 
 # add_idt_number_type_tests(NAME BODY NUMBER_TYPE... [SANITIZE_TYPES NUMBER_TYPE...]
@@ -111,7 +113,7 @@ endfunction()
 # header uses the type `Number_type`, which number_types/<number type>.h defines.
 # With SANITIZE_TYPES, the sanitizer lane takes the tests of those types.
 function(add_idt_number_type_tests name body)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "" "TIMEOUT" "SANITIZE_TYPES;LIBRARIES;DEFINITIONS")
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "SANITIZE_TYPES;LIBRARIES;DEFINITIONS")
   get_filename_component(body ${body} ABSOLUTE)
   foreach(number_type IN LISTS arg_UNPARSED_ARGUMENTS)
     set(number_type_header
@@ -125,9 +127,6 @@ function(add_idt_number_type_tests name body)
     set(options)
     if(number_type IN_LIST arg_SANITIZE_TYPES)
       list(APPEND options SANITIZE)
-    endif()
-    if(arg_TIMEOUT)
-      list(APPEND options TIMEOUT ${arg_TIMEOUT})
     endif()
     add_idt_test(${name}_${number_type} ${source} ${options}
       PREFIX "${number_type}."
