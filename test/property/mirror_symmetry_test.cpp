@@ -19,6 +19,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <random>
@@ -54,6 +56,15 @@ bool is_zero_in_finite_fields(const Triangulation& t, IT::Edge_index e)
   const bool is_zero = (c.k.p * c.l.four_areas + c.l.p * c.k.four_areas).is_zero();
   EXPECT_TRUE(rings.is_defined());
   return is_zero;
+}
+
+IT::Edge_index edge_between(const IT::Delta_complex& complex, std::uint32_t p, std::uint32_t q)
+{
+  for (IT::Edge_index e : complex.edges())
+    if (const auto h = complex.halfedge(e);
+        std::minmax({complex.source(h).idx(), complex.target(h).idx()}) == std::minmax({p, q}))
+      return e;
+  return {};
 }
 
 struct Counts
@@ -100,12 +111,31 @@ TEST(Mirror_symmetry, is_found_across_any_number_of_folds)
   }
 }
 
-// Other symmetries make ties that are not seen by this proof.
-TEST(Mirror_symmetry, of_the_triangles_is_needed)
+// The folds of both halves are mirror images, the cuts in their planes are not.
+TEST(Mirror_symmetry, does_not_depend_on_cuts_in_planes)
 {
-  for (const Surface& surface :
-       {symmetric_surfaces::mirrored_sheet(5, true), symmetric_surfaces::quarter_turns(5),
-        symmetric_surfaces::sixth_turns(5), symmetric_surfaces::half_turn(5), symmetric_surfaces::glided_sheet(5)}) {
+  for (int folds : {1, 2, 3, 5, 20}) {
+    SCOPED_TRACE(folds);
+    const Surface surface = symmetric_surfaces::mirrored_sheet(folds, true);
+    Triangulation t(connectivity(surface), surface.mesh.points);
+    IT::flip_to_Delaunay(t);
+    const IT::Edge_index e = diagonal_of_corners(t.connectivity(), surface);
+    EXPECT_TRUE(is_symmetric(t, e));
+    ASSERT_EQ(t.flip(e), Triangulation::Flip_outcome::FLIPPED);
+    EXPECT_TRUE(is_symmetric(t, e));
+    // Where only lengths are given, planes are not known.
+    Triangulation by_lengths = Triangulation::from_metric(
+      connectivity(surface), IT::metric_from_squared_lengths(symmetric_surfaces::squared_lengths(surface)));
+    IT::flip_to_Delaunay(by_lengths);
+    EXPECT_FALSE(is_symmetric(by_lengths, diagonal_of_corners(by_lengths.connectivity(), surface)));
+  }
+}
+
+// Other symmetries make ties that are not seen by this proof.
+TEST(Mirror_symmetry, is_the_only_one_that_is_found)
+{
+  for (const Surface& surface : {symmetric_surfaces::quarter_turns(5), symmetric_surfaces::sixth_turns(5),
+                                 symmetric_surfaces::half_turn(5), symmetric_surfaces::glided_sheet(5)}) {
     Triangulation t(connectivity(surface), surface.mesh.points);
     IT::flip_to_Delaunay(t);
     const IT::Edge_index e = diagonal_of_corners(t.connectivity(), surface);
@@ -115,15 +145,15 @@ TEST(Mirror_symmetry, of_the_triangles_is_needed)
 }
 
 // Each edge in turn is made longer by next to nothing. Where the hinge crosses a triangle at that edge, the symmetry
-// is lost, and so is the tie; but not if one half of the sheet is merely turned about an end of the fold
-// in the middle, by one of the two edges that make up a triangle with it and are not crossed.
+// is lost, and so is the tie; but not where one half of the sheet is merely turned about an end of the fold in the
+// middle, by one of the two edges that make up a triangle with it and are not crossed.
 TEST(Mirror_symmetry, is_lost_with_any_length_that_matters)
 {
   for (int folds : {2, 3, 6}) {
     SCOPED_TRACE(folds);
     const Surface surface = symmetric_surfaces::mirrored_sheet(folds);
     const std::vector<Rational> squared_lengths = symmetric_surfaces::squared_lengths(surface);
-    int lost = 0, kept = 0, turned = 0;
+    int lost = 0, kept = 0;
     for (std::size_t i = 0; i < squared_lengths.size(); ++i) {
       std::vector<Rational> changed = squared_lengths;
       changed[i] += Rational(Integer(1), Integer(1) << 200);
@@ -131,12 +161,11 @@ TEST(Mirror_symmetry, is_lost_with_any_length_that_matters)
       IT::flip_to_Delaunay(t);
       const IT::Edge_index e = diagonal_of_corners(t.connectivity(), surface);
       ASSERT_NE(e, IT::Edge_index());
-      const bool is_found = is_symmetric(t, e), is_tie = is_zero_in_finite_fields(t, e);
-      EXPECT_TRUE(is_tie || !is_found) << "input edge " << i;
-      ++(is_found ? kept : is_tie ? turned : lost);
+      const bool is_found = is_symmetric(t, e);
+      EXPECT_EQ(is_found, is_zero_in_finite_fields(t, e)) << "input edge " << i;
+      ++(is_found ? kept : lost);
     }
-    EXPECT_EQ(turned, 2);
-    EXPECT_EQ(kept, 1); // the fold in the middle, which belongs to both halves
+    EXPECT_EQ(kept, 3); // these two, and the fold in the middle, which belongs to both halves
     EXPECT_EQ(lost, 8 * folds + 6);
   }
 }
@@ -181,6 +210,108 @@ TEST(Mirror_symmetry, agrees_with_finite_fields_where_lengths_coincide)
   EXPECT_GT(counts.symmetric, 150);
   EXPECT_GT(counts.other_ties, 1000);
   EXPECT_GT(counts.bent, 10000);
+}
+
+// Fans whose triangles are of few kinds, in any order: with few lengths of spokes and of rim edges.
+TEST(Mirror_symmetry, agrees_with_finite_fields_in_fans)
+{
+  std::mt19937 random(3);
+  Counts counts;
+  for (unsigned run = 0; run < 300 && !HasFailure(); ++run) {
+    SCOPED_TRACE(run);
+    const std::uint32_t size = 6 + random() % 12;
+    const bool is_closed = run % 2 == 1;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    for (std::uint32_t i = 0; i < size; ++i)
+      triangles.push_back({0, 1 + i, is_closed && i + 1 == size ? 1 : 2 + i});
+    IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(is_closed ? size + 1 : size + 2, triangles);
+    std::vector<Rational> squared_lengths;
+    for (IT::Edge_index e : complex.edges()) {
+      const IT::Halfedge_index h = complex.halfedge(e);
+      const bool is_spoke = complex.source(h).idx() == 0 || complex.target(h).idx() == 0;
+      squared_lengths.emplace_back(is_spoke ? 9 + random() % 2 : 1 + random() % (2 + run % 3));
+    }
+    Triangulation t = Triangulation::from_metric(std::move(complex), IT::metric_from_squared_lengths(squared_lengths));
+    for (int i = 0; i < 6; ++i) {
+      flip_at_random(t, 4, random);
+      expect_agreement(t, counts);
+    }
+  }
+  EXPECT_GT(counts.symmetric, 100);
+  EXPECT_GT(counts.other_ties, 300);
+  EXPECT_GT(counts.bent, 10000);
+}
+
+// Grids with few heights, and with either diagonal in each of their rectangles: edges cross the polygons of planes, in
+// which few diagonals are mirror images. In every second grid the folds are parallel.
+TEST(Mirror_symmetry, agrees_with_finite_fields_across_planes)
+{
+  std::mt19937 random(4);
+  Counts counts;
+  for (unsigned run = 0; run < 200 && !HasFailure(); ++run) {
+    SCOPED_TRACE(run);
+    const std::uint32_t rows = 2 + random() % 3, columns = 2 + random() % 5, number_of_heights = 1 + run % 3;
+    const double width = 1 + random() % 3, height = 1 + random() % 2;
+    samples::Indexed_triangles mesh;
+    const auto vertex = [&](std::uint32_t i, std::uint32_t j) { return j * (columns + 1) + i; };
+    for (std::uint32_t j = 0; j <= rows; ++j)
+      for (std::uint32_t i = 0; i <= columns; ++i) {
+        const double z = run % 2 == 0 && j > 0 ? mesh.points[i][2] : double(random() % number_of_heights);
+        mesh.points.push_back({width * i, height * j, z});
+      }
+    for (std::uint32_t j = 0; j < rows; ++j)
+      for (std::uint32_t i = 0; i < columns; ++i) {
+        const std::uint32_t a = vertex(i, j), b = vertex(i + 1, j), c = vertex(i + 1, j + 1), d = vertex(i, j + 1);
+        const bool is_rising = random() % 2 == 0;
+        mesh.triangles.push_back({a, b, is_rising ? c : d});
+        mesh.triangles.push_back({is_rising ? a : b, c, d});
+      }
+    Triangulation t(IT::make_Delta_complex_from_triangles(mesh.points.size(), mesh.triangles), mesh.points);
+    for (int i = 0; i < 6; ++i) {
+      flip_at_random(t, 6, random);
+      expect_agreement(t, counts);
+    }
+  }
+  EXPECT_GT(counts.symmetric, 5000);
+  EXPECT_GT(counts.other_ties, 100);
+  EXPECT_GT(counts.bent, 10000);
+}
+
+// Spokes of two lengths in turn, so that triangles can be in any order. Between vertices 0, 3, 5 and 8 of the rim there
+// are three triangles, two and three.
+Triangulation fan(const std::array<int, 8>& squared_lengths_of_rim)
+{
+  constexpr std::uint32_t hub = 9;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (std::uint32_t i = 0; i < 8; ++i)
+    triangles.push_back({hub, i, i + 1});
+  IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(hub + 1, triangles);
+  std::vector<Rational> squared_lengths;
+  for (IT::Edge_index e : complex.edges()) {
+    const IT::Halfedge_index h = complex.halfedge(e);
+    const auto [i, j] = std::minmax({complex.source(h).idx(), complex.target(h).idx()});
+    squared_lengths.emplace_back(j == hub ? 900 + int(i % 2) : squared_lengths_of_rim[i]);
+  }
+  Triangulation t = Triangulation::from_metric(std::move(complex), IT::metric_from_squared_lengths(squared_lengths));
+  for (std::uint32_t i : {1, 2, 4, 6, 7, 3, 5}) // from the spokes of a polygon to 0-3, 3-5, 5-8, 0-5, 0-8
+    EXPECT_EQ(t.flip(edge_between(t.connectivity(), i, hub)), Triangulation::Flip_outcome::FLIPPED);
+  return t;
+}
+
+TEST(Mirror_symmetry, of_an_angle_does_not_depend_on_the_order_of_its_parts)
+{
+  const auto is_found = [](const std::array<int, 8>& squared_lengths_of_rim) {
+    const Triangulation t = fan(squared_lengths_of_rim);
+    const IT::Edge_index e = edge_between(t.connectivity(), 0, 5);
+    const bool result = is_symmetric(t, e);
+    EXPECT_EQ(result, is_zero_in_finite_fields(t, e));
+    return result;
+  };
+  EXPECT_TRUE(is_found({11, 13, 17, 19, 23, 17, 13, 11})); // as in a mirror
+  EXPECT_TRUE(is_found({11, 13, 17, 19, 23, 11, 13, 17}));
+  EXPECT_TRUE(is_found({11, 11, 17, 19, 23, 11, 17, 11}));
+  EXPECT_FALSE(is_found({11, 11, 17, 19, 23, 11, 17, 17}));
+  EXPECT_FALSE(is_found({11, 13, 17, 19, 23, 11, 13, 19}));
 }
 
 } // namespace

@@ -11,10 +11,12 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -38,19 +40,21 @@ struct Family
 {
   const char* name;
   std::function<Surface(int)> make;
-  IT::Stage stage; // that finds a tie with many roots
+  // That finds a tie with many roots, from points and from lengths: these do not tell which triangles are coplanar.
+  IT::Stage stage, stage_by_lengths;
 };
 
 const std::vector<Family>& families()
 {
+  constexpr IT::Stage congruence = IT::Stage::CONGRUENCE, modular = IT::Stage::MODULAR;
   static const std::vector<Family> result{
-    {"mirrored", [](int folds) { return symmetric_surfaces::mirrored_sheet(folds); }, IT::Stage::CONGRUENCE},
-    {"mirrored, with cuts", [](int folds) { return symmetric_surfaces::mirrored_sheet(folds, true); },
-     IT::Stage::MODULAR},
-    {"quarter turns", symmetric_surfaces::quarter_turns, IT::Stage::MODULAR},
-    {"sixth turns", symmetric_surfaces::sixth_turns, IT::Stage::MODULAR},
-    {"half turn", symmetric_surfaces::half_turn, IT::Stage::MODULAR},
-    {"glided", symmetric_surfaces::glided_sheet, IT::Stage::MODULAR}};
+    {"mirrored", [](int folds) { return symmetric_surfaces::mirrored_sheet(folds); }, congruence, congruence},
+    {"mirrored, with cuts", [](int folds) { return symmetric_surfaces::mirrored_sheet(folds, true); }, congruence,
+     modular},
+    {"quarter turns", symmetric_surfaces::quarter_turns, modular, modular},
+    {"sixth turns", symmetric_surfaces::sixth_turns, modular, modular},
+    {"half turn", symmetric_surfaces::half_turn, modular, modular},
+    {"glided", symmetric_surfaces::glided_sheet, modular, modular}};
   return result;
 }
 
@@ -94,8 +98,28 @@ TEST(Symmetric_ties, are_decided)
       const Developed_disk disk(connectivity(surface), squared_lengths(surface));
       expect_tie(from_points(surface), surface, disk, family.stage);
       if (folds <= 50)
-        expect_tie(from_lengths(surface, squared_lengths(surface)), surface, disk, family.stage);
+        expect_tie(from_lengths(surface, squared_lengths(surface)), surface, disk, family.stage_by_lengths);
     }
+}
+
+// A wheel whose halves are mirror images, but for the two vertices of the rim between them: where x should be 0, it is
+// the rounded cosine of pi / 2. Edges cross many spokes on both sides of one of those.
+TEST(Symmetric_ties, of_a_nearly_symmetric_wheel_need_no_finite_field)
+{
+  constexpr std::uint32_t half = 100;
+  samples::Indexed_triangles mesh;
+  mesh.points.push_back({0, 0, 1});
+  const auto rounded = [](double x) { return std::round(std::ldexp(x, 20)) * 0x1p-20; };
+  for (std::uint32_t i = 0; i < 2 * half; ++i) {
+    const double angle = std::acos(-1.) * (double((std::min)(i, 2 * half - i)) / half - 0.5),
+                 x = i % half == 0 ? 0x1p-54 : rounded(std::cos(angle));
+    mesh.points.push_back({i < half ? x : -x, rounded(std::sin(angle)), rounded(0.3 * std::sin(3 * angle))});
+    mesh.triangles.push_back({0, 1 + i, 1 + (i + 1) % (2 * half)});
+  }
+  Triangulation t(IT::make_Delta_complex_from_triangles(mesh.points.size(), mesh.triangles), mesh.points);
+  ASSERT_EQ(IT::flip_to_Delaunay(t).status, IT::Flip_status::DELAUNAY);
+  EXPECT_GT(t.stage_counts()[IT::Stage::CONGRUENCE], 10u);
+  EXPECT_EQ(t.stage_counts()[IT::Stage::MODULAR], 0u);
 }
 
 // The Delaunay diagonal, and the other one that takes its place when it is flipped.
