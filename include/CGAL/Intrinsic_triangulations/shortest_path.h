@@ -39,6 +39,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -67,13 +68,16 @@ std::uint64_t number_of_ways(const NamedParameters& np, const Delta_complex& com
 
 template <class Traits, class Row, class NamedParameters>
 Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& triangulation, const Row& row,
-                                        const std::vector<std::uint32_t>& sources, const NamedParameters& np)
+                                        std::vector<std::uint32_t> sources, const NamedParameters& np)
 {
   const double tolerance = value_of<Parameter::TOLERANCE>(np, 0.001);
   if (!(tolerance >= 0 && tolerance < 1))
     throw Invalid_argument_error("the tolerance of distances has to be at least 0 and less than 1");
   const Interruption interruption(go_further_function_of(np));
-  const Laid_out_faces faces(triangulation, row);
+  const Places places(triangulation, row);
+  const std::optional<Intrinsic_triangulation<Traits>> by_place = with_ties_by_place(triangulation, row, places);
+  const Laid_out_faces faces(by_place ? *by_place : triangulation, row, places);
+  std::sort(sources.begin(), sources.end(), [&](std::uint32_t v, std::uint32_t w) { return places.rank(v) < places.rank(w); });
   Window_propagation windows(faces, tolerance);
   Geodesic_distances result;
   result.is_complete = windows.run(sources, number_of_ways(np, triangulation.connectivity()), interruption);
@@ -82,7 +86,7 @@ Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& t
   std::map<std::uint32_t, double> pins;
   for (std::uint32_t source : sources)
     pins[source] = 0;
-  Distance_bounds(triangulation, row).apply(distances, pins);
+  Distance_bounds(by_place ? *by_place : triangulation, row).apply(distances, pins);
   for (double d : distances)
     result.distances.push_back(std::ldexp(d, faces.exponent()));
   return result;
@@ -351,7 +355,7 @@ Shortest_path shortest_path(Intrinsic_triangulation<Traits>& triangulation, Vert
   Shortest_path result;
   if (source == target)
     return result;
-  const internal::Laid_out_faces faces(triangulation, row);
+  const internal::Laid_out_faces faces(triangulation, row, internal::Places(triangulation, row));
   internal::Window_propagation windows(faces, 0);
   const internal::Interruption interruption(internal::go_further_function_of(np));
   result.is_complete = windows.run({source.idx()}, internal::number_of_ways(np, complex), interruption);

@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Places.h>
 #include <CGAL/Intrinsic_triangulations/internal/numbers/Accurate_shapes.h>
 
 #include <array>
@@ -39,11 +40,11 @@ public:
 
   // \tparam Row gives the row of a vertex, as Row_of_vertex
   template <class Traits, class Row>
-  Laid_out_faces(const Intrinsic_triangulation<Traits>& triangulation, const Row& row)
+  Laid_out_faces(const Intrinsic_triangulation<Traits>& triangulation, const Row& row, const Places& places)
     : angle_sums_(triangulation.connectivity().number_of_vertices(), 0), first_(row.number_of_rows() + 1, 0)
   {
     const Delta_complex& complex = triangulation.connectivity();
-    const Accurate_shapes<Traits> shapes(triangulation);
+    const Rounded_shapes<Traits> shapes(triangulation);
     exponent_ = shapes.exponent();
     std::vector<double> lengths;
     lengths.reserve(complex.number_of_edges());
@@ -52,9 +53,9 @@ public:
     std::vector<std::uint32_t> side_of(complex.number_of_halfedges(), none);
     sides_.reserve(3 * complex.number_of_faces());
     halfedges_.reserve(3 * complex.number_of_faces());
-    for (Face_index f : complex.faces()) {
-      const Halfedge_index base =
-        side_with_largest(complex, f, [&](Halfedge_index h) { return lengths[complex.edge(h).idx()]; });
+    for (Halfedge_index first : first_sides_by_place(complex, row, places)) {
+      const Halfedge_index base = longest_side(complex, first, lengths);
+      const Face_index f = complex.face(base);
       const std::array<Halfedge_index, 3> around{base, complex.next(base), complex.prev(base)};
       std::array<double, 3> length;
       for (int i = 0; i < 3; ++i) {
@@ -92,6 +93,17 @@ public:
   int exponent() const { return exponent_; }
 
 private:
+  // Of several, the first.
+  static Halfedge_index longest_side(const Delta_complex& complex, Halfedge_index first,
+                                     const std::vector<double>& lengths)
+  {
+    Halfedge_index result = first;
+    for (Halfedge_index h : {complex.next(first), complex.prev(first)})
+      if (lengths[complex.edge(h).idx()] > lengths[complex.edge(result).idx()])
+        result = h;
+    return result;
+  }
+
   // Of (0, 0), (base, 0) and the apex, from the cotangents at the second and the first corner.
   static std::array<double, 2> apex_of_shape(double base, double first, double second)
   {

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
@@ -84,6 +85,41 @@ public:
 private:
   const Triangulation& triangulation_;
   const Delta_complex& complex_;
+};
+
+// All of them at once, and so accurate that they are rounded alike whatever was flipped before.
+template <class Traits>
+class Rounded_shapes : public Accurate_shapes<Traits>
+{
+public:
+  using Accurate_shapes<Traits>::Accurate_shapes;
+};
+
+template <>
+class Rounded_shapes<Filtered_edge_length_traits> : public Accurate_shapes<Filtered_edge_length_traits>
+{
+public:
+  explicit Rounded_shapes(const Triangulation& triangulation)
+    : Accurate_shapes(triangulation), triangulation_(triangulation), numbers_(triangulation.connectivity())
+  {
+    Engine_numbers(engine(triangulation)).find_numbers(0, triangulation.connectivity().number_of_faces(), numbers_);
+  }
+
+  double length(Edge_index e) const
+  {
+    const double known = numbers_.lengths[e.idx()];
+    return std::ldexp(std::isnan(known) ? triangulation_.length(e) : known, -exponent());
+  }
+
+  double cotangent(Halfedge_index h) const
+  {
+    const auto& [hi, lo, error] = numbers_.cotangents[h.idx()];
+    return error < 0x1p-53 * (1 + std::abs(hi)) ? hi : triangulation_.cotangent(h);
+  }
+
+private:
+  const Triangulation& triangulation_;
+  Rounded_numbers numbers_;
 };
 
 } // namespace internal
