@@ -75,7 +75,7 @@ Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& t
     throw Invalid_argument_error("the tolerance of distances has to be at least 0 and less than 1");
   const Interruption interruption(go_further_function_of(np));
   const Places places(triangulation, row);
-  const std::optional<Intrinsic_triangulation<Traits>> by_place = with_ties_by_place(triangulation, row, places);
+  const std::optional<Intrinsic_triangulation<Traits>> by_place = with_ties_by_place(triangulation, row);
   const Laid_out_faces faces(by_place ? *by_place : triangulation, row, places);
   std::sort(sources.begin(), sources.end(), [&](std::uint32_t v, std::uint32_t w) { return places.rank(v) < places.rank(w); });
   Window_propagation windows(faces, tolerance);

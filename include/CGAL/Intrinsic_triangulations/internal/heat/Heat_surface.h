@@ -241,19 +241,11 @@ private:
   Heat_surface result_;
 };
 
-template <class Traits>
-Heat_surface make_heat_surface(const Intrinsic_triangulation<Traits>& triangulation)
+// \param share gives what a face counts
+template <class Traits, class Row, class Share>
+Heat_surface make_heat_surface(const Intrinsic_triangulation<Traits>& triangulation, const Row& row, const Share& share)
 {
-  const Row_of_vertex row(triangulation.connectivity());
-  return Heat_surface_builder<Traits, Row_of_vertex>(triangulation, row, [](Face_index) { return 1.; }).take();
-}
-
-inline Heat_surface make_heat_surface(const Tufted_cover& cover)
-{
-  const Row_of_cover_vertex row(cover);
-  return Heat_surface_builder<Filtered_edge_length_traits, Row_of_cover_vertex>(
-           cover.triangulation, row, [&cover](Face_index f) { return share(cover, f); })
-    .take();
+  return Heat_surface_builder<Traits, Row>(triangulation, row, share).take();
 }
 
 } // namespace internal

@@ -77,44 +77,36 @@ std::vector<Halfedge_index> first_sides_by_place(const Delta_complex& complex, c
   return result;
 }
 
-// A copy in which the choice among several Delaunay triangulations of the same cell does not depend on the order of
-// flips; nothing, if it does not before. All edges of the input in a cell are in each of them: the paraboloid over
-// the triangulation goes down with each flip, so that an edge that is flipped is never a tie again. The other ties are
-// those of weights by which vertices are the lower the earlier they come.
+// A copy in which the choice among several Delaunay triangulations does not depend on the order of flips; nothing if
+// there is no choice. Ties that are edges of the input remain: the convex function on the surface whose edges are the
+// Delaunay ones goes down with each flip, so no flipped edge is ever a tie again. Among the others, those are chosen
+// that would be Delaunay if the first vertices counted a little more.
 template <class Traits, class Row>
 std::optional<Intrinsic_triangulation<Traits>> with_ties_by_place(const Intrinsic_triangulation<Traits>& triangulation,
-                                                                  const Row& row, const Places& places)
+                                                                  const Row& row)
 {
   std::optional<Intrinsic_triangulation<Traits>> result;
   if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry) {
-    const auto rank = [&](const Delta_complex& complex, Halfedge_index h) {
-      return places.rank(std::uint32_t(row(complex.source(h))));
-    };
-    const auto has_other_tie = [&](const Intrinsic_triangulation<Traits>& t, Edge_index e) {
-      const Delta_complex& complex = t.connectivity();
-      if (!complex.is_flippable(e) || t.is_input_edge(e))
-        return false;
-      const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
-      return (std::min)(rank(complex, complex.prev(h)), rank(complex, complex.prev(g))) <
-               (std::min)(rank(complex, h), rank(complex, g)) &&
-             t.sign_of_cotangent_weight(e) == ZERO;
+    const auto is_free_tie = [](const Intrinsic_triangulation<Traits>& t, Edge_index e) {
+      return !t.is_input_edge(e) && t.connectivity().is_flippable(e) && t.sign_of_cotangent_weight(e) == ZERO;
     };
     std::vector<Edge_index> open;
     for (Edge_index e : triangulation.connectivity().edges())
-      if (has_other_tie(triangulation, e))
+      if (is_free_tie(triangulation, e))
         open.push_back(e);
     if (open.empty())
       return result;
     result = triangulation;
+    const Places places(triangulation, row);
     const Delta_complex& complex = result->connectivity();
+    const auto rank = [&](Halfedge_index h) { return places.rank(std::uint32_t(row(complex.source(h)))); };
     while (!open.empty()) {
       const Edge_index e = open.back();
       open.pop_back();
-      if (!has_other_tie(*result, e) || result->flip(e) != Intrinsic_triangulation<Traits>::Flip_outcome::FLIPPED)
-        continue;
-      const Halfedge_index h = complex.halfedge(e);
-      for (Halfedge_index side : {h, complex.opposite(h)})
-        for (Halfedge_index beside : {complex.next(side), complex.prev(side)})
+      const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
+      if ((std::min)(rank(complex.prev(h)), rank(complex.prev(g))) < (std::min)(rank(h), rank(g)) &&
+          is_free_tie(*result, e) && result->flip(e) == Intrinsic_triangulation<Traits>::Flip_outcome::FLIPPED)
+        for (Halfedge_index beside : {complex.next(h), complex.prev(h), complex.next(g), complex.prev(g)})
           open.push_back(complex.edge(beside));
     }
   }

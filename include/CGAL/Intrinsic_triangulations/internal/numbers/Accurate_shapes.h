@@ -114,7 +114,7 @@ public:
   double cotangent(Halfedge_index h) const
   {
     const auto& [hi, lo, error] = numbers_.cotangents[h.idx()];
-    return error < 0x1p-53 * (1 + std::abs(hi)) ? hi : triangulation_.cotangent(h);
+    return error < 0x1p-53 * (1 + std::abs(hi)) ? (std::abs(hi) > error ? hi : 0) : triangulation_.cotangent(h);
   }
 
 private:
