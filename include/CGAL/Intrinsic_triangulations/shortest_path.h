@@ -68,16 +68,14 @@ std::uint64_t number_of_ways(const NamedParameters& np, const Delta_complex& com
 
 template <class Traits, class Row, class NamedParameters>
 Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& triangulation, const Row& row,
-                                        std::vector<std::uint32_t> sources, const NamedParameters& np)
+                                        const std::vector<std::uint32_t>& sources, const NamedParameters& np)
 {
   const double tolerance = value_of<Parameter::TOLERANCE>(np, 0.001);
   if (!(tolerance >= 0 && tolerance < 1))
     throw Invalid_argument_error("the tolerance of distances has to be at least 0 and less than 1");
   const Interruption interruption(go_further_function_of(np));
-  const Places places(triangulation, row);
   const std::optional<Intrinsic_triangulation<Traits>> by_place = with_ties_by_place(triangulation, row);
-  const Laid_out_faces faces(by_place ? *by_place : triangulation, row, places);
-  std::sort(sources.begin(), sources.end(), [&](std::uint32_t v, std::uint32_t w) { return places.rank(v) < places.rank(w); });
+  const Laid_out_faces faces(by_place ? *by_place : triangulation, row);
   Window_propagation windows(faces, tolerance);
   Geodesic_distances result;
   result.is_complete = windows.run(sources, number_of_ways(np, triangulation.connectivity()), interruption);
@@ -355,7 +353,7 @@ Shortest_path shortest_path(Intrinsic_triangulation<Traits>& triangulation, Vert
   Shortest_path result;
   if (source == target)
     return result;
-  const internal::Laid_out_faces faces(triangulation, row, internal::Places(triangulation, row));
+  const internal::Laid_out_faces faces(triangulation, row);
   internal::Window_propagation windows(faces, 0);
   const internal::Interruption interruption(internal::go_further_function_of(np));
   result.is_complete = windows.run({source.idx()}, internal::number_of_ways(np, complex), interruption);

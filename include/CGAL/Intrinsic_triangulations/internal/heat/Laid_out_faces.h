@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/heat/Places.h>
 #include <CGAL/Intrinsic_triangulations/internal/numbers/Accurate_shapes.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -40,11 +41,12 @@ public:
 
   // \tparam Row gives the row of a vertex, as Row_of_vertex
   template <class Traits, class Row>
-  Laid_out_faces(const Intrinsic_triangulation<Traits>& triangulation, const Row& row, const Places& places)
-    : angle_sums_(triangulation.connectivity().number_of_vertices(), 0), first_(row.number_of_rows() + 1, 0)
+  Laid_out_faces(const Intrinsic_triangulation<Traits>& triangulation, const Row& row)
+    : places_(triangulation, row), angle_sums_(triangulation.connectivity().number_of_vertices(), 0),
+      first_(row.number_of_rows() + 1, 0)
   {
     const Delta_complex& complex = triangulation.connectivity();
-    const Rounded_shapes<Traits> shapes(triangulation);
+    const Accurate_shapes<Traits> shapes(triangulation);
     exponent_ = shapes.exponent();
     std::vector<double> lengths;
     lengths.reserve(complex.number_of_edges());
@@ -53,9 +55,8 @@ public:
     std::vector<std::uint32_t> side_of(complex.number_of_halfedges(), none);
     sides_.reserve(3 * complex.number_of_faces());
     halfedges_.reserve(3 * complex.number_of_faces());
-    for (Halfedge_index first : first_sides_by_place(complex, row, places)) {
-      const Halfedge_index base = longest_side(complex, first, lengths);
-      const Face_index f = complex.face(base);
+    for (Face_index f : complex.faces()) {
+      const Halfedge_index base = longest_side(complex, row, complex.halfedge(f), lengths);
       const std::array<Halfedge_index, 3> around{base, complex.next(base), complex.prev(base)};
       std::array<double, 3> length;
       for (int i = 0; i < 3; ++i) {
@@ -64,8 +65,7 @@ public:
         length[i] = lengths[complex.edge(around[i]).idx()];
       }
       const std::array<double, 2> apex =
-        shapes.has_area(f) ? apex_of_shape(length[0], shapes.cotangent(around[1]), shapes.cotangent(around[2]))
-                           : apex_of_flat_face(length);
+        shapes.has_area(f) ? shapes.apex(base, length[0]) : apex_of_flat_face(length);
       add_face(complex, row, around, length, apex);
     }
     for (Halfedge_index h : complex.halfedges())
@@ -84,33 +84,45 @@ public:
   std::uint32_t left_of(std::uint32_t i) const { return sides_[prev(i)].opposite; }
   std::uint32_t right_of(std::uint32_t i) const { return sides_[i].opposite == none ? none : next(sides_[i].opposite); }
   // Infinite on the border.
-  double angle_sum(std::uint32_t vertex) const { return angle_sums_[vertex]; }
+  double angle_sum(std::uint32_t vertex) const
+  {
+    return angle_sums_[vertex] < 0 ? std::numeric_limits<double>::infinity()
+                                   : std::ldexp(double(angle_sums_[vertex]), -fraction_bits);
+  }
   // The sides that begin at a row are those with the numbers corner(i) for i from first_corner(row) to
   // first_corner(row + 1).
   std::uint32_t first_corner(std::uint32_t row) const { return first_[row]; }
   std::uint32_t corner(std::uint32_t i) const { return corners_[i]; }
+  // An order that does not depend on numbers: by the places of the corners of the faces, from the side on.
+  bool is_before(std::uint32_t i, std::uint32_t j) const
+  {
+    for (int corner = 0; corner < 3; ++corner, i = next(i), j = next(j)) {
+      const std::uint32_t v = sides_[i].row, w = sides_[j].row;
+      if (v != w)
+        return places_.is_before(v, w);
+    }
+    return i < j;
+  }
   // k such that lengths are in units of 2^k units of the input.
   int exponent() const { return exponent_; }
 
 private:
-  // Of several, the first.
-  static Halfedge_index longest_side(const Delta_complex& complex, Halfedge_index first,
-                                     const std::vector<double>& lengths)
+  // Of several, the one whose corner comes first.
+  template <class Row>
+  Halfedge_index longest_side(const Delta_complex& complex, const Row& row, Halfedge_index first,
+                              const std::vector<double>& lengths) const
   {
     Halfedge_index result = first;
-    for (Halfedge_index h : {complex.next(first), complex.prev(first)})
-      if (lengths[complex.edge(h).idx()] > lengths[complex.edge(result).idx()])
+    for (Halfedge_index h : {complex.next(first), complex.prev(first)}) {
+      const double length = lengths[complex.edge(h).idx()], longest = lengths[complex.edge(result).idx()];
+      if (length > longest ||
+          (length == longest && places_.is_before(std::uint32_t(row(complex.source(h))),
+                                                  std::uint32_t(row(complex.source(result))))))
         result = h;
+    }
     return result;
   }
 
-  // Of (0, 0), (base, 0) and the apex, from the cotangents at the second and the first corner.
-  static std::array<double, 2> apex_of_shape(double base, double first, double second)
-  {
-    // cotangents are opposite to the sides after the base: at the first and the second corner
-    const double height = base / (first + second);
-    return {first * height, height};
-  }
   static std::array<double, 2> apex_of_flat_face(const std::array<double, 3>& length)
   {
     return {length[0] * (length[2] / (length[1] + length[2])), 0x1p-40 * length[0]};
@@ -133,7 +145,7 @@ private:
       side.apex_x = dot / length[i];
       side.apex_y = cross / length[i];
       side.angle = std::atan2(cross, dot);
-      angle_sums_[v.idx()] += side.angle;
+      angle_sums_[v.idx()] += std::int64_t(std::ldexp(side.angle, fraction_bits));
       sides_.push_back(side);
     }
   }
@@ -143,8 +155,7 @@ private:
     for (const Side& side : sides_) {
       ++first_[side.row + 1];
       if (side.opposite == none)
-        angle_sums_[side.vertex] = angle_sums_[sides_[next(std::uint32_t(&side - sides_.data()))].vertex] =
-          std::numeric_limits<double>::infinity();
+        angle_sums_[side.vertex] = angle_sums_[sides_[next(std::uint32_t(&side - sides_.data()))].vertex] = -1;
     }
     for (std::size_t v = 0; v + 1 < first_.size(); ++v)
       first_[v + 1] += first_[v];
@@ -152,11 +163,18 @@ private:
     std::vector<std::uint32_t> position(first_.begin(), first_.end() - 1);
     for (std::size_t i = 0; i < sides_.size(); ++i)
       corners_[position[sides_[i].row]++] = std::uint32_t(i);
+    // Of two ways that get to a row at once, the first one counts.
+    for (std::size_t row = 0; row + 1 < first_.size(); ++row)
+      std::sort(corners_.begin() + first_[row], corners_.begin() + first_[row + 1],
+                [this](std::uint32_t i, std::uint32_t j) { return is_before(i, j); });
   }
 
+  static constexpr int fraction_bits = 50; // of a sum of angles
+
+  Places places_;
   std::vector<Side> sides_;
   std::vector<Halfedge_index> halfedges_; // of the sides
-  std::vector<double> angle_sums_;        // by vertex
+  std::vector<std::int64_t> angle_sums_;  // by vertex; as integers they are the same in any order, and -1 on the border
   std::vector<std::uint32_t> first_, corners_;
   int exponent_ = 0;
 };

@@ -13,14 +13,11 @@
 
 #include <CGAL/enum.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,49 +30,24 @@ class Places
 public:
   // \tparam Row gives the row of a vertex, as Row_of_vertex
   template <class Traits, class Row>
-  Places(const Intrinsic_triangulation<Traits>& triangulation, const Row& row) : ranks_(row.number_of_rows())
+  Places(const Intrinsic_triangulation<Traits>& triangulation, const Row& row)
+    : points_(row.number_of_rows(), {std::numeric_limits<double>::infinity(), 0, 0})
   {
-    std::vector<std::array<double, 3>> points(ranks_.size(), {std::numeric_limits<double>::infinity(), 0, 0});
     if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry) {
-      const auto& of_input = engine(triangulation).metric().points();
-      for (std::size_t v = 0; v < of_input.size(); ++v)
-        points[row(Vertex_index(Vertex_index::size_type(v)))] = of_input[v];
+      const auto& points = engine(triangulation).metric().points();
+      for (std::size_t v = 0; v < points.size(); ++v)
+        points_[row(Vertex_index(Vertex_index::size_type(v)))] = points[v];
     }
-    std::vector<std::uint32_t> order(ranks_.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t v, std::uint32_t w) {
-      return points[v] < points[w] || (points[v] == points[w] && v < w);
-    });
-    for (std::size_t i = 0; i < order.size(); ++i)
-      ranks_[order[i]] = std::uint32_t(i);
   }
 
-  std::uint32_t rank(std::uint32_t row) const { return ranks_[row]; }
+  bool is_before(std::uint32_t v, std::uint32_t w) const
+  {
+    return points_[v] < points_[w] || (points_[v] == points_[w] && v < w);
+  }
 
 private:
-  std::vector<std::uint32_t> ranks_;
+  std::vector<std::array<double, 3>> points_; // infinite where there is none
 };
-
-// For each face the side from which its corners come first, in the order of the faces by these corners.
-template <class Row>
-std::vector<Halfedge_index> first_sides_by_place(const Delta_complex& complex, const Row& row, const Places& places)
-{
-  std::vector<std::pair<std::array<std::uint32_t, 3>, Halfedge_index>> sides;
-  sides.reserve(complex.number_of_faces());
-  const auto rank = [&](Halfedge_index h) { return places.rank(std::uint32_t(row(complex.source(h)))); };
-  for (Face_index f : complex.faces()) {
-    const Halfedge_index h = complex.halfedge(f), g = complex.next(h), k = complex.prev(h);
-    const std::uint32_t a = rank(h), b = rank(g), c = rank(k);
-    using Side = std::pair<std::array<std::uint32_t, 3>, Halfedge_index>;
-    sides.push_back((std::min)({Side{{a, b, c}, h}, Side{{b, c, a}, g}, Side{{c, a, b}, k}}));
-  }
-  std::sort(sides.begin(), sides.end());
-  std::vector<Halfedge_index> result;
-  result.reserve(sides.size());
-  for (const auto& side : sides)
-    result.push_back(side.second);
-  return result;
-}
 
 // A copy in which the choice among several Delaunay triangulations does not depend on the order of flips; nothing if
 // there is no choice. Ties that are edges of the input remain: the convex function on the surface whose edges are the
@@ -87,27 +59,34 @@ std::optional<Intrinsic_triangulation<Traits>> with_ties_by_place(const Intrinsi
 {
   std::optional<Intrinsic_triangulation<Traits>> result;
   if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry) {
-    const auto is_free_tie = [](const Intrinsic_triangulation<Traits>& t, Edge_index e) {
-      return !t.is_input_edge(e) && t.connectivity().is_flippable(e) && t.sign_of_cotangent_weight(e) == ZERO;
+    const Places places(triangulation, row);
+    const auto is_to_be_flipped = [&](const Intrinsic_triangulation<Traits>& t, Edge_index e) {
+      const Delta_complex& complex = t.connectivity();
+      if (t.is_input_edge(e) || !complex.is_flippable(e))
+        return false;
+      const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
+      const auto first = [&](Halfedge_index a, Halfedge_index b) { // of their sources
+        const auto v = std::uint32_t(row(complex.source(a))), w = std::uint32_t(row(complex.source(b)));
+        return places.is_before(v, w) ? v : w;
+      };
+      return places.is_before(first(complex.prev(h), complex.prev(g)), first(h, g)) &&
+             t.sign_of_cotangent_weight(e) == ZERO;
     };
     std::vector<Edge_index> open;
     for (Edge_index e : triangulation.connectivity().edges())
-      if (is_free_tie(triangulation, e))
+      if (is_to_be_flipped(triangulation, e))
         open.push_back(e);
-    if (open.empty())
-      return result;
-    result = triangulation;
-    const Places places(triangulation, row);
-    const Delta_complex& complex = result->connectivity();
-    const auto rank = [&](Halfedge_index h) { return places.rank(std::uint32_t(row(complex.source(h)))); };
+    if (!open.empty())
+      result = triangulation;
     while (!open.empty()) {
       const Edge_index e = open.back();
       open.pop_back();
+      if (!is_to_be_flipped(*result, e) || result->flip(e) != Intrinsic_triangulation<Traits>::Flip_outcome::FLIPPED)
+        continue;
+      const Delta_complex& complex = result->connectivity();
       const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
-      if ((std::min)(rank(complex.prev(h)), rank(complex.prev(g))) < (std::min)(rank(h), rank(g)) &&
-          is_free_tie(*result, e) && result->flip(e) == Intrinsic_triangulation<Traits>::Flip_outcome::FLIPPED)
-        for (Halfedge_index beside : {complex.next(h), complex.prev(h), complex.next(g), complex.prev(g)})
-          open.push_back(complex.edge(beside));
+      for (Halfedge_index beside : {complex.next(h), complex.prev(h), complex.next(g), complex.prev(g)})
+        open.push_back(complex.edge(beside));
     }
   }
   return result;
