@@ -248,6 +248,12 @@ Heat_surface make_heat_surface(const Intrinsic_triangulation<Traits>& triangulat
   return Heat_surface_builder<Traits, Row>(triangulation, row, share).take();
 }
 
+template <class Traits>
+Heat_surface make_heat_surface(const Intrinsic_triangulation<Traits>& triangulation)
+{
+  return make_heat_surface(triangulation, Row_of_vertex(triangulation.connectivity()), [](Face_index) { return 1.; });
+}
+
 } // namespace internal
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
