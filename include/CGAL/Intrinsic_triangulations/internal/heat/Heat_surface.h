@@ -36,8 +36,8 @@ namespace internal {
 struct Heat_face
 {
   std::array<std::uint32_t, 3> row; // of the corners
+  float share; // what the face counts: half if it has a second copy
   double base, x, height;
-  double share; // what the face counts: half if it has a second copy
 
   double area() const { return share * base * height / 2; }
 };
@@ -174,7 +174,7 @@ private:
       const double cot = shapes_.cotangent(next), height = length(base) / (cot + shapes_.cotangent(prev));
       if (height < least_height * length(base))
         thicken(base, cot * height);
-      result_.faces.push_back({{row(base), row(next), row(prev)}, length(base), cot * height, height, share(f)});
+      result_.faces.push_back({{row(base), row(next), row(prev)}, float(share(f)), length(base), cot * height, height});
     }
   }
 
