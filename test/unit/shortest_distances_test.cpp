@@ -219,9 +219,9 @@ std::vector<std::uint32_t> renumber(unsigned seed, Points& points, Triangles& tr
 // Many ways are equally long, many windows equally far, and not all ties between Delaunay edges are in the input.
 TEST(Geodesic_distances, depend_on_no_numbers)
 {
-  std::vector<samples::Indexed_triangles> surfaces{
-    samples::latitude_longitude_sphere(48, 24), samples::sheared_grid(30, 20, 3), samples::bad_torus(24, 24),
-    samples::random_diagonal_grid(16, 16), samples::pillow(20)};
+  std::vector<samples::Indexed_triangles> surfaces{samples::latitude_longitude_sphere(48, 24),
+                                                   samples::sheared_grid(30, 20, 3), samples::bad_torus(24, 24),
+                                                   samples::random_diagonal_grid(16, 16), samples::pillow(20)};
   samples::Indexed_triangles& hills = surfaces.emplace_back();
   make_hills(12, 1, hills.points, hills.triangles);
   for (const auto& [points, triangles] : surfaces)
@@ -229,8 +229,8 @@ TEST(Geodesic_distances, depend_on_no_numbers)
       Points other_points = points;
       Triangles other_triangles = triangles;
       const std::vector<std::uint32_t> number = renumber(seed, other_points, other_triangles);
-      const std::vector<Vertex_index> sources{Vertex_index(7), Vertex_index(11)}, others{Vertex_index(number[7]),
-                                                                                        Vertex_index(number[11])};
+      const std::vector<Vertex_index> sources{Vertex_index(7), Vertex_index(11)},
+        others{Vertex_index(number[7]), Vertex_index(number[11])};
       const auto expect_same = [&](const auto& one, const auto& other) {
         const std::vector<double> distances = IT::geodesic_distances(one, sources).distances,
                                   found = IT::geodesic_distances(other, others).distances;

@@ -151,8 +151,8 @@ public:
   template <class Traits, class NamedParameters = parameters::Default_named_parameters>
   explicit Heat_method(const Intrinsic_triangulation<Traits>& triangulation,
                        const NamedParameters& np = parameters::default_values())
-    : Heat_method(internal::heat_options_of(np), triangulation,
-                  internal::Row_of_vertex(triangulation.connectivity()), [](Face_index) { return 1.; })
+    : Heat_method(internal::heat_options_of(np), triangulation, internal::Row_of_vertex(triangulation.connectivity()),
+                  [](Face_index) { return 1.; })
   {}
 
   /// \brief as above, for any triangles. The vertices are those of the input; merged vertices have the same distance.

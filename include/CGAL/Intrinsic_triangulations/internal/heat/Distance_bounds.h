@@ -130,8 +130,8 @@ public:
   }
 
 private:
-  static constexpr double not_yet = std::numeric_limits<double>::infinity(); // the path of a row before its turn
-  static constexpr double nowhere = (std::numeric_limits<double>::max)();    // and where no path leads
+  static constexpr double not_yet = std::numeric_limits<double>::infinity();  // the path of a row before its turn
+  static constexpr double nowhere = (std::numeric_limits<double>::max)();     // and where no path leads
   static constexpr double no_point = std::numeric_limits<double>::infinity(); // of rows that the input does not have
 
   // Whether an edge is also one of the input, which is added anyway.

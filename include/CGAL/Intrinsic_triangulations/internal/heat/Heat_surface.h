@@ -36,7 +36,7 @@ namespace internal {
 struct Heat_face
 {
   std::array<std::uint32_t, 3> row; // of the corners
-  float share; // what the face counts: half if it has a second copy
+  float share;                      // what the face counts: half if it has a second copy
   double base, x, height;
 
   double area() const { return share * base * height / 2; }

@@ -64,8 +64,7 @@ public:
         halfedges_.push_back(around[i]);
         length[i] = lengths[complex.edge(around[i]).idx()];
       }
-      const std::array<double, 2> apex =
-        shapes.has_area(f) ? shapes.apex(base, length[0]) : apex_of_flat_face(length);
+      const std::array<double, 2> apex = shapes.has_area(f) ? shapes.apex(base, length[0]) : apex_of_flat_face(length);
       add_face(complex, row, around, length, apex);
     }
     for (Halfedge_index h : complex.halfedges())
@@ -115,9 +114,8 @@ private:
     Halfedge_index result = first;
     for (Halfedge_index h : {complex.next(first), complex.prev(first)}) {
       const double length = lengths[complex.edge(h).idx()], longest = lengths[complex.edge(result).idx()];
-      if (length > longest ||
-          (length == longest && places_.is_before(std::uint32_t(row(complex.source(h))),
-                                                  std::uint32_t(row(complex.source(result))))))
+      if (length > longest || (length == longest && places_.is_before(std::uint32_t(row(complex.source(h))),
+                                                                      std::uint32_t(row(complex.source(result))))))
         result = h;
     }
     return result;

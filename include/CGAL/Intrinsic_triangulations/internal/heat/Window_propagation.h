@@ -485,9 +485,9 @@ private:
   std::vector<Arrival> arrivals_; // likewise
   std::vector<Split> splits_;     // of the sides
   std::vector<Window> windows_;
-  std::vector<Window> meeting_;        // at one side
-  std::vector<std::uint32_t> free_;    // places for windows
-  std::vector<std::uint32_t> waiting_; // at each side, the first window
+  std::vector<Window> meeting_;                         // at one side
+  std::vector<std::uint32_t> free_;                     // places for windows
+  std::vector<std::uint32_t> waiting_;                  // at each side, the first window
   std::vector<std::pair<double, std::uint32_t>> queue_; // a heap of places
   std::uint64_t number_of_steps_ = 0;
 };
