@@ -171,10 +171,11 @@ private:
         continue;
       const Halfedge_index base = side_with_largest(complex_, f, [&](Halfedge_index h) { return length(h); });
       const Halfedge_index next = complex_.next(base), prev = complex_.prev(base);
-      const double cot = shapes_.cotangent(next), height = length(base) / (cot + shapes_.cotangent(prev));
+      const std::array<double, 2> apex = shapes_.apex(base);
+      const double x = apex[0] * length(base), height = apex[1] * length(base);
       if (height < least_height * length(base))
-        thicken(base, cot * height);
-      result_.faces.push_back({{row(base), row(next), row(prev)}, float(share(f)), length(base), cot * height, height});
+        thicken(base, x);
+      result_.faces.push_back({{row(base), row(next), row(prev)}, float(share(f)), length(base), x, height});
     }
   }
 

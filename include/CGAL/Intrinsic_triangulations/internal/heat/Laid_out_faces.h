@@ -64,8 +64,7 @@ public:
         halfedges_.push_back(around[i]);
         length[i] = lengths[complex.edge(around[i]).idx()];
       }
-      const std::array<double, 2> apex = shapes.has_area(f) ? shapes.apex(base, length[0]) : apex_of_flat_face(length);
-      add_face(complex, row, around, length, apex);
+      add_face(complex, row, around, length, shapes.has_area(f) ? shapes.apex(base) : apex_of_flat_face(length));
     }
     for (Halfedge_index h : complex.halfedges())
       if (side_of[h.idx()] != none)
@@ -86,7 +85,7 @@ public:
   double angle_sum(std::uint32_t vertex) const
   {
     return angle_sums_[vertex] < 0 ? std::numeric_limits<double>::infinity()
-                                   : std::ldexp(double(angle_sums_[vertex]), -fraction_bits);
+                                   : double(angle_sums_[vertex]) / angle_scale;
   }
   // The sides that begin at a row are those with the numbers corner(i) for i from first_corner(row) to
   // first_corner(row + 1).
@@ -123,14 +122,15 @@ private:
 
   static std::array<double, 2> apex_of_flat_face(const std::array<double, 3>& length)
   {
-    return {length[0] * (length[2] / (length[1] + length[2])), 0x1p-40 * length[0]};
+    return {length[2] / (length[1] + length[2]), 0x1p-40};
   }
 
+  // \param apex in units of the longest side
   template <class Row>
   void add_face(const Delta_complex& complex, const Row& row, const std::array<Halfedge_index, 3>& around,
                 const std::array<double, 3>& length, const std::array<double, 2>& apex)
   {
-    const std::array<double, 3> x{0, length[0], apex[0]}, y{0, 0, apex[1]};
+    const std::array<double, 3> x{0, length[0], apex[0] * length[0]}, y{0, 0, apex[1] * length[0]};
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3, k = (i + 2) % 3;
       const double jx = x[j] - x[i], jy = y[j] - y[i], kx = x[k] - x[i], ky = y[k] - y[i], dot = jx * kx + jy * ky,
@@ -143,7 +143,7 @@ private:
       side.apex_x = dot / length[i];
       side.apex_y = cross / length[i];
       side.angle = std::atan2(cross, dot);
-      angle_sums_[v.idx()] += std::int64_t(std::ldexp(side.angle, fraction_bits));
+      angle_sums_[v.idx()] += std::int64_t(side.angle * angle_scale);
       sides_.push_back(side);
     }
   }
@@ -161,13 +161,25 @@ private:
     std::vector<std::uint32_t> position(first_.begin(), first_.end() - 1);
     for (std::size_t i = 0; i < sides_.size(); ++i)
       corners_[position[sides_[i].row]++] = std::uint32_t(i);
-    // Of two ways that get to a row at once, the first one counts.
-    for (std::size_t row = 0; row + 1 < first_.size(); ++row)
-      std::sort(corners_.begin() + first_[row], corners_.begin() + first_[row + 1],
-                [this](std::uint32_t i, std::uint32_t j) { return is_before(i, j); });
+    // Of two ways along edges that get to the same row at once, the first one counts.
+    for (std::size_t row = 0; row + 1 < first_.size(); ++row) {
+      const auto begin = corners_.begin() + first_[row], end = corners_.begin() + first_[row + 1];
+      if (end - begin > 16 || has_edges_to_same_row(begin, end))
+        std::sort(begin, end, [this](std::uint32_t i, std::uint32_t j) { return is_before(i, j); });
+    }
   }
 
-  static constexpr int fraction_bits = 50; // of a sum of angles
+  template <class Corner>
+  bool has_edges_to_same_row(Corner begin, Corner end) const
+  {
+    for (Corner i = begin; i != end; ++i)
+      for (Corner j = begin; j != i; ++j)
+        if (sides_[prev(*i)].row == sides_[prev(*j)].row)
+          return true;
+    return std::any_of(begin, end, [this](std::uint32_t side) { return sides_[side].opposite == none; });
+  }
+
+  static constexpr double angle_scale = 0x1p50;
 
   Places places_;
   std::vector<Side> sides_;

@@ -26,13 +26,6 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
-// Of (0, 0), (base, 0) and the apex, from the cotangents at the first and the second corner.
-inline std::array<double, 2> apex_of_shape(double base, double first, double second)
-{
-  const double height = base / (first + second);
-  return {first * height, height};
-}
-
 // By the number type.
 template <class Traits>
 class Accurate_shapes
@@ -46,11 +39,12 @@ public:
   bool has_area(Face_index f) const { return certainly(triangulation_.area(f) > typename Traits::FT(0)); }
   // Opposite to h. \pre its face has an area
   double cotangent(Halfedge_index h) const { return to_double(triangulation_.cotangent(h)); }
-  // Of the face as seen from its longest side, which has the given length. \pre the face has an area
-  std::array<double, 2> apex(Halfedge_index base, double length) const
+  // Where the apex of a face is, as seen from its longest side and in units of that. \pre the face has an area
+  std::array<double, 2> apex(Halfedge_index base) const
   {
     const Delta_complex& complex = triangulation_.connectivity();
-    return apex_of_shape(length, cotangent(complex.next(base)), cotangent(complex.prev(base)));
+    const double first = cotangent(complex.next(base)), sum = first + cotangent(complex.prev(base));
+    return {first / sum, 1 / sum};
   }
 
 private:
@@ -89,21 +83,20 @@ public:
 
   double cotangent(Halfedge_index h) const { return cotangents(h)[0]; }
 
-  std::array<double, 2> apex(Halfedge_index base, double length) const
+  std::array<double, 2> apex(Halfedge_index base) const
   {
     const Halfedge_index next = complex_.next(base), prev = complex_.next(next);
     if (is_in_space(base) && is_in_space(next) && is_in_space(prev)) {
       const auto &p = point(base), &q = point(next), &r = point(prev);
-      const double height = four_areas_3(p, q, r) / (2 * length);
-      if (height > least_height * length) {
-        double along = 0;
-        for (int i = 0; i < 3; ++i)
-          along += (q[i] - p[i]) * (r[i] - p[i]);
-        return {along / length, height};
-      }
+      const double square = squared_distance_3(p, q), height = four_areas_3(p, q, r) / (2 * square);
+      if (height > least_height)
+        return {((q[0] - p[0]) * (r[0] - p[0]) + (q[1] - p[1]) * (r[1] - p[1]) + (q[2] - p[2]) * (r[2] - p[2])) /
+                  square,
+                height};
     }
     const std::array<double, 3> of_angles = cotangents(base);
-    return apex_of_shape(length, of_angles[1], of_angles[2]);
+    const double sum = of_angles[1] + of_angles[2];
+    return {of_angles[1] / sum, 1 / sum};
   }
 
 private:
