@@ -224,8 +224,10 @@ TEST(Geodesic_distances, depend_on_no_numbers)
                                                    samples::random_diagonal_grid(16, 16), samples::pillow(20)};
   samples::Indexed_triangles& hills = surfaces.emplace_back();
   make_hills(12, 1, hills.points, hills.triangles);
-  for (const auto& [points, triangles] : surfaces)
+  for (const samples::Indexed_triangles& surface : surfaces)
     for (unsigned seed : {1, 2, 3}) {
+      const Points& points = surface.points;
+      const Triangles& triangles = surface.triangles;
       Points other_points = points;
       Triangles other_triangles = triangles;
       const std::vector<std::uint32_t> number = renumber(seed, other_points, other_triangles);

@@ -96,7 +96,8 @@ Heat_options heat_options_of(const NamedParameters& np)
 /// cheaper.
 ///
 /// These are not exact geodesic distances: the chapter on distances in the manual gives the errors. Faces of zero area
-/// are ignored.
+/// are ignored. Edges by which Delaunay triangulations of one surface differ are chosen as by `geodesic_distances()`, so
+/// that the numbers of vertices and faces matter only by rounding.
 ///
 /// \tparam LinearSolver factorizes symmetric positive definite matrices; with a constructor and a member function
 ///   `factorize()` from an `Eigen::SparseMatrix<double>`, and `solve()` from and to an `Eigen::VectorXd`. By default

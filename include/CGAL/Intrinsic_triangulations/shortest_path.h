@@ -103,7 +103,9 @@ Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& t
 ///
 /// Distances are zero only at the sources. They never exceed the shortest path along edges of the triangulation or of
 /// its input and, for a surface in space, are never shorter than the straight line. They do not depend on other
-/// components of the surface.
+/// components of the surface, nor on the numbers of vertices and faces if the vertices of the input are points at
+/// different places: edges by which Delaunay triangulations of one surface differ are replaced in a copy, unless they are
+/// in the input.
 ///
 /// \param triangulation a triangulation, preferably Delaunay, so that paths cross few faces
 /// \param sources vertices
