@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/shortest_path.h>
 
 #include <gtest/gtest.h>
 
@@ -22,6 +23,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
+#include <numeric>
 #include <random>
 #include <set>
 #include <string>
@@ -167,6 +170,62 @@ TEST(Heat_method, other_components_do_not_matter)
   for (std::size_t v = 0; v < alone.size(); ++v)
     EXPECT_NEAR(beside[v], alone[v], 1e-12 * (1 + alone[v])) << v;
   EXPECT_EQ(beside.back(), infinity);
+}
+
+// The points of a grid with another triangulation of the same part of the plane, or about the same.
+Triangles shuffled_by_flips(const Grid& grid)
+{
+  Triangulation triangulation(IT::make_Delta_complex_from_triangles(grid.points.size(), grid.triangles), grid.points);
+  const IT::Delta_complex& complex = triangulation.connectivity();
+  std::mt19937 random(3);
+  for (int i = 0; i < 3000; ++i) {
+    const IT::Edge_index e(std::uint32_t(random() % complex.number_of_edges()));
+    if (complex.is_flippable(e))
+      triangulation.flip(e);
+  }
+  Triangles result;
+  for (IT::Face_index f : complex.faces()) {
+    const IT::Halfedge_index h = complex.halfedge(f);
+    result.push_back({complex.source(h).idx(), complex.target(h).idx(), complex.target(complex.next(h)).idx()});
+  }
+  return result;
+}
+
+// Where the Delaunay triangulation is not unique, places decide.
+TEST(Heat_method, numbers_do_not_matter)
+{
+  Grid grid(14, 11);
+  for (Point& p : grid.points)
+    if (int(p[0]) % 3 == 1)
+      p[1] += 0.5;
+  const std::size_t n = grid.points.size();
+  const Triangles triangles = shuffled_by_flips(grid);
+  std::vector<std::uint32_t> number(n);
+  std::iota(number.begin(), number.end(), 0);
+  std::mt19937 random(5);
+  std::shuffle(number.begin(), number.end(), random);
+  Points others(n);
+  for (std::size_t v = 0; v < n; ++v)
+    others[number[v]] = grid.points[v];
+  Triangles other_triangles;
+  for (const auto& [i, j, k] : triangles)
+    other_triangles.push_back({number[j], number[k], number[i]});
+  std::shuffle(other_triangles.begin(), other_triangles.end(), random);
+  const auto expect_same = [&](const auto& distances) {
+    const std::vector<double> one = distances(Delaunay(grid.points, triangles), 7),
+                              other = distances(Delaunay(others, other_triangles), number[7]);
+    const double largest = *std::max_element(one.begin(), one.end());
+    for (std::size_t v = 0; v < n; ++v)
+      EXPECT_NEAR(other[number[v]], one[v], 1e-12 * largest) << v;
+  };
+  expect_same([](const Triangulation& t, std::uint32_t source) {
+    IT::Heat_method<> heat(t);
+    heat.add_source(Vertex_index(source));
+    return heat.distances();
+  });
+  expect_same([](const Triangulation& t, std::uint32_t source) {
+    return IT::geodesic_distances(t, {Vertex_index(source)}).distances;
+  });
 }
 
 TEST(Heat_method, sources_come_and_go)
@@ -327,8 +386,7 @@ TEST(Heat_method, stays_between_straight_lines_and_paths_along_edges)
   }
 }
 
-// But for some beside the source.
-TEST(Heat_method, rows_are_sorted_whatever_the_distances)
+TEST(Heat_method, rows_are_about_sorted_whatever_the_distances)
 {
   std::mt19937 random(1);
   std::uniform_int_distribution<int> number(0, 50);
@@ -342,15 +400,55 @@ TEST(Heat_method, rows_are_sorted_whatever_the_distances)
   }
   all.back().push_back(std::numeric_limits<double>::max());
   for (const std::vector<double>& distances : all) {
-    std::vector<std::uint32_t> sorted;
-    for (std::size_t row = 0; row < distances.size(); ++row)
-      sorted.push_back(std::uint32_t(row));
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [&](std::uint32_t v, std::uint32_t w) { return distances[v] < distances[w]; });
-    EXPECT_EQ(IT::internal::rows_by_distance(distances), sorted);
+    const std::vector<std::uint32_t> order = IT::internal::rows_by_distance(distances);
+    EXPECT_EQ(std::set<std::uint32_t>(order.begin(), order.end()).size(), distances.size());
+    ASSERT_EQ(order.size(), distances.size());
+    double largest = 0, before = 0;
+    for (double d : distances)
+      if (d < infinity)
+        largest = (std::max)(largest, d);
+    for (std::uint32_t row : order) {
+      const double distance = (std::min)(distances[row], largest);
+      EXPECT_GE(distance, before - 8 * largest / double(distances.size()));
+      before = (std::max)(before, distance);
+    }
   }
 }
 
+// Whatever the order is in which rows have their turn.
+TEST(Heat_method, bounds_are_shortest_paths_whatever_the_distances)
+{
+  const samples::Indexed_triangles surface = samples::bad_torus(20, 20);
+  const Triangulation triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles),
+                                    surface.points);
+  const IT::Delta_complex& complex = triangulation.connectivity();
+  const IT::internal::Distance_bounds bounds(triangulation, IT::internal::Row_of_vertex(complex));
+  const std::map<std::uint32_t, double> sources{{3, 0.}, {200, 0.125}};
+  std::vector<double> paths(surface.points.size(), infinity);
+  for (const auto& [source, distance] : sources)
+    paths[source] = distance;
+  for (bool is_changed = true; is_changed;) {
+    is_changed = false;
+    for (IT::Halfedge_index h : complex.halfedges()) {
+      const double path = paths[complex.source(h).idx()] + triangulation.length(complex.edge(h));
+      if (path < paths[complex.target(h).idx()] * (1 - 1e-14)) {
+        paths[complex.target(h).idx()] = path;
+        is_changed = true;
+      }
+    }
+  }
+  std::mt19937 random(1);
+  for (unsigned round = 0; round < 10; ++round) {
+    std::vector<double> distances;
+    for (std::size_t v = 0; v < paths.size(); ++v)
+      distances.push_back(round == 0 ? infinity : 1e6 + double(random() % (1u << round)));
+    bounds.apply(distances, sources);
+    for (std::size_t v = 0; v < paths.size(); ++v)
+      EXPECT_NEAR(std::ldexp(distances[v], triangulation.unit_exponent()), paths[v], 1e-12) << round << ' ' << v;
+  }
+}
+
+// But for some beside the source.
 TEST(Heat_method, needs_no_bounds_on_fine_surfaces)
 {
   const Grid grid(40, 40);

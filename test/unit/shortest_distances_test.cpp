@@ -3,6 +3,8 @@
 //
 // Lengths of shortest paths against what is known of them.
 
+#include "samples/sample_surfaces.h"
+
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
@@ -14,11 +16,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -191,6 +195,54 @@ TEST(Geodesic_distances, depend_on_nothing_elsewhere)
   }
   for (std::size_t v = n; v < n + 3; ++v)
     EXPECT_EQ(together.distances[v], std::numeric_limits<double>::infinity());
+}
+
+// The same surface with other numbers of vertices and faces. \return the new number of each vertex
+std::vector<std::uint32_t> renumber(unsigned seed, Points& points, Triangles& triangles)
+{
+  std::mt19937 random(seed);
+  std::vector<std::uint32_t> number(points.size());
+  std::iota(number.begin(), number.end(), 0);
+  std::shuffle(number.begin(), number.end(), random);
+  const Points before = points;
+  for (std::size_t v = 0; v < before.size(); ++v)
+    points[number[v]] = before[v];
+  std::shuffle(triangles.begin(), triangles.end(), random);
+  for (auto& t : triangles) {
+    for (std::uint32_t& v : t)
+      v = number[v];
+    std::rotate(t.begin(), t.begin() + random() % 3, t.end());
+  }
+  return number;
+}
+
+// Many ways are equally long, many windows equally far, and not all ties between Delaunay edges are in the input.
+TEST(Geodesic_distances, depend_on_no_numbers)
+{
+  std::vector<samples::Indexed_triangles> surfaces{samples::latitude_longitude_sphere(48, 24),
+                                                   samples::sheared_grid(30, 20, 3), samples::bad_torus(24, 24),
+                                                   samples::random_diagonal_grid(16, 16), samples::pillow(20)};
+  samples::Indexed_triangles& hills = surfaces.emplace_back();
+  make_hills(12, 1, hills.points, hills.triangles);
+  for (const samples::Indexed_triangles& surface : surfaces)
+    for (unsigned seed : {1, 2, 3}) {
+      const Points& points = surface.points;
+      const Triangles& triangles = surface.triangles;
+      Points other_points = points;
+      Triangles other_triangles = triangles;
+      const std::vector<std::uint32_t> number = renumber(seed, other_points, other_triangles);
+      const std::vector<Vertex_index> sources{Vertex_index(7), Vertex_index(11)},
+        others{Vertex_index(number[7]), Vertex_index(number[11])};
+      const auto expect_same = [&](const auto& one, const auto& other) {
+        const std::vector<double> distances = IT::geodesic_distances(one, sources).distances,
+                                  found = IT::geodesic_distances(other, others).distances;
+        const double largest = *std::max_element(distances.begin(), distances.end());
+        for (std::size_t v = 0; v < points.size(); ++v)
+          EXPECT_NEAR(found[number[v]], distances[v], 1e-12 * largest) << seed << ' ' << v;
+      };
+      expect_same(Delaunay(points, triangles), Delaunay(other_points, other_triangles));
+      expect_same(Delaunay_cover(points, triangles), Delaunay_cover(other_points, other_triangles));
+    }
 }
 
 TEST(Geodesic_distances, stay_between_line_and_edges_if_the_budget_ends)

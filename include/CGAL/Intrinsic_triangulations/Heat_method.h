@@ -19,6 +19,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Layered_heat.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Pinned_system.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Places.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Ridge_keeper.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/point_source.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/unit_gradient.h>
@@ -39,6 +40,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -94,7 +96,8 @@ Heat_options heat_options_of(const NamedParameters& np)
 /// cheaper.
 ///
 /// These are not exact geodesic distances: the chapter on distances in the manual gives the errors. Faces of zero area
-/// are ignored.
+/// are ignored. Edges by which Delaunay triangulations of one surface differ are chosen as by `geodesic_distances()`, so
+/// that the numbers of vertices and faces matter only by rounding.
 ///
 /// \tparam LinearSolver factorizes symmetric positive definite matrices; with a constructor and a member function
 ///   `factorize()` from an `Eigen::SparseMatrix<double>`, and `solve()` from and to an `Eigen::VectorXd`. By default
@@ -149,9 +152,8 @@ public:
   template <class Traits, class NamedParameters = parameters::Default_named_parameters>
   explicit Heat_method(const Intrinsic_triangulation<Traits>& triangulation,
                        const NamedParameters& np = parameters::default_values())
-    : Heat_method(
-        internal::heat_options_of(np), [&] { return internal::make_heat_surface(triangulation); },
-        [&] { return internal::Distance_bounds(triangulation, internal::Row_of_vertex(triangulation.connectivity())); })
+    : Heat_method(internal::heat_options_of(np), triangulation, internal::Row_of_vertex(triangulation.connectivity()),
+                  [](Face_index) { return 1.; })
   {}
 
   /// \brief as above, for any triangles. The vertices are those of the input; merged vertices have the same distance.
@@ -160,9 +162,8 @@ public:
   /// \pre the cover was made Delaunay by `flip_to_Delaunay(cover.triangulation)`
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Heat_method(const Tufted_cover& cover, const NamedParameters& np = parameters::default_values())
-    : Heat_method(
-        internal::heat_options_of(np), [&] { return internal::make_heat_surface(cover); },
-        [&] { return internal::Distance_bounds(cover.triangulation, internal::Row_of_cover_vertex(cover)); })
+    : Heat_method(internal::heat_options_of(np), cover.triangulation, internal::Row_of_cover_vertex(cover),
+                  [&cover](Face_index f) { return internal::share(cover, f); })
   {
     representative_ = cover.representative;
   }
@@ -266,13 +267,20 @@ private:
   using Diffusion = internal::Heat_diffusion<LinearSolver>;
   using Poisson = internal::Pinned_system<LinearSolver>;
 
-  // Makes surface and bounds once the options are known to be right.
-  template <class MakeSurface, class MakeBounds>
-  Heat_method(internal::Heat_options options, const MakeSurface& make_surface, const MakeBounds& make_bounds)
+  // \param share gives what a face counts
+  template <class Traits, class Row, class Share>
+  Heat_method(internal::Heat_options options, const Intrinsic_triangulation<Traits>& triangulation, const Row& row,
+              const Share& share)
+    : Heat_method(std::move(options), triangulation, internal::with_ties_by_place(triangulation, row), row, share)
+  {}
+  template <class Traits, class Row, class Share>
+  Heat_method(internal::Heat_options options, const Intrinsic_triangulation<Traits>& triangulation,
+              const std::optional<Intrinsic_triangulation<Traits>>& by_place, const Row& row, const Share& share)
     : options_(std::move(options)), interruption_(std::make_unique<internal::Interruption>(options_.go_further)),
-      surface_(std::make_unique<internal::Heat_surface>(make_surface())),
+      surface_(std::make_unique<internal::Heat_surface>(
+        internal::make_heat_surface(by_place ? *by_place : triangulation, row, share))),
       diffusion_(std::make_unique<Diffusion>(*surface_, options_.time_coefficient, *interruption_)),
-      bounds_(make_bounds())
+      bounds_(by_place ? *by_place : triangulation, row)
   {}
 
   std::uint32_t row_of_input(std::size_t v) const

@@ -16,6 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_diffusion.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Layered_heat.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Places.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Vector_diffusion.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/without_obtuse_border.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
@@ -110,10 +111,13 @@ public:
       if (time_coefficient)
         internal::require_time_coefficient(*time_coefficient);
     }
-    if (const auto refined = internal::without_obtuse_border(triangulation, *interruption_))
+    const auto by_place =
+      internal::with_ties_by_place(triangulation, internal::Row_of_vertex(triangulation.connectivity()));
+    const Intrinsic_triangulation<Traits>& chosen = by_place ? *by_place : triangulation;
+    if (const auto refined = internal::without_obtuse_border(chosen, *interruption_))
       build(*refined, time_coefficient);
     else
-      build(triangulation, time_coefficient);
+      build(chosen, time_coefficient);
   }
 
   /// returns how many vertices were inserted on the border of a copy because its opposite angles were obtuse.

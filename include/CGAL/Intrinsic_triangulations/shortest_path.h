@@ -39,6 +39,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -73,7 +74,8 @@ Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& t
   if (!(tolerance >= 0 && tolerance < 1))
     throw Invalid_argument_error("the tolerance of distances has to be at least 0 and less than 1");
   const Interruption interruption(go_further_function_of(np));
-  const Laid_out_faces faces(triangulation, row);
+  const std::optional<Intrinsic_triangulation<Traits>> by_place = with_ties_by_place(triangulation, row);
+  const Laid_out_faces faces(by_place ? *by_place : triangulation, row);
   Window_propagation windows(faces, tolerance);
   Geodesic_distances result;
   result.is_complete = windows.run(sources, number_of_ways(np, triangulation.connectivity()), interruption);
@@ -82,7 +84,7 @@ Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& t
   std::map<std::uint32_t, double> pins;
   for (std::uint32_t source : sources)
     pins[source] = 0;
-  Distance_bounds(triangulation, row).apply(distances, pins);
+  Distance_bounds(by_place ? *by_place : triangulation, row).apply(distances, pins);
   for (double d : distances)
     result.distances.push_back(std::ldexp(d, faces.exponent()));
   return result;
@@ -101,7 +103,9 @@ Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& t
 ///
 /// Distances are zero only at the sources. They never exceed the shortest path along edges of the triangulation or of
 /// its input and, for a surface in space, are never shorter than the straight line. They do not depend on other
-/// components of the surface.
+/// components of the surface, nor on the numbers of vertices and faces if the vertices of the input are points at
+/// different places: edges by which Delaunay triangulations of one surface differ are replaced in a copy, unless they are
+/// in the input.
 ///
 /// \param triangulation a triangulation, preferably Delaunay, so that paths cross few faces
 /// \param sources vertices

@@ -47,10 +47,11 @@ inline bool is_good_area(const Bounded_double_double& a) { return a.is_zero() ||
 // Of an interval around a number that is wanted to the last places.
 inline bool is_narrow(double width, double magnitude) { return width <= 0x1p-51 * magnitude; }
 
+// Halfway between two doubles it is the larger one, in whatever order the number was computed.
 inline double rounded_root(const Bounded_double_double& s, int unit_exponent)
 {
   const Bounded_double_double l = sqrt(s);
-  return std::ldexp(l.hi() + l.lo(), unit_exponent);
+  return std::ldexp(l.hi() + (l.lo() + 0x1p-75 * l.hi()), unit_exponent);
 }
 
 // Vectors that evaluate(metric) computes, each with an error of at most 2^-50 of its length, or of that of the last one

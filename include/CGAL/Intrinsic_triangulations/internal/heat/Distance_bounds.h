@@ -58,7 +58,7 @@ public:
         add(input, e,
             std::ldexp(std::sqrt((std::max)(0., metric.squared_length_double_double(input, e).hi())), exponent));
       if (!metric.points().empty()) {
-        points_.resize(row.number_of_rows(), {nowhere, 0, 0});
+        points_.resize(row.number_of_rows(), {no_point, 0, 0});
         for (Vertex_index v : input.vertices())
           for (int i = 0; i < 3; ++i)
             points_[row(v)][i] = std::ldexp(metric.points()[v.idx()][i], exponent);
@@ -71,27 +71,22 @@ public:
   // \param sources rows, and how far they are from the source that they stand for
   void apply(std::vector<double>& distances, const std::map<std::uint32_t, double>& sources) const
   {
-    std::vector<double> paths(first_.size() - 1, std::numeric_limits<double>::infinity());
+    std::vector<double> paths(first_.size() - 1, not_yet);
     std::vector<std::uint32_t> origins(paths.size(), 0);
     for (const auto& [row, distance] : sources) {
       paths[row] = distance;
       origins[row] = row;
     }
-    std::vector<char> is_behind(paths.size());
     std::priority_queue<std::pair<double, std::uint32_t>, std::vector<std::pair<double, std::uint32_t>>, std::greater<>>
       queue;
     const auto go_on_from = [&](std::uint32_t row) {
-      const double path = paths[row];
-      const std::uint32_t origin = origins[row];
       for (std::uint32_t i = first_[row]; i < first_[row + 1]; ++i) {
-        // Without jumps, as it is anyone's guess which is shorter.
-        const auto& [neighbor, length] = neighbors_[i];
-        const double other = paths[neighbor];
-        const bool is_shorter = path + length < other;
-        paths[neighbor] = is_shorter ? path + length : other;
-        origins[neighbor] = is_shorter ? origin : origins[neighbor];
-        if (is_shorter & bool(is_behind[neighbor]))
-          queue.push({paths[neighbor], neighbor});
+        const std::uint32_t neighbor = neighbors_[i];
+        if (paths[neighbor] == not_yet || !(paths[row] + lengths_[i] < paths[neighbor]))
+          continue;
+        paths[neighbor] = paths[row] + lengths_[i];
+        origins[neighbor] = origins[row];
+        queue.push({paths[neighbor], neighbor});
       }
     };
     // First in the order of the distances, in which nearly all paths are found at once. What gets a shorter path after
@@ -100,9 +95,26 @@ public:
     for (std::size_t i = 0; i < order.size(); ++i) {
       const std::uint32_t row = order[i], soon = order[(std::min)(i + 8, order.size() - 1)];
       prefetch_to_read(neighbors_.data() + first_[soon]);
-      prefetch_to_read(neighbors_.data() + first_[soon + 1]);
-      is_behind[row] = true;
-      go_on_from(row);
+      prefetch_to_read(lengths_.data() + first_[soon]);
+      prefetch_to_read(lengths_.data() + first_[soon + 1]);
+      double path = paths[row];
+      std::uint32_t from = row;
+      for (std::uint32_t k = first_[row]; k < first_[row + 1]; ++k) {
+        // Without jumps, as it is anyone's guess which is shorter.
+        const double other = paths[neighbors_[k]] + lengths_[k];
+        from = other < path ? neighbors_[k] : from;
+        path = other < path ? other : path;
+      }
+      path = (std::min)(path, nowhere);
+      paths[row] = path;
+      origins[row] = origins[from];
+      bool is_shorter = false;
+      for (std::uint32_t k = first_[row]; k < first_[row + 1]; ++k) {
+        const double other = paths[neighbors_[k]];
+        is_shorter |= (path + lengths_[k] < other) & (other <= nowhere);
+      }
+      if (is_shorter)
+        go_on_from(row);
     }
     while (!queue.empty()) {
       const auto [length, row] = queue.top();
@@ -111,14 +123,16 @@ public:
         go_on_from(row);
     }
     for (std::uint32_t row = 0; row < std::uint32_t(paths.size()); ++row)
-      if (paths[row] < std::numeric_limits<double>::infinity())
+      if (paths[row] < nowhere)
         distances[row] = within(distances[row], paths[row], row, origins[row], sources);
     for (const auto& [row, distance] : sources)
       distances[row] = distance;
   }
 
 private:
-  static constexpr double nowhere = std::numeric_limits<double>::infinity(); // of rows that the input does not have
+  static constexpr double not_yet = std::numeric_limits<double>::infinity();  // the path of a row before its turn
+  static constexpr double nowhere = (std::numeric_limits<double>::max)();     // and where no path leads
+  static constexpr double no_point = std::numeric_limits<double>::infinity(); // of rows that the input does not have
 
   // Whether an edge is also one of the input, which is added anyway.
   template <class Traits>
@@ -149,10 +163,15 @@ private:
     for (std::size_t v = 0; v + 1 < first_.size(); ++v)
       first_[v + 1] += first_[v];
     neighbors_.resize(2 * edges.size());
+    lengths_.resize(neighbors_.size());
     std::vector<std::uint32_t> position(first_.begin(), first_.end() - 1);
+    const auto add = [&](std::uint32_t from, std::uint32_t to, double length) {
+      neighbors_[position[from]] = to;
+      lengths_[position[from]++] = length;
+    };
     for (const Edge& e : edges) {
-      neighbors_[position[e.from]++] = {e.to, e.length};
-      neighbors_[position[e.to]++] = {e.from, e.length};
+      add(e.from, e.to, e.length);
+      add(e.to, e.from, e.length);
     }
   }
 
@@ -162,7 +181,7 @@ private:
                 const std::map<std::uint32_t, double>& sources) const
   {
     distance = distance > 0 ? (std::min)(distance, path) : path / 2;
-    if (points_.empty() || points_[row][0] == nowhere)
+    if (points_.empty() || points_[row][0] == no_point)
       return distance;
     double nearest = line(row, origin) - sources.at(origin);
     for (auto source = sources.begin(); nearest > distance && source != sources.end(); ++source)
@@ -174,14 +193,15 @@ private:
   double line(std::uint32_t v, std::uint32_t w) const
   {
     const auto &p = points_[v], &q = points_[w];
-    if (q[0] == nowhere)
+    if (q[0] == no_point)
       return 0;
     const double x = p[0] - q[0], y = p[1] - q[1], z = p[2] - q[2], square = x * x + y * y + z * z;
     return square > 0x1p-900 && square < 0x1p900 ? std::sqrt(square) : std::hypot(x, y, z);
   }
 
   std::vector<std::uint32_t> first_; // the neighbors of a row are those from this number on
-  std::vector<std::pair<std::uint32_t, double>> neighbors_;
+  std::vector<std::uint32_t> neighbors_;
+  std::vector<double> lengths_; // of the edges to them
   std::vector<std::array<double, 3>> points_;
 };
 

@@ -36,8 +36,8 @@ namespace internal {
 struct Heat_face
 {
   std::array<std::uint32_t, 3> row; // of the corners
+  float share;                      // what the face counts: half if it has a second copy
   double base, x, height;
-  double share; // what the face counts: half if it has a second copy
 
   double area() const { return share * base * height / 2; }
 };
@@ -171,10 +171,11 @@ private:
         continue;
       const Halfedge_index base = side_with_largest(complex_, f, [&](Halfedge_index h) { return length(h); });
       const Halfedge_index next = complex_.next(base), prev = complex_.prev(base);
-      const double cot = shapes_.cotangent(next), height = length(base) / (cot + shapes_.cotangent(prev));
+      const std::array<double, 2> apex = shapes_.apex(base);
+      const double x = apex[0] * length(base), height = apex[1] * length(base);
       if (height < least_height * length(base))
-        thicken(base, cot * height);
-      result_.faces.push_back({{row(base), row(next), row(prev)}, length(base), cot * height, height, share(f)});
+        thicken(base, x);
+      result_.faces.push_back({{row(base), row(next), row(prev)}, float(share(f)), length(base), x, height});
     }
   }
 
@@ -241,19 +242,17 @@ private:
   Heat_surface result_;
 };
 
+// \param share gives what a face counts
+template <class Traits, class Row, class Share>
+Heat_surface make_heat_surface(const Intrinsic_triangulation<Traits>& triangulation, const Row& row, const Share& share)
+{
+  return Heat_surface_builder<Traits, Row>(triangulation, row, share).take();
+}
+
 template <class Traits>
 Heat_surface make_heat_surface(const Intrinsic_triangulation<Traits>& triangulation)
 {
-  const Row_of_vertex row(triangulation.connectivity());
-  return Heat_surface_builder<Traits, Row_of_vertex>(triangulation, row, [](Face_index) { return 1.; }).take();
-}
-
-inline Heat_surface make_heat_surface(const Tufted_cover& cover)
-{
-  const Row_of_cover_vertex row(cover);
-  return Heat_surface_builder<Filtered_edge_length_traits, Row_of_cover_vertex>(
-           cover.triangulation, row, [&cover](Face_index f) { return share(cover, f); })
-    .take();
+  return make_heat_surface(triangulation, Row_of_vertex(triangulation.connectivity()), [](Face_index) { return 1.; });
 }
 
 } // namespace internal

@@ -10,8 +10,10 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Places.h>
 #include <CGAL/Intrinsic_triangulations/internal/numbers/Accurate_shapes.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -40,7 +42,8 @@ public:
   // \tparam Row gives the row of a vertex, as Row_of_vertex
   template <class Traits, class Row>
   Laid_out_faces(const Intrinsic_triangulation<Traits>& triangulation, const Row& row)
-    : angle_sums_(triangulation.connectivity().number_of_vertices(), 0), first_(row.number_of_rows() + 1, 0)
+    : places_(triangulation, row), angle_sums_(triangulation.connectivity().number_of_vertices(), 0),
+      first_(row.number_of_rows() + 1, 0)
   {
     const Delta_complex& complex = triangulation.connectivity();
     const Accurate_shapes<Traits> shapes(triangulation);
@@ -53,8 +56,7 @@ public:
     sides_.reserve(3 * complex.number_of_faces());
     halfedges_.reserve(3 * complex.number_of_faces());
     for (Face_index f : complex.faces()) {
-      const Halfedge_index base =
-        side_with_largest(complex, f, [&](Halfedge_index h) { return lengths[complex.edge(h).idx()]; });
+      const Halfedge_index base = longest_side(complex, row, complex.halfedge(f), lengths);
       const std::array<Halfedge_index, 3> around{base, complex.next(base), complex.prev(base)};
       std::array<double, 3> length;
       for (int i = 0; i < 3; ++i) {
@@ -62,10 +64,7 @@ public:
         halfedges_.push_back(around[i]);
         length[i] = lengths[complex.edge(around[i]).idx()];
       }
-      const std::array<double, 2> apex =
-        shapes.has_area(f) ? apex_of_shape(length[0], shapes.cotangent(around[1]), shapes.cotangent(around[2]))
-                           : apex_of_flat_face(length);
-      add_face(complex, row, around, length, apex);
+      add_face(complex, row, around, length, shapes.has_area(f) ? shapes.apex(base) : apex_of_flat_face(length));
     }
     for (Halfedge_index h : complex.halfedges())
       if (side_of[h.idx()] != none)
@@ -83,32 +82,55 @@ public:
   std::uint32_t left_of(std::uint32_t i) const { return sides_[prev(i)].opposite; }
   std::uint32_t right_of(std::uint32_t i) const { return sides_[i].opposite == none ? none : next(sides_[i].opposite); }
   // Infinite on the border.
-  double angle_sum(std::uint32_t vertex) const { return angle_sums_[vertex]; }
+  double angle_sum(std::uint32_t vertex) const
+  {
+    return angle_sums_[vertex] < 0 ? std::numeric_limits<double>::infinity()
+                                   : double(angle_sums_[vertex]) / angle_scale;
+  }
   // The sides that begin at a row are those with the numbers corner(i) for i from first_corner(row) to
   // first_corner(row + 1).
   std::uint32_t first_corner(std::uint32_t row) const { return first_[row]; }
   std::uint32_t corner(std::uint32_t i) const { return corners_[i]; }
+  // An order that does not depend on numbers: by the places of the corners of the faces, from the side on.
+  bool is_before(std::uint32_t i, std::uint32_t j) const
+  {
+    for (int corner = 0; corner < 3; ++corner, i = next(i), j = next(j)) {
+      const std::uint32_t v = sides_[i].row, w = sides_[j].row;
+      if (v != w)
+        return places_.is_before(v, w);
+    }
+    return i < j;
+  }
   // k such that lengths are in units of 2^k units of the input.
   int exponent() const { return exponent_; }
 
 private:
-  // Of (0, 0), (base, 0) and the apex, from the cotangents at the second and the first corner.
-  static std::array<double, 2> apex_of_shape(double base, double first, double second)
+  // Of several, the one whose corner comes first.
+  template <class Row>
+  Halfedge_index longest_side(const Delta_complex& complex, const Row& row, Halfedge_index first,
+                              const std::vector<double>& lengths) const
   {
-    // cotangents are opposite to the sides after the base: at the first and the second corner
-    const double height = base / (first + second);
-    return {first * height, height};
-  }
-  static std::array<double, 2> apex_of_flat_face(const std::array<double, 3>& length)
-  {
-    return {length[0] * (length[2] / (length[1] + length[2])), 0x1p-40 * length[0]};
+    Halfedge_index result = first;
+    for (Halfedge_index h : {complex.next(first), complex.prev(first)}) {
+      const double length = lengths[complex.edge(h).idx()], longest = lengths[complex.edge(result).idx()];
+      if (length > longest || (length == longest && places_.is_before(std::uint32_t(row(complex.source(h))),
+                                                                      std::uint32_t(row(complex.source(result))))))
+        result = h;
+    }
+    return result;
   }
 
+  static std::array<double, 2> apex_of_flat_face(const std::array<double, 3>& length)
+  {
+    return {length[2] / (length[1] + length[2]), 0x1p-40};
+  }
+
+  // \param apex in units of the longest side
   template <class Row>
   void add_face(const Delta_complex& complex, const Row& row, const std::array<Halfedge_index, 3>& around,
                 const std::array<double, 3>& length, const std::array<double, 2>& apex)
   {
-    const std::array<double, 3> x{0, length[0], apex[0]}, y{0, 0, apex[1]};
+    const std::array<double, 3> x{0, length[0], apex[0] * length[0]}, y{0, 0, apex[1] * length[0]};
     for (int i = 0; i < 3; ++i) {
       const int j = (i + 1) % 3, k = (i + 2) % 3;
       const double jx = x[j] - x[i], jy = y[j] - y[i], kx = x[k] - x[i], ky = y[k] - y[i], dot = jx * kx + jy * ky,
@@ -121,7 +143,7 @@ private:
       side.apex_x = dot / length[i];
       side.apex_y = cross / length[i];
       side.angle = std::atan2(cross, dot);
-      angle_sums_[v.idx()] += side.angle;
+      angle_sums_[v.idx()] += std::int64_t(side.angle * angle_scale);
       sides_.push_back(side);
     }
   }
@@ -131,8 +153,7 @@ private:
     for (const Side& side : sides_) {
       ++first_[side.row + 1];
       if (side.opposite == none)
-        angle_sums_[side.vertex] = angle_sums_[sides_[next(std::uint32_t(&side - sides_.data()))].vertex] =
-          std::numeric_limits<double>::infinity();
+        angle_sums_[side.vertex] = angle_sums_[sides_[next(std::uint32_t(&side - sides_.data()))].vertex] = -1;
     }
     for (std::size_t v = 0; v + 1 < first_.size(); ++v)
       first_[v + 1] += first_[v];
@@ -140,11 +161,30 @@ private:
     std::vector<std::uint32_t> position(first_.begin(), first_.end() - 1);
     for (std::size_t i = 0; i < sides_.size(); ++i)
       corners_[position[sides_[i].row]++] = std::uint32_t(i);
+    // Of two ways along edges that get to the same row at once, the first one counts.
+    for (std::size_t row = 0; row + 1 < first_.size(); ++row) {
+      const auto begin = corners_.begin() + first_[row], end = corners_.begin() + first_[row + 1];
+      if (end - begin > 16 || has_edges_to_same_row(begin, end))
+        std::sort(begin, end, [this](std::uint32_t i, std::uint32_t j) { return is_before(i, j); });
+    }
   }
 
+  template <class Corner>
+  bool has_edges_to_same_row(Corner begin, Corner end) const
+  {
+    for (Corner i = begin; i != end; ++i)
+      for (Corner j = begin; j != i; ++j)
+        if (sides_[prev(*i)].row == sides_[prev(*j)].row)
+          return true;
+    return std::any_of(begin, end, [this](std::uint32_t side) { return sides_[side].opposite == none; });
+  }
+
+  static constexpr double angle_scale = 0x1p50;
+
+  Places places_;
   std::vector<Side> sides_;
   std::vector<Halfedge_index> halfedges_; // of the sides
-  std::vector<double> angle_sums_;        // by vertex
+  std::vector<std::int64_t> angle_sums_;  // by vertex; as integers they are the same in any order, and -1 on the border
   std::vector<std::uint32_t> first_, corners_;
   int exponent_ = 0;
 };

@@ -17,9 +17,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
-#include <queue>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -74,8 +73,9 @@ public:
         return false;
       if (number_of_steps_ % 4096 == 0)
         interruption.check();
-      const auto [distance, slot] = queue_.top();
-      queue_.pop();
+      std::pop_heap(queue_.begin(), queue_.end(), Comes_later{*this});
+      const auto [distance, slot] = queue_.back();
+      queue_.pop_back();
       const Window window = windows_[slot];
       if (window.sigma >= 0 && tolerance_ > 0) {
         send_all_on(window.side);
@@ -83,7 +83,7 @@ public:
       }
       if (window.sigma < 0)
         send_from(window.side, window.x, distance);
-      else if (window.side != none) {
+      else if (window.next != taken) {
         remove(slot);
         send_on(window);
       }
@@ -101,7 +101,7 @@ private:
   using Side = Laid_out_faces::Side;
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr std::uint32_t none = Laid_out_faces::none;
+  static constexpr std::uint32_t none = Laid_out_faces::none, taken = none - 1;
   static constexpr double shorter = 1 - 1e-12; // by so much that it is not rounding
   static constexpr double least_width = 1e-12, least_angle = 1e-9;
 
@@ -118,10 +118,25 @@ private:
   struct Window
   {
     double b0, b1, x, y, sigma;
-    std::uint32_t side;        // none if another one has taken its place
-    std::uint32_t next = none; // of those that wait at the side
+    std::uint32_t side;
+    std::uint32_t next = none; // of those that wait at the side; taken if another one has taken its place
 
     double distance(double b) const { return sigma + length_of(b - x, y); }
+  };
+
+  // An order of the queue. Of windows at the same distance, those at the first side come first, whatever numbers it and
+  // they have.
+  struct Comes_later
+  {
+    const Window_propagation& windows;
+
+    bool operator()(const std::pair<double, std::uint32_t>& a, const std::pair<double, std::uint32_t>& b) const
+    {
+      if (a.first != b.first)
+        return a.first > b.first;
+      const Window &u = windows.windows_[a.second], &v = windows.windows_[b.second];
+      return u.side == v.side ? is_before(v, u) : windows.surface_.is_before(v.side, u.side);
+    }
   };
 
   // The nearest straight way to the corner opposite to a side over this, and where it crosses it.
@@ -133,8 +148,21 @@ private:
   std::uint32_t add(const Window& window, double distance)
   {
     const std::uint32_t slot = store(window);
-    queue_.push({distance, slot});
+    push(distance, slot);
     return slot;
+  }
+
+  void push(double distance, std::uint32_t slot)
+  {
+    queue_.push_back({distance, slot});
+    std::push_heap(queue_.begin(), queue_.end(), Comes_later{*this});
+  }
+
+  // At the same side. \pre if both are the same in all numbers, it does not matter which is the first
+  static bool is_before(const Window& u, const Window& v)
+  {
+    const auto key = [](const Window& w) { return std::make_tuple(w.b0, -w.b1, w.sigma, w.x, w.y); };
+    return key(u) < key(v);
   }
 
   std::uint32_t store(const Window& window)
@@ -168,7 +196,7 @@ private:
       w.next = waiting_[side];
       waiting_[side] = store(w);
       if (w.next == none)
-        queue_.push({w.distance(surface_.side(side).length / 2), waiting_[side]});
+        push(w.distance(surface_.side(side).length / 2), waiting_[side]);
       return;
     }
     for (std::uint32_t slot = waiting_[side]; slot != none;) {
@@ -179,7 +207,7 @@ private:
         continue;
       }
       remove(slot);
-      windows_[slot].side = none;
+      windows_[slot].next = taken;
       slot = waiting_[side];
     }
     w.next = waiting_[side];
@@ -218,8 +246,7 @@ private:
       free_.push_back(slot);
     }
     waiting_[side] = none;
-    std::sort(meeting_.begin(), meeting_.end(),
-              [](const Window& u, const Window& v) { return u.b0 < v.b0 || (u.b0 == v.b0 && u.b1 > v.b1); });
+    std::sort(meeting_.begin(), meeting_.end(), is_before);
     std::size_t last = 0;
     for (std::size_t i = 1; i < meeting_.size(); ++i)
       if (!unite_nearly(meeting_[last], meeting_[i]))
@@ -340,17 +367,20 @@ private:
     leave(surface_.next(side), {at(to), at(from), o.length - o.apex_x, o.apex_y, distances_[s.row], 0});
   }
 
-  // The ways from a row: along all edges, and into all faces at its vertices but one.
+  // The ways from a row: along all edges, and then into all faces at its vertices but one.
   void send_all_around(std::uint32_t row, std::uint32_t but)
   {
-    for (std::uint32_t i = surface_.first_corner(row); i < surface_.first_corner(row + 1); ++i) {
-      const std::uint32_t side = surface_.corner(i);
-      const Side& s = surface_.side(side);
-      const std::uint32_t next = surface_.next(side), last = surface_.prev(side);
-      reach(next, surface_.side(next).angle, distances_[row] + s.length);
+    const std::uint32_t begin = surface_.first_corner(row), end = surface_.first_corner(row + 1);
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const std::uint32_t side = surface_.corner(i), next = surface_.next(side), last = surface_.prev(side);
       reach(last, 0, distances_[row] + surface_.side(last).length);
-      if (s.vertex != but)
-        send_into_face(side, 0, s.angle);
+      if (surface_.side(side).opposite == none)
+        reach(next, surface_.side(next).angle, distances_[row] + surface_.side(side).length);
+    }
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const std::uint32_t side = surface_.corner(i);
+      if (surface_.side(side).vertex != but)
+        send_into_face(side, 0, surface_.side(side).angle);
     }
   }
 
@@ -455,11 +485,10 @@ private:
   std::vector<Arrival> arrivals_; // likewise
   std::vector<Split> splits_;     // of the sides
   std::vector<Window> windows_;
-  std::vector<Window> meeting_;        // at one side
-  std::vector<std::uint32_t> free_;    // places for windows
-  std::vector<std::uint32_t> waiting_; // at each side, the first window
-  std::priority_queue<std::pair<double, std::uint32_t>, std::vector<std::pair<double, std::uint32_t>>, std::greater<>>
-    queue_;
+  std::vector<Window> meeting_;                         // at one side
+  std::vector<std::uint32_t> free_;                     // places for windows
+  std::vector<std::uint32_t> waiting_;                  // at each side, the first window
+  std::vector<std::pair<double, std::uint32_t>> queue_; // a heap of places
   std::uint64_t number_of_steps_ = 0;
 };
 

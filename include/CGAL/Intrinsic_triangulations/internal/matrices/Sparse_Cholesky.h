@@ -22,6 +22,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -84,8 +85,8 @@ private:
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD
   Eigen::CholmodSupernodalLLT<Matrix> solver_;
 #else
-  // What takes time is to read the factor. Four columns in a row with the same rows below them are a panel: the numbers
-  // of these rows are read once, and the right side as well.
+  // What takes time is to read the factor. Up to four columns in a row with the same rows below them are a panel: the
+  // numbers of these rows are read once, and the right side as well.
   static constexpr int wide = 4;
   static constexpr std::ptrdiff_t soon = 512; // numbers ahead
 
@@ -102,16 +103,26 @@ private:
       int width = 1;
       while (width < wide && c + width < factor().cols() && has_rows_of_next(c + width - 1))
         ++width;
-      panels_.push_back({c, width == wide ? wide : 1});
+      panels_.push_back({c, width});
     }
   }
 
   void solve_in_place(Scalar* x) const
   {
     for (auto panel = panels_.begin(); panel != panels_.end(); ++panel)
-      panel->second == wide ? forward<wide>(panel->first, x) : forward<1>(panel->first, x);
+      with_width<wide>(panel->second, [&](auto width) { forward<width()>(panel->first, x); });
     for (auto panel = panels_.rbegin(); panel != panels_.rend(); ++panel)
-      panel->second == wide ? backward<wide>(panel->first, x) : backward<1>(panel->first, x);
+      with_width<wide>(panel->second, [&](auto width) { backward<width()>(panel->first, x); });
+  }
+
+  // Calls f with the width as a type.
+  template <int widest, class F>
+  static void with_width(int width, const F& f)
+  {
+    if constexpr (widest > 1)
+      if (width < widest)
+        return with_width<widest - 1>(width, f);
+    f(std::integral_constant<int, widest>());
   }
 
   template <int width>

@@ -3,8 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Lengths and cotangents of a triangulation: the stored numbers where they are good enough, and exact geometry
-// elsewhere.
+// Lengths and cotangents of a triangulation, rounded alike whatever was flipped before.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_ACCURATE_SHAPES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_ACCURATE_SHAPES_H
@@ -12,11 +11,16 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/metric/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
@@ -35,35 +39,40 @@ public:
   bool has_area(Face_index f) const { return certainly(triangulation_.area(f) > typename Traits::FT(0)); }
   // Opposite to h. \pre its face has an area
   double cotangent(Halfedge_index h) const { return to_double(triangulation_.cotangent(h)); }
+  // Where the apex of a face is, as seen from its longest side and in units of that. \pre the face has an area
+  std::array<double, 2> apex(Halfedge_index base) const
+  {
+    const Delta_complex& complex = triangulation_.connectivity();
+    const double first = cotangent(complex.next(base)), sum = first + cotangent(complex.prev(base));
+    return {first / sum, 1 / sum};
+  }
 
 private:
   const Intrinsic_triangulation<Traits>& triangulation_;
 };
 
-// Areas may leave the range of double in the unit of the input, so the internal one is used.
+// From the points of the input where they tell, and exact geometry elsewhere. Areas may leave the range of double in
+// the unit of the input, so the internal one is used.
 template <>
 class Accurate_shapes<Filtered_edge_length_traits>
 {
-  // Far below the error of any method that uses the numbers, and far above that of fresh ones.
-  static constexpr double accuracy = 0x1p-42;
+  static constexpr double least_height = 0x1p-5; // in units of the base, for a height from points
 
 public:
   using Triangulation = Intrinsic_triangulation<Filtered_edge_length_traits>;
 
   explicit Accurate_shapes(const Triangulation& triangulation)
-    : triangulation_(triangulation), complex_(triangulation.connectivity())
+    : triangulation_(triangulation), complex_(triangulation.connectivity()),
+      points_(engine(triangulation).metric().points())
   {}
 
   int exponent() const { return triangulation_.unit_exponent(); }
 
   double length(Edge_index e) const
   {
-    const double s = triangulation_.edge_data(e);
     const Halfedge_index h = complex_.halfedge(e);
-    for (Halfedge_index side : {h, complex_.opposite(h)})
-      if (!complex_.is_border(side) && triangulation_.face_data(complex_.face(side)).error <= accuracy * s)
-        return std::sqrt(s);
-    return std::ldexp(triangulation_.length(e), -exponent());
+    return is_in_space(h) ? std::sqrt(squared_distance_3(point(h), point(complex_.opposite(h))))
+                          : std::ldexp(triangulation_.length(e), -exponent());
   }
 
   bool has_area(Face_index f) const
@@ -72,18 +81,54 @@ public:
     return area.value > area.error || engine(triangulation_).sign_of_area(f) == POSITIVE;
   }
 
-  double cotangent(Halfedge_index h) const
+  double cotangent(Halfedge_index h) const { return cotangents(h)[0]; }
+
+  std::array<double, 2> apex(Halfedge_index base) const
   {
-    const auto stored = triangulation_.traits().compute_bounded_cotangent_object()(
-      triangulation_.face_data(complex_.face(h)), triangulation_.edge_data(complex_.edge(h)),
-      triangulation_.edge_data(complex_.edge(complex_.next(h))),
-      triangulation_.edge_data(complex_.edge(complex_.prev(h))));
-    return stored.error <= accuracy * (1 + std::abs(stored.value)) ? stored.value : triangulation_.cotangent(h);
+    const Halfedge_index next = complex_.next(base), prev = complex_.next(next);
+    if (is_in_space(base) && is_in_space(next) && is_in_space(prev)) {
+      const auto &p = point(base), &q = point(next), &r = point(prev);
+      const double square = squared_distance_3(p, q), height = four_areas_3(p, q, r) / (2 * square);
+      if (height > least_height)
+        return {((q[0] - p[0]) * (r[0] - p[0]) + (q[1] - p[1]) * (r[1] - p[1]) + (q[2] - p[2]) * (r[2] - p[2])) /
+                  square,
+                height};
+    }
+    const std::array<double, 3> of_angles = cotangents(base);
+    const double sum = of_angles[1] + of_angles[2];
+    return {of_angles[1] / sum, 1 / sum};
   }
 
 private:
+  // Of the angles opposite to h and to the halfedges that follow.
+  std::array<double, 3> cotangents(Halfedge_index h) const
+  {
+    const Face_index f = complex_.face(h);
+    Engine_numbers::Face_cotangents found;
+    Engine_numbers(engine(triangulation_)).find_cotangents(f, found);
+    Halfedge_index side = complex_.halfedge(f);
+    const int turns = side == h ? 0 : complex_.next(side) == h ? 1 : 2;
+    std::array<double, 3> result;
+    for (int i = 0; i < 3; ++i, side = complex_.next(side)) {
+      const Bounded_double_double& c = found[std::size_t(i)];
+      result[std::size_t((i + 3 - turns) % 3)] = c.error() < 0x1p-53 * (1 + std::abs(c.hi()))
+                                                   ? (std::abs(c.hi()) > c.error() ? c.hi() : 0)
+                                                   : triangulation_.cotangent(side);
+    }
+    return result;
+  }
+
+  // Whether the edge is a straight line between two points of the input.
+  bool is_in_space(Halfedge_index h) const
+  {
+    return complex_.source(h).idx() < points_.size() && complex_.target(h).idx() < points_.size() &&
+           triangulation_.is_input_edge(complex_.edge(h));
+  }
+  const std::array<double, 3>& point(Halfedge_index h) const { return points_[complex_.source(h).idx()]; }
+
   const Triangulation& triangulation_;
   const Delta_complex& complex_;
+  const Input_metric::Point_vector& points_;
 };
 
 } // namespace internal
