@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -171,7 +172,9 @@ private:
         continue;
       const Halfedge_index base = side_with_largest(complex_, f, [&](Halfedge_index h) { return length(h); });
       const Halfedge_index next = complex_.next(base), prev = complex_.prev(base);
-      const std::array<double, 2> apex = shapes_.apex(base);
+      const std::optional<std::array<double, 2>> by_lengths =
+        apex_by_lengths({length(base), length(next), length(prev)});
+      const std::array<double, 2> apex = by_lengths ? *by_lengths : apex_by_cotangents(shapes_, complex_, base);
       const double x = apex[0] * length(base), height = apex[1] * length(base);
       if (height < least_height * length(base))
         thicken(base, x);

@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -64,7 +65,11 @@ public:
         halfedges_.push_back(around[i]);
         length[i] = lengths[complex.edge(around[i]).idx()];
       }
-      add_face(complex, row, around, length, shapes.has_area(f) ? shapes.apex(base) : apex_of_flat_face(length));
+      const std::optional<std::array<double, 2>> apex = apex_by_lengths(length);
+      add_face(complex, row, around, length,
+               apex                 ? *apex
+               : shapes.has_area(f) ? apex_by_cotangents(shapes, complex, base)
+                                    : apex_of_flat_face(length));
     }
     for (Halfedge_index h : complex.halfedges())
       if (side_of[h.idx()] != none)

@@ -18,13 +18,37 @@
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
+#include <optional>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
+
+// Where the apex of a face is, as seen from its longest side and in units of that, by the lengths of its sides from that
+// on: nothing if it is so low that their rounding tells.
+//
+// Source of the area: W. Kahan, "Miscalculating area and angles of a needle-like triangle" (2014).
+inline std::optional<std::array<double, 2>> apex_by_lengths(const std::array<double, 3>& length)
+{
+  constexpr double least_height = 0x1p-5;
+  const double next = length[1] / length[0], prev = length[2] / length[0], b = (std::max)(next, prev),
+               c = (std::min)(next, prev);
+  const double height = std::sqrt((1 + (b + c)) * (c - (1 - b)) * (c + (1 - b)) * (1 + (b - c))) / 2;
+  if (!(height > least_height))
+    return std::nullopt;
+  return std::array<double, 2>{((prev - next) * (prev + next) + 1) / 2, height};
+}
+
+// The same by cotangents.
+template <class Shapes>
+std::array<double, 2> apex_by_cotangents(const Shapes& shapes, const Delta_complex& complex, Halfedge_index base)
+{
+  const double first = shapes.cotangent(complex.next(base)), sum = first + shapes.cotangent(complex.prev(base));
+  return {first / sum, 1 / sum};
+}
 
 // By the number type.
 template <class Traits>
@@ -39,13 +63,6 @@ public:
   bool has_area(Face_index f) const { return certainly(triangulation_.area(f) > typename Traits::FT(0)); }
   // Opposite to h. \pre its face has an area
   double cotangent(Halfedge_index h) const { return to_double(triangulation_.cotangent(h)); }
-  // Where the apex of a face is, as seen from its longest side and in units of that. \pre the face has an area
-  std::array<double, 2> apex(Halfedge_index base) const
-  {
-    const Delta_complex& complex = triangulation_.connectivity();
-    const double first = cotangent(complex.next(base)), sum = first + cotangent(complex.prev(base));
-    return {first / sum, 1 / sum};
-  }
 
 private:
   const Intrinsic_triangulation<Traits>& triangulation_;
@@ -56,8 +73,6 @@ private:
 template <>
 class Accurate_shapes<Filtered_edge_length_traits>
 {
-  static constexpr double least_height = 0x1p-5; // in units of the base, for a height from points
-
 public:
   using Triangulation = Intrinsic_triangulation<Filtered_edge_length_traits>;
 
@@ -81,43 +96,19 @@ public:
     return area.value > area.error || engine(triangulation_).sign_of_area(f) == POSITIVE;
   }
 
-  double cotangent(Halfedge_index h) const { return cotangents(h)[0]; }
-
-  std::array<double, 2> apex(Halfedge_index base) const
-  {
-    const Halfedge_index next = complex_.next(base), prev = complex_.next(next);
-    if (is_in_space(base) && is_in_space(next) && is_in_space(prev)) {
-      const auto &p = point(base), &q = point(next), &r = point(prev);
-      const double square = squared_distance_3(p, q), height = four_areas_3(p, q, r) / (2 * square);
-      if (height > least_height)
-        return {((q[0] - p[0]) * (r[0] - p[0]) + (q[1] - p[1]) * (r[1] - p[1]) + (q[2] - p[2]) * (r[2] - p[2])) /
-                  square,
-                height};
-    }
-    const std::array<double, 3> of_angles = cotangents(base);
-    const double sum = of_angles[1] + of_angles[2];
-    return {of_angles[1] / sum, 1 / sum};
-  }
-
-private:
-  // Of the angles opposite to h and to the halfedges that follow.
-  std::array<double, 3> cotangents(Halfedge_index h) const
+  double cotangent(Halfedge_index h) const
   {
     const Face_index f = complex_.face(h);
     Engine_numbers::Face_cotangents found;
     Engine_numbers(engine(triangulation_)).find_cotangents(f, found);
-    Halfedge_index side = complex_.halfedge(f);
-    const int turns = side == h ? 0 : complex_.next(side) == h ? 1 : 2;
-    std::array<double, 3> result;
-    for (int i = 0; i < 3; ++i, side = complex_.next(side)) {
-      const Bounded_double_double& c = found[std::size_t(i)];
-      result[std::size_t((i + 3 - turns) % 3)] = c.error() < 0x1p-53 * (1 + std::abs(c.hi()))
-                                                   ? (std::abs(c.hi()) > c.error() ? c.hi() : 0)
-                                                   : triangulation_.cotangent(side);
-    }
-    return result;
+    const Halfedge_index first = complex_.halfedge(f);
+    const Bounded_double_double& c = found[first == h ? 0 : complex_.next(first) == h ? 1 : 2];
+    if (!(c.error() < 0x1p-53 * (1 + std::abs(c.hi()))))
+      return triangulation_.cotangent(h);
+    return std::abs(c.hi()) > c.error() ? c.hi() : 0;
   }
 
+private:
   // Whether the edge is a straight line between two points of the input.
   bool is_in_space(Halfedge_index h) const
   {
