@@ -245,6 +245,14 @@ TEST(Geodesic_distances, depend_on_no_numbers)
     }
 }
 
+// Its square has two bits.
+TEST(Geodesic_distances, over_an_edge_that_is_nearly_nothing)
+{
+  const Points points{{0, 0, 0}, {2e-162, 0, 0}, {0, 1, 0}, {-1, -1, 0.5}};
+  const Triangles triangles{{0, 1, 2}, {1, 0, 3}};
+  EXPECT_DOUBLE_EQ(IT::geodesic_distances(Delaunay(points, triangles), {Vertex_index(0)}).distances[1], 2e-162);
+}
+
 TEST(Geodesic_distances, stay_between_line_and_edges_if_the_budget_ends)
 {
   Points points;

@@ -269,9 +269,11 @@ private:
 
   // \param share gives what a face counts
   template <class Traits, class Row, class Share>
-  Heat_method(internal::Heat_options options, const Intrinsic_triangulation<Traits>& triangulation, const Row& row,
-              const Share& share)
-    : Heat_method(std::move(options), triangulation, internal::with_ties_by_place(triangulation, row), row, share)
+  Heat_method(const internal::Heat_options& options, const Intrinsic_triangulation<Traits>& triangulation,
+              const Row& row, const Share& share)
+    : Heat_method(options, triangulation,
+                  internal::with_ties_by_place(triangulation, row, internal::Interruption(options.go_further)), row,
+                  share)
   {}
   template <class Traits, class Row, class Share>
   Heat_method(internal::Heat_options options, const Intrinsic_triangulation<Traits>& triangulation,

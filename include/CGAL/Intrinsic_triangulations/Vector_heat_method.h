@@ -111,8 +111,8 @@ public:
       if (time_coefficient)
         internal::require_time_coefficient(*time_coefficient);
     }
-    const auto by_place =
-      internal::with_ties_by_place(triangulation, internal::Row_of_vertex(triangulation.connectivity()));
+    const auto by_place = internal::with_ties_by_place(
+      triangulation, internal::Row_of_vertex(triangulation.connectivity()), *interruption_);
     const Intrinsic_triangulation<Traits>& chosen = by_place ? *by_place : triangulation;
     if (const auto refined = internal::without_obtuse_border(chosen, *interruption_))
       build(*refined, time_coefficient);

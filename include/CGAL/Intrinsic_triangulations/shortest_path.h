@@ -74,7 +74,7 @@ Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& t
   if (!(tolerance >= 0 && tolerance < 1))
     throw Invalid_argument_error("the tolerance of distances has to be at least 0 and less than 1");
   const Interruption interruption(go_further_function_of(np));
-  const std::optional<Intrinsic_triangulation<Traits>> by_place = with_ties_by_place(triangulation, row);
+  const std::optional<Intrinsic_triangulation<Traits>> by_place = with_ties_by_place(triangulation, row, interruption);
   const Laid_out_faces faces(by_place ? *by_place : triangulation, row);
   Window_propagation windows(faces, tolerance);
   Geodesic_distances result;

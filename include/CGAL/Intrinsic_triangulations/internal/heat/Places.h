@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
 #include <CGAL/enum.h>
 
@@ -53,9 +54,10 @@ private:
 // there is no choice. Ties that are edges of the input remain: the convex function on the surface whose edges are the
 // Delaunay ones goes down with each flip, so no flipped edge is ever a tie again. Among the others, those are chosen
 // that would be Delaunay if the first vertices counted a little more.
+// \exception Cancelled_error if the interruption says so
 template <class Traits, class Row>
 std::optional<Intrinsic_triangulation<Traits>> with_ties_by_place(const Intrinsic_triangulation<Traits>& triangulation,
-                                                                  const Row& row)
+                                                                  const Row& row, const Interruption& interruption)
 {
   std::optional<Intrinsic_triangulation<Traits>> result;
   if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry) {
@@ -73,12 +75,16 @@ std::optional<Intrinsic_triangulation<Traits>> with_ties_by_place(const Intrinsi
              t.sign_of_cotangent_weight(e) == ZERO;
     };
     std::vector<Edge_index> open;
-    for (Edge_index e : triangulation.connectivity().edges())
+    for (Edge_index e : triangulation.connectivity().edges()) {
+      if (e.idx() % 4096 == 0)
+        interruption.check();
       if (is_to_be_flipped(triangulation, e))
         open.push_back(e);
+    }
     if (!open.empty())
       result = triangulation;
     while (!open.empty()) {
+      interruption.check();
       const Edge_index e = open.back();
       open.pop_back();
       if (!is_to_be_flipped(*result, e) || result->flip(e) != Intrinsic_triangulation<Traits>::Flip_outcome::FLIPPED)

@@ -86,8 +86,8 @@ public:
   double length(Edge_index e) const
   {
     const Halfedge_index h = complex_.halfedge(e);
-    return is_in_space(h) ? std::sqrt(squared_distance_3(point(h), point(complex_.opposite(h))))
-                          : std::ldexp(triangulation_.length(e), -exponent());
+    const double square = is_in_space(h) ? squared_distance_3(point(h), point(complex_.opposite(h))) : 0;
+    return square > 0x1p-900 ? std::sqrt(square) : std::ldexp(triangulation_.length(e), -exponent());
   }
 
   bool has_area(Face_index f) const

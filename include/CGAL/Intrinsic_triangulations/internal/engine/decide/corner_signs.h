@@ -70,8 +70,8 @@ inline std::optional<Sign> side_in_plane(const Delta_complex& complex, const Ver
   return static_cast<Sign>(Rational(value(rational, false)).sign());
 }
 
-// As straight_corner(), of points of the input and in a quarter of the time: one bound for all errors instead of a running
-// one. Nothing where something could underflow, or an exact zero might be missed.
+// As straight_corner(), of points of the input: one bound for all errors takes less time than a running one. Nothing where
+// something could underflow, or an exact zero might be missed.
 template <class Corner>
 std::optional<Corner> straight_corner(const std::array<double, 3>& i, const std::array<double, 3>& j,
                                       const std::array<double, 3>& k)
