@@ -88,6 +88,19 @@ TEST(Prime_field, primes_are_random_and_have_the_size_and_residue_that_are_promi
   EXPECT_EQ(primes.size(), 200u);
 }
 
+TEST(Prime_field, the_primes_are_those_that_GMP_takes_for_primes)
+{
+  for (std::uint64_t seed = 0; seed < 500; ++seed) {
+    Random_bits ours(seed), others(seed);
+    const Prime_field f(ours);
+    std::uint64_t p;
+    do
+      p = (others() >> 2) | (std::uint64_t(1) << 61) | 3;
+    while (mpz_probab_prime_p(data(Integer(p)), 25) == 0);
+    EXPECT_EQ(f.prime(), p) << seed;
+  }
+}
+
 TEST(Prime_field, products_that_are_not_reduced_stay_below_twice_the_prime)
 {
   Random_bits random(19);

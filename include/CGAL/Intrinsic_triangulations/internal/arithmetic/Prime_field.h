@@ -70,21 +70,12 @@ public:
   static constexpr int number_of_bits = 62; // of primes
 
   Prime_field() = default;
-  // Takes a random prime. Below 2^64 GMP's test is known to make no mistake.
+  // Takes a random prime.
   explicit Prime_field(Random_bits& random)
   {
     do
-      p_ = (random() >> 2) | (std::uint64_t(1) << 61) | 3;
-    while (mpz_probab_prime_p(data(Integer(p_)), 25) == 0);
-    std::uint64_t inverse = p_; // by Newton's method: right modulo 8, then modulo 64, ...
-    for (int i = 0; i < 5; ++i)
-      inverse *= 2 - p_ * inverse;
-    minus_inverse_ = 0 - inverse;
-    one_ = (0 - p_) % p_;
-    Number x = one_; // 2^64, doubled 64 times
-    for (int i = 0; i < 64; ++i)
-      x = sum(x, x);
-    square_of_unit_ = x;
+      set_modulus((random() >> 2) | (std::uint64_t(1) << 61) | 3);
+    while (!is_prime());
     const Number half = (one_ + (one_ % 2 == 0 ? 0 : p_)) / 2;
     Number small = one_, large = power(half, lowest_exponent);
     for (Number& power : small_powers_) {
@@ -150,6 +141,35 @@ public:
   std::uint64_t exponent_of_inverse() const { return p_ - 2; }
 
 private:
+  // For all but powers, p may be any odd number.
+  void set_modulus(std::uint64_t p)
+  {
+    p_ = p;
+    std::uint64_t inverse = p; // by Newton's method: right modulo 8, then modulo 64, ...
+    for (int i = 0; i < 5; ++i)
+      inverse *= 2 - p * inverse;
+    minus_inverse_ = 0 - inverse;
+    one_ = (0 - p) % p;
+    Number x = one_; // 2^64, doubled 64 times
+    for (int i = 0; i < 64; ++i)
+      x = sum(x, x);
+    square_of_unit_ = x;
+  }
+  // Below 2^64 no composite number is a strong pseudoprime to all of these bases (J. Sinclair 2011, by the list of J.
+  // Feitsma). As (p - 1)/2 is odd, the test is that this power of each base is 1 or -1.
+  bool is_prime() const
+  {
+    for (std::uint64_t small : {3, 5, 7, 11, 13, 17, 19, 23}) // most composite numbers
+      if (p_ % small == 0)
+        return false;
+    for (std::uint64_t base : {2, 325, 9375, 28178, 450775, 9780504, 1795265022}) {
+      const Number root_of_unity = power(product(base, square_of_unit_), p_ / 2);
+      if (root_of_unity != one_ && root_of_unity != negative(one_))
+        return false;
+    }
+    return true;
+  }
+
   // Of n divided by p, not negative.
   std::uint64_t remainder(mpz_srcptr n) const
   {

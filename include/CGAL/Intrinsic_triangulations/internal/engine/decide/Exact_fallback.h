@@ -12,7 +12,9 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Level_line.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Mirror_symmetry.h>
@@ -75,9 +77,8 @@ public:
              Mirror_symmetry(complex_, correspondence_, surface_)(complex_.edge(corners.opposite_to_k)) &&
              has_positive_area(corners.opposite_to_k) && has_positive_area(corners.opposite_to_l);
     };
-    return decided(
-      exact_sign_of(sum, is_symmetric, [&] { return name(corners) + ": that the sum of their angles is pi"; }),
-      corners);
+    const auto what = [&] { return name(corners) + ": that the sum of their angles is pi"; };
+    return decided(Exact_sign(surface_, sum, may_be_rational(corners.opposite_to_k))(is_symmetric, what), corners);
   }
 
   // The sign of the area of the face of h.
@@ -95,9 +96,8 @@ public:
   bool has_length_zero(Edge_index e)
   {
     const auto squared_length = [&](auto& metric) { return unfolding(metric).squared_length(e); };
-    return exact_sign_of(squared_length, has_no_other_proof, [&] {
-             return "edge " + std::to_string(e.idx()) + ": that its length is zero";
-           }).sign == ZERO;
+    const auto what = [&] { return "edge " + std::to_string(e.idx()) + ": that its length is zero"; };
+    return Exact_sign(surface_, squared_length)(has_no_other_proof, what).sign == ZERO;
   }
 
   Mpfr_interval squared_length(Edge_index e, long precision)
@@ -238,10 +238,12 @@ private:
     return Unfolding<Metric>(complex_, correspondence_, metric);
   }
 
-  template <class Evaluate, class ProvesZero, class Describe>
-  Decision exact_sign_of(const Evaluate& evaluate, const ProvesZero& proves_zero, const Describe& what)
+  // Whether the area of the input face next to the corner is rational. If it is not, an attempt to lay the corner out in
+  // rationals would end there.
+  bool may_be_rational(Halfedge_index opposite_to_corner) const
   {
-    return Exact_sign<Evaluate>(surface_, evaluate)(proves_zero, what);
+    const Face_index f = uncrossed_input_face(complex_, correspondence_, complex_.prev(opposite_to_corner));
+    return Rational_image::has_root(squared_four_areas(surface_.metric(), surface_.connectivity(), f));
   }
 
   template <class Evaluate>

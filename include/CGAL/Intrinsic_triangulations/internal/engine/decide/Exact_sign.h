@@ -39,7 +39,10 @@ template <class Evaluate>
 class Exact_sign
 {
 public:
-  Exact_sign(Input_surface& surface, const Evaluate& evaluate) : surface_(surface), evaluate_(evaluate) {}
+  // \param may_be_rational whether it is worth a trial that all roots are rational
+  Exact_sign(Input_surface& surface, const Evaluate& evaluate, bool may_be_rational = true)
+    : surface_(surface), evaluate_(evaluate), may_be_rational_(may_be_rational)
+  {}
 
   // \param proves_zero tries a proof of zero that is particular to the number
   // \param what gives the beginning of the message where a proof is demanded and there is none
@@ -78,6 +81,8 @@ private:
   // If all roots are rational.
   std::optional<Sign> rational_sign() const
   {
+    if (!may_be_rational_)
+      return std::nullopt;
     try {
       Rational_metric<Rational_image> metric(surface_, {}, largest_count());
       return static_cast<Sign>(Rational(evaluate_(metric)).sign());
@@ -130,6 +135,7 @@ private:
 
   Input_surface& surface_;
   const Evaluate& evaluate_;
+  bool may_be_rational_;
 };
 
 inline bool has_no_other_proof() { return false; }

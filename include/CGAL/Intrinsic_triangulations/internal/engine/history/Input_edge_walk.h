@@ -145,7 +145,7 @@ inline Input_edge_start start_of_input_edge(const Delta_complex& complex, const 
   }
 }
 
-// The input face to the left of a halfedge that crosses no input edge.
+// The input face in which a halfedge begins, or the one to its left if it begins on an input edge.
 inline Face_index uncrossed_input_face(const Delta_complex& complex, const Correspondence& correspondence,
                                        Halfedge_index h)
 {

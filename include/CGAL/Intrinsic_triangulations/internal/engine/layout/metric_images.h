@@ -417,11 +417,17 @@ struct Rational_image
   Real real(const Rational& x) const { return x; }
   Real root(const Rational& x) const
   {
-    const Integer denominator = boost::multiprecision::denominator(x),
-                  n = boost::multiprecision::numerator(x) * denominator;
-    if (!mpz_perfect_square_p(data(n)))
+    if (!has_root(x))
       throw Too_costly();
-    return Rational(Integer(boost::multiprecision::sqrt(n)), denominator);
+    return Rational(Integer(boost::multiprecision::sqrt(square(x))), boost::multiprecision::denominator(x));
+  }
+  static bool has_root(const Rational& x) { return mpz_perfect_square_p(data(square(x))) != 0; }
+
+private:
+  // x times the square of its denominator
+  static Integer square(const Rational& x)
+  {
+    return boost::multiprecision::numerator(x) * boost::multiprecision::denominator(x);
   }
 };
 
