@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/heat/rows_by_distance.h>
 #include <CGAL/Intrinsic_triangulations/internal/numbers/Accurate_shapes.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/memory_access.h>
 
@@ -23,6 +22,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -30,6 +30,28 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
+
+// The nearest first, by an eighth as many intervals of the same length as there are rows; of the same interval, the
+// smallest row. \pre none is negative or NaN
+template <class Distances>
+std::vector<std::uint32_t> rows_by_distance(const Distances& distances)
+{
+  const std::size_t n = std::size_t(distances.size()), number_of_intervals = n / 8 + 1;
+  double largest = 0;
+  for (const double d : distances)
+    if (d < std::numeric_limits<double>::infinity())
+      largest = (std::max)(largest, d);
+  std::vector<std::uint32_t> interval, first(number_of_intervals, 0), result(n);
+  interval.reserve(n);
+  for (const double d : distances) {
+    interval.push_back(std::uint32_t((d < largest ? d / largest : 1) * double(number_of_intervals - 1)));
+    ++first[interval.back()];
+  }
+  std::exclusive_scan(first.begin(), first.end(), first.begin(), std::uint32_t(0));
+  for (std::size_t row = 0; row < n; ++row)
+    result[first[interval[row]]++] = std::uint32_t(row);
+  return result;
+}
 
 // Longer than the shortest path along edges, of the triangulation and of its input; or, where the surface lies in
 // space, shorter than the straight line. Lengths are in the unit of Accurate_shapes.
