@@ -12,11 +12,11 @@
 #include <CGAL/Intrinsic_triangulations/Heat_method.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
-#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/copy_face_graph.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/default_traits.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Solver_traits_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
@@ -97,18 +97,6 @@ Tufted_cover make_Delaunay_cover(const TriangleMesh& mesh, const VertexPointMap&
   Tufted_cover cover = make_tufted_cover(points, triangles);
   flip_to_Delaunay(cover.triangulation);
   return cover;
-}
-
-// Whether an angle opposite to a border edge is obtuse.
-template <class Triangulation>
-bool has_obtuse_border(const Triangulation& triangulation)
-{
-  const Delta_complex& complex = triangulation.connectivity();
-  const Intrinsic_triangulations::internal::Cotangent_weight<typename Triangulation::Traits> weight(triangulation);
-  for (Edge_index e : complex.edges())
-    if (complex.is_border(e) && is_negative(weight(e)))
-      return true;
-  return false;
 }
 
 } // namespace internal
@@ -229,7 +217,7 @@ private:
   {
     try {
       const auto triangulation = Delaunay_triangulation(vpm);
-      if (!internal::has_obtuse_border(triangulation)) {
+      if (!Intrinsic_triangulations::internal::has_obtuse_border(triangulation)) {
         heat_ = std::make_unique<Heat_method<Solver>>(triangulation);
         return;
       }

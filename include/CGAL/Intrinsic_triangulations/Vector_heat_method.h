@@ -18,11 +18,11 @@
 #include <CGAL/Intrinsic_triangulations/internal/heat/Layered_heat.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Places.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Vector_diffusion.h>
-#include <CGAL/Intrinsic_triangulations/internal/heat/without_obtuse_border.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
+#include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
@@ -41,6 +41,31 @@
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
+
+namespace internal {
+
+// A copy in which the border has so many vertices that no angle opposite to it is obtuse; nothing, if there is none
+// before. A needle on the border asks for as many as it is longer than wide: beyond some for each vertex, its angles
+// stay obtuse.
+// \exception Cancelled_error
+template <class Traits>
+std::optional<Intrinsic_triangulation<Traits>>
+without_obtuse_border(const Intrinsic_triangulation<Traits>& triangulation, const Interruption& interruption)
+{
+  if (!has_obtuse_border(triangulation))
+    return std::nullopt;
+  std::optional<Intrinsic_triangulation<Traits>> result(triangulation);
+  const auto ask = [&interruption] {
+    interruption.check();
+    return true;
+  };
+  const std::uint64_t most = 10 * std::uint64_t(triangulation.connectivity().number_of_vertices()) + 1000;
+  refine_Delaunay(*result,
+                  parameters::minimum_angle(0.).splits_encroached_edges(true).maximum_number(most).visitor(ask));
+  return result;
+}
+
+} // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
 ///

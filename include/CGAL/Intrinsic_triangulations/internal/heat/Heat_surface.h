@@ -92,6 +92,19 @@ inline void require_time_coefficient(double coefficient)
     throw Invalid_argument_error("the time coefficient has to be a positive number");
 }
 
+// Whether an angle opposite to a border edge is obtuse.
+template <class Traits>
+bool has_obtuse_border(const Intrinsic_triangulation<Traits>& triangulation)
+{
+  const Delta_complex& complex = triangulation.connectivity();
+  const Accurate_shapes<Traits> shapes(triangulation);
+  for (Halfedge_index h : complex.halfedges())
+    if (!complex.is_border(h) && complex.is_border(complex.opposite(h)) && shapes.has_area(complex.face(h)) &&
+        shapes.cotangent(h) < 0)
+      return true;
+  return false;
+}
+
 // \tparam Row gives the row of a vertex, as Row_of_vertex
 template <class Traits, class Row>
 class Heat_surface_builder
