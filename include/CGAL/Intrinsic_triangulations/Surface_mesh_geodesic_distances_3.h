@@ -17,7 +17,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/copy_face_graph.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/default_traits.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
-#include <CGAL/Intrinsic_triangulations/internal/heat/Solver_traits_adaptor.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
@@ -32,11 +31,14 @@
 #include <boost/property_map/property_map.hpp>
 #include <boost/range/has_range_iterator.hpp>
 
+#include <Eigen/SparseCore>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
 #include <set>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -60,6 +62,50 @@ struct Intrinsic_Delaunay
 {};
 
 namespace internal {
+
+// A solver of CGAL, as Heat_method calls it.
+// \tparam LA a model of SparseLinearAlgebraWithFactorTraits_d
+template <class LA>
+class Solver_traits_adaptor
+{
+  using Matrix = Eigen::SparseMatrix<double>;
+  using Index = typename LA::Index;
+
+public:
+  Solver_traits_adaptor(const Matrix& matrix, const char* what) : what_(what) { factorize(matrix); }
+
+  void factorize(const Matrix& matrix)
+  {
+    matrix_ =
+      std::make_unique<typename LA::Matrix>(int(matrix.rows()), int(matrix.cols())); // the solver may refer to it
+    for (Eigen::Index c = 0; c < matrix.outerSize(); ++c)
+      for (Matrix::InnerIterator i(matrix, c); i; ++i)
+        matrix_->set_coef(Index(i.row()), Index(c), i.value(), true);
+    double denominator = 1;
+    if (!solver_.factor(*matrix_, denominator))
+      throw Numerical_error(std::string(what_) + " cannot be factorized");
+  }
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& right) const
+  {
+    typename LA::Vector b(Index(right.size())), x(Index(right.size()));
+    for (Eigen::Index i = 0; i < right.size(); ++i)
+      b[Index(i)] = right[i];
+    if (!solver_.linear_solver(b, x))
+      throw Numerical_error(std::string("a linear system cannot be solved: that of ") + what_);
+    Eigen::VectorXd result(right.size());
+    for (Eigen::Index i = 0; i < right.size(); ++i)
+      result[i] = x[Index(i)];
+    if (!result.allFinite())
+      throw Numerical_error(std::string("a linear system cannot be solved: ") + what_ + " is too badly conditioned");
+    return result;
+  }
+
+private:
+  const char* what_;
+  std::unique_ptr<typename LA::Matrix> matrix_;
+  mutable LA solver_; // CGAL's have no function for constant ones
+};
 
 // The mesh as it is: from its points, or if these do not show their coordinates, from their distances.
 template <class Traits, class TriangleMesh, class VertexPointMap>
@@ -125,7 +171,7 @@ class Surface_mesh_geodesic_distances_3
                 "the mode is Direct or Intrinsic_Delaunay");
   using Solver =
     std::conditional_t<std::is_same<LA, Default>::value, Intrinsic_triangulations::internal::Sparse_Cholesky<>,
-                       Intrinsic_triangulations::internal::Solver_traits_adaptor<LA>>;
+                       internal::Solver_traits_adaptor<LA>>;
   using Numbers = typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<std::size_t>>::const_type;
 
 public:

@@ -41,6 +41,12 @@ struct Heat_face
   double base, x, height;
 
   double area() const { return share * base * height / 2; }
+
+  // The gradient of a function by its values at the corners, times twice the area.
+  std::array<double, 2> slope(const std::array<double, 3>& u) const
+  {
+    return {(u[1] - u[0]) * height, (u[2] - u[0]) * base - (u[1] - u[0]) * x};
+  }
 };
 
 // All lengths are in units of the mean length of the edges of their component, until they are lengthened, so that no
