@@ -12,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Metric_frame.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/Line_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/Line_layout.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 
