@@ -308,18 +308,9 @@ Circle_pattern circle_pattern_parameterization(const Delta_complex& complex, con
   Eigen::VectorXd rho = energy.first_guess();
   internal::minimize(energy, rho, result, internal::part_of_progress(progress, 0.5, 1));
   result.uv = internal::lay_out(complex, energy, rho);
-
-  double image_area = 0;
-  for (Halfedge_index h : boundary) {
-    const auto &p = result.uv[complex.source(h).idx()], &q = result.uv[complex.target(h).idx()];
-    image_area += (p[0] * q[1] - q[0] * p[1]) / 2;
-  }
-  if (!(image_area > 0))
-    throw Numerical_error("the circle pattern cannot be laid out: its circles differ in size by "
-                          "more than double can hold");
-  const double scale = internal::root_of_sum(areas) / std::sqrt(image_area);
-  for (std::array<double, 2>& p : result.uv)
-    p = {scale * p[0], scale * p[1]};
+  internal::scale_to_area(complex, boundary, areas, result.uv,
+                          "the circle pattern cannot be laid out: its circles differ in size by more than double can "
+                          "hold");
   return result;
 }
 

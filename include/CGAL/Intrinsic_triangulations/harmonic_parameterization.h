@@ -15,7 +15,6 @@
 #include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/parameterization/disk_shape.h>
-#include <CGAL/Intrinsic_triangulations/internal/parameterization/solve_with_fixed_values.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/assertions.h>
@@ -311,20 +310,12 @@ inline Planar_points natural_parameterization(const Delta_complex& complex, cons
   x(Eigen::Index(second), 0) = 1;
   internal::solve_with_fixed_values(energy, is_fixed, x, "the conformal energy");
 
-  double image_area = 0;
   Planar_points uv;
   uv.reserve(n);
   for (std::size_t v = 0; v < n; ++v)
     uv.push_back({x(Eigen::Index(v), 0), x(Eigen::Index(v + n), 0)});
-  for (Halfedge_index h : boundary) {
-    const auto &p = uv[complex.source(h).idx()], &q = uv[complex.target(h).idx()];
-    image_area += (p[0] * q[1] - q[0] * p[1]) / 2;
-  }
-  if (!(image_area > 0))
-    throw Numerical_error("the map with natural boundary conditions collapses the surface");
-  const double scale = internal::root_of_sum(areas) / std::sqrt(image_area);
-  for (std::array<double, 2>& p : uv)
-    p = {scale * p[0], scale * p[1]};
+  internal::scale_to_area(complex, boundary, areas, uv,
+                          "the map with natural boundary conditions collapses the surface");
   return uv;
 }
 
