@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_UNTWIST_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_UNTWIST_H
 
-#include <CGAL/Intrinsic_triangulations/internal/twists/Untwisting.h>
+#include <CGAL/Intrinsic_triangulations/internal/twists/Crossing_counts.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
