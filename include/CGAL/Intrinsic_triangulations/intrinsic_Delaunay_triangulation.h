@@ -355,11 +355,8 @@ template <class ConcurrencyTag = Sequential_tag, class PointRange, class Triangl
 auto intrinsic_Delaunay_triangulation(const PointRange& points, const TriangleRange& triangles,
                                       const NamedParameters& np = parameters::default_values())
 {
-  return internal::flipped<ConcurrencyTag>(
-    intrinsic_triangulation<ConcurrencyTag>(points, triangles, np),
-    parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
-                                 Static_boolean_property_map<Edge_index, false>()),
-    np);
+  return internal::flipped<ConcurrencyTag>(intrinsic_triangulation<ConcurrencyTag>(points, triangles, np),
+                                           internal::edge_constraints_of(np), np);
 }
 
 } // namespace Intrinsic_triangulations

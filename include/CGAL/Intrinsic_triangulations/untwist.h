@@ -95,20 +95,11 @@ template <class NamedParameters = parameters::Default_named_parameters>
 Untwisting untwist(Delta_complex& complex, std::vector<Rational>& squared_lengths,
                    const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  using parameters::is_default_parameter;
-  std::function<bool(Edge_index)> is_constrained;
-  if constexpr (!is_default_parameter<NamedParameters, internal_np::edge_is_constrained_t>::value)
-    is_constrained = [&np](Edge_index e) { return bool(get(get_parameter(np, internal_np::edge_is_constrained), e)); };
-  if constexpr (is_default_parameter<NamedParameters, internal_np::visitor_t>::value) {
-    return internal::untwist(complex, squared_lengths, is_constrained, {});
-  } else {
-    auto observer = internal::observer_of(np);
-    return internal::untwist(
-      complex, squared_lengths, is_constrained,
-      [&observer](std::uint64_t tests, std::uint64_t flips) { return observer.go_further(tests, flips); });
-  }
+  const auto is_constrained = internal::edge_constraints_of(np);
+  auto observer = internal::observer_of(np);
+  return internal::untwist(
+    complex, squared_lengths, [&](Edge_index e) { return bool(get(is_constrained, e)); },
+    [&](std::uint64_t tests, std::uint64_t flips) { return observer.go_further(tests, flips); });
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTwists
@@ -197,10 +188,8 @@ auto intrinsic_Delaunay_triangulation(const Exact_gluing& gluing,
   using Triangulation = Intrinsic_triangulation<Traits>;
   static_assert(Triangulation::uses_exact_geometry, "needs traits that use exact geometry");
   const Traits traits = choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits));
-  const bool is_fast =
-    choose_parameter(get_parameter(np, internal::Parameter_tag<internal::Parameter::FAST_FORWARD>()), false);
-  const auto is_constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
-                                               Static_boolean_property_map<Edge_index, false>());
+  const bool is_fast = internal::value_of<internal::Parameter::FAST_FORWARD>(np, false);
+  const auto is_constrained = internal::edge_constraints_of(np);
   auto observer = internal::observer_of(np);
   const std::uint64_t budget =
     choose_parameter(get_parameter(np, internal_np::maximum_number), (std::numeric_limits<std::uint64_t>::max)());

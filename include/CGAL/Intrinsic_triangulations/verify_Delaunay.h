@@ -180,11 +180,8 @@ template <class ConcurrencyTag = Sequential_tag, class Triangulation,
 Delaunay_verification verify_Delaunay(const Triangulation& triangulation,
                                       const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   return internal::Delaunay_verifier(internal::engine<ConcurrencyTag>(triangulation),
-                                     choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
-                                                      Static_boolean_property_map<Edge_index, false>()))
+                                     internal::edge_constraints_of(np))
     .verify([](std::size_t n, const auto& f) { internal::for_each_block<ConcurrencyTag>(n, 1, f); });
 }
 
@@ -213,8 +210,6 @@ template <class Traits, class NamedParameters = parameters::Default_named_parame
 typename Traits::Boolean is_Delaunay(const Intrinsic_triangulation<Traits>& triangulation,
                                      const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   const auto is_constrained = internal::edge_constraints_of(np);
   typename Traits::Boolean result = true;
   for (Edge_index e : triangulation.connectivity().edges()) {

@@ -52,7 +52,7 @@ public:
   }
 
 private:
-  bool goes_further() const { return !go_further_ || go_further_(number_of_tubes_, result_.number_of_steps); }
+  bool goes_further() const { return go_further_(number_of_tubes_, result_.number_of_steps); }
 
   // Returns whether the visitor lets it go on.
   bool straighten_tubes_of(Face_index f)
@@ -67,7 +67,7 @@ private:
         if (!is_tube(complex_, loop))
           continue;
         const Tube tube = Intrinsic_triangulations::tube(complex_, loop);
-        if (!is_flat(tube) || is_constrained(tube.left) || is_constrained(tube.right))
+        if (!is_flat(tube) || is_constrained_(tube.left) || is_constrained_(tube.right))
           continue;
         if (!is_loaded)
           load(tube);
@@ -83,8 +83,6 @@ private:
       store();
     return goes_on;
   }
-
-  bool is_constrained(Edge_index e) const { return is_constrained_ && is_constrained_(e); }
 
   bool is_flat(const Tube& tube) const
   {
@@ -134,15 +132,13 @@ private:
     const Integer rest = power % 4, jump = power - rest;
     if (jump != 0)
       leap(tube, jump);
-    const int steps = rest.convert_to<int>();
-    for (int i = 0; i < steps; ++i)
-      turn_right(tube.loop);
-    for (int i = 0; i > steps; --i)
-      turn_left(tube.loop);
+    const int steps = rest.convert_to<int>(), number_of_steps = steps < 0 ? -steps : steps;
+    for (int i = 0; i < number_of_steps; ++i)
+      turn(tube.loop, steps > 0);
     result_.twists.push_back({tube.loop, power});
     result_.number_of_flips +=
       boost::multiprecision::abs(power); // CGAL::abs() would name traits that its boost_mp.h specializes
-    result_.number_of_steps += std::uint64_t(steps < 0 ? -steps : steps);
+    result_.number_of_steps += std::uint64_t(number_of_steps);
     has_changed_ = true;
     return true;
   }
@@ -171,18 +167,10 @@ private:
     result_.crossings.twist(complex_, tube, power);
   }
 
-  void turn_right(Halfedge_index loop)
+  void turn(Halfedge_index loop, bool is_to_right)
   {
     const Tube tube = Intrinsic_triangulations::tube(complex_, loop);
-    flip(tube, tube.right, tube.left);
-  }
-  void turn_left(Halfedge_index loop)
-  {
-    const Tube tube = Intrinsic_triangulations::tube(complex_, loop);
-    flip(tube, tube.left, tube.right);
-  }
-  void flip(const Tube& tube, Edge_index e, Edge_index other)
-  {
+    const Edge_index e = is_to_right ? tube.right : tube.left, other = is_to_right ? tube.left : tube.right;
     // The diagonals of a parallelogram
     Integer& s = number(e);
     s = 2 * (number(complex_.edge(tube.loop)) + number(other)) - s;
