@@ -115,11 +115,7 @@ public:
   /// \tparam NamedParameters a sequence of named parameters
   ///
   /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{visitor}
-  ///     \cgalParamDescription{is called after each flip and can cancel; pass `std::ref()` to keep its state}
-  ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
-  ///     \cgalParamDefault{`Default_visitor`}
-  ///   \cgalParamNEnd
+  ///   \cgalParamVisitor{is called after each flip and can cancel; pass `std::ref()` to keep its state}
   ///   \cgalParamNBegin{maximum_number}
   ///     \cgalParamDescription{the number of flips after which the algorithm gives up}
   ///     \cgalParamType{`std::uint64_t`}

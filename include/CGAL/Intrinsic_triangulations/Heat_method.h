@@ -179,13 +179,9 @@ public:
   ///     \cgalParamType{`bool`}
   ///     \cgalParamDefault{`true`}
   ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{visitor}
-  ///     \cgalParamDescription{is asked before each factorization or solution, by the constructor and by all functions;
-  ///       if it returns `false`, they throw `Cancelled_error`. It cannot interrupt a factorization, which takes some
-  ///       ten seconds with a million faces}
-  ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
-  ///     \cgalParamDefault{`Default_visitor`}
-  ///   \cgalParamNEnd
+  ///   \cgalParamVisitor{is asked before each factorization or solution, by the constructor and by all functions; if it
+  ///     returns `false`, they throw `Cancelled_error`. It cannot interrupt a factorization, which takes some ten
+  ///     seconds with a million faces}
   /// \cgalNamedParamsEnd
   ///
   /// \exception Invalid_argument_error if the time coefficient is not positive and finite

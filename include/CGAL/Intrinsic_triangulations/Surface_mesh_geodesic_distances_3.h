@@ -46,21 +46,6 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsHeat
-/// \brief the interface of CGAL's package `Heat_method_3`, on exact intrinsic Delaunay triangulations: to port a
-/// program, change the include and the namespace.
-namespace Heat_method_3 {
-
-/// \ingroup PkgIntrinsicTriangulationsHeat
-/// \brief tag: the triangles of the mesh are used as they are.
-struct Direct
-{};
-
-/// \ingroup PkgIntrinsicTriangulationsHeat
-/// \brief tag: the intrinsic Delaunay triangulation of the mesh is used.
-struct Intrinsic_Delaunay
-{};
-
 namespace internal {
 
 // A solver of CGAL, as Heat_method calls it.
@@ -106,6 +91,25 @@ private:
   std::unique_ptr<typename LA::Matrix> matrix_;
   mutable LA solver_; // CGAL's have no function for constant ones
 };
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsHeat
+/// \brief the interface of CGAL's package `Heat_method_3`, on exact intrinsic Delaunay triangulations: to port a
+/// program, change the include and the namespace.
+namespace Heat_method_3 {
+
+/// \ingroup PkgIntrinsicTriangulationsHeat
+/// \brief tag: the triangles of the mesh are used as they are.
+struct Direct
+{};
+
+/// \ingroup PkgIntrinsicTriangulationsHeat
+/// \brief tag: the intrinsic Delaunay triangulation of the mesh is used.
+struct Intrinsic_Delaunay
+{};
+
+namespace internal {
 
 // The mesh as it is: from its points, or if these do not show their coordinates, from their distances.
 template <class Traits, class TriangleMesh, class VertexPointMap>
@@ -171,7 +175,7 @@ class Surface_mesh_geodesic_distances_3
                 "the mode is Direct or Intrinsic_Delaunay");
   using Solver =
     std::conditional_t<std::is_same<LA, Default>::value, Intrinsic_triangulations::internal::Sparse_Cholesky<>,
-                       internal::Solver_traits_adaptor<LA>>;
+                       Intrinsic_triangulations::internal::Solver_traits_adaptor<LA>>;
   using Numbers = typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<std::size_t>>::const_type;
 
 public:

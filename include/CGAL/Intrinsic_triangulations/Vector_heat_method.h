@@ -180,12 +180,8 @@ public:
   ///     \cgalParamType{`double` or `std::optional<double>`}
   ///     \cgalParamDefault{0.05 times the cube root of the number of vertices of the component, and at least 0.5}
   ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{visitor}
-  ///     \cgalParamDescription{is asked before each matrix is factorized or linear system is solved, by the constructor
-  ///       and by all functions, and can cancel; if several threads call member functions, any of them may call it}
-  ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
-  ///     \cgalParamDefault{`Default_visitor`}
-  ///   \cgalParamNEnd
+  ///   \cgalParamVisitor{is asked before each matrix is factorized or linear system is solved, by the constructor and
+  ///     by all functions, and can cancel; if several threads call member functions, any of them may call it}
   /// \cgalNamedParamsEnd
   ///
   /// \exception Invalid_argument_error if the time coefficient is not positive and finite

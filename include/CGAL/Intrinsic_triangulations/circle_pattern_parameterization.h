@@ -274,12 +274,8 @@ inline Planar_points lay_out(const Delta_complex& complex, const Circle_pattern_
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is asked before each iteration of the two minimizations, each of which counts as half, and
-///       can cancel}
-///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
-///     \cgalParamDefault{`Default_visitor`}
-///   \cgalParamNEnd
+///   \cgalParamVisitor{is asked before each iteration of the two minimizations, each of which counts as half, and can
+///     cancel}
 /// \cgalNamedParamsEnd
 ///
 /// \exception Invalid_surface_error if the surface is not a disk, or has an interior vertex with fewer

@@ -87,11 +87,7 @@ struct Element_numbers
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{reports progress, called by the calling thread, and can cancel}
-///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
-///     \cgalParamDefault{`Default_visitor`}
-///   \cgalParamNEnd
+///   \cgalParamVisitor{reports progress, called by the calling thread, and can cancel}
 /// \cgalNamedParamsEnd
 ///
 /// \exception Invalid_surface_error as `area()` of `Intrinsic_triangulation`

@@ -134,17 +134,8 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that tells which edges must not be flipped; with `Parallel_tag` several
-///       threads read it at once}
-///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
-///     \cgalParamDefault{no edge is constrained}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is called after each flip and can cancel; pass `std::ref()` to keep its state}
-///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
-///     \cgalParamDefault{`Default_visitor`}
-///   \cgalParamNEnd
+///   \cgalParamConstraints{which edges must not be flipped; with `Parallel_tag` several threads read it at once}
+///   \cgalParamVisitor{is called after each flip and can cancel; pass `std::ref()` to keep its state}
 ///   \cgalParamNBegin{tie_proof}
 ///     \cgalParamDescription{what exact decisions accept as a tie, in this run and later ones. It has no effect without
 ///       exact geometry}

@@ -328,11 +328,7 @@ auto intrinsic_triangulation(const PointRange& points, const TriangleRange& tria
 ///     \cgalParamDefault{`Default_intrinsic_triangulation_traits` for the number type of the coordinates: exact
 ///       decisions}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that tells which edges must not be flipped}
-///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
-///     \cgalParamDefault{no edge is constrained}
-///   \cgalParamNEnd
+///   \cgalParamConstraints{which edges must not be flipped}
 ///   \cgalParamNBegin{visitor, tie_proof, maximum_number}
 ///     \cgalParamDescription{as for `flip_to_Delaunay()`}
 ///   \cgalParamNEnd

@@ -69,18 +69,9 @@ std::vector<Rational> squared_lengths(const std::vector<double>& lengths);
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that tells which edges must not be flipped; a tube that such an edge
-///       crosses is not changed}
-///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
-///     \cgalParamDefault{no edge is constrained}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{`go_further()` is called from time to time with the numbers of tubes and of single flips
-///       so far, and can cancel. `after_flip()` is not called}
-///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
-///     \cgalParamDefault{`Default_visitor`}
-///   \cgalParamNEnd
+///   \cgalParamConstraints{which edges must not be flipped; a tube that such an edge crosses is not changed}
+///   \cgalParamVisitor{`go_further()` is called from time to time with the numbers of tubes and of single flips so far,
+///     and can cancel. `after_flip()` is not called}
 /// \cgalNamedParamsEnd
 ///
 /// \return the twists, and how often the edges cross the edges of the given complex
@@ -160,12 +151,7 @@ private:
 ///     \cgalParamType{a model of `IntrinsicTriangulationTraits`}
 ///     \cgalParamDefault{`Filtered_edge_length_traits`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that tells which edges must not be flipped; tubes that they cross are not
-///       untwisted}
-///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
-///     \cgalParamDefault{no edge is constrained}
-///   \cgalParamNEnd
+///   \cgalParamConstraints{which edges must not be flipped; tubes that they cross are not untwisted}
 ///   \cgalParamNBegin{visitor, maximum_number}
 ///     \cgalParamDescription{as for `flip_to_Delaunay()`; the visitor can also cancel `untwist()`. Both refer to the
 ///       single flips after the twists}

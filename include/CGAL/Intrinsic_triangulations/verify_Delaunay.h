@@ -161,12 +161,7 @@ private:
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that tells which edges to leave out; with `Parallel_tag` several threads
-///       read it at once}
-///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
-///     \cgalParamDefault{no edge is left out}
-///   \cgalParamNEnd
+///   \cgalParamConstraints{which edges to leave out; with `Parallel_tag` several threads read it at once}
 /// \cgalNamedParamsEnd
 ///
 /// \exception Invalid_argument_error if the triangulation does not keep its input: those of traits that round keep it if
@@ -180,8 +175,7 @@ template <class ConcurrencyTag = Sequential_tag, class Triangulation,
 Delaunay_verification verify_Delaunay(const Triangulation& triangulation,
                                       const NamedParameters& np = parameters::default_values())
 {
-  return internal::Delaunay_verifier(internal::engine<ConcurrencyTag>(triangulation),
-                                     internal::edge_constraints_of(np))
+  return internal::Delaunay_verifier(internal::engine<ConcurrencyTag>(triangulation), internal::edge_constraints_of(np))
     .verify([](std::size_t n, const auto& f) { internal::for_each_block<ConcurrencyTag>(n, 1, f); });
 }
 
@@ -196,11 +190,7 @@ Delaunay_verification verify_Delaunay(const Triangulation& triangulation,
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that tells which edges to ignore}
-///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
-///     \cgalParamDefault{no edge is constrained}
-///   \cgalParamNEnd
+///   \cgalParamConstraints{which edges to ignore}
 /// \cgalNamedParamsEnd
 ///
 /// \return `false` if an edge is certainly not Delaunay; otherwise, an uncertain value if an interval number type
