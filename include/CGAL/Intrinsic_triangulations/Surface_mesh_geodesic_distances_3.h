@@ -23,7 +23,6 @@
 
 #include <CGAL/Default.h>
 #include <CGAL/Dynamic_property_map.h>
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 

@@ -25,7 +25,6 @@
 #include <Eigen/SparseCore>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>

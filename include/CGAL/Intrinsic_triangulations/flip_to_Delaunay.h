@@ -21,21 +21,14 @@
 #include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/reports.h>
 
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/property_map.h>
 #include <CGAL/tags.h>
-
-#include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {

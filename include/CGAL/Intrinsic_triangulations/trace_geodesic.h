@@ -13,7 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/internal/config.h>
 
 #include <CGAL/number_utils.h>
 

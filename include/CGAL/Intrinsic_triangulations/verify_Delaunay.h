@@ -18,10 +18,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 
 #include <CGAL/Uncertain.h>
-#include <CGAL/assertions.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/enum.h>
-#include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>

@@ -13,7 +13,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_HINGE_FORMULAS_H
 
 #include <CGAL/Uncertain.h>
-#include <CGAL/number_utils.h>
 
 #include <utility>
 

@@ -18,7 +18,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/memory_access.h>
 
-#include <CGAL/Interval_nt.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_type_basic.h>
 #include <CGAL/number_utils.h>
