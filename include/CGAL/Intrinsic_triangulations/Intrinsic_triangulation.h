@@ -790,14 +790,11 @@ private:
   {
     const auto refined = traits_.construct_refined_data_object();
     for (const auto& [side, c] : corners) {
-      const Face_data face = refined(c.four_areas, c.s_first, c.s_second, c.s_opposite);
       edges_[edge(connectivity().prev(side)).idx()] = refined(c.s_first);
       edges_[edge(connectivity().next(side)).idx()] = refined(c.s_second);
-      if (face.error < std::numeric_limits<double>::infinity())
-        edges_[edge(side).idx()] = refined(c.s_opposite);
-      faces_[connectivity().face(side).idx()] = face;
+      replace(side, c);
     }
-    for (const auto& corner : corners)
+    for (const auto& corner : corners) // by sides that the next face may have replaced
       bound_corners(corner.first);
   }
 
