@@ -110,7 +110,7 @@ struct Has_coordinates<
 template <class TriangleMesh, class NamedParameters>
 auto constraints_of_copy(const TriangleMesh& mesh, const NamedParameters& np)
 {
-  if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::edge_is_constrained_t>::value) {
+  if constexpr (!has_edge_constraints<NamedParameters>) {
     return Static_boolean_property_map<Edge_index, false>();
   } else {
     const auto& is_constrained = parameters::get_parameter(np, internal_np::edge_is_constrained);
