@@ -31,6 +31,9 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
+/// \addtogroup PkgIntrinsicTriangulationsOperators
+/// @{
+
 namespace internal {
 
 // Solves (L + M) x = b, as Spectra asks for it: the shift is -1 always.
@@ -152,7 +155,6 @@ inline std::vector<Eigenpair> smallest_eigenpairs(const Eigen::SparseMatrix<doub
 
 } // namespace internal
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the smallest solutions λ of `L u = λ M u`, in increasing order.
 ///
 /// Rows without mass, which belong to vertices without faces, are left out. Each connected component is solved
@@ -177,7 +179,6 @@ inline std::vector<double> smallest_eigenvalues(const Eigen::SparseMatrix<double
   return result;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief the smallest eigenvalues with their eigenfunctions.
 struct Eigenfunctions
 {
@@ -187,7 +188,6 @@ struct Eigenfunctions
   Eigen::MatrixXd functions;
 };
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the smallest eigenvalues as `smallest_eigenvalues()`, and a solution u for each of them.
 ///
 /// The functions of one eigenvalue are orthogonal: `uᵀ M v = 0`.
@@ -212,7 +212,6 @@ inline Eigenfunctions smallest_eigenfunctions(const Eigen::SparseMatrix<double>&
   return result;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief the extreme nonzero eigenvalues of a stiffness matrix.
 struct Extreme_eigenvalues
 {
@@ -358,7 +357,6 @@ double largest_eigenvalue(Operator& op)
 
 } // namespace internal
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the smallest and the largest eigenvalue of a stiffness matrix, whose ratio is
 /// the condition number of the operator.
 ///
@@ -398,7 +396,6 @@ inline Extreme_eigenvalues extreme_eigenvalues(const Delta_complex& complex,
   return {unit / internal::largest_eigenvalue(pseudoinverse), unit * internal::largest_eigenvalue(product)};
 }
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief the numbers of cotangent weights in intervals of equal width.
 struct Weight_histogram
 {
@@ -409,7 +406,6 @@ struct Weight_histogram
   std::size_t above = 0;           ///< weights of at least `high`, including infinite ones
 };
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief counts the weights of interior edges. Those of border edges are single cotangents
 /// and say nothing about the Delaunay property.
 ///
@@ -439,6 +435,8 @@ inline Weight_histogram weight_histogram(const Delta_complex& complex, const std
   }
   return histogram;
 }
+
+/// @}
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

@@ -28,6 +28,9 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
+/// \addtogroup PkgIntrinsicTriangulationsAngles
+/// @{
+
 namespace internal {
 
 // From the numbers of the traits. A face without area has one angle of π, opposite to its longest edge.
@@ -62,7 +65,6 @@ void for_each_halfedge_from(const Delta_complex& complex, Vertex_index v, const 
 
 } // namespace internal
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief the numbers of all edges and faces.
 struct Element_numbers
 {
@@ -71,7 +73,6 @@ struct Element_numbers
   std::vector<double> cotangent_weights; ///< for each edge, `cot k + cot l`; infinite beside a face of zero area
 };
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns lengths, areas and cotangent weights, equal to those that the member functions of
 /// `Intrinsic_triangulation` return for single elements.
 ///
@@ -105,7 +106,6 @@ Element_numbers element_numbers(const Intrinsic_triangulation<Traits>& triangula
   return result;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the length of each edge, as `element_numbers()`.
 /// \param triangulation, np as for `element_numbers()`
 template <class ConcurrencyTag = Sequential_tag, class Traits,
@@ -117,7 +117,6 @@ std::vector<double> edge_lengths(const Intrinsic_triangulation<Traits>& triangul
     .lengths();
 }
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the length of each edge, from the input and the connectivity alone: within one unit in the last
 /// place, whatever the number type.
 /// \param triangulation the triangulation
@@ -134,7 +133,6 @@ std::vector<double> exact_edge_lengths(const Intrinsic_triangulation<Traits>& tr
   return result;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the cotangent of the angle opposite to each halfedge, in the order of the halfedges; 0 for border
 /// halfedges.
 ///
@@ -150,7 +148,6 @@ std::vector<double> cotangents(const Intrinsic_triangulation<Traits>& triangulat
     .cotangents();
 }
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the cotangent weight of each edge, in the order of the edges: the sum of the
 /// cotangents of the one or two opposite angles, without a factor and dimensionless.
 ///
@@ -175,7 +172,6 @@ std::vector<double> cotangent_weights(const Intrinsic_triangulation<Traits>& tri
                                                                    internal::Cotangent_weight<Traits>(triangulation));
 }
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the area of each face, in the order of the faces and in the unit of the
 /// input.
 ///
@@ -192,7 +188,6 @@ std::vector<double> face_areas(const Intrinsic_triangulation<Traits>& triangulat
                                                                    internal::Face_area<Traits>(triangulation));
 }
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief a summary of the cotangent weights of a triangulation.
 struct Weight_summary
 {
@@ -201,7 +196,6 @@ struct Weight_summary
   std::size_t infinite = 0;       ///< edges without a weight, beside a face of zero area; on the border, too
 };
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the smallest cotangent weight, and how many are negative or infinite.
 ///
 /// The weights are those of `element_numbers()`, but with `Filtered_edge_length_traits` the exact geometry computes
@@ -216,7 +210,6 @@ Weight_summary summarize_cotangent_weights(const Intrinsic_triangulation<Traits>
   return result;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the angle opposite to `h` in its face, the one whose cotangent is `triangulation.cotangent(h)`.
 ///
 /// So the angle at the source of `h` is that of `next(h)`, and the angle at its target that of `prev(h)`.
@@ -239,7 +232,6 @@ double angle(const Intrinsic_triangulation<Traits>& triangulation, Halfedge_inde
     return internal::angle_by_number_type(triangulation, h);
 }
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the angle opposite to each halfedge, in the order of the halfedges; 0 for border halfedges.
 ///
 /// As `angle()`, with the same bounds, and otherwise as `element_numbers()`.
@@ -259,7 +251,6 @@ std::vector<double> opposite_angles(const Intrinsic_triangulation<Traits>& trian
     .angles(relative_error, [&](Halfedge_index h) { return angle(triangulation, h); });
 }
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the cone angle of `v`: the sum of the angles at `v`. O(degree of `v`).
 ///
 /// It is a property of the surface: flips change it by no more than rounding, a relative error of 2^-49, and 2^-53 for
@@ -279,7 +270,6 @@ double cone_angle(const Intrinsic_triangulation<Traits>& triangulation, Vertex_i
   return sum;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the angle defect of `v`: 2π minus its cone angle, or π minus it on the border. O(degree of `v`).
 ///
 /// It is the integral of the Gaussian curvature at an interior vertex, and of the geodesic curvature of the border at
@@ -295,6 +285,8 @@ double angle_defect(const Intrinsic_triangulation<Traits>& triangulation, Vertex
   const bool is_on_border = h.is_valid() && complex.is_border(h);
   return (is_on_border ? CGAL_PI : 2 * CGAL_PI) - cone_angle(triangulation, v);
 }
+
+/// @}
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

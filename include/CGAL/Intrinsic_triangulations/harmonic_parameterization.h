@@ -34,11 +34,12 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
+/// \addtogroup PkgIntrinsicTriangulationsParameterization
+/// @{
+
 /// \brief points of the plane: the UV coordinates of all vertices, in their order, or of the corners of a polygon.
 using Planar_points = std::vector<std::array<double, 2>>;
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief returns the boundary of a disk: its halfedges that have a face, counterclockwise.
 ///
 /// Border edges are never flipped, so an intrinsic triangulation and its input have the
@@ -75,7 +76,6 @@ inline std::vector<Halfedge_index> disk_boundary(const Delta_complex& complex)
   return boundary;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief places the vertices of a boundary on the unit circle, by arc length.
 ///
 /// \param boundary_lengths the lengths of the boundary's edges in order. \pre they are positive
@@ -97,7 +97,6 @@ inline Planar_points positions_on_circle(const std::vector<double>& boundary_len
   return positions;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief places the vertices of a boundary on a convex polygon.
 ///
 /// The first vertex goes to the first corner. Each other corner gets the vertex that is
@@ -168,7 +167,6 @@ inline Planar_points positions_on_polygon(const std::vector<double>& boundary_le
   return positions;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief returns the discrete harmonic map of a disk whose boundary is fixed.
 ///
 /// Each interior vertex is the average of its neighbors, weighted with the cotangent weights.
@@ -213,7 +211,6 @@ inline Planar_points harmonic_parameterization(const Delta_complex& complex, con
   return uv;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief returns the discrete harmonic map of a disk to the unit disk, with the boundary placed
 /// on the unit circle by arc length.
 ///
@@ -230,7 +227,6 @@ Planar_points harmonic_parameterization(const Intrinsic_triangulation<Traits>& t
     positions_on_circle(internal::boundary_lengths(complex, disk_boundary(complex), edge_lengths(triangulation))));
 }
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief returns the discrete harmonic map of a disk to a convex polygon, with the boundary placed
 /// by `positions_on_polygon()`.
 ///
@@ -250,7 +246,6 @@ Planar_points harmonic_parameterization(const Intrinsic_triangulation<Traits>& t
                          polygon));
 }
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief returns the discrete harmonic map of a disk with natural boundary conditions: the
 /// boundary is free, and the map is as conformal as possible.
 ///
@@ -319,7 +314,6 @@ inline Planar_points natural_parameterization(const Delta_complex& complex, cons
   return uv;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// as above, for a triangulation.
 /// \param triangulation the triangulation
 template <class Traits>
@@ -329,7 +323,6 @@ Planar_points natural_parameterization(const Intrinsic_triangulation<Traits>& tr
                                   edge_lengths(triangulation), face_areas(triangulation));
 }
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief the result of `check_parameterization()`.
 struct Parameterization_check
 {
@@ -340,7 +333,6 @@ struct Parameterization_check
   bool is_locally_injective() const { return flipped.empty() && collapsed.empty(); }
 };
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief decides for each face, exactly, whether its image is counterclockwise.
 ///
 /// A face whose corners are not three different vertices counts as collapsed.
@@ -366,7 +358,6 @@ inline Parameterization_check check_parameterization(const Delta_complex& comple
   return check;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief returns for each face the ratio of the larger to the smaller singular value of the
 /// linear map that takes it to its image: 1 if the map is a similarity, infinite if it collapses the face.
 ///
@@ -416,7 +407,6 @@ inline std::vector<double> quasi_conformal_distortion(const Delta_complex& compl
   return result;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief mean, 99th percentile and maximum of the distortion of a map.
 struct Distortion_summary
 {
@@ -425,7 +415,6 @@ struct Distortion_summary
   double maximum = 1;       ///< over all faces
 };
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief summarizes the distortion of the faces. Faces of zero area are ignored. O(n log n).
 /// \param distortion, areas the distortion and the area of each face
 /// \pre both have the same size
@@ -458,6 +447,8 @@ inline Distortion_summary summarize_distortion(const std::vector<double>& distor
   summary.maximum = distortion[order.back()];
   return summary;
 }
+
+/// @}
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

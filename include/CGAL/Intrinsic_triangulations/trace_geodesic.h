@@ -25,7 +25,9 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsGeodesics
+/// \addtogroup PkgIntrinsicTriangulationsGeodesics
+/// @{
+
 /// \brief where a traced line ends.
 enum class Trace_status {
   AT_LENGTH,       ///< inside a face, or on an edge, after the requested length
@@ -34,7 +36,6 @@ enum class Trace_status {
   BUDGET_EXHAUSTED ///< after the maximum number of faces, where it enters the next one
 };
 
-/// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief a straight line on the input, or on the current triangulation.
 struct Traced_geodesic
 {
@@ -54,7 +55,6 @@ Traced_geodesic trace_in_triangulation(const internal::Exact_engine& engine, con
 Surface_direction direction_at_vertex(const internal::Exact_engine& engine, Halfedge_index h, double angle);
 } // namespace internal
 
-/// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief follows a straight line over the input faces.
 ///
 /// Which edge the line crosses next, and whether it meets a vertex, is decided exactly for the given point and
@@ -80,7 +80,6 @@ Traced_geodesic trace_geodesic(const Intrinsic_triangulation<Traits>& triangulat
   return internal::trace(internal::engine(triangulation), start, length, maximum_number);
 }
 
-/// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief follows the same line over the faces of the current triangulation.
 ///
 /// The start is a point of the input, as for `trace_geodesic()`; the points and the vertex of the result belong to the
@@ -105,7 +104,6 @@ Traced_geodesic trace_geodesic_in_triangulation(const Intrinsic_triangulation<Tr
   return internal::trace_in_triangulation(internal::engine(triangulation), start, length, maximum_number);
 }
 
-/// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief returns a direction at the source of an input halfedge.
 ///
 /// \param triangulation a triangulation that keeps its input
@@ -129,7 +127,6 @@ void append_input_points(const internal::Exact_engine& engine, Halfedge_index h,
 
 } // namespace internal
 
-/// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief returns the points of the input through which intrinsic halfedges run, one after the other.
 ///
 /// These are their vertices, including inserted ones, and all crossings with input edges. Each point but the last is
@@ -154,7 +151,6 @@ std::vector<Surface_point> geodesic_points(const Intrinsic_triangulation<Traits>
   return result;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief returns the segments of an overlay along intrinsic halfedges, in order.
 ///
 /// Segment i is edge i of the mesh that `overlay_to_surface_mesh()` returns: so a path can be marked there, and a seam
@@ -177,7 +173,6 @@ std::vector<Overlay::Segment> geodesic_segments(const Overlay& overlay, const De
   return result;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief returns the point in space of a point of the input.
 ///
 /// \param input the input, as returned by `Intrinsic_triangulation::input()`
@@ -196,6 +191,8 @@ std::array<double, 3> point_in_space(const Delta_complex& input, const PointRang
         result[i] += p.coordinates[c] * CGAL::to_double(points[corners[c].idx()][i]);
   return result;
 }
+
+/// @}
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
