@@ -308,21 +308,16 @@ private:
 
   // \param share gives what a face counts
   template <class Traits, class Row, class Share>
-  Heat_method(const internal::Heat_options& options, const Intrinsic_triangulation<Traits>& triangulation,
-              const Row& row, const Share& share)
-    : Heat_method(options, triangulation,
-                  internal::with_ties_by_place(triangulation, row, internal::Interruption(options.go_further)), row,
-                  share)
-  {}
-  template <class Traits, class Row, class Share>
-  Heat_method(internal::Heat_options options, const Intrinsic_triangulation<Traits>& triangulation,
-              const std::optional<Intrinsic_triangulation<Traits>>& by_place, const Row& row, const Share& share)
-    : options_(std::move(options)), interruption_(std::make_unique<internal::Interruption>(options_.go_further)),
-      surface_(std::make_unique<internal::Heat_surface>(
-        internal::make_heat_surface(by_place ? *by_place : triangulation, row, share))),
-      diffusion_(std::make_unique<Diffusion>(*surface_, options_.time_coefficient, *interruption_)),
-      bounds_(by_place ? *by_place : triangulation, row)
-  {}
+  Heat_method(internal::Heat_options options, const Intrinsic_triangulation<Traits>& triangulation, const Row& row,
+              const Share& share)
+    : options_(std::move(options)), interruption_(std::make_unique<internal::Interruption>(options_.go_further))
+  {
+    const auto by_place = internal::with_ties_by_place(triangulation, row, *interruption_);
+    const Intrinsic_triangulation<Traits>& chosen = by_place ? *by_place : triangulation;
+    surface_ = std::make_unique<internal::Heat_surface>(internal::make_heat_surface(chosen, row, share));
+    diffusion_ = std::make_unique<Diffusion>(*surface_, options_.time_coefficient, *interruption_);
+    bounds_.emplace(chosen, row);
+  }
 
   std::uint32_t row_of_input(std::size_t v) const
   {
@@ -396,7 +391,7 @@ private:
     std::vector<double> result(before.begin(), before.end());
     for (auto& pin : pins)
       pin.second *= surface_->units[pin.first];
-    bounds_.apply(result, pins);
+    bounds_->apply(result, pins);
     number_of_bounded_distances_ = 0;
     for (std::size_t row = 0; row < result.size(); ++row)
       number_of_bounded_distances_ += std::abs(result[row] - before[Eigen::Index(row)]) > 0.05 * result[row];
@@ -456,7 +451,7 @@ private:
   std::unique_ptr<Diffusion> diffusion_;
   std::unique_ptr<Diffusion> cold_border_;
   std::unique_ptr<Poisson> poisson_;
-  internal::Distance_bounds bounds_;
+  std::optional<internal::Distance_bounds> bounds_;
   std::vector<std::uint32_t> representative_;
   std::map<Vertex_index, std::uint32_t> vertex_sources_; // with their rows
   std::vector<std::array<internal::Source_corner, 3>> point_sources_;
