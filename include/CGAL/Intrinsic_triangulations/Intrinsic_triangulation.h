@@ -148,7 +148,8 @@ public:
     arithmetic.check();
     Intrinsic_triangulation t(std::move(connectivity), traits);
     t.exponent_ = internal::normalize_lengths(lengths);
-    internal::construct_metric_from_lengths(t.connectivity(), t.traits_, lengths, t.edges_, t.faces_, t.bounds_);
+    internal::construct_metric_from_lengths(t.connectivity(), t.traits_, lengths, t.edges_, t.faces_);
+    t.bound_corners();
     if constexpr (uses_exact_geometry)
       t.keep_input(Input_metric::from_normalized_lengths(std::move(lengths), t.exponent_));
     return t;
@@ -181,7 +182,8 @@ public:
     Intrinsic_triangulation t(std::move(connectivity), traits);
     metric.check(t.connectivity());
     t.exponent_ = metric.unit_exponent();
-    internal::construct_metric_from_input(t.connectivity(), t.traits_, metric, t.edges_, t.faces_, t.bounds_);
+    internal::construct_metric_from_input(t.connectivity(), t.traits_, metric, t.edges_, t.faces_);
+    t.bound_corners();
     t.keep_input(std::move(metric));
     return t;
   }
@@ -358,10 +360,8 @@ public:
   /// the quadrilateral is convex is decided exactly: where the error bounds do not suffice, in time proportional to the
   /// number of input edges that its sides cross.
   /// \pre `connectivity().is_flippable(e)`
-  /// \exception Undecided_error if proofs of ties are demanded, and one takes too long
   /// \exception Invalid_surface_error if the new edge has length zero, so that two vertices of the input coincide
-  /// \exception Cancelled_error as described at `set_interruption()`
-  /// \exception Integer_overflow_error if the new edge crosses more than 2^60 input edges
+  /// \exception Undecided_error, Cancelled_error, Integer_overflow_error as `sign_of_cotangent_weight()`
   Flip_outcome flip(Edge_index e)
   {
     const Arithmetic arithmetic;
@@ -459,14 +459,9 @@ private:
 
   // As `flip()`, for an edge that is not Delaunay.
   //
-  // The quadrilateral around such an edge is always strictly convex. So traits whose decisions
-  // are exact need not look, and the flip takes O(1) unless both old faces may have zero area.
-  // Numbers are computed from the old hinge first, then the connectivity is changed and
-  // they are stored.
+  // The quadrilateral around such an edge is always strictly convex. So traits whose decisions are exact need not look,
+  // and the flip takes O(1) unless both old faces may have zero area.
   // \pre `connectivity().is_flippable(e)` and not `is_locally_Delaunay(e)`
-  // \exception Invalid_surface_error if the new edge has length zero, so that two vertices of the input coincide
-  // \exception Cancelled_error as described at `set_interruption()`
-  // \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
   Flip_outcome flip_not_Delaunay(Edge_index e)
   {
     CGAL_precondition(connectivity().is_flippable(e));
@@ -564,10 +559,9 @@ private:
     edges_ = std::move(saved.squared_lengths);
     faces_.resize(connectivity().number_of_faces(), internal::default_init);
     bounds_ = internal::Cotangent_bounds(connectivity());
-    for (Face_index f : connectivity().faces()) {
+    for (Face_index f : connectivity().faces())
       faces_[f.idx()] = {saved.areas[f.idx()][0], saved.areas[f.idx()][1]};
-      bound_corners(connectivity().halfedge(f));
-    }
+    bound_corners();
   }
 
   // Removes an inserted vertex in the middle of three faces, which become one. See `remove_vertex()`.
@@ -798,6 +792,12 @@ private:
       bound_corners(corner.first);
   }
 
+  void bound_corners()
+  {
+    if (keeps_bounds)
+      for (Face_index f : connectivity().faces())
+        bound_corners(connectivity().halfedge(f));
+  }
   void bound_corners(Halfedge_index h)
   {
     const Halfedge_index next = connectivity().next(h), prev = connectivity().prev(h);

@@ -28,6 +28,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <queue>
 #include <string>
@@ -131,13 +132,9 @@ namespace internal {
 template <class TriangleMesh>
 Vertex_index index_of_vertex(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::vertex_descriptor v)
 {
-  Vertex_index::size_type index = 0;
-  for (auto w : vertices(mesh)) {
-    if (w == v)
-      break;
-    ++index;
-  }
-  return Vertex_index(index); // one too many is refused by shortest_edge_path()
+  const auto all = vertices(mesh);
+  const auto before = std::distance(all.begin(), std::find(all.begin(), all.end(), v));
+  return Vertex_index(Vertex_index::size_type(before)); // one too many is refused by shortest_edge_path()
 }
 
 // A point on an edge relative to the same halfedge, from whichever face it was given.
