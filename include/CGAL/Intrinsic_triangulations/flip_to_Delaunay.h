@@ -122,7 +122,6 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
 /// like `Sequential_tag`.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
-/// \tparam NamedParameters a sequence of named parameters
 /// \param triangulation the triangulation, which is flipped
 /// \param np an optional sequence of named parameters
 ///

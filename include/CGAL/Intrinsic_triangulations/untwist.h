@@ -59,7 +59,6 @@ std::vector<Rational> squared_lengths(const std::vector<double>& lengths);
 /// It does not change tubes of more than two faces, tubes whose loops have different lengths (which cannot wind far),
 /// and tubes of zero area.
 ///
-/// \tparam NamedParameters a sequence of named parameters
 /// \param complex the triangles; all descriptors stay valid, as with flips
 /// \param squared_lengths the squared length of each edge
 /// \param np an optional sequence of named parameters
@@ -131,7 +130,6 @@ private:
 ///
 /// The i-th vertex, edge and face of the result are the i-th of the gluing's complex.
 ///
-/// \tparam NamedParameters a sequence of named parameters
 /// \param gluing the triangles and lengths
 /// \param np an optional sequence of named parameters
 ///

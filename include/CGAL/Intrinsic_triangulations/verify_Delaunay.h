@@ -182,7 +182,6 @@ Delaunay_verification verify_Delaunay(const Triangulation& triangulation,
 ///
 /// `verify_Delaunay()` decides this from the input alone, exactly for any traits, and names the edges.
 ///
-/// \tparam NamedParameters a sequence of named parameters
 /// \param triangulation the triangulation
 /// \param np an optional sequence of named parameters
 ///

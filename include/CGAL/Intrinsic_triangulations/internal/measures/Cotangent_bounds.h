@@ -102,10 +102,8 @@ public:
   // The same for four consecutive edges: bit i is set if it does for the i-th.
   unsigned imply_Delaunay_of_four(Edge_index e) const
   {
-    unsigned result = 0;
-    for (unsigned i = 0; i < 4; ++i)
-      result |= unsigned(imply_Delaunay(Edge_index(e.idx() + i))) << i;
-    return result;
+    const auto bit = [&](unsigned i) { return unsigned(imply_Delaunay(Edge_index(e.idx() + i))) << i; };
+    return bit(0) | bit(1) | bit(2) | bit(3);
   }
 
 private:

@@ -10,6 +10,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_UNIT_OF_LENGTH_H
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_kinds.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 #include <CGAL/Intrinsic_triangulations/internal/Index.h>
@@ -151,11 +152,6 @@ Defect_tally non_finite_points(const PointVector& points)
 // The smallest box around points.
 struct Box
 {
-  void add(int i, double x)
-  {
-    low[i] = x < low[i] ? x : low[i];
-    high[i] = x > high[i] ? x : high[i];
-  }
   void add(const Box& other)
   {
     for (int i = 0; i < 3; ++i) {
@@ -204,17 +200,21 @@ Box bounding_box(const PointVector& points, const IsUsed& is_used)
 {
   std::vector<Box> boxes(points.size() / elements_of_block + 1);
   for_each_block<ConcurrencyTag>(points.size(), elements_of_block, [&](std::size_t first, std::size_t last) {
-    Box box;
+    Two_doubles low(Box::infinity), high(-Box::infinity), low_z = low, high_z = high, zero(0.);
     for (std::size_t v = first; v < last; ++v) {
-      const bool is_in_box = is_used(v);
-      for (int i = 0; i < 3; ++i) {
-        const double x = CGAL::to_double(points[v][i]);
-        box.zero += zero_if_finite(x);
-        if (is_in_box)
-          box.add(i, x);
-      }
+      const auto& p = points[v];
+      const Two_doubles xy(CGAL::to_double(p[0]), CGAL::to_double(p[1])), z(CGAL::to_double(p[2]));
+      zero = zero + (xy - xy) + (z - z);
+      if (!is_used(v))
+        continue;
+      low = min_of(xy, low);
+      high = max_of(xy, high);
+      low_z = min_of(z, low_z);
+      high_z = max_of(z, high_z);
     }
-    boxes[first / elements_of_block] = box;
+    boxes[first / elements_of_block] = {{low.first(), low.second(), low_z.first()},
+                                        {high.first(), high.second(), high_z.first()},
+                                        zero.first() + zero.second()};
   });
   Box result;
   for (const Box& box : boxes)

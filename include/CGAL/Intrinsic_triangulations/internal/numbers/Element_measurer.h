@@ -324,10 +324,7 @@ private:
   {
     double low = 0, high = 0;
     for (Halfedge_index h : {complex_.halfedge(e), complex_.opposite(complex_.halfedge(e))}) {
-      const auto c = triangulation_.traits().compute_bounded_cotangent_object()(
-        triangulation_.face_data(complex_.face(h)), triangulation_.edge_data(e),
-        triangulation_.edge_data(complex_.edge(complex_.next(h))),
-        triangulation_.edge_data(complex_.edge(complex_.prev(h))));
+      const auto c = bounded_cotangent(triangulation_, h);
       low += c.value - c.error;
       high += c.value + c.error;
     }
