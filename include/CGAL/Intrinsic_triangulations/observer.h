@@ -17,8 +17,6 @@
 
 #include <boost/core/ref.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -224,13 +222,6 @@ inline Progress_function part_of_progress(const Progress_function& progress, dou
   if (!progress)
     return {};
   return [&progress, begin, end](double fraction) { return progress(begin + (end - begin) * fraction); };
-}
-
-// How far an iteration is whose error falls from `first` to `tolerance`: the digits that it has.
-inline double fraction_of_digits(double first, double error, double tolerance)
-{
-  const double all = std::log(first / tolerance);
-  return all > 0 ? (std::max)(0., (std::min)(1., std::log(first / error) / all)) : 0;
 }
 
 // Asks at every so many of the elements of a loop, which is a part of the computation.
