@@ -83,25 +83,8 @@ class Vector_diffusion
   using Vector = Eigen::VectorXcd;
 
 public:
-  // \param surface that of the triangulation
+  // \param vectors those of `halfedge_vectors_in_vertex()`
   // \param interruption is asked before the factorization and each solution; has to live as long
-  template <class Traits>
-  Vector_diffusion(const Intrinsic_triangulation<Traits>& triangulation, const Heat_surface& surface,
-                   const Interruption& interruption)
-    : Vector_diffusion(triangulation.connectivity(), halfedge_vectors_in_vertex(triangulation), surface, interruption)
-  {}
-
-  // Vectors that are sent on where the heat of the same sources is, which they never exceed.
-  std::vector<Vector> spread_likewise(const Vector& vectors, const Layered_heat& heat) const
-  {
-    return internal::spread_likewise(
-      vectors, heat, matrix_, [this](const Vector& b) { return solver_.solve(after(interruption_, b)); },
-      [](Vector&, std::size_t) {});
-  }
-
-  const std::vector<Heat_edge>& edges() const { return edges_; }
-
-private:
   Vector_diffusion(const Delta_complex& complex, const std::vector<Planar_vector<double>>& vectors,
                    const Heat_surface& surface, const Interruption& interruption)
     : interruption_(interruption), matrix_(heat_matrix(complex, vectors, surface)),
@@ -121,6 +104,17 @@ private:
     }
   }
 
+  // Vectors that are sent on where the heat of the same sources is, which they never exceed.
+  std::vector<Vector> spread_likewise(const Vector& vectors, const Layered_heat& heat) const
+  {
+    return internal::spread_likewise(
+      vectors, heat, matrix_, [this](const Vector& b) { return solver_.solve(after(interruption_, b)); },
+      [](Vector&, std::size_t) {});
+  }
+
+  const std::vector<Heat_edge>& edges() const { return edges_; }
+
+private:
   static Matrix heat_matrix(const Delta_complex& complex, const std::vector<Planar_vector<double>>& vectors,
                             const Heat_surface& surface)
   {
@@ -357,7 +351,8 @@ private:
     surface.lengthen_units(square_roots_of_times(surface.component, time_coefficient));
     surface_ = std::make_unique<internal::Heat_surface>(std::move(surface));
     scalars_ = std::make_unique<internal::Heat_diffusion<internal::Sparse_Cholesky<>>>(*surface_, 1, *interruption_);
-    vectors_ = std::make_unique<internal::Vector_diffusion>(triangulation, *surface_, *interruption_);
+    vectors_ = std::make_unique<internal::Vector_diffusion>(
+      triangulation.connectivity(), halfedge_vectors_in_vertex(triangulation), *surface_, *interruption_);
   }
 
   // Let edges be h long, on a surface of size 1, and t = c h². Heat that spreads over a width of about √√t errs by
