@@ -152,6 +152,11 @@ Defect_tally non_finite_points(const PointVector& points)
 // The smallest box around points.
 struct Box
 {
+  void add(int i, double x)
+  {
+    low[i] = x < low[i] ? x : low[i];
+    high[i] = x > high[i] ? x : high[i];
+  }
   void add(const Box& other)
   {
     for (int i = 0; i < 3; ++i) {

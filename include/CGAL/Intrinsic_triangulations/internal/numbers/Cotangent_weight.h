@@ -174,8 +174,8 @@ auto bounded_cotangent(const Triangulation& triangulation, Halfedge_index h)
 {
   const Delta_complex& complex = triangulation.connectivity();
   const auto data = [&](Halfedge_index side) -> const auto& { return triangulation.edge_data(complex.edge(side)); };
-  return triangulation.traits().compute_bounded_cotangent_object()(
-    triangulation.face_data(complex.face(h)), data(h), data(complex.next(h)), data(complex.prev(h)));
+  return triangulation.traits().compute_bounded_cotangent_object()(triangulation.face_data(complex.face(h)), data(h),
+                                                                   data(complex.next(h)), data(complex.prev(h)));
 }
 
 // Gives the weight of an edge, as documented for cotangent_weights().
