@@ -4,5 +4,4 @@
 // What is compiled once of geodesics.
 
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/geodesic_points_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/trace_geodesic_impl.h>

@@ -509,7 +509,6 @@ private:
   // \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
   Vertex_index split_face(const internal::Triangle_piece& piece, const Surface_point& location)
   {
-    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
     const Halfedge_index first = connectivity().halfedge(connectivity().face(piece.side));
     make_room_for_vertex();
@@ -524,7 +523,6 @@ private:
   // \exception Integer_overflow_error as above
   Vertex_index split_edge(Halfedge_index h, const Surface_point& location)
   {
-    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
     const auto first_beside = [this](Halfedge_index side) {
       return connectivity().is_border(side) ? Halfedge_index() : connectivity().halfedge(connectivity().face(side));
@@ -540,7 +538,6 @@ private:
   template <class ConcurrencyTag, class Saved>
   void restore(Saved saved)
   {
-    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
     const std::size_t number_of_input_faces = connectivity().number_of_faces();
     // Most faces are those of the input, with the numbers that were just computed.
@@ -568,7 +565,6 @@ private:
   // \return what was removed, as `unsplit_face(v)` of `Delta_complex`
   Removed_elements unsplit_face(Vertex_index v)
   {
-    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
     const Corners parts = engine_.corners_at(v);
     CGAL_precondition(parts.size() == 3);
@@ -586,7 +582,6 @@ private:
   // \exception Integer_overflow_error as above
   Removed_elements unsplit_edge(Halfedge_index h)
   {
-    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
     const Halfedge_index g = connectivity().opposite(h), behind = connectivity().continuation(h);
     const Corners parts = engine_.corners_at(connectivity().target(h));
@@ -605,7 +600,6 @@ private:
   // \return whether they are better: then the squared lengths are as accurate as at first
   bool recompute(Face_index f)
   {
-    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
     CGAL_precondition(keeps_input());
     engine_.prepare();
@@ -620,7 +614,6 @@ private:
   // \pre `v` has a face
   void recompute(Vertex_index v)
   {
-    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
     CGAL_precondition(keeps_input());
     measure(engine_.kept_corners_at(v));

@@ -198,7 +198,6 @@ std::array<double, 3> point_in_space(const Delta_complex& input, const PointRang
 } // namespace CGAL
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/geodesic_points_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/trace_geodesic_impl.h>
 #endif
 
