@@ -43,8 +43,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
 /// \brief the condition for heat at the border of a surface.
@@ -460,7 +459,6 @@ private:
   std::size_t number_of_bounded_distances_ = 0;
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_HEAT_METHOD_H

@@ -29,8 +29,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \addtogroup PkgIntrinsicTriangulationsOperators
 /// @{
@@ -290,7 +289,6 @@ Eigen::SparseMatrix<std::complex<double>> connection_Laplacian(const Intrinsic_t
 
 /// @}
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_LAPLACE_BELTRAMI_H

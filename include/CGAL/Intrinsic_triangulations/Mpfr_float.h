@@ -14,8 +14,7 @@
 
 #include <mpfr.h>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsNumbers
 /// \brief a floating-point number of MPFR, with the default precision at its construction (see `Mpfr_precision`).
@@ -83,8 +82,6 @@ private:
   int bits_;
 };
 
-} // namespace Intrinsic_triangulations
-
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_MPFR_FLOAT_H

@@ -42,8 +42,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
@@ -311,7 +310,6 @@ void estimate_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vdm, 
 }
 
 } // namespace Heat_method_3
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_MESH_GEODESIC_DISTANCES_3_H

@@ -31,8 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief a map by a circle pattern, and information on its computation.
@@ -322,7 +321,6 @@ Circle_pattern circle_pattern_parameterization(const Intrinsic_triangulation<Tra
                                          face_areas(triangulation), np);
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CIRCLE_PATTERN_PARAMETERIZATION_H

@@ -28,8 +28,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \addtogroup PkgIntrinsicTriangulationsOperators
 /// @{
@@ -438,7 +437,6 @@ inline Weight_histogram weight_histogram(const Delta_complex& complex, const std
 
 /// @}
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_EIGENVALUES_H

@@ -25,8 +25,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \addtogroup PkgIntrinsicTriangulationsAngles
 /// @{
@@ -288,7 +287,6 @@ double angle_defect(const Intrinsic_triangulation<Traits>& triangulation, Vertex
 
 /// @}
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_ELEMENT_NUMBERS_H

@@ -15,8 +15,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \addtogroup PkgIntrinsicTriangulationsErrors
 /// @{
@@ -161,7 +160,6 @@ inline void require_vertex(Vertex_index v, std::size_t n)
 
 } // namespace internal
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_ERRORS_H

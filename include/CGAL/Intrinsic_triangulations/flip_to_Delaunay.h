@@ -30,8 +30,7 @@
 #include <optional>
 #include <type_traits>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief returns the default bound on the number of flips for an inexact number type.
@@ -156,7 +155,6 @@ Flip_report flip_to_Delaunay(Intrinsic_triangulation<Traits>& triangulation,
   return internal::flip_to_Delaunay_with<ConcurrencyTag>(triangulation, internal::edge_constraints_of(np), np);
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_FLIP_TO_DELAUNAY_H

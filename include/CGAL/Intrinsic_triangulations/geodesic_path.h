@@ -35,8 +35,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief finds a shortest path from `source` to `target` along the edges of a triangulation, by the algorithm A*: as
@@ -270,7 +269,6 @@ Geodesic_path geodesic_path(const TriangleMesh& mesh, const Surface_point& sourc
   return internal::shortened_edge_path(mesh, triangulation, s, t, np);
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_PATH_H

@@ -31,8 +31,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \addtogroup PkgIntrinsicTriangulationsParameterization
 /// @{
@@ -450,7 +449,6 @@ inline Distortion_summary summarize_distortion(const std::vector<double>& distor
 
 /// @}
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_HARMONIC_PARAMETERIZATION_H

@@ -39,8 +39,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief an intrinsic triangulation, and the report of the flips.
@@ -337,7 +336,6 @@ auto intrinsic_Delaunay_triangulation(const PointRange& points, const TriangleRa
                                            internal::edge_constraints_of(np), np);
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTRINSIC_DELAUNAY_TRIANGULATION_H

@@ -24,8 +24,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief the progress of a computation. Each algorithm sets the members that it knows; the others are zero.
@@ -247,7 +246,6 @@ private:
 
 } // namespace internal
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_OBSERVER_H

@@ -28,8 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
@@ -302,7 +301,6 @@ std::vector<Vertex_frame> vertex_frames(const Intrinsic_triangulation<Traits>& t
   return result;
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_TANGENT_VECTORS_H

@@ -22,8 +22,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \addtogroup PkgIntrinsicTriangulationsGeodesics
 /// @{
@@ -194,8 +193,7 @@ std::array<double, 3> point_in_space(const Delta_complex& input, const PointRang
 
 /// @}
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/trace_geodesic_impl.h>

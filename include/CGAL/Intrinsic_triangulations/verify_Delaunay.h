@@ -28,8 +28,7 @@
 #include <exception>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief the result of `verify_Delaunay()`.
@@ -262,7 +261,6 @@ private:
   std::size_t number_of_cells_ = 0;
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_VERIFY_DELAUNAY_H

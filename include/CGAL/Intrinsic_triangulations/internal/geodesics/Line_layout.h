@@ -27,9 +27,7 @@
 #include <optional>
 #include <type_traits>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // A line in the frame of a first halfedge, whose source is 0.
 template <class Vector>
@@ -336,8 +334,6 @@ private:
   std::optional<Third_corner<Vector>> third_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_LINE_LAYOUT_H

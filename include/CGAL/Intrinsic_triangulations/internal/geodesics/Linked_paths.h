@@ -20,9 +20,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // An exception leaves everything as it was.
 class Linked_paths
@@ -197,8 +195,6 @@ private:
   std::vector<Path> paths_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_LINKED_PATHS_H

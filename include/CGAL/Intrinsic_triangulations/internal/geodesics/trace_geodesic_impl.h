@@ -30,9 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Follows a line from face to face.
 template <class Faces>
@@ -495,8 +493,6 @@ void append_input_points(const Exact_engine& engine, Halfedge_index h, std::vect
   points.push_back(source_on_input(complex, correspondence, complex.opposite(h)));
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_TRACE_GEODESIC_IMPL_H

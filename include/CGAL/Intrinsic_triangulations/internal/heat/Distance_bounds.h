@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The nearest first, by an eighth as many intervals of the same length as there are rows; of the same interval, the
 // smallest row. \pre none is negative or NaN
@@ -227,8 +225,6 @@ private:
   std::vector<std::array<double, 3>> points_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_DISTANCE_BOUNDS_H

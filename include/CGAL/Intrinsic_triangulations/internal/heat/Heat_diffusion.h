@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Heat, layer by layer: each is, far from where it was sent on, a large multiple of the one before.
 struct Layered_heat
@@ -247,8 +245,6 @@ private:
   Pinned_system<Solver> system_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_HEAT_DIFFUSION_H

@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // A face in the plane: its corners are (0, 0), (base, 0) and (x, height). The base is the longest side, so that x and
 // the height are found without cancellation.
@@ -277,8 +275,6 @@ Heat_surface make_heat_surface(const Intrinsic_triangulation<Traits>& triangulat
   return make_heat_surface(triangulation, Row_of_vertex(triangulation.connectivity()), [](Face_index) { return 1.; });
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_HEAT_SURFACE_H

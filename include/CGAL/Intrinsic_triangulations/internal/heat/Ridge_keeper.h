@@ -21,9 +21,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The distance of a vertex is the smallest sum of the distance of a point on the boundary of its star and the way from
 // there. Where fronts from several sides meet, the function that fits the directions best rounds off the ridge and lies
@@ -117,8 +115,6 @@ private:
   std::vector<char> is_fixed_; // sources, and what no way leads to
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_RIDGE_KEEPER_H

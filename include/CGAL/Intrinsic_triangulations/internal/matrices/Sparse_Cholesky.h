@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // With CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD the factors are those of SuiteSparse, which is
 // faster for large systems; whoever defines it links with cholmod.
@@ -194,8 +192,6 @@ inline Eigen::SparseMatrix<double> submatrix(const Eigen::SparseMatrix<double>& 
   return result;
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MATRICES_SPARSE_CHOLESKY_H

@@ -27,9 +27,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The rows of a matrix by vertices: here each has its own.
 class Row_of_vertex
@@ -391,8 +389,6 @@ Eigen::SparseMatrix<double> assemble_symmetric_matrix(const Delta_complex& compl
   return assemble_symmetric_matrix(complex, Row_of_vertex(complex), edge_value, diagonal_value);
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MATRICES_ASSEMBLE_SYMMETRIC_MATRIX_H

@@ -19,9 +19,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Lower bounds for the cotangents of a face's corners: opposite to ij, to jk, and to ki.
 //
@@ -110,8 +108,6 @@ private:
   Large_vector<float> bounds_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_COTANGENT_BOUNDS_H

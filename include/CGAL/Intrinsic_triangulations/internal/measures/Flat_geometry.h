@@ -24,9 +24,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Exact sums and products of doubles; no division. The fastest type that CGAL has, by its name: the header that would
 // select it has 50,000 lines.
@@ -155,8 +153,6 @@ inline bool have_one_plane(const Delta_complex& complex, const Points& points, F
   return sign_of_normals(points, {i, j}, {i, k}, {l, m}, {l, n}) == POSITIVE;
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_FLAT_GEOMETRY_H

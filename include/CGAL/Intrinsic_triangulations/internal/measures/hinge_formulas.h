@@ -16,8 +16,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \addtogroup PkgIntrinsicTriangulationsFormulas
 /// @{
@@ -141,7 +140,6 @@ void flip_hinge(const FT& s_ij, const FT& s_jk, const FT& s_ki, const FT& s_il, 
 
 /// @}
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_HINGE_FORMULAS_H

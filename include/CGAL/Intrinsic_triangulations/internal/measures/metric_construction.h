@@ -36,9 +36,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Whether a vertex has a face.
 struct Is_used_vertex
@@ -359,8 +357,6 @@ void construct_metric_from_input(const Delta_complex& complex, const Traits& tra
   }
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_METRIC_CONSTRUCTION_H

@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 using Defect = Invalid_surface_error::Defect;
 
@@ -297,8 +295,6 @@ inline double area_in_input_unit(double area, int unit_exponent, Face_index f)
   return result;
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_UNIT_OF_LENGTH_H

@@ -35,9 +35,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 [[noreturn]] inline void throw_no_cotangent(Face_index f)
 {
@@ -319,8 +317,6 @@ private:
   const Triangulation& triangulation_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_COTANGENT_WEIGHT_H

@@ -31,9 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Cotangents and their sums beside faces of any area; none is NaN.
 template <class Traits>
@@ -336,8 +334,6 @@ private:
   Extended_cotangents<Traits> extended_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_ELEMENT_MEASURER_H

@@ -27,9 +27,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 struct Coherent_angles
 {
@@ -371,8 +369,6 @@ inline Coherent_angles find_coherent_angles(const Delta_complex& complex, const 
   return result;
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_PARAMETERIZATION_COHERENT_ANGLES_H

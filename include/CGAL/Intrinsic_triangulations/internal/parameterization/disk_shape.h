@@ -26,9 +26,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 [[noreturn]] inline void throw_no_disk(const std::string& what)
 {
@@ -162,8 +160,6 @@ inline void solve_with_fixed_values(const Eigen::SparseMatrix<double>& matrix, c
       x.row(Eigen::Index(i)) = solution.row(free_row[i]);
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_PARAMETERIZATION_DISK_SHAPE_H

@@ -13,9 +13,7 @@
 #endif
 #include <boost/config.hpp>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Has the cache line of `*p` fetched in the background, to be written.
 inline void prefetch(const void* p)
@@ -63,8 +61,6 @@ void relaxed_store(T& to, T value)
 #endif
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_MEMORY_ACCESS_H

@@ -19,8 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTwists
 /// \brief two faces that share two edges, and whose other sides are loops: a tube.
@@ -225,7 +224,6 @@ struct Untwisting
   bool is_complete = true;           ///< `false` if the visitor ended it: then some tubes are left as they were
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TWISTS_CROSSING_COUNTS_H
