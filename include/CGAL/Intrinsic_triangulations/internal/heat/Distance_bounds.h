@@ -114,9 +114,9 @@ public:
     const std::vector<std::uint32_t> order = rows_by_distance(distances);
     for (std::size_t i = 0; i < order.size(); ++i) {
       const std::uint32_t row = order[i], soon = order[(std::min)(i + 8, order.size() - 1)];
-      prefetch_to_read(neighbors_.data() + first_[soon]);
-      prefetch_to_read(lengths_.data() + first_[soon]);
-      prefetch_to_read(lengths_.data() + first_[soon + 1]);
+      prefetch(neighbors_.data() + first_[soon]);
+      prefetch(lengths_.data() + first_[soon]);
+      prefetch(lengths_.data() + first_[soon + 1]);
       double path = paths[row];
       std::uint32_t from = row;
       for (std::uint32_t k = first_[row]; k < first_[row + 1]; ++k) {

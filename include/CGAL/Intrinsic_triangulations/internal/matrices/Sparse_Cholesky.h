@@ -139,7 +139,7 @@ private:
     }
     const std::ptrdiff_t begin = first[0], end = factor().nonZeros();
     for (int i = width; i < first[1] - first[0]; ++i) {
-      prefetch_to_read(values + (std::min)(begin + width * i + soon, end));
+      prefetch(values + (std::min)(begin + width * i + soon, end));
       Scalar sum = entry(i, 0) * y[0];
       for (int k = 1; k < width; ++k)
         sum += entry(i, k) * y[k];
@@ -156,7 +156,7 @@ private:
     const std::ptrdiff_t begin = first[0];
     std::array<Scalar, width> sums{};
     for (int i = width; i < first[1] - first[0]; ++i) {
-      prefetch_to_read(values + (std::max)(begin + width * i - soon, std::ptrdiff_t(0)));
+      prefetch(values + (std::max)(begin + width * i - soon, std::ptrdiff_t(0)));
       for (int k = 0; k < width; ++k)
         sums[k] += entry(i, k) * x[row[i]];
     }

@@ -227,9 +227,9 @@ private:
     for (Halfedge_index side : {h, complex_.opposite(h)}) {
       if (complex_.is_border(side))
         continue;
-      prefetch_to_read(&triangulation_.face_data(complex_.face(side)));
-      prefetch_to_read(&triangulation_.edge_data(complex_.edge(complex_.next(side))));
-      prefetch_to_read(&triangulation_.edge_data(complex_.edge(complex_.prev(side))));
+      prefetch(&triangulation_.face_data(complex_.face(side)));
+      prefetch(&triangulation_.edge_data(complex_.edge(complex_.next(side))));
+      prefetch(&triangulation_.edge_data(complex_.edge(complex_.prev(side))));
     }
   }
 
