@@ -3,8 +3,5 @@
 //
 // What is compiled once of geodesics.
 
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/Linked_paths.h>
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/Linked_paths_impl.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/geodesic_points_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/trace_geodesic_impl.h>

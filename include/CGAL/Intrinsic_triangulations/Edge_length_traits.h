@@ -20,8 +20,7 @@
 #include <array>
 #include <type_traits>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
 ///
@@ -197,7 +196,6 @@ public:
   /// @}
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_EDGE_LENGTH_TRAITS_H

@@ -24,8 +24,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
 /// \brief a double and an upper bound on its absolute error.
@@ -381,7 +380,6 @@ public:
   /// @}
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_FILTERED_EDGE_LENGTH_TRAITS_H

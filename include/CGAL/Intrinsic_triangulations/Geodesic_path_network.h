@@ -32,8 +32,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 ///
@@ -115,11 +114,7 @@ public:
   /// \tparam NamedParameters a sequence of named parameters
   ///
   /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{visitor}
-  ///     \cgalParamDescription{is called after each flip and can cancel; pass `std::ref()` to keep its state}
-  ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
-  ///     \cgalParamDefault{`Default_visitor`}
-  ///   \cgalParamNEnd
+  ///   \cgalParamVisitor{is called after each flip and can cancel; pass `std::ref()` to keep its state}
   ///   \cgalParamNBegin{maximum_number}
   ///     \cgalParamDescription{the number of flips after which the algorithm gives up}
   ///     \cgalParamType{`std::uint64_t`}
@@ -516,7 +511,6 @@ private:
   std::function<void(Edge_index)> after_flip_;
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_PATH_NETWORK_H

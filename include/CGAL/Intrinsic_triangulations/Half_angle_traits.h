@@ -18,8 +18,7 @@
 
 #include <array>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTraits
 ///
@@ -176,7 +175,6 @@ public:
   /// @}
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_HALF_ANGLE_TRAITS_H

@@ -17,17 +17,16 @@
 #include <CGAL/Intrinsic_triangulations/internal/heat/Distance_bounds.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_diffusion.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
-#include <CGAL/Intrinsic_triangulations/internal/heat/Layered_heat.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Pinned_system.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Places.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Ridge_keeper.h>
-#include <CGAL/Intrinsic_triangulations/internal/heat/point_source.h>
-#include <CGAL/Intrinsic_triangulations/internal/heat/unit_gradient.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/numbers/Accurate_shapes.h>
 
 #include <Eigen/SparseCore>
 
@@ -44,8 +43,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
 /// \brief the condition for heat at the border of a surface.
@@ -72,6 +70,50 @@ Heat_options heat_options_of(const NamedParameters& np)
                             value_of<Parameter::TIME_COEFFICIENT>(np, 1.), value_of<Parameter::KEEPS_RIDGES>(np, true),
                             go_further_function_of(np)};
   require_time_coefficient(result.time_coefficient);
+  return result;
+}
+
+struct Source_corner
+{
+  Vertex_index vertex;
+  double coordinate;
+  double distance; // from the point, in the plane of the face and in the unit of the input
+};
+
+template <class Traits>
+std::array<Source_corner, 3> corners_of_point(const Intrinsic_triangulation<Traits>& triangulation,
+                                              const Surface_point& point)
+{
+  const Delta_complex& complex = triangulation.connectivity();
+  const Halfedge_index h = point.halfedge;
+  double sum = 0;
+  bool is_valid = h.is_valid() && h.idx() < complex.number_of_halfedges() && !complex.is_border(h);
+  for (double x : point.coordinates) {
+    is_valid = is_valid && x >= 0 && std::isfinite(x);
+    sum += x;
+  }
+  if (!is_valid || !(sum > 0 && std::isfinite(sum)))
+    throw Invalid_point_error("a source is not a point of a face: its halfedge needs a face, and its coordinates have "
+                              "to be positive or zero, and not all zero");
+  const Accurate_shapes<Traits> shapes(triangulation);
+  const std::array<Halfedge_index, 3> sides{h, complex.next(h), complex.prev(h)};
+  std::array<double, 3> x, length; // of the side from corner i on
+  for (int i = 0; i < 3; ++i) {
+    x[i] = point.coordinates[i] / sum;
+    length[i] = std::ldexp(shapes.length(complex.edge(sides[i])), shapes.exponent());
+  }
+  std::array<Source_corner, 3> result;
+  for (int i = 0; i < 3; ++i) {
+    // The vector from the corner is y v + z w for the sides v and w that start there.
+    const double y = x[(i + 1) % 3], z = x[(i + 2) % 3], v = length[i], w = length[(i + 2) % 3],
+                 opposite = length[(i + 1) % 3];
+    result[i] = {complex.source(sides[i]), x[i], 0};
+    const double largest = (std::max)({v, w, opposite});
+    // |y v + z w|² = (y + z) (y v² + z w²) - y z (v - w)²
+    const auto square = [largest](double l) { return l / largest * (l / largest); };
+    result[i].distance =
+      largest * std::sqrt((std::max)(0., (y + z) * (y * square(v) + z * square(w)) - y * z * square(opposite)));
+  }
   return result;
 }
 
@@ -136,13 +178,9 @@ public:
   ///     \cgalParamType{`bool`}
   ///     \cgalParamDefault{`true`}
   ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{visitor}
-  ///     \cgalParamDescription{is asked before each factorization or solution, by the constructor and by all functions;
-  ///       if it returns `false`, they throw `Cancelled_error`. It cannot interrupt a factorization, which takes some
-  ///       ten seconds with a million faces}
-  ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
-  ///     \cgalParamDefault{`Default_visitor`}
-  ///   \cgalParamNEnd
+  ///   \cgalParamVisitor{is asked before each factorization or solution, by the constructor and by all functions; if it
+  ///     returns `false`, they throw `Cancelled_error`. It cannot interrupt a factorization, which takes some ten
+  ///     seconds with a million faces}
   /// \cgalNamedParamsEnd
   ///
   /// \exception Invalid_argument_error if the time coefficient is not positive and finite
@@ -269,21 +307,16 @@ private:
 
   // \param share gives what a face counts
   template <class Traits, class Row, class Share>
-  Heat_method(const internal::Heat_options& options, const Intrinsic_triangulation<Traits>& triangulation,
-              const Row& row, const Share& share)
-    : Heat_method(options, triangulation,
-                  internal::with_ties_by_place(triangulation, row, internal::Interruption(options.go_further)), row,
-                  share)
-  {}
-  template <class Traits, class Row, class Share>
-  Heat_method(internal::Heat_options options, const Intrinsic_triangulation<Traits>& triangulation,
-              const std::optional<Intrinsic_triangulation<Traits>>& by_place, const Row& row, const Share& share)
-    : options_(std::move(options)), interruption_(std::make_unique<internal::Interruption>(options_.go_further)),
-      surface_(std::make_unique<internal::Heat_surface>(
-        internal::make_heat_surface(by_place ? *by_place : triangulation, row, share))),
-      diffusion_(std::make_unique<Diffusion>(*surface_, options_.time_coefficient, *interruption_)),
-      bounds_(by_place ? *by_place : triangulation, row)
-  {}
+  Heat_method(internal::Heat_options options, const Intrinsic_triangulation<Traits>& triangulation, const Row& row,
+              const Share& share)
+    : options_(std::move(options)), interruption_(std::make_unique<internal::Interruption>(options_.go_further))
+  {
+    const auto by_place = internal::with_ties_by_place(triangulation, row, *interruption_);
+    const Intrinsic_triangulation<Traits>& chosen = by_place ? *by_place : triangulation;
+    surface_ = std::make_unique<internal::Heat_surface>(internal::make_heat_surface(chosen, row, share));
+    diffusion_ = std::make_unique<Diffusion>(*surface_, options_.time_coefficient, *interruption_);
+    bounds_.emplace(chosen, row);
+  }
 
   std::uint32_t row_of_input(std::size_t v) const
   {
@@ -357,7 +390,7 @@ private:
     std::vector<double> result(before.begin(), before.end());
     for (auto& pin : pins)
       pin.second *= surface_->units[pin.first];
-    bounds_.apply(result, pins);
+    bounds_->apply(result, pins);
     number_of_bounded_distances_ = 0;
     for (std::size_t row = 0; row < result.size(); ++row)
       number_of_bounded_distances_ += std::abs(result[row] - before[Eigen::Index(row)]) > 0.05 * result[row];
@@ -417,7 +450,7 @@ private:
   std::unique_ptr<Diffusion> diffusion_;
   std::unique_ptr<Diffusion> cold_border_;
   std::unique_ptr<Poisson> poisson_;
-  internal::Distance_bounds bounds_;
+  std::optional<internal::Distance_bounds> bounds_;
   std::vector<std::uint32_t> representative_;
   std::map<Vertex_index, std::uint32_t> vertex_sources_; // with their rows
   std::vector<std::array<internal::Source_corner, 3>> point_sources_;
@@ -426,7 +459,6 @@ private:
   std::size_t number_of_bounded_distances_ = 0;
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_HEAT_METHOD_H

@@ -37,8 +37,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 template <class Traits>
@@ -148,7 +147,8 @@ public:
     arithmetic.check();
     Intrinsic_triangulation t(std::move(connectivity), traits);
     t.exponent_ = internal::normalize_lengths(lengths);
-    internal::construct_metric_from_lengths(t.connectivity(), t.traits_, lengths, t.edges_, t.faces_, t.bounds_);
+    internal::construct_metric_from_lengths(t.connectivity(), t.traits_, lengths, t.edges_, t.faces_);
+    t.bound_corners();
     if constexpr (uses_exact_geometry)
       t.keep_input(Input_metric::from_normalized_lengths(std::move(lengths), t.exponent_));
     return t;
@@ -181,7 +181,8 @@ public:
     Intrinsic_triangulation t(std::move(connectivity), traits);
     metric.check(t.connectivity());
     t.exponent_ = metric.unit_exponent();
-    internal::construct_metric_from_input(t.connectivity(), t.traits_, metric, t.edges_, t.faces_, t.bounds_);
+    internal::construct_metric_from_input(t.connectivity(), t.traits_, metric, t.edges_, t.faces_);
+    t.bound_corners();
     t.keep_input(std::move(metric));
     return t;
   }
@@ -358,10 +359,8 @@ public:
   /// the quadrilateral is convex is decided exactly: where the error bounds do not suffice, in time proportional to the
   /// number of input edges that its sides cross.
   /// \pre `connectivity().is_flippable(e)`
-  /// \exception Undecided_error if proofs of ties are demanded, and one takes too long
   /// \exception Invalid_surface_error if the new edge has length zero, so that two vertices of the input coincide
-  /// \exception Cancelled_error as described at `set_interruption()`
-  /// \exception Integer_overflow_error if the new edge crosses more than 2^60 input edges
+  /// \exception Undecided_error, Cancelled_error, Integer_overflow_error as `sign_of_cotangent_weight()`
   Flip_outcome flip(Edge_index e)
   {
     const Arithmetic arithmetic;
@@ -459,14 +458,9 @@ private:
 
   // As `flip()`, for an edge that is not Delaunay.
   //
-  // The quadrilateral around such an edge is always strictly convex. So traits whose decisions
-  // are exact need not look, and the flip takes O(1) unless both old faces may have zero area.
-  // Numbers are computed from the old hinge first, then the connectivity is changed and
-  // they are stored.
+  // The quadrilateral around such an edge is always strictly convex. So traits whose decisions are exact need not look,
+  // and the flip takes O(1) unless both old faces may have zero area.
   // \pre `connectivity().is_flippable(e)` and not `is_locally_Delaunay(e)`
-  // \exception Invalid_surface_error if the new edge has length zero, so that two vertices of the input coincide
-  // \exception Cancelled_error as described at `set_interruption()`
-  // \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
   Flip_outcome flip_not_Delaunay(Edge_index e)
   {
     CGAL_precondition(connectivity().is_flippable(e));
@@ -514,7 +508,6 @@ private:
   // \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
   Vertex_index split_face(const internal::Triangle_piece& piece, const Surface_point& location)
   {
-    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
     const Halfedge_index first = connectivity().halfedge(connectivity().face(piece.side));
     make_room_for_vertex();
@@ -529,7 +522,6 @@ private:
   // \exception Integer_overflow_error as above
   Vertex_index split_edge(Halfedge_index h, const Surface_point& location)
   {
-    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
     const auto first_beside = [this](Halfedge_index side) {
       return connectivity().is_border(side) ? Halfedge_index() : connectivity().halfedge(connectivity().face(side));
@@ -545,7 +537,6 @@ private:
   template <class ConcurrencyTag, class Saved>
   void restore(Saved saved)
   {
-    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
     const std::size_t number_of_input_faces = connectivity().number_of_faces();
     // Most faces are those of the input, with the numbers that were just computed.
@@ -564,17 +555,15 @@ private:
     edges_ = std::move(saved.squared_lengths);
     faces_.resize(connectivity().number_of_faces(), internal::default_init);
     bounds_ = internal::Cotangent_bounds(connectivity());
-    for (Face_index f : connectivity().faces()) {
+    for (Face_index f : connectivity().faces())
       faces_[f.idx()] = {saved.areas[f.idx()][0], saved.areas[f.idx()][1]};
-      bound_corners(connectivity().halfedge(f));
-    }
+    bound_corners();
   }
 
   // Removes an inserted vertex in the middle of three faces, which become one. See `remove_vertex()`.
   // \return what was removed, as `unsplit_face(v)` of `Delta_complex`
   Removed_elements unsplit_face(Vertex_index v)
   {
-    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
     const Corners parts = engine_.corners_at(v);
     CGAL_precondition(parts.size() == 3);
@@ -592,7 +581,6 @@ private:
   // \exception Integer_overflow_error as above
   Removed_elements unsplit_edge(Halfedge_index h)
   {
-    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
     const Halfedge_index g = connectivity().opposite(h), behind = connectivity().continuation(h);
     const Corners parts = engine_.corners_at(connectivity().target(h));
@@ -611,7 +599,6 @@ private:
   // \return whether they are better: then the squared lengths are as accurate as at first
   bool recompute(Face_index f)
   {
-    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
     CGAL_precondition(keeps_input());
     engine_.prepare();
@@ -626,7 +613,6 @@ private:
   // \pre `v` has a face
   void recompute(Vertex_index v)
   {
-    static_assert(uses_exact_geometry, "needs traits that use exact geometry");
     const Arithmetic arithmetic;
     CGAL_precondition(keeps_input());
     measure(engine_.kept_corners_at(v));
@@ -790,17 +776,20 @@ private:
   {
     const auto refined = traits_.construct_refined_data_object();
     for (const auto& [side, c] : corners) {
-      const Face_data face = refined(c.four_areas, c.s_first, c.s_second, c.s_opposite);
       edges_[edge(connectivity().prev(side)).idx()] = refined(c.s_first);
       edges_[edge(connectivity().next(side)).idx()] = refined(c.s_second);
-      if (face.error < std::numeric_limits<double>::infinity())
-        edges_[edge(side).idx()] = refined(c.s_opposite);
-      faces_[connectivity().face(side).idx()] = face;
+      replace(side, c);
     }
-    for (const auto& corner : corners)
+    for (const auto& corner : corners) // by sides that the next face may have replaced
       bound_corners(corner.first);
   }
 
+  void bound_corners()
+  {
+    if (keeps_bounds)
+      for (Face_index f : connectivity().faces())
+        bound_corners(connectivity().halfedge(f));
+  }
   void bound_corners(Halfedge_index h)
   {
     const Halfedge_index next = connectivity().next(h), prev = connectivity().prev(h);
@@ -927,7 +916,6 @@ const internal::Exact_engine& engine(const Triangulation& triangulation)
 
 } // namespace internal
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTRINSIC_TRIANGULATION_H

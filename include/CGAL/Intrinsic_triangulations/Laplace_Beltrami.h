@@ -29,10 +29,11 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
+/// \addtogroup PkgIntrinsicTriangulationsOperators
+/// @{
+
 /// \brief the factor of the cotangents in a stiffness matrix.
 enum class Stiffness_factor {
   HALF, ///< `w_ij = (cot k + cot l) / 2`: as for linear finite elements, matching a mass matrix
@@ -74,7 +75,6 @@ inline double area_beside(const Delta_complex& complex, const std::vector<double
 
 } // namespace internal
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the stiffness matrix for given cotangent weights.
 ///
 /// Let `w_ij` be the total weight of all edges that join i and j. The entries are
@@ -101,7 +101,6 @@ Eigen::SparseMatrix<double> stiffness_matrix(const Delta_complex& complex, const
     complex, [&](Edge_index e) { return weights[e.idx()]; }, factor);
 }
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the stiffness matrix of a triangulation.
 ///
 /// As above, with the weights of `cotangent_weights()`. For an intrinsic Delaunay
@@ -125,7 +124,6 @@ Eigen::SparseMatrix<double> stiffness_matrix(const Intrinsic_triangulation<Trait
       complex, internal::Cotangent_weight<Traits>(triangulation), factor);
 }
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the lumped mass matrix: the diagonal entry of a vertex is a third of the area of
 /// its faces.
 ///
@@ -143,7 +141,6 @@ inline Eigen::SparseMatrix<double> lumped_mass_matrix(const Delta_complex& compl
   return mass;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief as above, with the areas of `face_areas()`.
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`, for the areas
 /// \param triangulation the triangulation
@@ -153,7 +150,6 @@ Eigen::SparseMatrix<double> lumped_mass_matrix(const Intrinsic_triangulation<Tra
   return lumped_mass_matrix(triangulation.connectivity(), face_areas<ConcurrencyTag>(triangulation));
 }
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the Galerkin mass matrix of linear finite elements: a face adds a sixth of
 /// its area for each corner and a twelfth for each pair of corners.
 ///
@@ -176,7 +172,6 @@ Eigen::SparseMatrix<double> Galerkin_mass_matrix(const Delta_complex& complex, c
     [&](int v, double) { return diagonal[std::size_t(v)]; });
 }
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief as above, with the areas of `face_areas()`.
 /// \tparam ConcurrencyTag as above
 /// \param triangulation the triangulation
@@ -186,7 +181,6 @@ Eigen::SparseMatrix<double> Galerkin_mass_matrix(const Intrinsic_triangulation<T
   return Galerkin_mass_matrix<ConcurrencyTag>(triangulation.connectivity(), face_areas<ConcurrencyTag>(triangulation));
 }
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief stiffness matrix `L` and lumped mass matrix `M`: `L u = λ M u` is the eigenvalue problem of `−Δ`.
 struct Laplace_Beltrami_operator
 {
@@ -194,7 +188,6 @@ struct Laplace_Beltrami_operator
   Eigen::SparseMatrix<double> mass;      ///< lumped
 };
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the intrinsic Laplace-Beltrami operator of a triangle mesh, a replacement for
 /// its cotangent matrix.
 ///
@@ -213,7 +206,6 @@ Laplace_Beltrami_operator intrinsic_Delaunay_Laplacian(const TriangleMesh& mesh,
   return {stiffness_matrix<ConcurrencyTag>(triangulation), lumped_mass_matrix<ConcurrencyTag>(triangulation)};
 }
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the extrinsic operator, from the unchanged triangles of the mesh; otherwise
 /// as `intrinsic_Delaunay_Laplacian()`.
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
@@ -271,7 +263,6 @@ assemble_connection_Laplacian(const Delta_complex& complex, const std::vector<Pl
 
 } // namespace internal
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the connection Laplacian: the operator on tangent vectors whose kernel consists of the parallel
 /// fields.
 ///
@@ -296,7 +287,8 @@ Eigen::SparseMatrix<std::complex<double>> connection_Laplacian(const Intrinsic_t
                                                  [&](Edge_index e) { return cotangents(e) / 2; });
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+/// @}
+
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_LAPLACE_BELTRAMI_H

@@ -14,10 +14,7 @@
 
 #include <mpfr.h>
 
-#include <type_traits>
-
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsNumbers
 /// \brief a floating-point number of MPFR, with the default precision at its construction (see `Mpfr_precision`).
@@ -46,17 +43,17 @@ class Mpfr_precision
 {
 public:
   /// sets the precision to at least `bits` bits.
-  explicit Mpfr_precision(int bits) : old_digits_(digits(Own_default()))
+  explicit Mpfr_precision(int bits) : old_digits_(Own_default::digits())
   {
     // log10(2) = 0.30103; two digits less leave the rest to the loop.
     unsigned d = bits > 16 ? unsigned(0.301 * bits) - 2 : 1;
-    set_digits(d, Own_default());
+    Own_default::set_digits(d);
     while (precision_in_bits(Mpfr_float()) < bits)
-      set_digits(++d, Own_default());
+      Own_default::set_digits(++d);
     bits_ = precision_in_bits(Mpfr_float());
   }
   /// restores the precision.
-  ~Mpfr_precision() { set_digits(old_digits_, Own_default()); }
+  ~Mpfr_precision() { Own_default::set_digits(old_digits_); }
   /// \cond SKIP_IN_MANUAL
   Mpfr_precision(const Mpfr_precision&) = delete;
   Mpfr_precision& operator=(const Mpfr_precision&) = delete;
@@ -66,43 +63,25 @@ public:
   int bits() const { return bits_; }
 
 private:
-  // Whether Boost keeps a default for each thread.
+  // Boost's default: that of the thread, where it keeps one for each.
   template <class Number, class = void>
-  struct Has_thread_default : std::false_type
-  {};
+  struct Default
+  {
+    static unsigned digits() { return Number::default_precision(); }
+    static void set_digits(unsigned d) { Number::default_precision(d); }
+  };
   template <class Number>
-  struct Has_thread_default<Number, decltype(void(Number::thread_default_precision()))> : std::true_type
-  {};
-  using Own_default = Has_thread_default<Mpfr_float>;
-
-  // Templates, because only one of each two exists in a version of Boost.
-  template <class Number = Mpfr_float>
-  static unsigned digits(std::true_type)
+  struct Default<Number, decltype(void(Number::thread_default_precision()))>
   {
-    return Number::thread_default_precision();
-  }
-  template <class Number = Mpfr_float>
-  static unsigned digits(std::false_type)
-  {
-    return Number::default_precision();
-  }
-  template <class Number = Mpfr_float>
-  static void set_digits(unsigned d, std::true_type)
-  {
-    Number::thread_default_precision(d);
-  }
-  template <class Number = Mpfr_float>
-  static void set_digits(unsigned d, std::false_type)
-  {
-    Number::default_precision(d);
-  }
+    static unsigned digits() { return Number::thread_default_precision(); }
+    static void set_digits(unsigned d) { Number::thread_default_precision(d); }
+  };
+  using Own_default = Default<Mpfr_float>;
 
   unsigned old_digits_;
   int bits_;
 };
 
-} // namespace Intrinsic_triangulations
-
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_MPFR_FLOAT_H

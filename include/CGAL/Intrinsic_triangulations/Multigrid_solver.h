@@ -29,8 +29,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
@@ -339,7 +338,6 @@ private:
   internal::Hypre_objects hypre_;
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_MULTIGRID_SOLVER_H

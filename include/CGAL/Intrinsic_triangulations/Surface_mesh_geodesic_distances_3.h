@@ -12,19 +12,17 @@
 #include <CGAL/Intrinsic_triangulations/Heat_method.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
-#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/copy_face_graph.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/default_traits.h>
-#include <CGAL/Intrinsic_triangulations/internal/heat/Solver_traits_adaptor.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 
 #include <CGAL/Default.h>
 #include <CGAL/Dynamic_property_map.h>
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
 
@@ -32,17 +30,67 @@
 #include <boost/property_map/property_map.hpp>
 #include <boost/range/has_range_iterator.hpp>
 
+#include <Eigen/SparseCore>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
 #include <set>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// A solver of CGAL, as Heat_method calls it.
+// \tparam LA a model of SparseLinearAlgebraWithFactorTraits_d
+template <class LA>
+class Solver_traits_adaptor
+{
+  using Matrix = Eigen::SparseMatrix<double>;
+  using Index = typename LA::Index;
+
+public:
+  Solver_traits_adaptor(const Matrix& matrix, const char* what) : what_(what) { factorize(matrix); }
+
+  void factorize(const Matrix& matrix)
+  {
+    matrix_ =
+      std::make_unique<typename LA::Matrix>(int(matrix.rows()), int(matrix.cols())); // the solver may refer to it
+    for (Eigen::Index c = 0; c < matrix.outerSize(); ++c)
+      for (Matrix::InnerIterator i(matrix, c); i; ++i)
+        matrix_->set_coef(Index(i.row()), Index(c), i.value(), true);
+    double denominator = 1;
+    if (!solver_.factor(*matrix_, denominator))
+      throw Numerical_error(std::string(what_) + " cannot be factorized");
+  }
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& right) const
+  {
+    typename LA::Vector b(Index(right.size())), x(Index(right.size()));
+    for (Eigen::Index i = 0; i < right.size(); ++i)
+      b[Index(i)] = right[i];
+    if (!solver_.linear_solver(b, x))
+      throw Numerical_error(std::string("a linear system cannot be solved: that of ") + what_);
+    Eigen::VectorXd result(right.size());
+    for (Eigen::Index i = 0; i < right.size(); ++i)
+      result[i] = x[Index(i)];
+    if (!result.allFinite())
+      throw Numerical_error(std::string("a linear system cannot be solved: ") + what_ + " is too badly conditioned");
+    return result;
+  }
+
+private:
+  const char* what_;
+  std::unique_ptr<typename LA::Matrix> matrix_;
+  mutable LA solver_; // CGAL's have no function for constant ones
+};
+
+} // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
 /// \brief the interface of CGAL's package `Heat_method_3`, on exact intrinsic Delaunay triangulations: to port a
@@ -97,18 +145,6 @@ Tufted_cover make_Delaunay_cover(const TriangleMesh& mesh, const VertexPointMap&
   Tufted_cover cover = make_tufted_cover(points, triangles);
   flip_to_Delaunay(cover.triangulation);
   return cover;
-}
-
-// Whether an angle opposite to a border edge is obtuse.
-template <class Triangulation>
-bool has_obtuse_border(const Triangulation& triangulation)
-{
-  const Delta_complex& complex = triangulation.connectivity();
-  const Intrinsic_triangulations::internal::Cotangent_weight<typename Triangulation::Traits> weight(triangulation);
-  for (Edge_index e : complex.edges())
-    if (complex.is_border(e) && is_negative(weight(e)))
-      return true;
-  return false;
 }
 
 } // namespace internal
@@ -229,7 +265,7 @@ private:
   {
     try {
       const auto triangulation = Delaunay_triangulation(vpm);
-      if (!internal::has_obtuse_border(triangulation)) {
+      if (!Intrinsic_triangulations::internal::has_obtuse_border(triangulation)) {
         heat_ = std::make_unique<Heat_method<Solver>>(triangulation);
         return;
       }
@@ -274,7 +310,6 @@ void estimate_geodesic_distances(const TriangleMesh& tm, VertexDistanceMap vdm, 
 }
 
 } // namespace Heat_method_3
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_MESH_GEODESIC_DISTANCES_3_H

@@ -15,14 +15,16 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_diffusion.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
-#include <CGAL/Intrinsic_triangulations/internal/heat/Layered_heat.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Places.h>
-#include <CGAL/Intrinsic_triangulations/internal/heat/Vector_diffusion.h>
-#include <CGAL/Intrinsic_triangulations/internal/heat/without_obtuse_border.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
+#include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Pinned_system.h>
+#include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
@@ -39,8 +41,96 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+// A copy in which the border has so many vertices that no angle opposite to it is obtuse; nothing, if there is none
+// before. A needle on the border asks for as many as it is longer than wide: beyond some for each vertex, its angles
+// stay obtuse.
+// \exception Cancelled_error
+template <class Traits>
+std::optional<Intrinsic_triangulation<Traits>>
+without_obtuse_border(const Intrinsic_triangulation<Traits>& triangulation, const Interruption& interruption)
+{
+  if (!has_obtuse_border(triangulation))
+    return std::nullopt;
+  std::optional<Intrinsic_triangulation<Traits>> result(triangulation);
+  const auto ask = [&interruption] {
+    interruption.check();
+    return true;
+  };
+  const std::uint64_t most = 10 * std::uint64_t(triangulation.connectivity().number_of_vertices()) + 1000;
+  refine_Delaunay(*result,
+                  parameters::minimum_angle(0.).splits_encroached_edges(true).maximum_number(most).visitor(ask));
+  return result;
+}
+
+// An edge between two rows, over which heat flows.
+struct Heat_edge
+{
+  std::uint32_t i, j;
+  double weight;
+  std::complex<double> ij, ji; // as vectors at i and at j, in the unit of the heat surface
+};
+
+// Vectors after a squared unit of time: (M + L) u = 0 except at their sources, for the connection Laplacian L.
+class Vector_diffusion
+{
+  using Scalar = std::complex<double>;
+  using Matrix = Eigen::SparseMatrix<Scalar>;
+  using Vector = Eigen::VectorXcd;
+
+public:
+  // \param vectors those of `halfedge_vectors_in_vertex()`
+  // \param interruption is asked before the factorization and each solution; has to live as long
+  Vector_diffusion(const Delta_complex& complex, const std::vector<Planar_vector<double>>& vectors,
+                   const Heat_surface& surface, const Interruption& interruption)
+    : interruption_(interruption), matrix_(heat_matrix(complex, vectors, surface)),
+      solver_(after(interruption_, matrix_), "the matrix of tangent vectors")
+  {
+    for (Edge_index e : complex.edges()) {
+      if (surface.weights[e.idx()] == 0)
+        continue;
+      const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
+      const auto in_units = [&](Halfedge_index side) {
+        const Planar_vector<double>& v = vectors[side.idx()];
+        const std::size_t row = complex.source(side).idx();
+        return Scalar(surface.from_input_unit(v.x(), row), surface.from_input_unit(v.y(), row));
+      };
+      edges_.push_back({std::uint32_t(complex.source(h).idx()), std::uint32_t(complex.source(g).idx()),
+                        surface.weights[e.idx()], in_units(h), in_units(g)});
+    }
+  }
+
+  // Vectors that are sent on where the heat of the same sources is, which they never exceed.
+  std::vector<Vector> spread_likewise(const Vector& vectors, const Layered_heat& heat) const
+  {
+    return internal::spread_likewise(
+      vectors, heat, matrix_, [this](const Vector& b) { return solver_.solve(after(interruption_, b)); },
+      [](Vector&, std::size_t) {});
+  }
+
+  const std::vector<Heat_edge>& edges() const { return edges_; }
+
+private:
+  static Matrix heat_matrix(const Delta_complex& complex, const std::vector<Planar_vector<double>>& vectors,
+                            const Heat_surface& surface)
+  {
+    Matrix result = assemble_connection_Laplacian(
+      complex, vectors, [&](Edge_index e) { return (std::max)(surface.weights[e.idx()], 0.); });
+    for (Eigen::Index v = 0; v < result.rows(); ++v) // a vertex without faces keeps its vector
+      result.coeffRef(v, v) += surface.mass[v] > 0 ? surface.mass[v] : 1;
+    return result;
+  }
+
+  const Interruption& interruption_;
+  Matrix matrix_;
+  Sparse_Cholesky<Scalar> solver_;
+  std::vector<Heat_edge> edges_;
+};
+
+} // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
 ///
@@ -83,12 +173,8 @@ public:
   ///     \cgalParamType{`double` or `std::optional<double>`}
   ///     \cgalParamDefault{0.05 times the cube root of the number of vertices of the component, and at least 0.5}
   ///   \cgalParamNEnd
-  ///   \cgalParamNBegin{visitor}
-  ///     \cgalParamDescription{is asked before each matrix is factorized or linear system is solved, by the constructor
-  ///       and by all functions, and can cancel; if several threads call member functions, any of them may call it}
-  ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
-  ///     \cgalParamDefault{`Default_visitor`}
-  ///   \cgalParamNEnd
+  ///   \cgalParamVisitor{is asked before each matrix is factorized or linear system is solved, by the constructor and
+  ///     by all functions, and can cancel; if several threads call member functions, any of them may call it}
   /// \cgalNamedParamsEnd
   ///
   /// \exception Invalid_argument_error if the time coefficient is not positive and finite
@@ -264,7 +350,8 @@ private:
     surface.lengthen_units(square_roots_of_times(surface.component, time_coefficient));
     surface_ = std::make_unique<internal::Heat_surface>(std::move(surface));
     scalars_ = std::make_unique<internal::Heat_diffusion<internal::Sparse_Cholesky<>>>(*surface_, 1, *interruption_);
-    vectors_ = std::make_unique<internal::Vector_diffusion>(triangulation, *surface_, *interruption_);
+    vectors_ = std::make_unique<internal::Vector_diffusion>(
+      triangulation.connectivity(), halfedge_vectors_in_vertex(triangulation), *surface_, *interruption_);
   }
 
   // Let edges be h long, on a surface of size 1, and t = c h². Heat that spreads over a width of about √√t errs by
@@ -293,7 +380,6 @@ private:
   std::unique_ptr<const internal::Vector_diffusion> vectors_;
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_VECTOR_HEAT_METHOD_H

@@ -25,15 +25,13 @@
 #include <Eigen/SparseCore>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief a map by a circle pattern, and information on its computation.
@@ -274,12 +272,8 @@ inline Planar_points lay_out(const Delta_complex& complex, const Circle_pattern_
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is asked before each iteration of the two minimizations, each of which counts as half, and
-///       can cancel}
-///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
-///     \cgalParamDefault{`Default_visitor`}
-///   \cgalParamNEnd
+///   \cgalParamVisitor{is asked before each iteration of the two minimizations, each of which counts as half, and can
+///     cancel}
 /// \cgalNamedParamsEnd
 ///
 /// \exception Invalid_surface_error if the surface is not a disk, or has an interior vertex with fewer
@@ -308,18 +302,9 @@ Circle_pattern circle_pattern_parameterization(const Delta_complex& complex, con
   Eigen::VectorXd rho = energy.first_guess();
   internal::minimize(energy, rho, result, internal::part_of_progress(progress, 0.5, 1));
   result.uv = internal::lay_out(complex, energy, rho);
-
-  double image_area = 0;
-  for (Halfedge_index h : boundary) {
-    const auto &p = result.uv[complex.source(h).idx()], &q = result.uv[complex.target(h).idx()];
-    image_area += (p[0] * q[1] - q[0] * p[1]) / 2;
-  }
-  if (!(image_area > 0))
-    throw Numerical_error("the circle pattern cannot be laid out: its circles differ in size by "
-                          "more than double can hold");
-  const double scale = internal::root_of_sum(areas) / std::sqrt(image_area);
-  for (std::array<double, 2>& p : result.uv)
-    p = {scale * p[0], scale * p[1]};
+  internal::scale_to_area(complex, boundary, areas, result.uv,
+                          "the circle pattern cannot be laid out: its circles differ in size by more than double can "
+                          "hold");
   return result;
 }
 
@@ -336,7 +321,6 @@ Circle_pattern circle_pattern_parameterization(const Intrinsic_triangulation<Tra
                                          face_areas(triangulation), np);
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_CIRCLE_PATTERN_PARAMETERIZATION_H

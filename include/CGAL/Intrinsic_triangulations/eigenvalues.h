@@ -28,8 +28,10 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
+
+/// \addtogroup PkgIntrinsicTriangulationsOperators
+/// @{
 
 namespace internal {
 
@@ -75,13 +77,15 @@ inline void append_smallest_eigenpairs(const Eigen::SparseMatrix<double>& stiffn
   mass *= unit;
   Eigen::VectorXd values;
   Eigen::MatrixXd functions;
-  if (n <= 64 || 3 * k > n) {
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-      Eigen::MatrixXd(stiffness), Eigen::MatrixXd(mass),
-      Eigen::Ax_lBx | (has_functions ? Eigen::ComputeEigenvectors : Eigen::EigenvaluesOnly));
+  const auto keep = [&](const auto& solver) {
     values = solver.eigenvalues();
     if (has_functions)
       functions = solver.eigenvectors();
+  };
+  if (n <= 64 || 3 * k > n) {
+    keep(Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(
+      Eigen::MatrixXd(stiffness), Eigen::MatrixXd(mass),
+      Eigen::Ax_lBx | (has_functions ? Eigen::ComputeEigenvectors : Eigen::EigenvaluesOnly)));
   } else {
     Shifted_inverse inverse(stiffness, mass);
     Spectra::SparseSymMatProd<double> product(mass);
@@ -91,9 +95,7 @@ inline void append_smallest_eigenpairs(const Eigen::SparseMatrix<double>& stiffn
     solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-11);
     if (solver.info() != Spectra::CompInfo::Successful)
       throw Numerical_error("the smallest eigenvalues do not converge");
-    values = solver.eigenvalues();
-    if (has_functions)
-      functions = solver.eigenvectors();
+    keep(solver);
   }
   for (Eigen::Index i = 0; i < values.size(); ++i)
     result.push_back({values[i] * unit, part,
@@ -103,21 +105,20 @@ inline void append_smallest_eigenpairs(const Eigen::SparseMatrix<double>& stiffn
 // The connected parts of a symmetric matrix, each as an increasing list of its rows.
 inline std::vector<std::vector<int>> connected_rows(const Eigen::SparseMatrix<double>& matrix)
 {
+  Disjoint_sets sets(std::size_t(matrix.rows()));
+  for (int c = 0; c < matrix.outerSize(); ++c)
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, c); entry; ++entry)
+      if (entry.value() != 0)
+        sets.unite(std::uint32_t(entry.row()), std::uint32_t(c));
   std::vector<std::vector<int>> parts;
-  std::vector<bool> is_met(std::size_t(matrix.rows()), false);
-  for (int first = 0; first < matrix.rows(); ++first) {
-    if (is_met[std::size_t(first)])
-      continue;
-    std::vector<int> part(1, first);
-    is_met[std::size_t(first)] = true;
-    for (std::size_t i = 0; i < part.size(); ++i)
-      for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, part[i]); entry; ++entry)
-        if (entry.value() != 0 && !is_met[std::size_t(entry.row())]) {
-          is_met[std::size_t(entry.row())] = true;
-          part.push_back(int(entry.row()));
-        }
-    std::sort(part.begin(), part.end());
-    parts.push_back(std::move(part));
+  std::vector<std::size_t> part_of(std::size_t(matrix.rows()));
+  for (int row = 0; row < matrix.rows(); ++row) {
+    const std::size_t first = sets.find(std::uint32_t(row)); // the smallest row of the part
+    if (first == std::size_t(row)) {
+      part_of[first] = parts.size();
+      parts.emplace_back();
+    }
+    parts[part_of[first]].push_back(row);
   }
   return parts;
 }
@@ -153,7 +154,6 @@ inline std::vector<Eigenpair> smallest_eigenpairs(const Eigen::SparseMatrix<doub
 
 } // namespace internal
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the smallest solutions λ of `L u = λ M u`, in increasing order.
 ///
 /// Rows without mass, which belong to vertices without faces, are left out. Each connected component is solved
@@ -178,7 +178,6 @@ inline std::vector<double> smallest_eigenvalues(const Eigen::SparseMatrix<double
   return result;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief the smallest eigenvalues with their eigenfunctions.
 struct Eigenfunctions
 {
@@ -188,7 +187,6 @@ struct Eigenfunctions
   Eigen::MatrixXd functions;
 };
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the smallest eigenvalues as `smallest_eigenvalues()`, and a solution u for each of them.
 ///
 /// The functions of one eigenvalue are orthogonal: `uᵀ M v = 0`.
@@ -213,7 +211,6 @@ inline Eigenfunctions smallest_eigenfunctions(const Eigen::SparseMatrix<double>&
   return result;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief the extreme nonzero eigenvalues of a stiffness matrix.
 struct Extreme_eigenvalues
 {
@@ -237,7 +234,7 @@ public:
     Disjoint_sets components(n);
     for (Edge_index e : complex.edges())
       components.unite(complex.source(complex.halfedge(e)).idx(), complex.target(complex.halfedge(e)).idx());
-    std::vector<bool> has_border(n, false), is_grounded(n, false);
+    std::vector<bool> has_border(n, false);
     for (Vertex_index v : complex.vertices())
       if (is_on_border(complex, v))
         has_border[components.find(v.idx())] = true;
@@ -245,40 +242,38 @@ public:
     for (Vertex_index v : complex.vertices()) {
       if (!complex.halfedge(v).is_valid() || is_on_border(complex, v))
         continue;
-      row_[v.idx()] = number_of_rows_++;
+      row_[v.idx()] = number_of_rows();
       const std::uint32_t component = components.find(v.idx());
-      closed_component_.push_back(-1);
-      if (!has_border[component]) {
-        int& number = number_of_component[component];
-        if (number < 0) {
-          number = int(component_sizes_.size());
-          component_sizes_.push_back(0);
-        }
-        closed_component_.back() = number;
-        ++component_sizes_[std::size_t(number)];
-        if (!is_grounded[component]) {
-          is_grounded[component] = true;
-          continue;
-        }
+      int& number = number_of_component[component];
+      const bool is_grounded = !has_border[component] && number < 0; // the first vertex of its component
+      if (is_grounded) {
+        number = number_of_closed_components();
+        component_sizes_.push_back(0);
       }
-      free_row_[v.idx()] = number_of_free_rows_++;
-      free_rows_.push_back(row_[v.idx()]);
+      closed_component_.push_back(number);
+      if (number >= 0)
+        ++component_sizes_[std::size_t(number)];
+      if (!is_grounded) {
+        free_row_[v.idx()] = int(free_rows_.size());
+        free_rows_.push_back(row_[v.idx()]);
+      }
     }
   }
 
-  int number_of_rows() const { return number_of_rows_; }
+  int number_of_rows() const { return int(closed_component_.size()); }
   int number_of_closed_components() const { return int(component_sizes_.size()); }
-  int number_of_eigenvalues() const { return number_of_rows_ - number_of_closed_components(); }
+  int number_of_eigenvalues() const { return number_of_rows() - number_of_closed_components(); }
 
   // Inner vertices with a face.
   Eigen::SparseMatrix<double> interior(const Eigen::SparseMatrix<double>& stiffness) const
   {
-    return submatrix(stiffness, row_, row_, number_of_rows_, number_of_rows_);
+    return submatrix(stiffness, row_, row_, number_of_rows(), number_of_rows());
   }
   // The same without one vertex of each closed component: positive definite.
   Eigen::SparseMatrix<double> grounded(const Eigen::SparseMatrix<double>& stiffness) const
   {
-    return submatrix(stiffness, free_row_, free_row_, number_of_free_rows_, number_of_free_rows_);
+    const int n = int(free_rows_.size());
+    return submatrix(stiffness, free_row_, free_row_, n, n);
   }
   const std::vector<int>& free_rows() const { return free_rows_; }
 
@@ -305,12 +300,10 @@ private:
     return h.is_valid() && complex.is_border(h);
   }
 
-  std::vector<int> row_, free_row_; // by vertex; -1 for none
-  std::vector<int> free_rows_;      // the rows that are not grounded
-  std::vector<int> closed_component_;
+  std::vector<int> row_, free_row_;   // by vertex; -1 for none
+  std::vector<int> free_rows_;        // the rows that are not grounded
+  std::vector<int> closed_component_; // of each row; -1 if it has a border
   std::vector<int> component_sizes_;
-  int number_of_rows_ = 0;
-  int number_of_free_rows_ = 0;
 };
 
 // The pseudoinverse of the stiffness matrix, as Spectra applies it: a right side without
@@ -363,7 +356,6 @@ double largest_eigenvalue(Operator& op)
 
 } // namespace internal
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief returns the smallest and the largest eigenvalue of a stiffness matrix, whose ratio is
 /// the condition number of the operator.
 ///
@@ -403,7 +395,6 @@ inline Extreme_eigenvalues extreme_eigenvalues(const Delta_complex& complex,
   return {unit / internal::largest_eigenvalue(pseudoinverse), unit * internal::largest_eigenvalue(product)};
 }
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief the numbers of cotangent weights in intervals of equal width.
 struct Weight_histogram
 {
@@ -414,7 +405,6 @@ struct Weight_histogram
   std::size_t above = 0;           ///< weights of at least `high`, including infinite ones
 };
 
-/// \ingroup PkgIntrinsicTriangulationsOperators
 /// \brief counts the weights of interior edges. Those of border edges are single cotangents
 /// and say nothing about the Delaunay property.
 ///
@@ -445,7 +435,8 @@ inline Weight_histogram weight_histogram(const Delta_complex& complex, const std
   return histogram;
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+/// @}
+
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_EIGENVALUES_H

@@ -25,8 +25,10 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
+
+/// \addtogroup PkgIntrinsicTriangulationsAngles
+/// @{
 
 namespace internal {
 
@@ -62,7 +64,6 @@ void for_each_halfedge_from(const Delta_complex& complex, Vertex_index v, const 
 
 } // namespace internal
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief the numbers of all edges and faces.
 struct Element_numbers
 {
@@ -71,7 +72,6 @@ struct Element_numbers
   std::vector<double> cotangent_weights; ///< for each edge, `cot k + cot l`; infinite beside a face of zero area
 };
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns lengths, areas and cotangent weights, equal to those that the member functions of
 /// `Intrinsic_triangulation` return for single elements.
 ///
@@ -87,11 +87,7 @@ struct Element_numbers
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{reports progress, called by the calling thread, and can cancel}
-///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
-///     \cgalParamDefault{`Default_visitor`}
-///   \cgalParamNEnd
+///   \cgalParamVisitor{reports progress, called by the calling thread, and can cancel}
 /// \cgalNamedParamsEnd
 ///
 /// \exception Invalid_surface_error as `area()` of `Intrinsic_triangulation`
@@ -109,7 +105,6 @@ Element_numbers element_numbers(const Intrinsic_triangulation<Traits>& triangula
   return result;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the length of each edge, as `element_numbers()`.
 /// \param triangulation, np as for `element_numbers()`
 template <class ConcurrencyTag = Sequential_tag, class Traits,
@@ -121,7 +116,6 @@ std::vector<double> edge_lengths(const Intrinsic_triangulation<Traits>& triangul
     .lengths();
 }
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the length of each edge, from the input and the connectivity alone: within one unit in the last
 /// place, whatever the number type.
 /// \param triangulation the triangulation
@@ -138,7 +132,6 @@ std::vector<double> exact_edge_lengths(const Intrinsic_triangulation<Traits>& tr
   return result;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the cotangent of the angle opposite to each halfedge, in the order of the halfedges; 0 for border
 /// halfedges.
 ///
@@ -154,7 +147,6 @@ std::vector<double> cotangents(const Intrinsic_triangulation<Traits>& triangulat
     .cotangents();
 }
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the cotangent weight of each edge, in the order of the edges: the sum of the
 /// cotangents of the one or two opposite angles, without a factor and dimensionless.
 ///
@@ -179,7 +171,6 @@ std::vector<double> cotangent_weights(const Intrinsic_triangulation<Traits>& tri
                                                                    internal::Cotangent_weight<Traits>(triangulation));
 }
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the area of each face, in the order of the faces and in the unit of the
 /// input.
 ///
@@ -196,7 +187,6 @@ std::vector<double> face_areas(const Intrinsic_triangulation<Traits>& triangulat
                                                                    internal::Face_area<Traits>(triangulation));
 }
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief a summary of the cotangent weights of a triangulation.
 struct Weight_summary
 {
@@ -205,7 +195,6 @@ struct Weight_summary
   std::size_t infinite = 0;       ///< edges without a weight, beside a face of zero area; on the border, too
 };
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the smallest cotangent weight, and how many are negative or infinite.
 ///
 /// The weights are those of `element_numbers()`, but with `Filtered_edge_length_traits` the exact geometry computes
@@ -220,7 +209,6 @@ Weight_summary summarize_cotangent_weights(const Intrinsic_triangulation<Traits>
   return result;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the angle opposite to `h` in its face, the one whose cotangent is `triangulation.cotangent(h)`.
 ///
 /// So the angle at the source of `h` is that of `next(h)`, and the angle at its target that of `prev(h)`.
@@ -243,7 +231,6 @@ double angle(const Intrinsic_triangulation<Traits>& triangulation, Halfedge_inde
     return internal::angle_by_number_type(triangulation, h);
 }
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the angle opposite to each halfedge, in the order of the halfedges; 0 for border halfedges.
 ///
 /// As `angle()`, with the same bounds, and otherwise as `element_numbers()`.
@@ -263,7 +250,6 @@ std::vector<double> opposite_angles(const Intrinsic_triangulation<Traits>& trian
     .angles(relative_error, [&](Halfedge_index h) { return angle(triangulation, h); });
 }
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the cone angle of `v`: the sum of the angles at `v`. O(degree of `v`).
 ///
 /// It is a property of the surface: flips change it by no more than rounding, a relative error of 2^-49, and 2^-53 for
@@ -283,7 +269,6 @@ double cone_angle(const Intrinsic_triangulation<Traits>& triangulation, Vertex_i
   return sum;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsAngles
 /// \brief returns the angle defect of `v`: 2π minus its cone angle, or π minus it on the border. O(degree of `v`).
 ///
 /// It is the integral of the Gaussian curvature at an interior vertex, and of the geodesic curvature of the border at
@@ -300,7 +285,8 @@ double angle_defect(const Intrinsic_triangulation<Traits>& triangulation, Vertex
   return (is_on_border ? CGAL_PI : 2 * CGAL_PI) - cone_angle(triangulation, v);
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+/// @}
+
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_ELEMENT_NUMBERS_H

@@ -15,10 +15,11 @@
 #include <stdexcept>
 #include <string>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsErrors
+/// \addtogroup PkgIntrinsicTriangulationsErrors
+/// @{
+
 /// \brief the base of every exception that the package throws.
 class Error : public std::runtime_error
 {
@@ -26,7 +27,6 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// \ingroup PkgIntrinsicTriangulationsErrors
 /// \brief is thrown if the input is not a surface with a metric.
 ///
 /// The message names the first offending element and how many more there are.
@@ -74,7 +74,6 @@ private:
   std::size_t count_;
 };
 
-/// \ingroup PkgIntrinsicTriangulationsErrors
 /// \brief is thrown if an argument is invalid although the surface is valid: a vertex or halfedge that does not exist,
 /// an option out of range, or a polygon that is not convex.
 class Invalid_argument_error : public Error
@@ -83,7 +82,6 @@ public:
   using Error::Error;
 };
 
-/// \ingroup PkgIntrinsicTriangulationsErrors
 /// \brief is thrown if a point does not lie on the surface; the message says why.
 class Invalid_point_error : public Error
 {
@@ -91,7 +89,6 @@ public:
   using Error::Error;
 };
 
-/// \ingroup PkgIntrinsicTriangulationsErrors
 /// \brief is thrown if the exact geometry cannot decide.
 ///
 /// There are three causes, which the message tells apart:
@@ -108,7 +105,6 @@ public:
   using Error::Error;
 };
 
-/// \ingroup PkgIntrinsicTriangulationsErrors
 /// \brief is thrown if a vertex cannot be removed; the message says why.
 class Invalid_removal_error : public Error
 {
@@ -116,7 +112,6 @@ public:
   using Error::Error;
 };
 
-/// \ingroup PkgIntrinsicTriangulationsErrors
 /// \brief is thrown if a count of crossings exceeds the range of its type.
 class Integer_overflow_error : public Error
 {
@@ -124,7 +119,6 @@ public:
   using Error::Error;
 };
 
-/// \ingroup PkgIntrinsicTriangulationsErrors
 /// \brief is thrown if a computation in double fails: a positive definite matrix loses that property by rounding, or an
 /// iteration does not converge.
 class Numerical_error : public Error
@@ -133,7 +127,6 @@ public:
   using Error::Error;
 };
 
-/// \ingroup PkgIntrinsicTriangulationsErrors
 /// \brief is thrown if the program's arithmetic on doubles does not follow IEEE 754, so that no answer can be trusted.
 ///
 /// The causes are compiler options that no macro reveals, a processor that flushes subnormal numbers to zero and cannot
@@ -144,7 +137,6 @@ public:
   using Error::Error;
 };
 
-/// \ingroup PkgIntrinsicTriangulationsErrors
 /// \brief is thrown if a visitor, or the function given to `set_interruption()`, asks to end a computation.
 ///
 /// The object in use stays valid, and the call can be repeated.
@@ -153,6 +145,8 @@ class Cancelled_error : public Error
 public:
   using Error::Error;
 };
+
+/// @}
 
 namespace internal {
 
@@ -166,7 +160,6 @@ inline void require_vertex(Vertex_index v, std::size_t n)
 
 } // namespace internal
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_ERRORS_H

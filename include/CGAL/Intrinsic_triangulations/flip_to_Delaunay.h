@@ -21,24 +21,16 @@
 #include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/reports.h>
 
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/property_map.h>
 #include <CGAL/tags.h>
-
-#include <boost/graph/graph_traits.hpp>
 
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief returns the default bound on the number of flips for an inexact number type.
@@ -129,22 +121,12 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
 /// like `Sequential_tag`.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`
-/// \tparam NamedParameters a sequence of named parameters
 /// \param triangulation the triangulation, which is flipped
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that tells which edges must not be flipped; with `Parallel_tag` several
-///       threads read it at once}
-///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
-///     \cgalParamDefault{no edge is constrained}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is called after each flip and can cancel; pass `std::ref()` to keep its state}
-///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
-///     \cgalParamDefault{`Default_visitor`}
-///   \cgalParamNEnd
+///   \cgalParamConstraints{which edges must not be flipped; with `Parallel_tag` several threads read it at once}
+///   \cgalParamVisitor{is called after each flip and can cancel; pass `std::ref()` to keep its state}
 ///   \cgalParamNBegin{tie_proof}
 ///     \cgalParamDescription{what exact decisions accept as a tie, in this run and later ones. It has no effect without
 ///       exact geometry}
@@ -173,7 +155,6 @@ Flip_report flip_to_Delaunay(Intrinsic_triangulation<Traits>& triangulation,
   return internal::flip_to_Delaunay_with<ConcurrencyTag>(triangulation, internal::edge_constraints_of(np), np);
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_FLIP_TO_DELAUNAY_H

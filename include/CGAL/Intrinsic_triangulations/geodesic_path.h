@@ -28,14 +28,14 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <queue>
 #include <string>
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief finds a shortest path from `source` to `target` along the edges of a triangulation, by the algorithm A*: as
@@ -131,13 +131,9 @@ namespace internal {
 template <class TriangleMesh>
 Vertex_index index_of_vertex(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::vertex_descriptor v)
 {
-  Vertex_index::size_type index = 0;
-  for (auto w : vertices(mesh)) {
-    if (w == v)
-      break;
-    ++index;
-  }
-  return Vertex_index(index); // one too many is refused by shortest_edge_path()
+  const auto all = vertices(mesh);
+  const auto before = std::distance(all.begin(), std::find(all.begin(), all.end(), v));
+  return Vertex_index(Vertex_index::size_type(before)); // one too many is refused by shortest_edge_path()
 }
 
 // A point on an edge relative to the same halfedge, from whichever face it was given.
@@ -273,7 +269,6 @@ Geodesic_path geodesic_path(const TriangleMesh& mesh, const Surface_point& sourc
   return internal::shortened_edge_path(mesh, triangulation, s, t, np);
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_PATH_H

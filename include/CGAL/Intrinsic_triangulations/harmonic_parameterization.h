@@ -15,7 +15,6 @@
 #include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/parameterization/disk_shape.h>
-#include <CGAL/Intrinsic_triangulations/internal/parameterization/solve_with_fixed_values.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/assertions.h>
@@ -32,14 +31,14 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
+/// \addtogroup PkgIntrinsicTriangulationsParameterization
+/// @{
+
 /// \brief points of the plane: the UV coordinates of all vertices, in their order, or of the corners of a polygon.
 using Planar_points = std::vector<std::array<double, 2>>;
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief returns the boundary of a disk: its halfedges that have a face, counterclockwise.
 ///
 /// Border edges are never flipped, so an intrinsic triangulation and its input have the
@@ -76,7 +75,6 @@ inline std::vector<Halfedge_index> disk_boundary(const Delta_complex& complex)
   return boundary;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief places the vertices of a boundary on the unit circle, by arc length.
 ///
 /// \param boundary_lengths the lengths of the boundary's edges in order. \pre they are positive
@@ -98,7 +96,6 @@ inline Planar_points positions_on_circle(const std::vector<double>& boundary_len
   return positions;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief places the vertices of a boundary on a convex polygon.
 ///
 /// The first vertex goes to the first corner. Each other corner gets the vertex that is
@@ -169,7 +166,6 @@ inline Planar_points positions_on_polygon(const std::vector<double>& boundary_le
   return positions;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief returns the discrete harmonic map of a disk whose boundary is fixed.
 ///
 /// Each interior vertex is the average of its neighbors, weighted with the cotangent weights.
@@ -214,7 +210,6 @@ inline Planar_points harmonic_parameterization(const Delta_complex& complex, con
   return uv;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief returns the discrete harmonic map of a disk to the unit disk, with the boundary placed
 /// on the unit circle by arc length.
 ///
@@ -231,7 +226,6 @@ Planar_points harmonic_parameterization(const Intrinsic_triangulation<Traits>& t
     positions_on_circle(internal::boundary_lengths(complex, disk_boundary(complex), edge_lengths(triangulation))));
 }
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief returns the discrete harmonic map of a disk to a convex polygon, with the boundary placed
 /// by `positions_on_polygon()`.
 ///
@@ -251,7 +245,6 @@ Planar_points harmonic_parameterization(const Intrinsic_triangulation<Traits>& t
                          polygon));
 }
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief returns the discrete harmonic map of a disk with natural boundary conditions: the
 /// boundary is free, and the map is as conformal as possible.
 ///
@@ -311,24 +304,15 @@ inline Planar_points natural_parameterization(const Delta_complex& complex, cons
   x(Eigen::Index(second), 0) = 1;
   internal::solve_with_fixed_values(energy, is_fixed, x, "the conformal energy");
 
-  double image_area = 0;
   Planar_points uv;
   uv.reserve(n);
   for (std::size_t v = 0; v < n; ++v)
     uv.push_back({x(Eigen::Index(v), 0), x(Eigen::Index(v + n), 0)});
-  for (Halfedge_index h : boundary) {
-    const auto &p = uv[complex.source(h).idx()], &q = uv[complex.target(h).idx()];
-    image_area += (p[0] * q[1] - q[0] * p[1]) / 2;
-  }
-  if (!(image_area > 0))
-    throw Numerical_error("the map with natural boundary conditions collapses the surface");
-  const double scale = internal::root_of_sum(areas) / std::sqrt(image_area);
-  for (std::array<double, 2>& p : uv)
-    p = {scale * p[0], scale * p[1]};
+  internal::scale_to_area(complex, boundary, areas, uv,
+                          "the map with natural boundary conditions collapses the surface");
   return uv;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// as above, for a triangulation.
 /// \param triangulation the triangulation
 template <class Traits>
@@ -338,7 +322,6 @@ Planar_points natural_parameterization(const Intrinsic_triangulation<Traits>& tr
                                   edge_lengths(triangulation), face_areas(triangulation));
 }
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief the result of `check_parameterization()`.
 struct Parameterization_check
 {
@@ -349,7 +332,6 @@ struct Parameterization_check
   bool is_locally_injective() const { return flipped.empty() && collapsed.empty(); }
 };
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief decides for each face, exactly, whether its image is counterclockwise.
 ///
 /// A face whose corners are not three different vertices counts as collapsed.
@@ -375,7 +357,6 @@ inline Parameterization_check check_parameterization(const Delta_complex& comple
   return check;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief returns for each face the ratio of the larger to the smaller singular value of the
 /// linear map that takes it to its image: 1 if the map is a similarity, infinite if it collapses the face.
 ///
@@ -425,7 +406,6 @@ inline std::vector<double> quasi_conformal_distortion(const Delta_complex& compl
   return result;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief mean, 99th percentile and maximum of the distortion of a map.
 struct Distortion_summary
 {
@@ -434,7 +414,6 @@ struct Distortion_summary
   double maximum = 1;       ///< over all faces
 };
 
-/// \ingroup PkgIntrinsicTriangulationsParameterization
 /// \brief summarizes the distortion of the faces. Faces of zero area are ignored. O(n log n).
 /// \param distortion, areas the distortion and the area of each face
 /// \pre both have the same size
@@ -468,7 +447,8 @@ inline Distortion_summary summarize_distortion(const std::vector<double>& distor
   return summary;
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+/// @}
+
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_HARMONIC_PARAMETERIZATION_H

@@ -39,8 +39,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief an intrinsic triangulation, and the report of the flips.
@@ -56,6 +55,12 @@ struct Triangulation_and_report
 };
 
 namespace internal {
+
+// Points and triangles are ranges, a mesh and named parameters are none.
+template <class... Ranges>
+using If_ranges = std::enable_if_t<(boost::has_range_const_iterator<Ranges>::value && ...)>;
+template <class T>
+using If_no_range = std::enable_if_t<!boost::has_range_const_iterator<T>::value>;
 
 // The metric exactly, or nothing if all coordinates are doubles, or not all finite.
 // \param elements what there is a point for
@@ -110,7 +115,7 @@ struct Has_coordinates<
 template <class TriangleMesh, class NamedParameters>
 auto constraints_of_copy(const TriangleMesh& mesh, const NamedParameters& np)
 {
-  if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::edge_is_constrained_t>::value) {
+  if constexpr (!has_edge_constraints<NamedParameters>) {
     return Static_boolean_property_map<Edge_index, false>();
   } else {
     const auto& is_constrained = parameters::get_parameter(np, internal_np::edge_is_constrained);
@@ -157,12 +162,7 @@ using Default_intrinsic_triangulation_traits =
 /// \param mesh the mesh
 /// \param np an optional sequence of named parameters
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          std::enable_if_t<!boost::has_range_const_iterator<NamedParameters>::value, int> = 0
-#endif
-          >
+          class NamedParameters = parameters::Default_named_parameters, class = internal::If_no_range<NamedParameters>>
 auto intrinsic_triangulation(const TriangleMesh& mesh, const NamedParameters& np = parameters::default_values())
 {
   using parameters::choose_parameter;
@@ -221,7 +221,6 @@ auto intrinsic_triangulation(const TriangleMesh& mesh, const NamedParameters& np
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: as for
 ///   `flip_to_Delaunay()`; the mesh is copied by several threads if its iterators have random access
 /// \tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph`
-/// \tparam NamedParameters a sequence of named parameters
 /// \param mesh the mesh, which is not changed
 /// \param np an optional sequence of named parameters
 ///
@@ -255,12 +254,7 @@ auto intrinsic_triangulation(const TriangleMesh& mesh, const NamedParameters& np
 ///
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 2.2.
 template <class ConcurrencyTag = Sequential_tag, class TriangleMesh,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          std::enable_if_t<!boost::has_range_const_iterator<NamedParameters>::value, int> = 0
-#endif
-          >
+          class NamedParameters = parameters::Default_named_parameters, class = internal::If_no_range<NamedParameters>>
 auto intrinsic_Delaunay_triangulation(const TriangleMesh& mesh,
                                       const NamedParameters& np = parameters::default_values())
 {
@@ -276,14 +270,8 @@ auto intrinsic_Delaunay_triangulation(const TriangleMesh& mesh,
 /// O(size).
 /// \param points, triangles, np as for `intrinsic_Delaunay_triangulation()`
 template <class ConcurrencyTag = Sequential_tag, class PointRange, class TriangleRange,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          std::enable_if_t<boost::has_range_const_iterator<PointRange>::value &&
-                             boost::has_range_const_iterator<TriangleRange>::value,
-                           int> = 0
-#endif
-          >
+          class NamedParameters = parameters::Default_named_parameters,
+          class = internal::If_ranges<PointRange, TriangleRange>>
 auto intrinsic_triangulation(const PointRange& points, const TriangleRange& triangles,
                              const NamedParameters& np = parameters::default_values())
 {
@@ -315,7 +303,6 @@ auto intrinsic_triangulation(const PointRange& points, const TriangleRange& tria
 /// \tparam PointRange a model of `ForwardRange`, of points whose coordinates are `p[0]`, `p[1]` and `p[2]`: points of a
 ///   kernel, or arrays of numbers
 /// \tparam TriangleRange a model of `ForwardRange`, of random access ranges of three integers each
-/// \tparam NamedParameters a sequence of named parameters
 ///
 /// \param points the vertices; vertices without triangles become isolated vertices
 /// \param triangles the faces, as indices into `points`
@@ -328,11 +315,7 @@ auto intrinsic_triangulation(const PointRange& points, const TriangleRange& tria
 ///     \cgalParamDefault{`Default_intrinsic_triangulation_traits` for the number type of the coordinates: exact
 ///       decisions}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that tells which edges must not be flipped}
-///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
-///     \cgalParamDefault{no edge is constrained}
-///   \cgalParamNEnd
+///   \cgalParamConstraints{which edges must not be flipped}
 ///   \cgalParamNBegin{visitor, tie_proof, maximum_number}
 ///     \cgalParamDescription{as for `flip_to_Delaunay()`}
 ///   \cgalParamNEnd
@@ -344,25 +327,15 @@ auto intrinsic_triangulation(const PointRange& points, const TriangleRange& tria
 ///   fault, as `make_Delta_complex_from_triangles()` does; if a coordinate is not finite, or an edge has length zero.
 ///   `examine_polygons()` lists all defects, and `repair_polygons()` repairs them
 template <class ConcurrencyTag = Sequential_tag, class PointRange, class TriangleRange,
-          class NamedParameters = parameters::Default_named_parameters
-#ifndef DOXYGEN_RUNNING
-          ,
-          std::enable_if_t<boost::has_range_const_iterator<PointRange>::value &&
-                             boost::has_range_const_iterator<TriangleRange>::value,
-                           int> = 0
-#endif
-          >
+          class NamedParameters = parameters::Default_named_parameters,
+          class = internal::If_ranges<PointRange, TriangleRange>>
 auto intrinsic_Delaunay_triangulation(const PointRange& points, const TriangleRange& triangles,
                                       const NamedParameters& np = parameters::default_values())
 {
-  return internal::flipped<ConcurrencyTag>(
-    intrinsic_triangulation<ConcurrencyTag>(points, triangles, np),
-    parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
-                                 Static_boolean_property_map<Edge_index, false>()),
-    np);
+  return internal::flipped<ConcurrencyTag>(intrinsic_triangulation<ConcurrencyTag>(points, triangles, np),
+                                           internal::edge_constraints_of(np), np);
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTRINSIC_DELAUNAY_TRIANGULATION_H

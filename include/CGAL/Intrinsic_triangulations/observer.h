@@ -17,8 +17,6 @@
 
 #include <boost/core/ref.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -26,8 +24,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief the progress of a computation. Each algorithm sets the members that it knows; the others are zero.
@@ -226,13 +223,6 @@ inline Progress_function part_of_progress(const Progress_function& progress, dou
   return [&progress, begin, end](double fraction) { return progress(begin + (end - begin) * fraction); };
 }
 
-// How far an iteration is whose error falls from `first` to `tolerance`: the digits that it has.
-inline double fraction_of_digits(double first, double error, double tolerance)
-{
-  const double all = std::log(first / tolerance);
-  return all > 0 ? (std::max)(0., (std::min)(1., std::log(first / error) / all)) : 0;
-}
-
 // Asks at every so many of the elements of a loop, which is a part of the computation.
 class Loop_progress
 {
@@ -256,7 +246,6 @@ private:
 
 } // namespace internal
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_OBSERVER_H

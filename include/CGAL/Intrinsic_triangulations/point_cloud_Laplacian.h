@@ -26,14 +26,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
@@ -194,7 +192,6 @@ Tufted_Laplacian point_cloud_Laplacian(const PointRange& points, std::size_t n_n
   return result;
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_POINT_CLOUD_LAPLACIAN_H

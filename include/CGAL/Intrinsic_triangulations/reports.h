@@ -15,8 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief how a run of `flip_to_Delaunay()` ended.
@@ -168,7 +167,6 @@ enum class Tie_proof {
   PROVEN
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_REPORTS_H

@@ -124,11 +124,7 @@ Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& t
 ///     \cgalParamType{`std::uint64_t`}
 ///     \cgalParamDefault{a million, and 500 for each face}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is called from time to time, and can cancel}
-///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
-///     \cgalParamDefault{`Default_visitor`}
-///   \cgalParamNEnd
+///   \cgalParamVisitor{is called from time to time, and can cancel}
 /// \cgalNamedParamsEnd
 ///
 /// \exception Invalid_argument_error if there is no such vertex, or the tolerance is out of range

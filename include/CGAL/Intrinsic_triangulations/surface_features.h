@@ -10,14 +10,12 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/Index.h>
-#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <array>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
 /// \brief removes vertices from a surface in space without moving any point of it.
@@ -105,8 +103,7 @@ double coordinate_spacing(const std::vector<std::array<double, 3>>& points);
 std::vector<bool> sharp_edges(const Delta_complex& complex, const std::vector<std::array<double, 3>>& points,
                               double degrees, double minimum_size = 0);
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/validation/remove_flat_vertices_impl.h>

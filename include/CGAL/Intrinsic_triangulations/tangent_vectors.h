@@ -16,6 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Planar_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/element_numbers.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 
 #include <CGAL/number_type_config.h>
 #include <CGAL/number_utils.h>
@@ -27,8 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
@@ -199,13 +199,7 @@ struct Vertex_frame
 
 namespace internal {
 
-using Space_vector = std::array<double, 3>;
-
-inline Space_vector cross(const Space_vector& a, const Space_vector& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-inline double dot(const Space_vector& a, const Space_vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+using Space_vector = Vector_3<double>;
 
 // Zero remains zero; what is short or long is scaled first.
 inline Space_vector normalized(Space_vector a)
@@ -215,7 +209,7 @@ inline Space_vector normalized(Space_vector a)
     return {0, 0, 0};
   for (double& x : a)
     x /= largest;
-  const double length = std::sqrt(dot(a, a));
+  const double length = std::sqrt(scalar_product(a, a));
   for (double& x : a)
     x /= length;
   return a;
@@ -229,16 +223,16 @@ inline Vertex_frame frame_of(Space_vector normal, const Space_vector& first)
       std::min_element(a.begin(), a.end(), [](double s, double t) { return std::abs(s) < std::abs(t); }) - a.begin());
     Space_vector axis{0, 0, 0};
     axis[smallest] = 1;
-    return normalized(cross(a, axis));
+    return normalized(cross_product(a, axis));
   };
   normal = normalized(normal);
   const Space_vector along = normalized(first);
-  if (dot(normal, normal) == 0)
-    normal = dot(along, along) == 0 ? Space_vector{0, 0, 1} : any_perpendicular(along);
-  Space_vector y = normalized(cross(normal, along));
-  if (dot(y, y) == 0)
+  if (scalar_product(normal, normal) == 0)
+    normal = scalar_product(along, along) == 0 ? Space_vector{0, 0, 1} : any_perpendicular(along);
+  Space_vector y = normalized(cross_product(normal, along));
+  if (scalar_product(y, y) == 0)
     y = any_perpendicular(normal);
-  return {cross(y, normal), y, normal};
+  return {cross_product(y, normal), y, normal};
 }
 
 } // namespace internal
@@ -276,11 +270,11 @@ std::vector<Vertex_frame> vertex_frames(const Intrinsic_triangulation<Traits>& t
     const Halfedge_index h = input.halfedge(f);
     const std::array<Halfedge_index, 3> sides{h, input.next(h), input.prev(h)};
     const std::array<Space_vector, 3> vectors{along(sides[0]), along(sides[1]), along(sides[2])};
-    face_normals.push_back(internal::normalized(internal::cross(vectors[0], vectors[1])));
+    face_normals.push_back(internal::normalized(internal::cross_product(vectors[0], vectors[1])));
     for (std::size_t i = 0; i < 3; ++i) {
-      const Space_vector turned = internal::cross(vectors[i], vectors[(i + 2) % 3]);
-      const double angle =
-        std::atan2(std::sqrt(internal::dot(turned, turned)), -internal::dot(vectors[i], vectors[(i + 2) % 3]));
+      const Space_vector turned = internal::cross_product(vectors[i], vectors[(i + 2) % 3]);
+      const double angle = std::atan2(std::sqrt(internal::scalar_product(turned, turned)),
+                                      -internal::scalar_product(vectors[i], vectors[(i + 2) % 3]));
       for (std::size_t k = 0; k < 3; ++k)
         normals[input.source(sides[i]).idx()][k] += angle * face_normals.back()[k];
     }
@@ -307,7 +301,6 @@ std::vector<Vertex_frame> vertex_frames(const Intrinsic_triangulation<Traits>& t
   return result;
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_TANGENT_VECTORS_H

@@ -13,7 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/internal/config.h>
 
 #include <CGAL/number_utils.h>
 
@@ -23,10 +22,11 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsGeodesics
+/// \addtogroup PkgIntrinsicTriangulationsGeodesics
+/// @{
+
 /// \brief where a traced line ends.
 enum class Trace_status {
   AT_LENGTH,       ///< inside a face, or on an edge, after the requested length
@@ -35,7 +35,6 @@ enum class Trace_status {
   BUDGET_EXHAUSTED ///< after the maximum number of faces, where it enters the next one
 };
 
-/// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief a straight line on the input, or on the current triangulation.
 struct Traced_geodesic
 {
@@ -55,7 +54,6 @@ Traced_geodesic trace_in_triangulation(const internal::Exact_engine& engine, con
 Surface_direction direction_at_vertex(const internal::Exact_engine& engine, Halfedge_index h, double angle);
 } // namespace internal
 
-/// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief follows a straight line over the input faces.
 ///
 /// Which edge the line crosses next, and whether it meets a vertex, is decided exactly for the given point and
@@ -81,7 +79,6 @@ Traced_geodesic trace_geodesic(const Intrinsic_triangulation<Traits>& triangulat
   return internal::trace(internal::engine(triangulation), start, length, maximum_number);
 }
 
-/// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief follows the same line over the faces of the current triangulation.
 ///
 /// The start is a point of the input, as for `trace_geodesic()`; the points and the vertex of the result belong to the
@@ -106,7 +103,6 @@ Traced_geodesic trace_geodesic_in_triangulation(const Intrinsic_triangulation<Tr
   return internal::trace_in_triangulation(internal::engine(triangulation), start, length, maximum_number);
 }
 
-/// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief returns a direction at the source of an input halfedge.
 ///
 /// \param triangulation a triangulation that keeps its input
@@ -130,7 +126,6 @@ void append_input_points(const internal::Exact_engine& engine, Halfedge_index h,
 
 } // namespace internal
 
-/// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief returns the points of the input through which intrinsic halfedges run, one after the other.
 ///
 /// These are their vertices, including inserted ones, and all crossings with input edges. Each point but the last is
@@ -155,7 +150,6 @@ std::vector<Surface_point> geodesic_points(const Intrinsic_triangulation<Traits>
   return result;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief returns the segments of an overlay along intrinsic halfedges, in order.
 ///
 /// Segment i is edge i of the mesh that `overlay_to_surface_mesh()` returns: so a path can be marked there, and a seam
@@ -178,7 +172,6 @@ std::vector<Overlay::Segment> geodesic_segments(const Overlay& overlay, const De
   return result;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsGeodesics
 /// \brief returns the point in space of a point of the input.
 ///
 /// \param input the input, as returned by `Intrinsic_triangulation::input()`
@@ -198,11 +191,11 @@ std::array<double, 3> point_in_space(const Delta_complex& input, const PointRang
   return result;
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+/// @}
+
+} // namespace CGAL::Intrinsic_triangulations
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/geodesic_points_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/geodesics/trace_geodesic_impl.h>
 #endif
 

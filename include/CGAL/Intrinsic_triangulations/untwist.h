@@ -8,31 +8,35 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_UNTWIST_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_UNTWIST_H
 
-#include <CGAL/Intrinsic_triangulations/internal/twists/Untwisting.h>
+#include <CGAL/Intrinsic_triangulations/internal/twists/Crossing_counts.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/config.h>
-#include <CGAL/Intrinsic_triangulations/internal/twists/exact_gluing_io.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/default_traits.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/gluing_text.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
 
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/property_map.h>
+#include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <istream>
 #include <limits>
-#include <type_traits>
+#include <ostream>
+#include <string>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
@@ -63,24 +67,14 @@ std::vector<Rational> squared_lengths(const std::vector<double>& lengths);
 /// It does not change tubes of more than two faces, tubes whose loops have different lengths (which cannot wind far),
 /// and tubes of zero area.
 ///
-/// \tparam NamedParameters a sequence of named parameters
 /// \param complex the triangles; all descriptors stay valid, as with flips
 /// \param squared_lengths the squared length of each edge
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that tells which edges must not be flipped; a tube that such an edge
-///       crosses is not changed}
-///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
-///     \cgalParamDefault{no edge is constrained}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{`go_further()` is called from time to time with the numbers of tubes and of single flips
-///       so far, and can cancel. `after_flip()` is not called}
-///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
-///     \cgalParamDefault{`Default_visitor`}
-///   \cgalParamNEnd
+///   \cgalParamConstraints{which edges must not be flipped; a tube that such an edge crosses is not changed}
+///   \cgalParamVisitor{`go_further()` is called from time to time with the numbers of tubes and of single flips so far,
+///     and can cancel. `after_flip()` is not called}
 /// \cgalNamedParamsEnd
 ///
 /// \return the twists, and how often the edges cross the edges of the given complex
@@ -95,20 +89,109 @@ template <class NamedParameters = parameters::Default_named_parameters>
 Untwisting untwist(Delta_complex& complex, std::vector<Rational>& squared_lengths,
                    const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  using parameters::is_default_parameter;
-  std::function<bool(Edge_index)> is_constrained;
-  if constexpr (!is_default_parameter<NamedParameters, internal_np::edge_is_constrained_t>::value)
-    is_constrained = [&np](Edge_index e) { return bool(get(get_parameter(np, internal_np::edge_is_constrained), e)); };
-  if constexpr (is_default_parameter<NamedParameters, internal_np::visitor_t>::value) {
-    return internal::untwist(complex, squared_lengths, is_constrained, {});
-  } else {
-    auto observer = internal::observer_of(np);
-    return internal::untwist(
-      complex, squared_lengths, is_constrained,
-      [&observer](std::uint64_t tests, std::uint64_t flips) { return observer.go_further(tests, flips); });
+  const auto is_constrained = internal::edge_constraints_of(np);
+  auto observer = internal::observer_of(np);
+  return internal::untwist(
+    complex, squared_lengths, [&](Edge_index e) { return bool(get(is_constrained, e)); },
+    [&](std::uint64_t tests, std::uint64_t flips) { return observer.go_further(tests, flips); });
+}
+
+/// \ingroup PkgIntrinsicTriangulationsIO
+/// \brief the contents of a gluing file of either version: one of the two vectors is empty.
+struct Exact_gluing
+{
+  Delta_complex complex;                           ///< the triangles
+  std::vector<double> lengths;                     ///< the length of each edge, in version 1 of the format
+  std::vector<internal::Rational> squared_lengths; ///< its square, in version 2
+};
+
+namespace internal {
+
+class Exact_number_fields : public Length_fields
+{
+public:
+  void begin(const std::string& version)
+  {
+    is_squared_ = version == "2";
+    if (!is_squared_ && version != "1")
+      throw Line_defect{Defect::UNREADABLE,
+                        "asks for version " + shown_text(version) + " of the format; there are 1 and 2"};
   }
+
+  void add(const std::string& field)
+  {
+    if (!is_squared_)
+      return Length_fields::add(field);
+    // GMP would read 010 in octal, and ask for any amount of memory.
+    if (field.size() > maximum_size)
+      throw Line_defect{Defect::OUT_OF_RANGE, "has a squared length of more than a million digits"};
+    const std::size_t slash = (std::min)(field.find('/'), field.size());
+    const std::string above = field.substr(0, slash), below = slash == field.size() ? "1" : field.substr(slash + 1);
+    Integer n, d;
+    if (!parse(above, n) || !parse(below, d) || d == 0)
+      throw Line_defect{Defect::UNREADABLE, "has '" + shown_text(field) +
+                                              "' where a squared length is expected, an integer or a fraction of two"};
+    if (n == 0)
+      throw Line_defect{Defect::ZERO_LENGTH_EDGE,
+                        "has the squared length " + shown_text(field) + ", which is not positive"};
+    squared_lengths.push_back(Rational(n, d));
+  }
+
+  std::vector<Rational> squared_lengths;
+
+private:
+  using Defect = Invalid_surface_error::Defect;
+  static constexpr std::size_t maximum_size = 1000000;
+
+  static bool parse(const std::string& digits, Integer& n)
+  {
+    return !digits.empty() && std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; }) &&
+           mpz_set_str(n.backend().data(), digits.c_str(), 10) == 0;
+  }
+
+  bool is_squared_ = false;
+};
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsIO
+/// \brief writes a complex and the exact squared lengths of its edges, in version 2 of the gluing format.
+///
+/// It differs from version 1, which `write_gluing()` describes, in two things: the first line is `INTRINSIC_GLUING 2`,
+/// and the last field in the line of an edge is the *square* of its length, as an integer or a fraction of two without
+/// a sign, such as `5` or `25/4`.
+///
+/// \param os the stream; the caller has to check its state afterwards
+/// \param complex any complex
+/// \param squared_lengths the squared length of each edge
+/// \exception Invalid_surface_error if a squared length is not positive, or there are
+///   more than a million isolated vertices. Then nothing is written. O(size).
+/// \pre `squared_lengths.size() == complex.number_of_edges()`
+inline void write_exact_gluing(std::ostream& os, const Delta_complex& complex,
+                               const std::vector<internal::Rational>& squared_lengths)
+{
+  CGAL_precondition(squared_lengths.size() == complex.number_of_edges());
+  for (Edge_index e : complex.edges())
+    if (squared_lengths[e.idx()] <= 0)
+      throw Invalid_surface_error(Invalid_surface_error::Defect::ZERO_LENGTH_EDGE, e.idx(), 1,
+                                  "edge " + std::to_string(e.idx()) + " does not have a positive length");
+  internal::write_gluing_text(os, complex, 2,
+                              [&](std::ostream& text, Edge_index e) { text << squared_lengths[e.idx()].str(); });
+}
+
+/// \ingroup PkgIntrinsicTriangulationsIO
+/// \brief reads a gluing of either version.
+///
+/// \exception Invalid_surface_error as `read_gluing()`; also if a squared length has more than a million digits.
+///   O(size)
+inline Exact_gluing read_exact_gluing(std::istream& is)
+{
+  internal::Exact_number_fields numbers;
+  Exact_gluing result;
+  result.complex = internal::Gluing_reader<internal::Exact_number_fields>(is).read(numbers);
+  result.lengths = std::move(numbers.lengths);
+  result.squared_lengths = std::move(numbers.squared_lengths);
+  return result;
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTwists
@@ -153,7 +236,6 @@ private:
 ///
 /// The i-th vertex, edge and face of the result are the i-th of the gluing's complex.
 ///
-/// \tparam NamedParameters a sequence of named parameters
 /// \param gluing the triangles and lengths
 /// \param np an optional sequence of named parameters
 ///
@@ -169,12 +251,7 @@ private:
 ///     \cgalParamType{a model of `IntrinsicTriangulationTraits`}
 ///     \cgalParamDefault{`Filtered_edge_length_traits`}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that tells which edges must not be flipped; tubes that they cross are not
-///       untwisted}
-///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
-///     \cgalParamDefault{no edge is constrained}
-///   \cgalParamNEnd
+///   \cgalParamConstraints{which edges must not be flipped; tubes that they cross are not untwisted}
 ///   \cgalParamNBegin{visitor, maximum_number}
 ///     \cgalParamDescription{as for `flip_to_Delaunay()`; the visitor can also cancel `untwist()`. Both refer to the
 ///       single flips after the twists}
@@ -197,10 +274,8 @@ auto intrinsic_Delaunay_triangulation(const Exact_gluing& gluing,
   using Triangulation = Intrinsic_triangulation<Traits>;
   static_assert(Triangulation::uses_exact_geometry, "needs traits that use exact geometry");
   const Traits traits = choose_parameter<Traits>(get_parameter(np, internal_np::geom_traits));
-  const bool is_fast =
-    choose_parameter(get_parameter(np, internal::Parameter_tag<internal::Parameter::FAST_FORWARD>()), false);
-  const auto is_constrained = choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
-                                               Static_boolean_property_map<Edge_index, false>());
+  const bool is_fast = internal::value_of<internal::Parameter::FAST_FORWARD>(np, false);
+  const auto is_constrained = internal::edge_constraints_of(np);
   auto observer = internal::observer_of(np);
   const std::uint64_t budget =
     choose_parameter(get_parameter(np, internal_np::maximum_number), (std::numeric_limits<std::uint64_t>::max)());
@@ -232,8 +307,7 @@ auto intrinsic_Delaunay_triangulation(const Exact_gluing& gluing,
   return result;
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/twists/untwist_impl.h>

@@ -18,10 +18,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 
 #include <CGAL/Uncertain.h>
-#include <CGAL/assertions.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/enum.h>
-#include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -31,8 +28,7 @@
 #include <exception>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief the result of `verify_Delaunay()`.
@@ -161,12 +157,7 @@ private:
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that tells which edges to leave out; with `Parallel_tag` several threads
-///       read it at once}
-///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
-///     \cgalParamDefault{no edge is left out}
-///   \cgalParamNEnd
+///   \cgalParamConstraints{which edges to leave out; with `Parallel_tag` several threads read it at once}
 /// \cgalNamedParamsEnd
 ///
 /// \exception Invalid_argument_error if the triangulation does not keep its input: those of traits that round keep it if
@@ -180,11 +171,7 @@ template <class ConcurrencyTag = Sequential_tag, class Triangulation,
 Delaunay_verification verify_Delaunay(const Triangulation& triangulation,
                                       const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  return internal::Delaunay_verifier(internal::engine<ConcurrencyTag>(triangulation),
-                                     choose_parameter(get_parameter(np, internal_np::edge_is_constrained),
-                                                      Static_boolean_property_map<Edge_index, false>()))
+  return internal::Delaunay_verifier(internal::engine<ConcurrencyTag>(triangulation), internal::edge_constraints_of(np))
     .verify([](std::size_t n, const auto& f) { internal::for_each_block<ConcurrencyTag>(n, 1, f); });
 }
 
@@ -194,16 +181,11 @@ Delaunay_verification verify_Delaunay(const Triangulation& triangulation,
 ///
 /// `verify_Delaunay()` decides this from the input alone, exactly for any traits, and names the edges.
 ///
-/// \tparam NamedParameters a sequence of named parameters
 /// \param triangulation the triangulation
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that tells which edges to ignore}
-///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
-///     \cgalParamDefault{no edge is constrained}
-///   \cgalParamNEnd
+///   \cgalParamConstraints{which edges to ignore}
 /// \cgalNamedParamsEnd
 ///
 /// \return `false` if an edge is certainly not Delaunay; otherwise, an uncertain value if an interval number type
@@ -213,8 +195,6 @@ template <class Traits, class NamedParameters = parameters::Default_named_parame
 typename Traits::Boolean is_Delaunay(const Intrinsic_triangulation<Traits>& triangulation,
                                      const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   const auto is_constrained = internal::edge_constraints_of(np);
   typename Traits::Boolean result = true;
   for (Edge_index e : triangulation.connectivity().edges()) {
@@ -281,7 +261,6 @@ private:
   std::size_t number_of_cells_ = 0;
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_VERIFY_DELAUNAY_H

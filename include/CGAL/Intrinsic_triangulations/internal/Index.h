@@ -14,8 +14,7 @@
 #include <limits>
 #include <ostream>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 class Delta_complex;
 
@@ -90,8 +89,7 @@ using Edge_index = Index<internal::Element_tag<'e', Delta_complex>>;
 /// \brief descriptor of a face.
 using Face_index = Index<internal::Element_tag<'f', Delta_complex>>;
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 /// \cond SKIP_IN_MANUAL
 template <class Tag>

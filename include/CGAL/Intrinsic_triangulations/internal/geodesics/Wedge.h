@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The corners from one halfedge counterclockwise around its source to another.
 struct Wedge
@@ -156,8 +154,6 @@ private:
   std::vector<Estimated_corner> corners_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_WEDGE_H

@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/heat/rows_by_distance.h>
 #include <CGAL/Intrinsic_triangulations/internal/numbers/Accurate_shapes.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/memory_access.h>
 
@@ -23,13 +22,34 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <queue>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The nearest first, by an eighth as many intervals of the same length as there are rows; of the same interval, the
+// smallest row. \pre none is negative or NaN
+template <class Distances>
+std::vector<std::uint32_t> rows_by_distance(const Distances& distances)
+{
+  const std::size_t n = std::size_t(distances.size()), number_of_intervals = n / 8 + 1;
+  double largest = 0;
+  for (const double d : distances)
+    if (d < std::numeric_limits<double>::infinity())
+      largest = (std::max)(largest, d);
+  std::vector<std::uint32_t> interval, first(number_of_intervals, 0), result(n);
+  interval.reserve(n);
+  for (const double d : distances) {
+    interval.push_back(std::uint32_t((d < largest ? d / largest : 1) * double(number_of_intervals - 1)));
+    ++first[interval.back()];
+  }
+  std::exclusive_scan(first.begin(), first.end(), first.begin(), std::uint32_t(0));
+  for (std::size_t row = 0; row < n; ++row)
+    result[first[interval[row]]++] = std::uint32_t(row);
+  return result;
+}
 
 // Longer than the shortest path along edges, of the triangulation and of its input; or, where the surface lies in
 // space, shorter than the straight line. Lengths are in the unit of Accurate_shapes.
@@ -94,9 +114,9 @@ public:
     const std::vector<std::uint32_t> order = rows_by_distance(distances);
     for (std::size_t i = 0; i < order.size(); ++i) {
       const std::uint32_t row = order[i], soon = order[(std::min)(i + 8, order.size() - 1)];
-      prefetch_to_read(neighbors_.data() + first_[soon]);
-      prefetch_to_read(lengths_.data() + first_[soon]);
-      prefetch_to_read(lengths_.data() + first_[soon + 1]);
+      prefetch(neighbors_.data() + first_[soon]);
+      prefetch(lengths_.data() + first_[soon]);
+      prefetch(lengths_.data() + first_[soon + 1]);
       double path = paths[row];
       std::uint32_t from = row;
       for (std::uint32_t k = first_[row]; k < first_[row + 1]; ++k) {
@@ -205,8 +225,6 @@ private:
   std::vector<std::array<double, 3>> points_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_DISTANCE_BOUNDS_H

@@ -9,21 +9,116 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_HEAT_DIFFUSION_H
 
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
-#include <CGAL/Intrinsic_triangulations/internal/heat/Layered_heat.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Pinned_system.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
 #include <Eigen/SparseCore>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Heat, layer by layer: each is, far from where it was sent on, a large multiple of the one before.
+struct Layered_heat
+{
+  std::vector<Eigen::VectorXd> layers;
+  std::vector<int> exponents;            // for each layer, the exponent of 2 in that multiple, from the first layer on
+  std::vector<std::uint32_t> layer_of;   // for each row, the first layer in which it is not lost
+  std::vector<std::vector<bool>> behind; // for each layer that was sent on, the rows where it was sent on from
+
+  double operator[](std::size_t row) const { return layers[layer_of[row]][Eigen::Index(row)]; }
+
+  // The exponent of 2 by which a layer was multiplied when it was sent on.
+  int factor(std::size_t layer) const { return exponents[layer + 1] - exponents[layer]; }
+
+  // The mean of this and less heat with the same sources.
+  void average_with(const Layered_heat& less)
+  {
+    for (std::size_t l = 0; l < layers.size(); ++l)
+      for (std::size_t v = 0; v < layer_of.size(); ++v) {
+        double& u = layers[l][Eigen::Index(v)];
+        const std::uint32_t k = less.layer_of[v];
+        u = (u + std::ldexp(less.layers[k][Eigen::Index(v)], exponents[l] - less.exponents[k])) / 2;
+      }
+  }
+};
+
+// What flows from the rows behind a front to the others, times a power of two.
+// \tparam Vector of numbers, or several of them as columns
+template <class Matrix, class Vector>
+Vector sent_on(const Matrix& matrix, const Vector& u, const std::vector<bool>& is_behind, int exponent)
+{
+  const double one_part = std::ldexp(1., exponent / 2), other_part = std::ldexp(1., exponent - exponent / 2);
+  Vector result = Vector::Zero(u.rows(), u.cols());
+  for (Eigen::Index c = 0; c < matrix.outerSize(); ++c)
+    if (is_behind[std::size_t(c)])
+      for (typename Matrix::InnerIterator i(matrix, c); i; ++i)
+        if (!is_behind[std::size_t(i.row())])
+          result.row(i.row()) -= i.value() * (u.row(c) * one_part * other_part);
+  return result;
+}
+
+// The layers of other heat, which is sent on where `heat` is, so that both can be compared at each row.
+// \param solve solves the system
+// \param first what is put at each row
+// \param also adds to the right side of a layer what else it depends on, from its number
+template <class Heat, class Matrix, class Solve, class Also>
+std::vector<Heat> spread_likewise(const Heat& first, const Layered_heat& heat, const Matrix& matrix, const Solve& solve,
+                                  const Also& also)
+{
+  Heat right = first;
+  also(right, std::size_t(0));
+  std::vector<Heat> layers{solve(right)};
+  for (std::size_t l = 0; l + 1 < heat.layers.size(); ++l) {
+    right = sent_on(matrix, layers.back(), heat.behind[l], heat.factor(l));
+    also(right, l + 1);
+    layers.push_back(solve(right));
+  }
+  return layers;
+}
+
+// The heat at the corners of a face.
+inline std::array<double, 3> heat_of_face(const Layered_heat& heat, const Heat_face& face)
+{
+  const auto& row = face.row;
+  const Eigen::VectorXd& u =
+    heat.layers[(std::max)({heat.layer_of[row[0]], heat.layer_of[row[1]], heat.layer_of[row[2]]})];
+  return {u[row[0]], u[row[1]], u[row[2]]};
+}
+
+// For each row the integral of X · ∇(hat function), for X = -∇u/|∇u|. Nothing flows in a face in which u is constant.
+// \param instead the heat that counts in faces which have no other, as those with all corners on a cold border
+inline Eigen::VectorXd flux_of_unit_gradient(const Heat_surface& surface, const Layered_heat& heat,
+                                             const Layered_heat& instead)
+{
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(Eigen::Index(surface.size()));
+  for (const Heat_face& face : surface.faces) {
+    std::array<double, 3> u = heat_of_face(heat, face);
+    if (u[0] == 0 && u[1] == 0 && u[2] == 0)
+      u = heat_of_face(instead, face);
+    std::array<double, 2> v = face.slope(u);
+    double norm = std::sqrt(v[0] * v[0] + v[1] * v[1]);
+    if (!(norm > 0x1p-450 && norm < 0x1p450)) { // the squares are out of range, or there is no heat
+      const double largest = (std::max)({std::abs(u[0]), std::abs(u[1]), std::abs(u[2])});
+      v = face.slope({u[0] / largest, u[1] / largest, u[2] / largest});
+      norm = std::hypot(v[0], v[1]);
+    }
+    if (!(norm > 0))
+      continue;
+    const double x = -v[0] / norm, y = -v[1] / norm, to_second = face.share * (x * face.height - y * face.x) / 2,
+                 to_third = face.share * y * face.base / 2;
+    sums[face.row[0]] -= to_second + to_third;
+    sums[face.row[1]] += to_second;
+    sums[face.row[2]] += to_third;
+  }
+  return sums;
+}
 
 inline Eigen::SparseMatrix<double> heat_matrix(const Heat_surface& surface, double time)
 {
@@ -150,8 +245,6 @@ private:
   Pinned_system<Solver> system_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_HEAT_DIFFUSION_H

@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // A face in the plane: its corners are (0, 0), (base, 0) and (x, height). The base is the longest side, so that x and
 // the height are found without cancellation.
@@ -41,6 +39,12 @@ struct Heat_face
   double base, x, height;
 
   double area() const { return share * base * height / 2; }
+
+  // The gradient of a function by its values at the corners, times twice the area.
+  std::array<double, 2> slope(const std::array<double, 3>& u) const
+  {
+    return {(u[1] - u[0]) * height, (u[2] - u[0]) * base - (u[1] - u[0]) * x};
+  }
 };
 
 // All lengths are in units of the mean length of the edges of their component, until they are lengthened, so that no
@@ -90,6 +94,19 @@ inline void require_time_coefficient(double coefficient)
 {
   if (!(coefficient > 0 && std::isfinite(coefficient)))
     throw Invalid_argument_error("the time coefficient has to be a positive number");
+}
+
+// Whether an angle opposite to a border edge is obtuse.
+template <class Traits>
+bool has_obtuse_border(const Intrinsic_triangulation<Traits>& triangulation)
+{
+  const Delta_complex& complex = triangulation.connectivity();
+  const Accurate_shapes<Traits> shapes(triangulation);
+  for (Halfedge_index h : complex.halfedges())
+    if (!complex.is_border(h) && complex.is_border(complex.opposite(h)) && shapes.has_area(complex.face(h)) &&
+        shapes.cotangent(h) < 0)
+      return true;
+  return false;
 }
 
 // \tparam Row gives the row of a vertex, as Row_of_vertex
@@ -258,8 +275,6 @@ Heat_surface make_heat_surface(const Intrinsic_triangulation<Traits>& triangulat
   return make_heat_surface(triangulation, Row_of_vertex(triangulation.connectivity()), [](Face_index) { return 1.; });
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_HEAT_SURFACE_H

@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Values by rows.
 using Pins = std::map<std::uint32_t, double>;
@@ -245,8 +243,6 @@ private:
   std::size_t number_of_factorizations_ = 1;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_PINNED_SYSTEM_H

@@ -21,9 +21,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Rows are ordered by the coordinates of their points. Numbers decide where these are equal, and if there are none.
 class Places
@@ -98,8 +96,6 @@ std::optional<Intrinsic_triangulation<Traits>> with_ties_by_place(const Intrinsi
   return result;
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_PLACES_H

@@ -10,7 +10,6 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Pinned_system.h>
-#include <CGAL/Intrinsic_triangulations/internal/heat/unit_gradient.h>
 
 #include <Eigen/SparseCore>
 
@@ -22,9 +21,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The distance of a vertex is the smallest sum of the distance of a point on the boundary of its star and the way from
 // there. Where fronts from several sides meet, the function that fits the directions best rounds off the ridge and lies
@@ -75,7 +72,7 @@ private:
     std::vector<char> result = is_fixed_;
     for (const Heat_face& face : surface_.faces) {
       const auto& row = face.row;
-      const auto [x, y] = slope(face, {distances[row[0]], distances[row[1]], distances[row[2]]});
+      const auto [x, y] = face.slope({distances[row[0]], distances[row[1]], distances[row[2]]});
       const double area = face.base * face.height, to_second = x * face.height - y * face.x, to_third = y * face.base;
       const bool is_steep = (x * x + y * y >= 0.9 * area * area) &
                             (is_fixed_[row[0]] + is_fixed_[row[1]] + is_fixed_[row[2]] < 2),
@@ -118,8 +115,6 @@ private:
   std::vector<char> is_fixed_; // sources, and what no way leads to
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_RIDGE_KEEPER_H

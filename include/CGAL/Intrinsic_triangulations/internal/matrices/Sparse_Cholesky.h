@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // With CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD the factors are those of SuiteSparse, which is
 // faster for large systems; whoever defines it links with cholmod.
@@ -141,7 +139,7 @@ private:
     }
     const std::ptrdiff_t begin = first[0], end = factor().nonZeros();
     for (int i = width; i < first[1] - first[0]; ++i) {
-      prefetch_to_read(values + (std::min)(begin + width * i + soon, end));
+      prefetch(values + (std::min)(begin + width * i + soon, end));
       Scalar sum = entry(i, 0) * y[0];
       for (int k = 1; k < width; ++k)
         sum += entry(i, k) * y[k];
@@ -158,7 +156,7 @@ private:
     const std::ptrdiff_t begin = first[0];
     std::array<Scalar, width> sums{};
     for (int i = width; i < first[1] - first[0]; ++i) {
-      prefetch_to_read(values + (std::max)(begin + width * i - soon, std::ptrdiff_t(0)));
+      prefetch(values + (std::max)(begin + width * i - soon, std::ptrdiff_t(0)));
       for (int k = 0; k < width; ++k)
         sums[k] += entry(i, k) * x[row[i]];
     }
@@ -194,8 +192,6 @@ inline Eigen::SparseMatrix<double> submatrix(const Eigen::SparseMatrix<double>& 
   return result;
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MATRICES_SPARSE_CHOLESKY_H

@@ -19,9 +19,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Lower bounds for the cotangents of a face's corners: opposite to ij, to jk, and to ki.
 //
@@ -102,26 +100,14 @@ public:
   // The same for four consecutive edges: bit i is set if it does for the i-th.
   unsigned imply_Delaunay_of_four(Edge_index e) const
   {
-    const float* const bound = bounds_.data() + 2 * std::size_t(e.idx());
-#ifdef CGAL_HAS_SSE2
-    const __m128 a = _mm_loadu_ps(bound), b = _mm_loadu_ps(bound + 4);
-    const __m128 sum =
-      _mm_add_ps(_mm_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0)), _mm_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1)));
-    return unsigned(_mm_movemask_ps(_mm_cmpgt_ps(sum, _mm_setzero_ps())));
-#else
-    unsigned result = 0;
-    for (int i = 0; i < 4; ++i)
-      result |= unsigned(bound[2 * i] + bound[2 * i + 1] > 0) << i;
-    return result;
-#endif
+    const auto bit = [&](unsigned i) { return unsigned(imply_Delaunay(Edge_index(e.idx() + i))) << i; };
+    return bit(0) | bit(1) | bit(2) | bit(3);
   }
 
 private:
   Large_vector<float> bounds_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_COTANGENT_BOUNDS_H

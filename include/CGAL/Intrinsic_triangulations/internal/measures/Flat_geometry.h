@@ -21,11 +21,10 @@
 
 #include <array>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Exact sums and products of doubles; no division. The fastest type that CGAL has, by its name: the header that would
 // select it has 50,000 lines.
@@ -44,28 +43,21 @@ using Exact_ring = Rational;
 inline Rational rational(const Exact_ring& x) { return x; }
 #endif
 
+// In double-doubles without rounding.
 template <class FT>
-struct Difference
+FT difference(double a, double b)
 {
-  FT operator()(double a, double b) const { return FT(a) - FT(b); }
-};
-template <>
-struct Difference<Double_double>
-{
-  Double_double operator()(double a, double b) const { return Double_double::difference(a, b); }
-};
-template <>
-struct Difference<Bounded_double_double>
-{
-  Bounded_double_double operator()(double a, double b) const { return Bounded_double_double::difference(a, b); }
-};
+  if constexpr (std::is_same<FT, Double_double>::value || std::is_same<FT, Bounded_double_double>::value)
+    return FT::difference(a, b);
+  else
+    return FT(a) - FT(b);
+}
 
 template <class FT>
 Vector_3<FT> difference(const Points& points, Vertex_index from, Vertex_index to)
 {
-  const Difference<FT> d;
   const std::array<double, 3>&p = points[from.idx()], &q = points[to.idx()];
-  return {d(q[0], p[0]), d(q[1], p[1]), d(q[2], p[2])};
+  return {difference<FT>(q[0], p[0]), difference<FT>(q[1], p[1]), difference<FT>(q[2], p[2])};
 }
 
 inline double sum_of_absolute_values(const Vector_3<double>& v)
@@ -161,8 +153,6 @@ inline bool have_one_plane(const Delta_complex& complex, const Points& points, F
   return sign_of_normals(points, {i, j}, {i, k}, {l, m}, {l, n}) == POSITIVE;
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_FLAT_GEOMETRY_H

@@ -14,9 +14,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Of each edge that is added, the largest difference of a coordinate is looked at: within a
 // factor of sqrt(3) of the length.
@@ -69,8 +67,6 @@ private:
   std::size_t shortest_edge_ = 0;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_LENGTH_RANGE_H

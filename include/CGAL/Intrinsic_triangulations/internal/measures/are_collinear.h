@@ -12,16 +12,12 @@
 
 #include <array>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Decided exactly. \pre the coordinates are finite
 bool are_collinear(const std::array<double, 3>& p, const std::array<double, 3>& q, const std::array<double, 3>& r);
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear_impl.h>

@@ -15,9 +15,7 @@
 
 #include <cmath>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // A component of the cross product that is larger than its rounding error says no, and the
 // rest is decided exactly. \pre the coordinates are finite
@@ -46,8 +44,6 @@ bool are_collinear(const std::array<double, 3>& p, const std::array<double, 3>& 
   return true;
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_ARE_COLLINEAR_IMPL_H

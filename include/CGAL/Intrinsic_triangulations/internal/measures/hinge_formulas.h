@@ -13,14 +13,14 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_HINGE_FORMULAS_H
 
 #include <CGAL/Uncertain.h>
-#include <CGAL/number_utils.h>
 
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsFormulas
+/// \addtogroup PkgIntrinsicTriangulationsFormulas
+/// @{
+
 /// \brief the data on which the decisions and the flip of an edge depend: those of the five
 /// edges and the two faces of a hinge.
 template <class Edge_data, class Face_data>
@@ -35,7 +35,6 @@ struct Hinge
   const Face_data& jil; ///< the face to the right
 };
 
-/// \ingroup PkgIntrinsicTriangulationsFormulas
 /// \brief the data of a hinge's other diagonal and of the two faces beside it.
 template <class Edge_data, class Face_data>
 struct Flipped_hinge
@@ -45,7 +44,6 @@ struct Flipped_hinge
   Face_data jkl; ///< the new face at j
 };
 
-/// \ingroup PkgIntrinsicTriangulationsFormulas
 /// \brief returns `p = s_a + s_b − s_c`, twice the scalar product of the sides a and b of a
 /// triangle as seen from their common corner, where c is the opposite side.
 ///
@@ -56,7 +54,6 @@ FT twice_scalar_product(const FT& s_a, const FT& s_b, const FT& s_c)
   return s_a + s_b - s_c;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsFormulas
 /// \brief returns the square of four times the area of a triangle, by Heron's formula:
 /// `q = 4 s_ij s_jk − (s_ij + s_jk − s_ki)²`.
 template <class FT>
@@ -82,7 +79,6 @@ void sort_lengths(FT& a, FT& b, FT& c)
 
 } // namespace internal
 
-/// \ingroup PkgIntrinsicTriangulationsFormulas
 /// \brief returns the square of four times the area of a triangle from its lengths, in
 /// an order of operations that is accurate even for slivers.
 ///
@@ -96,7 +92,6 @@ FT squared_four_areas_from_lengths(FT a, FT b, FT c)
   return (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
 }
 
-/// \ingroup PkgIntrinsicTriangulationsFormulas
 /// \brief returns whether three lengths certainly violate the triangle inequality; exact in
 /// floating point, whatever their magnitude.
 ///
@@ -108,7 +103,6 @@ bool violate_triangle_inequality(FT a, FT b, FT c)
   return certainly(c - (a - b) < FT(0));
 }
 
-/// \ingroup PkgIntrinsicTriangulationsFormulas
 /// \brief returns `p_k a_jil + p_l a_ijk`, whose sign is that of `cot k + cot l`.
 ///
 /// It needs neither a division nor a square root.
@@ -118,7 +112,6 @@ FT Delaunay_value(const FT& p_k, const FT& a_ijk, const FT& p_l, const FT& a_jil
   return p_k * a_jil + p_l * a_ijk;
 }
 
-/// \ingroup PkgIntrinsicTriangulationsFormulas
 /// \brief computes squared length and areas after the flip of ij to kl.
 ///
 /// With i at the origin and j on the first axis, k has the coordinates
@@ -145,7 +138,8 @@ void flip_hinge(const FT& s_ij, const FT& s_jk, const FT& s_ki, const FT& s_il, 
   a_jkl = (y_k * a_jil + y_l * a_ijk) * r;
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+/// @}
+
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_HINGE_FORMULAS_H

@@ -18,7 +18,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/memory_access.h>
 
-#include <CGAL/Interval_nt.h>
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_type_basic.h>
 #include <CGAL/number_utils.h>
@@ -37,9 +36,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Whether a vertex has a face.
 struct Is_used_vertex
@@ -312,7 +309,7 @@ void construct_metric_from_points(const Delta_complex& complex, Copier& copier, 
 template <class Traits, class EdgeVector, class FaceVector>
 void construct_metric_from_lengths(const Delta_complex& complex, const Traits& traits,
                                    const std::vector<typename Traits::FT>& lengths, EdgeVector& edges,
-                                   FaceVector& faces, Cotangent_bounds& bounds)
+                                   FaceVector& faces)
 {
   CGAL_precondition(lengths.size() == complex.number_of_edges());
   using FT = typename Traits::FT;
@@ -329,14 +326,12 @@ void construct_metric_from_lengths(const Delta_complex& complex, const Traits& t
   throw_if_underflow("the squared length of edge ", offenders);
 
   for (Face_index f : complex.faces()) {
-    const Halfedge_index h = complex.halfedge(f), next = complex.next(h), prev = complex.prev(h);
-    const FT &ij = lengths[complex.edge(h).idx()], &jk = lengths[complex.edge(next).idx()],
-             &ki = lengths[complex.edge(prev).idx()];
+    const Face_halfedges sides(complex, f);
+    const FT &ij = lengths[complex.edge(sides.h).idx()], &jk = lengths[complex.edge(sides.next).idx()],
+             &ki = lengths[complex.edge(sides.prev).idx()];
     if (violate_triangle_inequality(ij, jk, ki))
       offenders.add(f.idx());
     faces[f.idx()] = construct_face_data.from_lengths(ij, jk, ki);
-    bound_corners(traits, h, next, prev, faces[f.idx()], edges[complex.edge(h).idx()], edges[complex.edge(next).idx()],
-                  edges[complex.edge(prev).idx()], bounds);
   }
   if (offenders.count > 0)
     throw Invalid_surface_error(Defect::TRIANGLE_INEQUALITY, offenders.first, offenders.count,
@@ -347,7 +342,7 @@ void construct_metric_from_lengths(const Delta_complex& complex, const Traits& t
 // For traits with exact geometry, from the exact metric.
 template <class Traits, class InputMetric, class EdgeVector, class FaceVector>
 void construct_metric_from_input(const Delta_complex& complex, const Traits& traits, const InputMetric& metric,
-                                 EdgeVector& edges, FaceVector& faces, Cotangent_bounds& bounds)
+                                 EdgeVector& edges, FaceVector& faces)
 {
   const auto refined = traits.construct_refined_data_object();
   for (Edge_index e : complex.edges())
@@ -359,13 +354,9 @@ void construct_metric_from_input(const Delta_complex& complex, const Traits& tra
     const Face_halfedges sides(complex, f);
     faces[f.idx()] = refined(metric.four_areas_double_double(complex, f), squared_length(sides.h),
                              squared_length(sides.next), squared_length(sides.prev));
-    bound_corners(traits, sides.h, sides.next, sides.prev, faces[f.idx()], edges[complex.edge(sides.h).idx()],
-                  edges[complex.edge(sides.next).idx()], edges[complex.edge(sides.prev).idx()], bounds);
   }
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_METRIC_CONSTRUCTION_H

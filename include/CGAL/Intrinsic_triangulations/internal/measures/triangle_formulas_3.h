@@ -17,9 +17,7 @@
 
 #include <array>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 using Points = Large_vector<std::array<double, 3>>;
 
@@ -70,8 +68,6 @@ FT four_areas_3(const std::array<FT, 3>& p, const std::array<FT, 3>& q, const st
   return FT(2) * sqrt_of_non_negative(FT(x * x + y * y + z * z));
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_TRIANGLE_FORMULAS_3_H

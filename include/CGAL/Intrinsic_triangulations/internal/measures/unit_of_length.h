@@ -25,13 +25,10 @@
 #include <cstddef>
 #include <limits>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 using Defect = Invalid_surface_error::Defect;
 
@@ -200,60 +197,27 @@ bool scale_point(std::array<FT, 3>& point, const Box& box, int exponent)
   return is_exact;
 }
 
-// Adds points two at a time, of which only those that are used count; returns how many it looked at.
-template <class PointVector, class IsUsed>
-std::size_t add_two_at_a_time(Box& box, const PointVector& points, std::size_t first, std::size_t last,
-                              const IsUsed& is_used)
-{
-  // The pairs (x, y), (z, x'), (y', z').
-  std::array<Two_doubles, 3> low, high, zero;
-  low.fill(Box::infinity);
-  high.fill(-Box::infinity);
-  zero.fill(0.);
-  std::size_t v = first;
-  for (; v + 1 < last && is_used(v) && is_used(v + 1); v += 2) {
-    const double* const p = points[v].data();
-    const double* const q = points[v + 1].data();
-    const std::array<Two_doubles, 3> x{Two_doubles::at(p), Two_doubles(p[2], q[0]), Two_doubles::at(q + 1)};
-    for (int i = 0; i < 3; ++i) {
-      low[i] = min_of(x[i], low[i]);
-      high[i] = max_of(x[i], high[i]);
-      zero[i] = zero[i] + (x[i] - x[i]);
-    }
-  }
-  Box of_points;
-  of_points.low = {(std::min)(low[0].first(), low[1].second()), (std::min)(low[0].second(), low[2].first()),
-                   (std::min)(low[1].first(), low[2].second())};
-  of_points.high = {(std::max)(high[0].first(), high[1].second()), (std::max)(high[0].second(), high[2].first()),
-                    (std::max)(high[1].first(), high[2].second())};
-  const Two_doubles sum = zero[0] + zero[1] + zero[2];
-  of_points.zero = sum.first() + sum.second();
-  box.add(of_points);
-  return v - first;
-}
-
 // The box of the vertices that are used. All have to be finite.
 template <class ConcurrencyTag, class PointVector, class IsUsed>
 Box bounding_box(const PointVector& points, const IsUsed& is_used)
 {
-  using FT = typename PointVector::value_type::value_type;
   std::vector<Box> boxes(points.size() / elements_of_block + 1);
   for_each_block<ConcurrencyTag>(points.size(), elements_of_block, [&](std::size_t first, std::size_t last) {
-    Box box;
+    Two_doubles low(Box::infinity), high(-Box::infinity), low_z = low, high_z = high, zero(0.);
     for (std::size_t v = first; v < last; ++v) {
-      if constexpr (std::is_same<FT, double>::value)
-        if ((v += add_two_at_a_time(box, points, v, last, is_used)) == last)
-          break;
-      const bool is_in_box = is_used(v);
-      for (int i = 0; i < 3; ++i) {
-        const FT& coordinate = points[v][i];
-        const double x = CGAL::to_double(coordinate);
-        box.zero += zero_if_finite(x);
-        if (is_in_box)
-          box.add(i, x);
-      }
+      const auto& p = points[v];
+      const Two_doubles xy(CGAL::to_double(p[0]), CGAL::to_double(p[1])), z(CGAL::to_double(p[2]));
+      zero = zero + (xy - xy) + (z - z);
+      if (!is_used(v))
+        continue;
+      low = min_of(xy, low);
+      high = max_of(xy, high);
+      low_z = min_of(z, low_z);
+      high_z = max_of(z, high_z);
     }
-    boxes[first / elements_of_block] = box;
+    boxes[first / elements_of_block] = {{low.first(), low.second(), low_z.first()},
+                                        {high.first(), high.second(), high_z.first()},
+                                        zero.first() + zero.second()};
   });
   Box result;
   for (const Box& box : boxes)
@@ -331,8 +295,6 @@ inline double area_in_input_unit(double area, int unit_exponent, Face_index f)
   return result;
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_UNIT_OF_LENGTH_H

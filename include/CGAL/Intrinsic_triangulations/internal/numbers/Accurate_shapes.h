@@ -23,9 +23,7 @@
 #include <cmath>
 #include <optional>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Where the apex of a face is, as seen from its longest side and in units of that, by the lengths of its sides from that
 // on: nothing if it is so low that their rounding tells.
@@ -122,8 +120,6 @@ private:
   const Input_metric::Point_vector& points_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_ACCURATE_SHAPES_H

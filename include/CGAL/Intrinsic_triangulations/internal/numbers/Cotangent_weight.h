@@ -35,9 +35,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 [[noreturn]] inline void throw_no_cotangent(Face_index f)
 {
@@ -168,6 +166,16 @@ private:
   std::vector<Entry> entries_; // by numbers of faces
 };
 
+// The cotangent opposite to h, which has a face, from what is stored.
+template <class Triangulation>
+auto bounded_cotangent(const Triangulation& triangulation, Halfedge_index h)
+{
+  const Delta_complex& complex = triangulation.connectivity();
+  const auto data = [&](Halfedge_index side) -> const auto& { return triangulation.edge_data(complex.edge(side)); };
+  return triangulation.traits().compute_bounded_cotangent_object()(triangulation.face_data(complex.face(h)), data(h),
+                                                                   data(complex.next(h)), data(complex.prev(h)));
+}
+
 // Gives the weight of an edge, as documented for cotangent_weights().
 template <class Traits, class = void>
 class Cotangent_weight
@@ -199,7 +207,7 @@ public:
   {
     prefetch_soon(e);
     const Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
-    const Bounded_double k = cotangent(e, h), l = cotangent(e, g);
+    const Bounded_double k = cotangent(h), l = cotangent(g);
     // The rounding of the sum is far below the error of its terms.
     const double weight = k.value + l.value, error = 1.5 * (k.error + l.error);
     const bool is_precise = error <= stored_number_accuracy * (1 + std::abs(k.value) + std::abs(l.value));
@@ -219,9 +227,9 @@ private:
     for (Halfedge_index side : {h, complex_.opposite(h)}) {
       if (complex_.is_border(side))
         continue;
-      prefetch_to_read(&triangulation_.face_data(complex_.face(side)));
-      prefetch_to_read(&triangulation_.edge_data(complex_.edge(complex_.next(side))));
-      prefetch_to_read(&triangulation_.edge_data(complex_.edge(complex_.prev(side))));
+      prefetch(&triangulation_.face_data(complex_.face(side)));
+      prefetch(&triangulation_.edge_data(complex_.edge(complex_.next(side))));
+      prefetch(&triangulation_.edge_data(complex_.edge(complex_.prev(side))));
     }
   }
 
@@ -258,15 +266,9 @@ private:
   }
 
   // On the border there is no angle, which counts as a cotangent of zero.
-  Bounded_double cotangent(Edge_index e, Halfedge_index h) const
+  Bounded_double cotangent(Halfedge_index h) const
   {
-    const Face_index f = complex_.face(h);
-    if (!f.is_valid())
-      return {0, 0};
-    return triangulation_.traits().compute_bounded_cotangent_object()(
-      triangulation_.face_data(f), triangulation_.edge_data(e),
-      triangulation_.edge_data(complex_.edge(complex_.next(h))),
-      triangulation_.edge_data(complex_.edge(complex_.prev(h))));
+    return complex_.is_border(h) ? Bounded_double{0, 0} : bounded_cotangent(triangulation_, h);
   }
 
   const Triangulation& triangulation_;
@@ -315,8 +317,6 @@ private:
   const Triangulation& triangulation_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_COTANGENT_WEIGHT_H

@@ -31,9 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Cotangents and their sums beside faces of any area; none is NaN.
 template <class Traits>
@@ -324,10 +322,7 @@ private:
   {
     double low = 0, high = 0;
     for (Halfedge_index h : {complex_.halfedge(e), complex_.opposite(complex_.halfedge(e))}) {
-      const auto c = triangulation_.traits().compute_bounded_cotangent_object()(
-        triangulation_.face_data(complex_.face(h)), triangulation_.edge_data(e),
-        triangulation_.edge_data(complex_.edge(complex_.next(h))),
-        triangulation_.edge_data(complex_.edge(complex_.prev(h))));
+      const auto c = bounded_cotangent(triangulation_, h);
       low += c.value - c.error;
       high += c.value + c.error;
     }
@@ -339,8 +334,6 @@ private:
   Extended_cotangents<Traits> extended_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_ELEMENT_MEASURER_H

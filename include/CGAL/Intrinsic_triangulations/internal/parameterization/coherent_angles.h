@@ -27,24 +27,16 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
-// the result of `find_coherent_angles()`.
 struct Coherent_angles
 {
-  // for each halfedge, the opposite angle in its face; 0 for a border halfedge
-  std::vector<double> angles;
-  // the number of interior edges whose two given angles summed to more than is allowed
-  std::size_t number_of_clipped_edges = 0;
-  double largest_change = 0; // in radians
+  std::vector<double> angles;              // for each halfedge, the opposite angle in its face; 0 for a border halfedge
+  std::size_t number_of_clipped_edges = 0; // interior edges whose two given angles summed to more than is allowed
+  double largest_change = 0;
 };
 
-// returns for each halfedge the opposite angle, in radians; 0 for border halfedges.
-// \param complex the triangles
-// \param lengths the length of each edge
-// \param areas the area of each face. O(size).
+// For each halfedge the opposite angle; 0 for border halfedges.
 inline std::vector<double> opposite_angles(const Delta_complex& complex, const std::vector<double>& lengths,
                                            const std::vector<double>& areas)
 {
@@ -87,6 +79,13 @@ inline double edge_margin(const Delta_complex& complex, const std::vector<double
 {
   const Halfedge_index h = complex.halfedge(e);
   return (std::min)(margins[complex.source(h).idx()], margins[complex.target(h).idx()]);
+}
+
+// How far an iteration is whose error falls from `first` to `tolerance`: the digits that it has.
+inline double fraction_of_digits(double first, double error, double tolerance)
+{
+  const double all = std::log(first / tolerance);
+  return all > 0 ? (std::max)(0., (std::min)(1., std::log(first / error) / all)) : 0;
 }
 
 // Minimizes |x - given|^2 / 2 subject to A x = b, x >= lowest, and the sums over the two sides of
@@ -325,32 +324,22 @@ private:
   Array gradient_, equation_error_, slack_error_, edge_slack_error_;
 };
 
-// finds the coherent angle system that is nearest to given angles in the least-squares
-// sense.
+// Finds the coherent angle system that is nearest to given angles in the least-squares sense.
 //
-// In a coherent angle system the angles of each face sum to π, those around each interior
-// vertex sum to 2π, all are positive, and the two opposite an interior edge sum to less than
-// π. If a triangulation is not Delaunay, some of its edges violate the last condition, and their
-// angles are clipped. On an intrinsic Delaunay triangulation there is nothing to clip; only the
-// curvature has to be distributed.
+// In a coherent angle system the angles of each face sum to π, those around each interior vertex sum to 2π, all are
+// positive, and the two opposite an interior edge sum to less than π. If a triangulation is not Delaunay, some of its
+// edges violate the last condition, and their angles are clipped. On an intrinsic Delaunay triangulation there is
+// nothing to clip; only the curvature has to be distributed.
 //
-// \param complex the triangles of a surface with boundary
-// \param angles the angle opposite each halfedge, as returned by `opposite_angles()`
-// \param margin in radians, how far edge sums stay below π and angles stay above 0; angles
-//   less than twice the margin can become half as large. At a vertex with *d* corners the margin is
-//   at most π/*d*
-// \param progress is called before each iteration
-//
-// \exception Invalid_surface_error if an interior vertex has fewer than three corners, whose
-//   angles cannot sum to 2π
+// \param angles those of `opposite_angles()`
+// \param margin how far edge sums stay below π and angles stay above 0; angles less than twice the margin can become
+//   half as large. At a vertex with d corners the margin is at most π/d
+// \exception Invalid_surface_error if an interior vertex has fewer than three corners, whose angles cannot sum to 2π
 // \exception Numerical_error if no such angles are found
-// \exception Cancelled_error if `progress` returns `false`
 //
-// The convex quadratic program is solved by an interior-point method, with about twenty sparse
-// Cholesky factorizations. Face and vertex sums are accurate to 1e-12, or to 2⁻⁵² for each corner of a
-// vertex if that is more.
-// Source: L. Kharevych, B. Springborn, P. Schröder, "Discrete conformal mappings via circle
-// patterns", 2006, section 3.
+// The convex quadratic program takes about twenty sparse Cholesky factorizations. Face and vertex sums are accurate to
+// 1e-12, or to 2⁻⁵² for each corner of a vertex if that is more.
+// Source: L. Kharevych, B. Springborn, P. Schröder, "Discrete conformal mappings via circle patterns", 2006, section 3.
 inline Coherent_angles find_coherent_angles(const Delta_complex& complex, const std::vector<double>& angles,
                                             double margin = 1e-3, const Progress_function& progress = {})
 {
@@ -380,8 +369,6 @@ inline Coherent_angles find_coherent_angles(const Delta_complex& complex, const 
   return result;
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_PARAMETERIZATION_COHERENT_ANGLES_H

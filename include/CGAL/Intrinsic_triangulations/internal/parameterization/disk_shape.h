@@ -10,19 +10,23 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 [[noreturn]] inline void throw_no_disk(const std::string& what)
 {
@@ -34,28 +38,16 @@ namespace internal {
 
 inline std::size_t number_of_components(const Delta_complex& complex)
 {
-  std::vector<bool> is_visited(complex.number_of_faces(), false);
-  std::vector<Face_index> stack;
-  std::size_t components = 0;
-  for (Face_index first : complex.faces()) {
-    if (is_visited[first.idx()])
-      continue;
-    ++components;
-    is_visited[first.idx()] = true;
-    stack.push_back(first);
-    while (!stack.empty()) {
-      Halfedge_index h = complex.halfedge(stack.back());
-      stack.pop_back();
-      for (int side = 0; side < 3; ++side, h = complex.next(h)) {
-        const Face_index f = complex.face(complex.opposite(h));
-        if (f.is_valid() && !is_visited[f.idx()]) {
-          is_visited[f.idx()] = true;
-          stack.push_back(f);
-        }
-      }
+  Disjoint_sets sets(complex.number_of_faces());
+  std::size_t result = complex.number_of_faces();
+  for (Edge_index e : complex.edges())
+    if (!complex.is_border(e)) {
+      const Halfedge_index h = complex.halfedge(e);
+      const std::uint32_t f = sets.find(complex.face(h).idx()), g = sets.find(complex.face(complex.opposite(h)).idx());
+      result -= f != g;
+      sets.unite(f, g);
     }
-  }
-  return components;
+  return result;
 }
 
 inline std::size_t number_of_boundaries(const Delta_complex& complex)
@@ -108,6 +100,23 @@ inline double root_of_sum(const std::vector<double>& areas)
   return std::sqrt(sum) * std::sqrt(*std::max_element(areas.begin(), areas.end()));
 }
 
+// Scales a map so that its image has the area of the surface.
+// \exception Numerical_error with this message, if the image has no area
+inline void scale_to_area(const Delta_complex& complex, const std::vector<Halfedge_index>& boundary,
+                          const std::vector<double>& areas, std::vector<std::array<double, 2>>& uv, const char* message)
+{
+  double image_area = 0;
+  for (Halfedge_index h : boundary) {
+    const auto &p = uv[complex.source(h).idx()], &q = uv[complex.target(h).idx()];
+    image_area += (p[0] * q[1] - q[0] * p[1]) / 2;
+  }
+  if (!(image_area > 0))
+    throw Numerical_error(message);
+  const double scale = root_of_sum(areas) / std::sqrt(image_area);
+  for (std::array<double, 2>& p : uv)
+    p = {scale * p[0], scale * p[1]};
+}
+
 // The lengths of the edges of a boundary.
 inline std::vector<double> boundary_lengths(const Delta_complex& complex, const std::vector<Halfedge_index>& boundary,
                                             const std::vector<double>& edge_lengths)
@@ -118,8 +127,39 @@ inline std::vector<double> boundary_lengths(const Delta_complex& complex, const 
   return lengths;
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+// Numbers the entries that are wanted from 0 on, and the others -1.
+template <class Is_wanted>
+std::vector<int> numbering(std::size_t size, int& number, const Is_wanted& is_wanted)
+{
+  std::vector<int> result(size, -1);
+  number = 0;
+  for (std::size_t i = 0; i < size; ++i)
+    if (is_wanted(i))
+      result[i] = number++;
+  return result;
+}
+
+// Solves matrix * x = 0 for the rows that are not fixed, where x has given values in the others.
+inline void solve_with_fixed_values(const Eigen::SparseMatrix<double>& matrix, const std::vector<bool>& is_fixed,
+                                    Eigen::MatrixXd& x, const char* what)
+{
+  int number_of_free = 0, number_of_fixed = 0;
+  const std::vector<int> free_row =
+                           numbering(is_fixed.size(), number_of_free, [&](std::size_t i) { return !is_fixed[i]; }),
+                         fixed_row = numbering(is_fixed.size(), number_of_fixed,
+                                               [&](std::size_t i) { return bool(is_fixed[i]); });
+  Eigen::MatrixXd fixed(number_of_fixed, x.cols());
+  for (std::size_t i = 0; i < is_fixed.size(); ++i)
+    if (is_fixed[i])
+      fixed.row(fixed_row[i]) = x.row(Eigen::Index(i));
+  const Sparse_Cholesky<> cholesky(submatrix(matrix, free_row, free_row, number_of_free, number_of_free), what);
+  const Eigen::MatrixXd right = -(submatrix(matrix, free_row, fixed_row, number_of_free, number_of_fixed) * fixed);
+  const Eigen::MatrixXd solution = cholesky.solve(right);
+  for (std::size_t i = 0; i < is_fixed.size(); ++i)
+    if (!is_fixed[i])
+      x.row(Eigen::Index(i)) = solution.row(free_row[i]);
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_PARAMETERIZATION_DISK_SHAPE_H

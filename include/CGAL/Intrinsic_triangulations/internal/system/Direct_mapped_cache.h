@@ -11,9 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Values by keys, each at the one place that its hash gives. It grows where work goes on: few questions do not pay for
 // the memory of many.
@@ -62,8 +60,6 @@ private:
   std::vector<Entry> entries_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_DIRECT_MAPPED_CACHE_H

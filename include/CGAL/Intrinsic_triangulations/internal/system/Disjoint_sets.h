@@ -13,9 +13,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Disjoint sets of the integers below n.
 class Disjoint_sets
@@ -46,8 +44,6 @@ public:
 private:
   std::vector<std::uint32_t> parent_;
 };
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_DISJOINT_SETS_H

@@ -15,9 +15,7 @@
 #include <functional>
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The exact stages call check() before each step that takes a microsecond or more, the heat methods before each system.
 // The user's function is called a hundred times a second at most, so that it need not be fast, possibly by several
@@ -61,8 +59,6 @@ private:
   mutable std::atomic<Ticks> next_question_{0};
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_INTERRUPTION_H

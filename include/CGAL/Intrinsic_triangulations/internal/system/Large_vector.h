@@ -19,8 +19,7 @@
 #include <sys/mman.h>
 #endif
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
@@ -113,7 +112,6 @@ void make_room(Vector& vector, std::size_t n)
 }
 } // namespace internal
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_LARGE_VECTOR_H

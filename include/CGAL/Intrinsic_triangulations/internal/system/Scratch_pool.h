@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // A small number for each thread, the same for its whole life.
 inline std::size_t number_of_this_thread()
@@ -131,8 +129,6 @@ private:
   std::size_t size_ = 0;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_SCRATCH_POOL_H

@@ -19,9 +19,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // While an object of this class lives, its thread rounds to nearest and keeps subnormal numbers, whatever was set
 // before: by fesetround(), or by a library that was linked with -ffast-math and flushes them to zero. The old mode
@@ -101,8 +99,6 @@ private:
   Mode before_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_STANDARD_ARITHMETIC_H

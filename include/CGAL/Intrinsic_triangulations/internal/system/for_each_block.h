@@ -25,9 +25,7 @@
 #include <tbb/task_arena.h>
 #endif
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Whether several threads may work on numbers of this type at once: they have no shared state,
 // and are read and written in one piece.
@@ -124,8 +122,6 @@ Block_runner block_runner()
   };
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_FOR_EACH_BLOCK_H

@@ -13,23 +13,12 @@
 #endif
 #include <boost/config.hpp>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
-// Has the cache line of `*p` fetched in the background, to be written.
-inline void prefetch(const void* p)
-{
-#ifdef __GNUC__
-  __builtin_prefetch(p, 1);
-#else
-  (void)p;
-#endif
-}
-
-// The same to read it, as other threads may, too. A function that does nothing else has to be forced inline: GCC takes
-// it for one without effect, and leaves out its calls.
-BOOST_FORCEINLINE void prefetch_to_read(const void* p)
+// Has the cache line of `*p` fetched in the background: to be read, as other threads may, too. (x86 processors without
+// PREFETCHW have no other way.) A function that does nothing else has to be forced inline: GCC takes it for one without
+// effect, and leaves out its calls.
+BOOST_FORCEINLINE void prefetch(const void* p)
 {
 #ifdef __GNUC__
   __builtin_prefetch(p, 0);
@@ -63,8 +52,6 @@ void relaxed_store(T& to, T value)
 #endif
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_MEMORY_ACCESS_H

@@ -14,9 +14,7 @@
 #include <limits>
 #include <string>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // What is in a file may steer a terminal, or be long.
 inline std::string shown_text(const std::string& text)
@@ -49,8 +47,6 @@ inline std::string index_text(const std::size_t value)
   return std::to_string(value);
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_SHOWN_TEXT_H

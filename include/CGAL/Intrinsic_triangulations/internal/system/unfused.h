@@ -12,9 +12,7 @@
 
 #include <boost/config.hpp>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Returns x, as a number of which the optimizer knows nothing.
 //
@@ -46,8 +44,6 @@ BOOST_FORCEINLINE Number unfused(Number x)
 }
 #endif
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_UNFUSED_H

@@ -15,11 +15,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTwists
 /// \brief two faces that share two edges, and whose other sides are loops: a tube.
@@ -204,7 +204,26 @@ private:
   std::vector<Integer> counts_;
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+/// \ingroup PkgIntrinsicTriangulationsTwists
+/// \brief consecutive flips within one tube.
+struct Twist
+{
+  Halfedge_index loop; ///< a side of the tube, with the tube to its left
+  Integer
+    power; ///< the number of flips; positive if they turn the far side to the right, as `Crossing_counts::twist()` explains
+};
+
+/// \ingroup PkgIntrinsicTriangulationsTwists
+/// \brief what `untwist()` did.
+struct Untwisting
+{
+  std::vector<Twist> twists;         ///< in order; each tube is one of the triangulation that those before leave
+  Integer number_of_flips = 0;       ///< of all twists together
+  std::uint64_t number_of_steps = 0; ///< of those flips, how many were made one by one
+  Crossing_counts crossings;         ///< how often each edge crosses edges of the complex that was given
+  bool is_complete = true;           ///< `false` if the visitor ended it: then some tubes are left as they were
+};
+
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TWISTS_CROSSING_COUNTS_H
