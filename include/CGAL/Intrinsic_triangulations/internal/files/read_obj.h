@@ -15,7 +15,6 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -30,17 +29,15 @@ namespace internal {
 // face.
 inline bool is_other_obj_keyword(const std::string_view word)
 {
-  static constexpr std::string_view keywords[] = {
-    "vt", "vn", "vp", "l", "p", "o", "g", "s", "mg", "usemtl", "mtllib", "usemap", "maplib",
-    // how it is shown
-    "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "ctech", "stech",
-    // curves and surfaces
-    "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv", "sp", "end", "con",
-    "surf_1", "q0_1", "q1_1", "curv2d_1", "surf_2", "q0_2", "q1_2", "curv2d_2",
-    // those that were superseded
-    "bsp", "bzp", "cdc", "cdp", "res"};
-  return std::any_of(std::begin(keywords), std::end(keywords),
-                     [word](std::string_view keyword) { return is_keyword(word, keyword); });
+  return is_one_of(
+    word, {"vt", "vn", "vp", "l", "p", "o", "g", "s", "mg", "usemtl", "mtllib", "usemap", "maplib",
+           // how it is shown
+           "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "ctech", "stech",
+           // curves and surfaces
+           "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv", "sp", "end", "con",
+           "surf_1", "q0_1", "q1_1", "curv2d_1", "surf_2", "q0_2", "q1_2", "curv2d_2",
+           // those that were superseded
+           "bsp", "bzp", "cdc", "cdp", "res"});
 }
 
 class Obj_reader : Text_reader
@@ -161,7 +158,9 @@ private:
       return;
     // A name may have any words. A CR or LF that ends no line of this file shows what they are.
     const char* const end = std::find_if(lines_.p, lines_.last, [](const char c) { return c == '\r' || c == '\n'; });
-    const bool may_be_name = is_name(keyword) && skip_white(end, lines_.last) == lines_.last;
+    const bool may_be_name = is_one_of(keyword, {"g", "o", "usemtl", "mtllib", "usemap", "maplib", "shadow_obj",
+                                                 "trace_obj"}) &&
+                             skip_white(end, lines_.last) == lines_.last;
     std::string_view element; // v or f
     std::size_t numbers = 0;  // behind it
     while (lines_.find_word_on_line()) {
@@ -182,13 +181,6 @@ private:
         return;
       }
     }
-  }
-  static bool is_name(const std::string_view keyword)
-  {
-    for (const char* const other : {"g", "o", "usemtl", "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj"})
-      if (is_keyword(keyword, other))
-        return true;
-    return false;
   }
 
   // Three coordinates, and perhaps a weight and a color.

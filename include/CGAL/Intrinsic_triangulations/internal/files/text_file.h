@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -115,6 +116,11 @@ inline bool is_keyword(const std::string_view word, const std::string_view keywo
     if (word[i] != keyword[i] && (word[i] < 'A' || word[i] > 'Z' || word[i] - 'A' + 'a' != keyword[i]))
       return false;
   return true;
+}
+
+inline bool is_one_of(const std::string_view word, const std::initializer_list<std::string_view> keywords)
+{
+  return std::any_of(keywords.begin(), keywords.end(), [word](const std::string_view k) { return is_keyword(word, k); });
 }
 
 // What a word is that should be an integer, and how it is to be read if it is one: C++ knows no plus.
