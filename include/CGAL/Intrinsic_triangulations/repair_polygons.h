@@ -179,8 +179,8 @@ inline std::string message(const Repair& repair)
   const internal::Repair_words words = internal::words_of(repair.kind);
   std::string text = repair.description;
   if (repair.count > 1)
-    text += ", and " + std::to_string(repair.count - 1) + " more " + (repair.count == 2 ? words.singular : words.plural) +
-            " like it";
+    text += ", and " + std::to_string(repair.count - 1) + " more " +
+            (repair.count == 2 ? words.singular : words.plural) + " like it";
   return text;
 }
 

@@ -217,50 +217,54 @@ private:
     line_of_color_ = 0;
     if (prefix_.empty() && word[0] == '#')
       return begin_rest(false);
-    const std::string whole = std::string(prefix_) + std::string(word);
+    std::string joined;
+    std::string_view whole = word;
+    if (!prefix_.empty())
+      whole = joined = std::string(prefix_) + std::string(word);
     prefix_ = {};
-    if (!take_keyword(in_small_letters(whole)))
-      refuse_word(whole);
+    if (!take_keyword(whole))
+      refuse_word(std::string(whole));
   }
 
-  // \param word in small letters. \return whether it may be there
+  // Returns whether it may be there.
   bool take_keyword(const std::string_view word)
   {
-    if (state_ == FACET && word == "outer") {
+    const auto is = [word](const std::string_view keyword) { return is_keyword(word, keyword); };
+    if (state_ == FACET && is("outer")) {
       normal_ = 0; // of which words may be missing
       prefix_ = "outer ";
-    } else if (state_ == FACET && (word == "outer loop" || word == "vertex")) {
+    } else if (state_ == FACET && (is("outer loop") || is("vertex"))) {
       state_ = CORNERS;
-      has_loop_ = word != "vertex";
+      has_loop_ = !is("vertex");
       return has_loop_ || take_keyword(word);
     } else if (state_ == FACET && normal_ > 0)
       --normal_; // of any words, NaN for example
-    else if (state_ == FACET && word == "normal" && !has_normal_) {
+    else if (state_ == FACET && is("normal") && !has_normal_) {
       has_normal_ = true;
       normal_ = 3;
-    } else if (state_ == CORNERS && word == "vertex") {
+    } else if (state_ == CORNERS && is("vertex")) {
       if (number_of_corners_ == 3)
         refuse_corners();
       coordinates_ = 0;
       line_of_vertex_ = number_;
-    } else if (state_ == CORNERS && word == "endloop" && has_loop_)
+    } else if (state_ == CORNERS && is("endloop") && has_loop_)
       state_ = LOOP;
-    else if (word == "endfacet" && (state_ == LOOP || (state_ == CORNERS && !has_loop_)))
+    else if (is("endfacet") && (state_ == LOOP || (state_ == CORNERS && !has_loop_)))
       end_facet();
-    else if (state_ == SOLID && word == "facet")
+    else if (state_ == SOLID && is("facet"))
       begin_facet();
-    else if (word == "end")
+    else if (is("end"))
       prefix_ = "end";
-    else if (word == "solid" && (state_ == SOLID || state_ == OUTSIDE)) {
+    else if (is("solid") && (state_ == SOLID || state_ == OUTSIDE)) {
       if (state_ == SOLID)
         soup_.warnings.push_back("line " + std::to_string(number_) +
                                  ": a solid begins, but the previous one has no line endsolid");
       state_ = SOLID;
       begin_rest(true);
-    } else if (word == "endsolid" && state_ == SOLID) {
+    } else if (is("endsolid") && state_ == SOLID) {
       state_ = OUTSIDE;
       begin_rest(true);
-    } else if (state_ != OUTSIDE && (word == "color" || word == "colour"))
+    } else if (state_ != OUTSIDE && (is("color") || is("colour")))
       line_of_color_ = number_;
     else
       return false;
@@ -269,8 +273,8 @@ private:
 
   static bool is_word_of_stl(const std::string_view word)
   {
-    return word[0] == '#' || is_one_of(word, {"facet", "normal", "outer", "loop", "vertex", "endloop", "endfacet", "end",
-                                              "solid", "endsolid", "color"});
+    return word[0] == '#' || is_one_of(word, {"facet", "normal", "outer", "loop", "vertex", "endloop", "endfacet",
+                                              "end", "solid", "endsolid", "color"});
   }
 
   void end_facet()

@@ -120,7 +120,8 @@ inline bool is_keyword(const std::string_view word, const std::string_view keywo
 
 inline bool is_one_of(const std::string_view word, const std::initializer_list<std::string_view> keywords)
 {
-  return std::any_of(keywords.begin(), keywords.end(), [word](const std::string_view k) { return is_keyword(word, k); });
+  return std::any_of(keywords.begin(), keywords.end(),
+                     [word](const std::string_view k) { return is_keyword(word, k); });
 }
 
 // What a word is that should be an integer, and how it is to be read if it is one: C++ knows no plus.
@@ -162,14 +163,13 @@ bool take_real(const char*& p, const char* const end, Real& number)
   return true;
 }
 
-// Goes behind a number without a sign and a point, of nine digits at most, at whose end the word may go on. Leaves p
-// otherwise.
+// Goes behind a word that is a number without a sign and a point, of nine digits at most. Leaves p otherwise.
 inline bool take_count(const char*& p, const char* const end, std::uint32_t& number)
 {
   const char* q = p;
   for (number = 0; q != end && is_digit(*q); ++q)
     number = 10 * number + static_cast<std::uint32_t>(*q - '0');
-  if (q == p || q - p > 9)
+  if (q == p || q - p > 9 || !(q == end || is_white(*q)))
     return false;
   p = q;
   return true;
@@ -210,6 +210,12 @@ inline bool is_number(const std::string_view word)
 inline std::string place(const std::size_t line, const char* const kind, const std::size_t element)
 {
   return "line " + std::to_string(line) + " (" + kind + " " + std::to_string(element) + ")";
+}
+
+// "3 vertices and 1 face"
+inline std::string vertices_and_faces(const std::uintmax_t vertices, const std::uintmax_t faces)
+{
+  return counted(vertices, "vertex", "vertices") + " and " + counted(faces, "face", "faces");
 }
 
 // ", and 3 more faces like it"
