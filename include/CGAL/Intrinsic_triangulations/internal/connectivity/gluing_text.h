@@ -257,7 +257,7 @@ private:
     return std::uint32_t(s);
   }
 
-  std::uint32_t side_target(std::uint32_t s) const { return corner_vertex_[s % 3 == 2 ? s - 2 : s + 1]; }
+  std::uint32_t side_target(std::uint32_t s) const { return corner_vertex_[next_side(s)]; }
 
   template <class Function>
   void unless_defect(const Function& function) const

@@ -11,8 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Faces_around_edge.h>
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Sides_by_edge.h>
-#include <CGAL/Intrinsic_triangulations/internal/gluing/Triangle_pieces.h>
-#include <CGAL/Intrinsic_triangulations/internal/gluing/separate_fans.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
@@ -298,7 +296,7 @@ private:
       for (Crowded_edge& edge : crowded_edges_) {
         if (edge.rule == CUT || !is_double(edge))
           continue;
-        const Index s = edge.entries[0].side, v = corners_[s], w = corners_[s % 3 == 2 ? s - 2 : s + 1];
+        const Index s = edge.entries[0].side, v = corners_[s], w = corners_[next_side(s)];
         if (trial < number_of_trials && (is_near[v] || is_near[w]))
           continue;
         is_near[v] = is_near[w] = is_changed = true;
@@ -406,7 +404,7 @@ private:
 
   std::pair<Index, Index> ends(Index side) const
   {
-    const Index v = fans_.second[side], w = fans_.second[side % 3 == 2 ? side - 2 : side + 1];
+    const Index v = fans_.second[side], w = fans_.second[next_side(side)];
     return fans_.first[v] < fans_.first[w] ? std::make_pair(v, w) : std::make_pair(w, v);
   }
 
