@@ -36,6 +36,16 @@ namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
 
+// Of each vertex, whether it has.
+inline std::vector<bool> have_faces(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles)
+{
+  std::vector<bool> result(number_of_vertices, false);
+  for (const Index_triangle& t : triangles)
+    for (std::uint32_t v : t)
+      result[v] = true;
+  return result;
+}
+
 // Triangles whose corners are at three different places, by the vertices that stand for those given.
 struct Cleaned_triangles
 {
@@ -107,10 +117,7 @@ private:
 
   void weld(Disjoint_sets& sets) const
   {
-    std::vector<bool> has_face(points_.size(), false);
-    for (const Index_triangle& t : result_.triangles)
-      for (std::uint32_t v : t)
-        has_face[v] = true;
+    const std::vector<bool> has_face = have_faces(points_.size(), result_.triangles);
     std::vector<std::uint32_t> order;
     for (std::uint32_t v = 0; v < points_.size(); ++v)
       if (has_face[v])
@@ -170,10 +177,7 @@ private:
 
   void count_unreferenced()
   {
-    std::vector<bool> has_row(points_.size(), false);
-    for (const Index_triangle& t : result_.triangles)
-      for (std::uint32_t v : t)
-        has_row[v] = true;
+    const std::vector<bool> has_row = have_faces(points_.size(), result_.triangles);
     for (std::uint32_t v = 0; v < points_.size(); ++v)
       result_.report.unreferenced_vertices += !has_row[result_.representative[v]];
   }
@@ -353,10 +357,7 @@ private:
   // Into a range in which products neither over- nor underflow.
   void scale_points()
   {
-    std::vector<bool> is_used(points_.size(), false);
-    for (const Index_triangle& t : triangles())
-      for (Index v : t)
-        is_used[v] = true;
+    const std::vector<bool> is_used = have_faces(points_.size(), triangles());
     scaled_points_ = points_;
     normalize_points(*scaled_points_, [&](std::size_t v) { return bool(is_used[v]); });
   }
