@@ -5,4 +5,3 @@
 
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/internal/cover/Cover_builder_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/cover/Cover_of_complex_impl.h>

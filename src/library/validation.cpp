@@ -6,5 +6,4 @@
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/validate_triangles_impl.h>
 #include <CGAL/Intrinsic_triangulations/surface_features.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/remove_flat_vertices_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/sharp_edges_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/validation/surface_features_impl.h>

@@ -260,7 +260,6 @@ Tufted_cover make_tufted_cover(const Delta_complex& complex, const std::vector<d
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/cover/Cover_builder_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/cover/Cover_of_complex_impl.h>
 #endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_TUFTED_COVER_H

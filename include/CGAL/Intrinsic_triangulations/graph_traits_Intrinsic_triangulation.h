@@ -80,34 +80,20 @@ private:
   const Triangulation* triangulation_ = nullptr;
 };
 
+// Positions are those in the connectivity.
+template <class Traits, class Tag, bool is_position = graph_has_property<Delta_complex, Tag>::value>
+struct Property_map_of : boost::property_map<Delta_complex, Tag>
+{
+  static auto of(const Intrinsic_triangulation<Traits>& g) { return get(Tag(), g.connectivity()); }
+};
 template <class Traits, class Tag>
-struct Property_map_of
+struct Property_map_of<Traits, Tag, false>
 {
   using type = Edge_number_map<Tag, Traits>;
   using const_type = type;
 
   static type of(const Intrinsic_triangulation<Traits>& g) { return type(g); }
 };
-template <class Traits, class Tag>
-struct Index_map_of : boost::property_map<Delta_complex, Tag>
-{
-  static auto of(const Intrinsic_triangulation<Traits>&)
-  {
-    return typename boost::property_map<Delta_complex, Tag>::type();
-  }
-};
-template <class Traits>
-struct Property_map_of<Traits, boost::vertex_index_t> : Index_map_of<Traits, boost::vertex_index_t>
-{};
-template <class Traits>
-struct Property_map_of<Traits, boost::halfedge_index_t> : Index_map_of<Traits, boost::halfedge_index_t>
-{};
-template <class Traits>
-struct Property_map_of<Traits, boost::edge_index_t> : Index_map_of<Traits, boost::edge_index_t>
-{};
-template <class Traits>
-struct Property_map_of<Traits, boost::face_index_t> : Index_map_of<Traits, boost::face_index_t>
-{};
 
 } // namespace internal
 

@@ -128,15 +128,6 @@ inline std::optional<Vertex_index> vertex_at(const Delta_complex& complex,
   return std::nullopt;
 }
 
-inline void check_area(const internal::Exact_engine& engine, const Surface_point& point)
-{
-  const Delta_complex& input = engine.correspondence().input();
-  const Face_index f = input.face(point.halfedge);
-  if (!engine.metric().has_area(input, f))
-    throw Invalid_point_error("a new vertex lies in face " + std::to_string(f.idx()) +
-                              " of the input, which has zero area: move it into another one");
-}
-
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
@@ -191,6 +182,10 @@ Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const
   const internal::Exact_engine& engine = internal::engine(triangulation);
   const internal::Correspondence& correspondence = engine.correspondence();
   internal::check_new_vertex(correspondence.input(), point);
+  const auto throw_no_area = [](const char* where, Face_index f) {
+    throw Invalid_point_error(std::string("a new vertex lies ") + where + " face " + std::to_string(f.idx()) +
+                              " of the input, which has zero area: move it into another one");
+  };
   Vertex_index v;
   if (point.dimension() == 1) {
     const std::optional<Halfedge_index> h = internal::halfedge_along(engine, point);
@@ -200,13 +195,12 @@ Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const
     if (complex.is_self_glued(complex.edge(*h)))
       throw Invalid_point_error("a new vertex lies on an edge with the same face on both sides: move it into the face");
     if (const auto side = internal::side_without_area(triangulation, complex.edge(*h)))
-      throw Invalid_point_error(
-        "a new vertex lies on a side of face " +
-        std::to_string(correspondence.input().face(correspondence.input_halfedge(*side)).idx()) +
-        " of the input, which has zero area: move it into another one");
+      throw_no_area("on a side of", correspondence.input().face(correspondence.input_halfedge(*side)));
     v = internal::Whole_triangulation<Traits>(triangulation).split_edge(*h, point);
   } else {
-    internal::check_area(engine, point);
+    if (const Face_index f = correspondence.input().face(point.halfedge);
+        !engine.metric().has_area(correspondence.input(), f))
+      throw_no_area("in", f);
     const internal::Triangle_piece start = internal::piece_at_source(complex, correspondence, point.halfedge);
     const internal::Triangle_piece piece = internal::Piece_search(engine)(start, point);
     if (const auto there = internal::vertex_at(complex, correspondence, piece.side, point))

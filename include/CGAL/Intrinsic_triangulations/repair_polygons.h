@@ -68,55 +68,33 @@ struct Repaired_polygons
   std::vector<Repair> repairs;
 };
 
-/// \ingroup PkgIntrinsicTriangulationsValidation
-/// \brief returns the name of a kind of repair in files, for example "reversed faces". Complexity: constant.
-/// \param kind the kind
-inline const char* name(Repair_kind kind)
-{
-  switch (kind) {
-  case Repair_kind::MERGED_VERTEX:
-    return "merged vertices";
-  case Repair_kind::COLLAPSED_FACE:
-    return "collapsed faces";
-  case Repair_kind::DUPLICATE_FACE:
-    return "duplicate faces";
-  case Repair_kind::DUPLICATE_PART:
-    return "duplicate parts of faces";
-  case Repair_kind::TRIANGULATED_FACE:
-    return "triangulated faces";
-  case Repair_kind::REVERSED_FACE:
-    return "reversed faces";
-  case Repair_kind::SPLIT_VERTEX:
-    return "split vertices";
-  case Repair_kind::OPENED_EDGE:
-    return "opened edges";
-  case Repair_kind::DROPPED_VERTEX:
-    return "dropped vertices";
-  }
-  return "";
-}
-
 namespace internal {
 
-// What a kind of repair counts, one and several.
-inline std::array<const char*, 2> counted_elements(Repair_kind kind)
+// A kind of repair in files, and what it counts.
+struct Repair_words
 {
-  switch (kind) {
-  case Repair_kind::MERGED_VERTEX:
-  case Repair_kind::SPLIT_VERTEX:
-  case Repair_kind::DROPPED_VERTEX:
-    return {"vertex", "vertices"};
-  case Repair_kind::OPENED_EDGE:
-    return {"edge", "edges"};
-  default:
-    return {"face", "faces"};
-  }
+  const char *name, *singular, *plural;
+};
+inline Repair_words words_of(Repair_kind kind)
+{
+  static constexpr Repair_words words[] = {
+    {"merged vertices", "vertex", "vertices"}, {"collapsed faces", "face", "faces"},
+    {"duplicate faces", "face", "faces"},      {"duplicate parts of faces", "face", "faces"},
+    {"triangulated faces", "face", "faces"},   {"reversed faces", "face", "faces"},
+    {"split vertices", "vertex", "vertices"},  {"opened edges", "edge", "edges"},
+    {"dropped vertices", "vertex", "vertices"}};
+  return words[static_cast<std::size_t>(kind)];
 }
 
 inline Repaired_polygons repair(std::vector<std::array<double, 3>> points,
                                 std::vector<std::vector<std::size_t>> polygons, const Progress_function& progress);
 
 } // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief returns the name of a kind of repair in files, for example "reversed faces". Complexity: constant.
+/// \param kind the kind
+inline const char* name(Repair_kind kind) { return internal::words_of(kind).name; }
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
 /// \brief returns whether `repair_polygons()` can repair a defect.
@@ -167,8 +145,7 @@ inline bool is_repairable(Invalid_surface_error::Defect defect)
 /// Complexity: O(n log n), plus that of faces with k > 3 corners: nearly planar ones
 /// take O(k log k), others O(k<sup>3</sup>) up to 200 corners; with more corners they become fans.
 ///
-/// It uses these functions of `CGAL::Polygon_mesh_processing`: `merge_duplicate_points_in_polygon_soup()`,
-/// `merge_duplicate_polygons_in_polygon_soup()` and `triangulate_hole_polyline()`.
+/// It uses `CGAL::Polygon_mesh_processing::triangulate_hole_polyline()`.
 template <class PointRange, class PolygonRange>
 Repaired_polygons repair_polygons(const PointRange& points, const PolygonRange& polygons,
                                   const Progress_function& progress = {})
@@ -199,10 +176,11 @@ Repaired_polygons repair_polygons(const PointRange& points, const PolygonRange& 
 /// Complexity: constant.
 inline std::string message(const Repair& repair)
 {
+  const internal::Repair_words words = internal::words_of(repair.kind);
   std::string text = repair.description;
   if (repair.count > 1)
     text += ", and " + std::to_string(repair.count - 1) + " more " +
-            internal::counted_elements(repair.kind)[repair.count == 2 ? 0 : 1] + " like it";
+            (repair.count == 2 ? words.singular : words.plural) + " like it";
   return text;
 }
 

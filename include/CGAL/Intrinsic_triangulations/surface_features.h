@@ -106,8 +106,7 @@ std::vector<bool> sharp_edges(const Delta_complex& complex, const std::vector<st
 } // namespace CGAL::Intrinsic_triangulations
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/validation/remove_flat_vertices_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/sharp_edges_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/validation/surface_features_impl.h>
 #endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_FEATURES_H

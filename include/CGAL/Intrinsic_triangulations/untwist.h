@@ -110,30 +110,30 @@ namespace internal {
 class Exact_number_fields : public Length_fields
 {
 public:
-  void begin(const std::string& version)
+  template <class Fail>
+  void begin(const std::string& version, const Fail& fail)
   {
     is_squared_ = version == "2";
     if (!is_squared_ && version != "1")
-      throw Line_defect{Defect::UNREADABLE,
-                        "asks for version " + shown_text(version) + " of the format; there are 1 and 2"};
+      fail(Defect::UNREADABLE, "asks for version " + shown_text(version) + " of the format; there are 1 and 2");
   }
 
-  void add(const std::string& field)
+  template <class Fail>
+  void add(const std::string& field, const Fail& fail)
   {
     if (!is_squared_)
-      return Length_fields::add(field);
+      return Length_fields::add(field, fail);
     // GMP would read 010 in octal, and ask for any amount of memory.
     if (field.size() > maximum_size)
-      throw Line_defect{Defect::OUT_OF_RANGE, "has a squared length of more than a million digits"};
+      fail(Defect::OUT_OF_RANGE, "has a squared length of more than a million digits");
     const std::size_t slash = (std::min)(field.find('/'), field.size());
     const std::string above = field.substr(0, slash), below = slash == field.size() ? "1" : field.substr(slash + 1);
     Integer n, d;
     if (!parse(above, n) || !parse(below, d) || d == 0)
-      throw Line_defect{Defect::UNREADABLE, "has '" + shown_text(field) +
-                                              "' where a squared length is expected, an integer or a fraction of two"};
+      fail(Defect::UNREADABLE,
+           "has '" + shown_text(field) + "' where a squared length is expected, an integer or a fraction of two");
     if (n == 0)
-      throw Line_defect{Defect::ZERO_LENGTH_EDGE,
-                        "has the squared length " + shown_text(field) + ", which is not positive"};
+      fail(Defect::ZERO_LENGTH_EDGE, "has the squared length " + shown_text(field) + ", which is not positive");
     squared_lengths.push_back(Rational(n, d));
   }
 

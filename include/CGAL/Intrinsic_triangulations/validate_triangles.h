@@ -16,7 +16,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/Polygon_sides.h>
-#include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 
 #include <CGAL/number_utils.h>
 

@@ -21,6 +21,7 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,6 +34,58 @@ using Defect = Invalid_surface_error::Defect;
 void check_size(std::size_t number_of_halfedges);
 // Throws unless all faces are triangles: a face graph that was copied may have others.
 void check_triangles(const Delta_complex& complex);
+
+inline std::uint32_t next_side(std::uint32_t s) { return s % 3 == 2 ? s - 2 : s + 1; }
+inline std::uint32_t previous_side(std::uint32_t s) { return s % 3 == 0 ? s + 2 : s - 1; }
+
+// A side, with the larger end of its edge; the other end is known.
+struct Side_at_edge
+{
+  std::uint32_t larger_end;
+  std::uint32_t side_and_direction; // odd if it runs to the smaller end
+  std::uint32_t side() const { return side_and_direction >> 1; }
+  std::uint32_t face() const { return side() / 3; }
+  bool runs_to_smaller_end() const { return (side_and_direction & 1) != 0; }
+};
+
+// The first fan at each vertex keeps the number of the vertex; the others are numbered behind all vertices.
+// \param corners for each side 3f + i, which runs from corner i of face f to corner i + 1, the vertex where it begins
+// \param glued_to for each side its partner, which runs the other way, or the largest number
+// \return for each fan the vertex that it was at, and for each corner its fan
+inline std::pair<std::vector<std::uint32_t>, Large_vector<std::uint32_t>>
+separate_fans(std::size_t number_of_vertices, const Large_vector<std::uint32_t>& corners,
+              const Large_vector<std::uint32_t>& glued_to)
+{
+  using Index = std::uint32_t;
+  constexpr Index none = (std::numeric_limits<Index>::max)();
+
+  std::vector<Index> vertex_of;
+  vertex_of.reserve(2 * number_of_vertices);
+  for (Index v = 0; v < number_of_vertices; ++v)
+    vertex_of.push_back(v);
+  Large_vector<Index> fan_of_corner(corners.size(), none);
+  std::vector<bool> is_named(number_of_vertices, false);
+  for (Index first = 0; first < corners.size(); ++first) {
+    if (fan_of_corner[first] != none)
+      continue;
+    Index fan = corners[first];
+    if (is_named[fan]) {
+      vertex_of.push_back(fan);
+      fan = Index(vertex_of.size() - 1);
+    } else {
+      is_named[fan] = true;
+    }
+    Index s = first;
+    do { // clockwise
+      fan_of_corner[s] = fan;
+      s = glued_to[s] == none ? none : next_side(glued_to[s]);
+    } while (s != none && s != first);
+    if (s == none) // the rest, counterclockwise
+      for (s = glued_to[previous_side(first)]; s != none; s = glued_to[previous_side(s)])
+        fan_of_corner[s] = fan;
+  }
+  return {std::move(vertex_of), std::move(fan_of_corner)};
+}
 
 class Delta_complex_builder
 {
@@ -95,9 +148,6 @@ public:
 private:
   static constexpr std::uint32_t null = (std::numeric_limits<std::uint32_t>::max)();
 
-  static std::uint32_t next_side(std::uint32_t s) { return s % 3 == 2 ? s - 2 : s + 1; }
-  static std::uint32_t previous_side(std::uint32_t s) { return s % 3 == 0 ? s + 2 : s - 1; }
-
   // Copies the corners, and counts the sides of each bucket.
   template <class TriangleRange>
   void read(const TriangleRange& triangles)
@@ -123,7 +173,6 @@ private:
 
   void throw_bad_corner(const std::array<std::size_t, 3>& corners, std::size_t face) const;
 
-  struct Gathered_side;
   struct Numbered_side;
   void glue_by_end_vertices();
   [[noreturn]] void throw_at_edge(Defect defect, std::uint32_t s, const char* what) const;

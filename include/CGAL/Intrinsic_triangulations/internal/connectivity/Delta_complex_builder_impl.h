@@ -110,18 +110,6 @@ void Delta_complex_builder::throw_bad_corner(const std::array<std::size_t, 3>& c
   }
 }
 
-// A side in the bucket of its smaller end.
-struct Delta_complex_builder::Gathered_side
-{
-  std::uint32_t larger_end;
-  std::uint32_t side_and_direction; // odd if it runs to the smaller end
-  std::uint32_t side() const { return side_and_direction >> 1; }
-  bool has_direction_of(const Gathered_side& other) const
-  {
-    return ((side_and_direction ^ other.side_and_direction) & 1) == 0;
-  }
-};
-
 // Sides are gathered by their smaller end vertex (a counting sort); within such a
 // bucket, which is as large as a vertex degree, partners are found by their larger end
 // through a table over all vertices: an entry counts if it lies in the bucket.
@@ -132,7 +120,7 @@ void Delta_complex_builder::glue_by_end_vertices()
   Side_vector bucket_begin = std::move(bucket_begin_);
   for (std::size_t v = 2; v < bucket_begin.size(); ++v)
     bucket_begin[v] += bucket_begin[v - 1];
-  Large_vector<Gathered_side> sides(corner_vertex_.size(), default_init);
+  Large_vector<Side_at_edge> sides(corner_vertex_.size(), default_init);
   const auto gather = [&](std::uint32_t s, std::uint32_t i, std::uint32_t j) {
     sides[bucket_begin[(std::min)(i, j) + 1]++] = {(std::max)(i, j), 2 * s + (i > j ? 1 : 0)};
   };
@@ -147,7 +135,7 @@ void Delta_complex_builder::glue_by_end_vertices()
   for (std::size_t v = 0; v < number_of_vertices_; ++v) {
     const std::uint32_t begin = bucket_begin[v];
     for (std::uint32_t i = begin; i < bucket_begin[v + 1]; ++i) {
-      const Gathered_side& side = sides[i];
+      const Side_at_edge side = sides[i];
       std::uint32_t& position = waiting[side.larger_end];
       if (position < begin || position >= i) {
         position = i;
@@ -156,7 +144,7 @@ void Delta_complex_builder::glue_by_end_vertices()
       const std::uint32_t s = side.side(), partner = sides[position].side();
       if (glued_to_[partner] != null)
         throw_at_edge(Defect::NON_MANIFOLD_EDGE, s, "has more than two faces");
-      if (side.has_direction_of(sides[position])) {
+      if (side.runs_to_smaller_end() == sides[position].runs_to_smaller_end()) {
         // Of three faces two always agree: to turn them does not help.
         for (std::uint32_t other = i + 1; other < bucket_begin[v + 1]; ++other)
           if (sides[other].larger_end == side.larger_end)
@@ -180,28 +168,14 @@ void Delta_complex_builder::throw_at_edge(Defect defect, std::uint32_t s, const 
                                 " " + what);
 }
 
-// Vertices are the orbits of corners: around the source of a side, the next side is
-// the one after its partner, or, at the boundary, there is none.
+// The corners of a fan have a vertex of their own.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Delta_complex_builder::name_vertices()
 {
-  const std::uint32_t n = std::uint32_t(glued_to_.size());
-  corner_vertex_.assign(n, null);
-  std::uint32_t number = 0;
-  for (std::uint32_t first = 0; first < n; ++first) {
-    if (corner_vertex_[first] != null)
-      continue;
-    std::uint32_t s = first;
-    do { // clockwise
-      corner_vertex_[s] = number;
-      s = glued_to_[s] == null ? null : next_side(glued_to_[s]);
-    } while (s != null && s != first);
-    if (s == null) // the rest of the fan, counterclockwise
-      for (s = glued_to_[previous_side(first)]; s != null; s = glued_to_[previous_side(s)])
-        corner_vertex_[s] = number;
-    ++number;
-  }
-  number_of_vertices_ = number;
+  auto [vertices, corner_vertex] =
+    separate_fans(glued_to_.empty() ? 0 : 1, Side_vector(glued_to_.size(), 0), glued_to_);
+  number_of_vertices_ = vertices.size();
+  corner_vertex_ = std::move(corner_vertex);
 }
 
 // Edges are numbered in the order of their first sides.

@@ -38,21 +38,15 @@ constexpr std::size_t maximum_number_of_isolated_vertices = 1 << 20;
 
 inline bool is_positive_and_finite(double x) { return x > 0 && x <= (std::numeric_limits<double>::max)(); }
 
-// A defect of a line, as the part of a sentence that follows "line 3 ".
-struct Line_defect
-{
-  Invalid_surface_error::Defect defect;
-  std::string what;
-};
-
-// The last fields of the lines of edges, in version 1 of the format: lengths as doubles.
+// The last fields of the lines of edges, in version 1 of the format: lengths as doubles. For a defect of a line,
+// fail(defect, what) is called, which does not return: `what` follows "line 3 " in a sentence.
 class Length_fields
 {
 public:
   Length_fields() { parser_.imbue(std::locale::classic()); }
 
-  // \exception Line_defect if the field does not contain a length
-  void add(const std::string& field)
+  template <class Fail>
+  void add(const std::string& field, const Fail& fail)
   {
     using Defect = Invalid_surface_error::Defect;
     double x = 0;
@@ -60,10 +54,9 @@ public:
     parser_.str(field);
     parser_ >> x;
     if (parser_.fail() || parser_.peek() != std::istringstream::traits_type::eof())
-      throw Line_defect{Defect::UNREADABLE, "has '" + shown_text(field) + "' where a length is expected"};
+      fail(Defect::UNREADABLE, "has '" + shown_text(field) + "' where a length is expected");
     if (!is_positive_and_finite(x))
-      throw Line_defect{Defect::NOT_FINITE,
-                        "has the length " + shown_text(field) + ", which is not positive and finite"};
+      fail(Defect::NOT_FINITE, "has the length " + shown_text(field) + ", which is not positive and finite");
     lengths.push_back(x);
   }
 
@@ -77,17 +70,15 @@ private:
 class Lengths_only : public Length_fields
 {
 public:
-  // \exception Line_defect if another version of the format is not read
-  void begin(const std::string& version) const
+  template <class Fail>
+  void begin(const std::string& version, const Fail& fail) const
   {
     using Defect = Invalid_surface_error::Defect;
     if (version == "2")
-      throw Line_defect{
-        Defect::UNREADABLE,
-        "asks for version 2 of the format, with exact squared lengths, which read_exact_gluing() reads"};
+      fail(Defect::UNREADABLE,
+           "asks for version 2 of the format, with exact squared lengths, which read_exact_gluing() reads");
     if (version != "1")
-      throw Line_defect{Defect::UNREADABLE,
-                        "asks for version " + shown_text(version) + " of the format; this is version 1"};
+      fail(Defect::UNREADABLE, "asks for version " + shown_text(version) + " of the format; this is version 1");
   }
 };
 
@@ -118,7 +109,7 @@ private:
     next_line("'INTRINSIC_GLUING 1'", 2);
     if (fields_[0] != "INTRINSIC_GLUING")
       fail(Defect::UNREADABLE, "does not begin with INTRINSIC_GLUING");
-    unless_defect([&] { numbers.begin(fields_[1]); });
+    numbers.begin(fields_[1], [this](Defect defect, const std::string& what) { fail(defect, what); });
     next_line("the numbers of vertices, edges and faces", 3);
     number_of_vertices_ = count(fields_[0]);
     number_of_edges_ = count(fields_[1]);
@@ -155,7 +146,7 @@ private:
         fail(Defect::INVALID_GLUING, "is an edge without a face");
       if (s != null && t != null && (corner_vertex_[s] != side_target(t) || corner_vertex_[t] != side_target(s)))
         fail(Defect::INVALID_GLUING, "glues sides that do not join the same vertices");
-      unless_defect([&] { numbers.add(fields_[2]); });
+      numbers.add(fields_[2], [this](Defect defect, const std::string& what) { fail(defect, what); });
     }
     const auto it = std::find(halfedge_of_.begin(), halfedge_of_.end(), null);
     if (it != halfedge_of_.end())
@@ -257,17 +248,7 @@ private:
     return std::uint32_t(s);
   }
 
-  std::uint32_t side_target(std::uint32_t s) const { return corner_vertex_[s % 3 == 2 ? s - 2 : s + 1]; }
-
-  template <class Function>
-  void unless_defect(const Function& function) const
-  {
-    try {
-      function();
-    } catch (const Line_defect& line) {
-      fail(line.defect, line.what);
-    }
-  }
+  std::uint32_t side_target(std::uint32_t s) const { return corner_vertex_[next_side(s)]; }
 
   [[noreturn]] void fail(Defect defect, const std::string& what) const
   {

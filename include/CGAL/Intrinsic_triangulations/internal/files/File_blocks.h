@@ -84,10 +84,10 @@ public:
     }
     tell();
     const std::size_t rest = static_cast<std::size_t>(end_ - first);
-    if (rest > buffer_.size() / 2) // of a long line, or a long list
-      grow(rest);
-    else if (rest > 0)
+    if (rest > 0)
       std::memmove(buffer_.data(), first, rest);
+    if (rest > buffer_.size() / 2) // of a long line, or a long list
+      buffer_.resize(2 * buffer_.size());
     const std::streamsize got = file_.sgetn(buffer_.data() + rest, static_cast<std::streamsize>(buffer_.size() - rest));
     first = buffer_.data();
     end_ = last = first + rest + got;
@@ -161,13 +161,6 @@ private:
         return true;
     }
     return false;
-  }
-
-  void grow(const std::size_t rest)
-  {
-    std::vector<char> larger(2 * buffer_.size());
-    std::memcpy(larger.data(), first, rest);
-    buffer_.swap(larger);
   }
 
   std::string path_;

@@ -195,7 +195,7 @@ protected:
   [[noreturn]] void refuse_empty(const std::size_t vertices, const std::size_t faces) const
   {
     refuse("there is no " + std::string(vertices == 0 ? "vertex" : "face") + " in the file (" +
-             counted(vertices, "vertex", "vertices") + " and " + counted(faces, "face", "faces") + ")",
+             vertices_and_faces(vertices, faces) + ")",
            Defect::EMPTY);
   }
 

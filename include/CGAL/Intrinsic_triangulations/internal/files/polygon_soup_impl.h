@@ -35,7 +35,11 @@ namespace internal {
 // A reader for each format. It appends what a file of some bytes holds to an empty soup, or refuses the file at the
 // first line or element that is not as it should be.
 using Soup_reader = void(const std::string& path, std::uintmax_t size, const Progress_function&, Polygon_soup&);
-Soup_reader read_off, read_obj, read_ply, read_stl, read_ts;
+template <class Reader>
+void read_by(const std::string& path, std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
+{
+  Reader(path, size, progress, soup).read();
+}
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void require_triangles(const std::string& file_name, const Polygon_soup& soup)
@@ -133,11 +137,12 @@ std::string conversion_advice(const std::string& file_name)
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Polygon_soup read_polygon_soup(const std::string& file_name, const Progress_function& progress)
 {
-  static constexpr std::pair<const char*, internal::Soup_reader*> readers[] = {{".off", internal::read_off},
-                                                                               {".obj", internal::read_obj},
-                                                                               {".ply", internal::read_ply},
-                                                                               {".stl", internal::read_stl},
-                                                                               {".ts", internal::read_ts}};
+  static constexpr std::pair<const char*, internal::Soup_reader*> readers[] = {
+    {".off", internal::read_by<internal::Off_reader>},
+    {".obj", internal::read_by<internal::Obj_reader>},
+    {".ply", internal::read_ply},
+    {".stl", internal::read_stl},
+    {".ts", internal::read_by<internal::Ts_reader>}};
   const std::uintmax_t size = readable_file_size(file_name);
   const std::string name = internal::in_small_letters(file_name.substr(file_name.find_last_of('/') + 1));
   const std::string extension = name.substr((std::min)(name.rfind('.'), name.size()));
@@ -154,8 +159,6 @@ Polygon_soup read_polygon_soup(const std::string& file_name, const Progress_func
     reader->second(file_name, size, progress, soup);
   } catch (const Invalid_surface_error&) {
     internal::check_contents(file_name); // has a better reason, perhaps
-    throw;
-  } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {
     soup = Polygon_soup();

@@ -15,7 +15,6 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -30,17 +29,15 @@ namespace internal {
 // face.
 inline bool is_other_obj_keyword(const std::string_view word)
 {
-  static constexpr std::string_view keywords[] = {
-    "vt", "vn", "vp", "l", "p", "o", "g", "s", "mg", "usemtl", "mtllib", "usemap", "maplib",
-    // how it is shown
-    "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "ctech", "stech",
-    // curves and surfaces
-    "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv", "sp", "end", "con",
-    "surf_1", "q0_1", "q1_1", "curv2d_1", "surf_2", "q0_2", "q1_2", "curv2d_2",
-    // those that were superseded
-    "bsp", "bzp", "cdc", "cdp", "res"};
-  return std::any_of(std::begin(keywords), std::end(keywords),
-                     [word](std::string_view keyword) { return is_keyword(word, keyword); });
+  return is_one_of(word,
+                   {"vt", "vn", "vp", "l", "p", "o", "g", "s", "mg", "usemtl", "mtllib", "usemap", "maplib",
+                    // how it is shown
+                    "bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "ctech", "stech",
+                    // curves and surfaces
+                    "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv", "sp",
+                    "end", "con", "surf_1", "q0_1", "q1_1", "curv2d_1", "surf_2", "q0_2", "q1_2", "curv2d_2",
+                    // those that were superseded
+                    "bsp", "bzp", "cdc", "cdp", "res"});
 }
 
 class Obj_reader : Text_reader
@@ -139,8 +136,7 @@ private:
              " runs another file or program, which is not supported: replace it with the contents");
     if (!is_other_obj_keyword(keyword))
       refuse(line() + ": " + quote(lines_.rest()) + " is not understood (after " +
-             counted(soup_.points.size(), "vertex", "vertices") + " and " +
-             counted(soup_.number_of_faces(), "face", "faces") +
+             vertices_and_faces(soup_.points.size(), soup_.number_of_faces()) +
              "): correct it, or put # before it if it has no part of the surface");
     check_others(keyword);
     if (has_curved_surfaces_ || !(is("surf") || is("bsp") || is("bzp") || is("cdp")))
@@ -161,7 +157,9 @@ private:
       return;
     // A name may have any words. A CR or LF that ends no line of this file shows what they are.
     const char* const end = std::find_if(lines_.p, lines_.last, [](const char c) { return c == '\r' || c == '\n'; });
-    const bool may_be_name = is_name(keyword) && skip_white(end, lines_.last) == lines_.last;
+    const bool may_be_name =
+      is_one_of(keyword, {"g", "o", "usemtl", "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj"}) &&
+      skip_white(end, lines_.last) == lines_.last;
     std::string_view element; // v or f
     std::size_t numbers = 0;  // behind it
     while (lines_.find_word_on_line()) {
@@ -183,13 +181,6 @@ private:
       }
     }
   }
-  static bool is_name(const std::string_view keyword)
-  {
-    for (const char* const other : {"g", "o", "usemtl", "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj"})
-      if (is_keyword(keyword, other))
-        return true;
-    return false;
-  }
 
   // Three coordinates, and perhaps a weight and a color.
   void take_vertex()
@@ -206,8 +197,7 @@ private:
     while (lines_.find_word_on_line()) {
       const char* const begin = lines_.p;
       std::uint32_t index = 0;
-      if (!take_count(lines_.p, lines_.last, index) || !(lines_.p == lines_.last || is_white(*lines_.p)) ||
-          index == 0) {
+      if (!take_count(lines_.p, lines_.last, index) || index == 0) {
         lines_.p = skip_word(begin, lines_.last);
         index = index_of_corner(begin, lines_.p);
       }
@@ -295,12 +285,6 @@ private:
   std::size_t greatest_index_ = 0;
   std::vector<Forward_reference> forward_references_;
 };
-
-inline void read_obj(const std::string& path, const std::uintmax_t size, const Progress_function& progress,
-                     Polygon_soup& soup)
-{
-  Obj_reader(path, size, progress, soup).read();
-}
 
 } // namespace internal
 } // namespace Intrinsic_triangulations

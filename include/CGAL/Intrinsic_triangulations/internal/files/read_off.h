@@ -94,10 +94,10 @@ private:
     take_count_word(word = "", "edges");
     if (lines_.number() > header_line_ && lines_.find_word_on_line())
       refuse("line " + std::to_string(header_line_) + ": the number of edges is missing behind those of " +
-             elements(vertices, faces) + ": write 0");
+             vertices_and_faces(vertices, faces) + ": write 0");
     // A vertex takes at least "0 0 0" and a line end, a face at least "0" and one.
     if (vertices > size_ / 6 + 1 || faces > size_ / 2 + 1)
-      refuse("the header announces " + elements(vertices, faces) + ", more than fit into the " +
+      refuse("the header announces " + vertices_and_faces(vertices, faces) + ", more than fit into the " +
              counted(size_, "byte", "bytes") + " of the file");
     vertices_ = static_cast<std::size_t>(vertices);
     faces_ = static_cast<std::size_t>(faces);
@@ -226,14 +226,13 @@ private:
     const char* p = lines_.p;
     std::array<std::uint32_t, 4> numbers;
     for (std::uint32_t& number : numbers) {
-      p = skip_white(p, lines_.last);
-      if (!take_count(p, lines_.last, number) || !(p == lines_.last || is_white(*p)))
+      if (!take_count(p, lines_.last, number))
         return false;
+      p = skip_white(p, lines_.last);
     }
-    if (numbers[0] != 3 || (std::max)({numbers[1], numbers[2], numbers[3]}) >= vertices_ ||
-        skip_white(p, lines_.last) != lines_.last)
+    if (numbers[0] != 3 || (std::max)({numbers[1], numbers[2], numbers[3]}) >= vertices_ || p != lines_.last)
       return false;
-    lines_.p = lines_.last;
+    lines_.p = p;
     soup_.add_face(&numbers[1], &numbers[1] + 3);
     return true;
   }
@@ -241,13 +240,10 @@ private:
   // Takes most numbers, or the word for a closer look.
   bool take_index(std::uint32_t& number, std::string& word)
   {
-    const char* const begin = lines_.p;
-    if (take_count(lines_.p, lines_.last, number) &&
-        (lines_.p == lines_.last || is_white(*lines_.p) || *lines_.p == '#'))
-      return true;
-    lines_.p = begin;
-    word = lines_.take_word();
-    return false;
+    const bool is_usual = take_count(lines_.p, lines_.last, number);
+    if (!is_usual)
+      word = lines_.take_word();
+    return is_usual;
   }
 
   // Of a file in which indices are wrong they are what is said.
@@ -272,13 +268,9 @@ private:
     refuse(text, Defect::BAD_INDEX, first_bad_face_, bad_faces_);
   }
 
-  static std::string elements(const std::uintmax_t vertices, const std::uintmax_t faces)
-  {
-    return counted(vertices, "vertex", "vertices") + " and " + counted(faces, "face", "faces");
-  }
   std::string announced() const
   {
-    return "the header announces " + elements(vertices_, faces_) + " on line " + std::to_string(header_line_);
+    return "the header announces " + vertices_and_faces(vertices_, faces_) + " on line " + std::to_string(header_line_);
   }
   // Where the mistake may be if the numbers of elements are wrong.
   std::string hint() const
@@ -297,12 +289,6 @@ private:
   std::size_t bad_faces_ = 0, first_bad_face_ = 0;
   std::string first_bad_index_, first_small_face_, first_long_face_;
 };
-
-inline void read_off(const std::string& path, const std::uintmax_t size, const Progress_function& progress,
-                     Polygon_soup& soup)
-{
-  Off_reader(path, size, progress, soup).read();
-}
 
 } // namespace internal
 } // namespace Intrinsic_triangulations

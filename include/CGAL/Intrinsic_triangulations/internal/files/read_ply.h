@@ -11,6 +11,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/files/Text_lines.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/Polygon_soup.h>
 
+#include <boost/endian/conversion.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -301,7 +303,7 @@ inline void add_strips(const std::string& path, const std::string& where, const 
                             " at a repeated vertex, which is not a triangle");
 }
 
-template <bool is_big_endian>
+template <boost::endian::order order>
 class Ply_binary_reader
 {
 public:
@@ -330,18 +332,12 @@ public:
   }
 
 private:
-#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
-  static constexpr bool is_host_big_endian = true;
-#else
-  static constexpr bool is_host_big_endian = false;
-#endif
-
   template <class T>
   static T load(const char* const p)
   {
     char bytes[sizeof(T)];
     std::memcpy(bytes, p, sizeof(T));
-    if constexpr (is_big_endian != is_host_big_endian)
+    if constexpr (order != boost::endian::order::native)
       std::reverse(bytes, bytes + sizeof(T));
     T result;
     std::memcpy(&result, bytes, sizeof(T));
@@ -524,7 +520,7 @@ private:
         std::uint32_t bits = 0;
         for (std::size_t b = 0; b < l.size_of_count; ++b)
           bits |= static_cast<std::uint32_t>(static_cast<unsigned char>(file_.first[b]))
-                  << 8 * (is_big_endian ? l.size_of_count - 1 - b : b);
+                  << 8 * (order == boost::endian::order::big ? l.size_of_count - 1 - b : b);
         file_.first += l.size_of_count;
         if (l.range_of_count.least < 0 && (bits >> (8 * l.size_of_count - 1)) != 0)
           refuse("the list " + name + " claims a negative number of entries");
@@ -684,11 +680,7 @@ private:
   {
     refuse_file(path_, surplus_.empty() ? "the file ends too early, after " + so_far() : surplus_);
   }
-  std::string so_far() const
-  {
-    return counted(soup_.points.size(), "vertex", "vertices") + " and " +
-           counted(soup_.number_of_faces(), "face", "faces");
-  }
+  std::string so_far() const { return vertices_and_faces(soup_.points.size(), soup_.number_of_faces()); }
   // Goes over the number at p if it is the whole word.
   template <class Real>
   bool take_real_word(Real& number)
@@ -737,8 +729,7 @@ private:
   {
     require_word();
     const char* p = lines_.p;
-    if (std::uint32_t count = 0;
-        take_count(p, lines_.last, count) && (p == lines_.last || is_white(*p)) && count <= range.greatest) {
+    if (std::uint32_t count = 0; take_count(p, lines_.last, count) && count <= range.greatest) {
       lines_.p = p;
       return count;
     }
@@ -793,9 +784,9 @@ inline void read_ply(const std::string& path, const std::uintmax_t size, const P
     return Ply_text_reader(path, header, soup, size, progress, encoding.line_end).read();
   File_blocks file(path, size, header.bytes, progress);
   if (header.format == "binary_little_endian")
-    Ply_binary_reader<false>(path, header, soup, file).read();
+    Ply_binary_reader<boost::endian::order::little>(path, header, soup, file).read();
   else
-    Ply_binary_reader<true>(path, header, soup, file).read();
+    Ply_binary_reader<boost::endian::order::big>(path, header, soup, file).read();
 }
 
 } // namespace internal

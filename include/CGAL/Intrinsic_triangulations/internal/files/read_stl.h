@@ -215,110 +215,66 @@ private:
     if (number_ == line_of_color_ && !is_word_of_stl(word))
       return;
     line_of_color_ = 0;
-    if (take_usual_word(word))
-      return;
     if (prefix_.empty() && word[0] == '#')
       return begin_rest(false);
-    const std::string whole = std::string(prefix_) + std::string(word);
+    std::string joined;
+    std::string_view whole = word;
+    if (!prefix_.empty())
+      whole = joined = std::string(prefix_) + std::string(word);
     prefix_ = {};
-    const std::string lower = in_small_letters(whole);
-    if (!take_usual_word(lower))
-      take_unusual_word(lower, whole);
+    if (!take_keyword(whole))
+      refuse_word(std::string(whole));
   }
 
-  // The words of a facet, one after the other.
-  bool take_usual_word(const std::string_view word)
+  // Returns whether it may be there.
+  bool take_keyword(const std::string_view word)
   {
-    switch (state_) {
-    case SOLID:
-      if (word != "facet" || !prefix_.empty())
-        return false;
-      begin_facet();
-      return true;
-    case FACET:
-      if (normal_ > 0) {
-        if (!is_digit(word[0]) && word[0] != '-')
-          return false;
-        --normal_;
-      } else if (!prefix_.empty()) {
-        if (word != "loop" || prefix_ != "outer ")
-          return false;
-        prefix_ = {};
-        state_ = CORNERS;
-        has_loop_ = true;
-      } else if (word == "outer")
-        prefix_ = "outer ";
-      else if (word == "normal" && !has_normal_) {
-        has_normal_ = true;
-        normal_ = 3;
-      } else
-        return false;
-      return true;
-    case CORNERS:
-      if (!prefix_.empty())
-        return false;
-      if (word == "vertex" && number_of_corners_ < 3) {
-        coordinates_ = 0;
-        line_of_vertex_ = number_;
-      } else if (word == "endloop" && has_loop_)
-        state_ = LOOP;
-      else
-        return false;
-      return true;
-    case LOOP:
-      if (word != "endfacet" || !prefix_.empty())
-        return false;
-      end_facet();
-      return true;
-    case OUTSIDE:
-      break;
-    }
-    return false;
-  }
-
-  // \param word in small letters
-  // \param shown as it stands in the file
-  void take_unusual_word(const std::string& word, const std::string& shown)
-  {
-    const bool is_before_corners = state_ == FACET && (word == "outer" || word == "outer loop" || word == "vertex");
-    if (is_before_corners && word == "outer") {
-      normal_ = 0; // of which words are missing
+    const auto is = [word](const std::string_view keyword) { return is_keyword(word, keyword); };
+    if (state_ == FACET && is("outer")) {
+      normal_ = 0; // of which words may be missing
       prefix_ = "outer ";
-    } else if (is_before_corners) {
+    } else if (state_ == FACET && (is("outer loop") || is("vertex"))) {
       state_ = CORNERS;
-      has_loop_ = word != "vertex";
-      if (!has_loop_)
-        take_usual_word(word);
+      has_loop_ = !is("vertex");
+      return has_loop_ || take_keyword(word);
     } else if (state_ == FACET && normal_ > 0)
-      --normal_; // NaN, for example
-    else if (word == "end")
-      prefix_ = "end";
-    else if (state_ == CORNERS && word == "vertex")
-      refuse_corners();
-    else if (state_ == CORNERS && word == "endfacet" && !has_loop_)
+      --normal_; // of any words, NaN for example
+    else if (state_ == FACET && is("normal") && !has_normal_) {
+      has_normal_ = true;
+      normal_ = 3;
+    } else if (state_ == CORNERS && is("vertex")) {
+      if (number_of_corners_ == 3)
+        refuse_corners();
+      coordinates_ = 0;
+      line_of_vertex_ = number_;
+    } else if (state_ == CORNERS && is("endloop") && has_loop_)
+      state_ = LOOP;
+    else if (is("endfacet") && (state_ == LOOP || (state_ == CORNERS && !has_loop_)))
       end_facet();
-    else if (word == "solid" && (state_ == SOLID || state_ == OUTSIDE)) {
+    else if (state_ == SOLID && is("facet"))
+      begin_facet();
+    else if (is("end"))
+      prefix_ = "end";
+    else if (is("solid") && (state_ == SOLID || state_ == OUTSIDE)) {
       if (state_ == SOLID)
         soup_.warnings.push_back("line " + std::to_string(number_) +
                                  ": a solid begins, but the previous one has no line endsolid");
       state_ = SOLID;
       begin_rest(true);
-    } else if (word == "endsolid" && state_ == SOLID) {
+    } else if (is("endsolid") && state_ == SOLID) {
       state_ = OUTSIDE;
       begin_rest(true);
-    } else if (state_ != OUTSIDE && (word == "color" || word == "colour"))
+    } else if (state_ != OUTSIDE && (is("color") || is("colour")))
       line_of_color_ = number_;
     else
-      refuse_word(shown);
+      return false;
+    return true;
   }
 
   static bool is_word_of_stl(const std::string_view word)
   {
-    for (const char* const other :
-         {"facet", "normal", "outer", "loop", "vertex", "endloop", "endfacet", "end", "solid", "endsolid", "color"})
-      if (is_keyword(word, other))
-        return true;
-    return word[0] == '#';
+    return word[0] == '#' || is_one_of(word, {"facet", "normal", "outer", "loop", "vertex", "endloop", "endfacet",
+                                              "end", "solid", "endsolid", "color"});
   }
 
   void end_facet()
@@ -410,12 +366,7 @@ private:
   [[noreturn]] void refuse_corners() const { refuse("the facet does not have three vertices", Defect::NOT_A_TRIANGLE); }
   [[noreturn]] void refuse_word(const std::string& word) const
   {
-    const bool is_within_facet = [&word] {
-      for (const char* const part : {"outer", "loop", "vertex", "normal", "endloop", "endfacet"})
-        if (is_keyword(word, part))
-          return true;
-      return false;
-    }();
+    const bool is_within_facet = is_one_of(word, {"outer", "loop", "vertex", "normal", "endloop", "endfacet"});
     refuse(quote(word) + " where " +
            (state_ == OUTSIDE                               ? "solid"
             : state_ == SOLID                               ? "facet or endsolid"

@@ -254,12 +254,6 @@ private:
   bool is_ended_ = false;                                     // the part has its line END
 };
 
-inline void read_ts(const std::string& path, const std::uintmax_t size, const Progress_function& progress,
-                    Polygon_soup& soup)
-{
-  Ts_reader(path, size, progress, soup).read();
-}
-
 } // namespace internal
 } // namespace Intrinsic_triangulations
 } // namespace CGAL

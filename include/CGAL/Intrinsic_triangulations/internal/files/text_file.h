@@ -10,23 +10,76 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_TEXT_FILE_H
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/from_chars.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cerrno>
 #include <charconv>
+#include <clocale>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <system_error>
 
+#ifndef _WIN32
+#include <locale.h>
+#endif
+#ifdef __APPLE__
+#include <xlocale.h>
+#endif
+
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
+
+#ifndef _WIN32 // where all standard libraries have the function
+inline double by_strtod(double, const char* text, char** end, locale_t locale) { return ::strtod_l(text, end, locale); }
+inline float by_strtod(float, const char* text, char** end, locale_t locale) { return ::strtof_l(text, end, locale); }
+
+// As std::from_chars(), by the function of C that does the same in a given locale.
+template <class Real>
+std::from_chars_result from_chars_by_strtod(const char* const first, const char* const last, Real& number)
+{
+  static const locale_t classic = ::newlocale(LC_ALL_MASK, "C", nullptr);
+  // A copy, which ends, and begins with no blank. To C alone, +1 and 0x10 are numbers.
+  const auto may_be_in_number = [](const char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || std::strchr("+-.()_", c) != nullptr;
+  };
+  std::string text(first, std::find_if_not(first, last, may_be_in_number));
+  if (const std::size_t x = text.find_first_of("xX"); x < text.find('('))
+    text.resize(x);
+  char* end = nullptr;
+  errno = 0;
+  const Real result = by_strtod(Real(), text.c_str(), &end, classic);
+  if (end == text.c_str() || text[0] == '+')
+    return {first, std::errc::invalid_argument};
+  const char* const rest = first + (end - text.c_str());
+  if (errno == ERANGE && (std::isinf(result) || result == 0))
+    return {rest, std::errc::result_out_of_range};
+  number = result;
+  return {rest, std::errc()};
+}
+#endif
+
+// As std::from_chars() for `float` and `double`, which libc++ has from version 20 on: it does not define this macro
+// before.
+template <class Real>
+std::from_chars_result from_chars(const char* const first, const char* const last, Real& number)
+{
+#if defined(__cpp_lib_to_chars) || defined(_WIN32)
+  return std::from_chars(first, last, number);
+#else
+  return from_chars_by_strtod(first, last, number);
+#endif
+}
 
 using Defect = Invalid_surface_error::Defect;
 
@@ -117,6 +170,12 @@ inline bool is_keyword(const std::string_view word, const std::string_view keywo
   return true;
 }
 
+inline bool is_one_of(const std::string_view word, const std::initializer_list<std::string_view> keywords)
+{
+  return std::any_of(keywords.begin(), keywords.end(),
+                     [word](const std::string_view k) { return is_keyword(word, k); });
+}
+
 // What a word is that should be an integer, and how it is to be read if it is one: C++ knows no plus.
 enum class Integer_state {
   GOOD,
@@ -156,14 +215,13 @@ bool take_real(const char*& p, const char* const end, Real& number)
   return true;
 }
 
-// Goes behind a number without a sign and a point, of nine digits at most, at whose end the word may go on. Leaves p
-// otherwise.
+// Goes behind a word that is a number without a sign and a point, of nine digits at most. Leaves p otherwise.
 inline bool take_count(const char*& p, const char* const end, std::uint32_t& number)
 {
   const char* q = p;
   for (number = 0; q != end && is_digit(*q); ++q)
     number = 10 * number + static_cast<std::uint32_t>(*q - '0');
-  if (q == p || q - p > 9)
+  if (q == p || q - p > 9 || !(q == end || is_white(*q)))
     return false;
   p = q;
   return true;
@@ -204,6 +262,12 @@ inline bool is_number(const std::string_view word)
 inline std::string place(const std::size_t line, const char* const kind, const std::size_t element)
 {
   return "line " + std::to_string(line) + " (" + kind + " " + std::to_string(element) + ")";
+}
+
+// "3 vertices and 1 face"
+inline std::string vertices_and_faces(const std::uintmax_t vertices, const std::uintmax_t faces)
+{
+  return counted(vertices, "vertex", "vertices") + " and " + counted(faces, "face", "faces");
 }
 
 // ", and 3 more faces like it"

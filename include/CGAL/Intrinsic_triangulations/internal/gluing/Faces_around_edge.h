@@ -152,28 +152,30 @@ private:
   // Positive if x is in front of the half-plane of w.
   Sign orientation(std::uint32_t w, std::uint32_t x) const
   {
-    const Vertex_index u(u_), v(v_), i(w), j(x);
-    const auto a = difference<double>(points_, u, v), b = difference<double>(points_, u, i),
-               c = difference<double>(points_, u, j);
+    const auto a = from_u<double>(v_), b = from_u<double>(w), c = from_u<double>(x);
     const double volume = scalar_product(cross_product(a, b), c);
     const double size = sum_of_absolute_values(a) * sum_of_absolute_values(b) * sum_of_absolute_values(c);
     // As in is_clearly_bent(). If a product of two coordinates underflows, its error is multiplied by the third.
     if (std::abs(volume) > 0x1p-48 * size + 1e-290 && sum_of_absolute_values(c) < 1e30)
       return volume > 0 ? POSITIVE : NEGATIVE;
-    return CGAL::sign(
-      scalar_product(cross_product(difference<Exact_ring>(points_, u, v), difference<Exact_ring>(points_, u, i)),
-                     difference<Exact_ring>(points_, u, j)));
+    return CGAL::sign(scalar_product(normal(w), from_u<Exact_ring>(x)));
   }
 
   // Compares the distances from the line through the edge.
   Sign compare_distances(std::uint32_t w, std::uint32_t x) const
   {
-    const auto normal = [this](std::uint32_t i) {
-      return cross_product(difference<Exact_ring>(points_, Vertex_index(u_), Vertex_index(v_)),
-                           difference<Exact_ring>(points_, Vertex_index(u_), Vertex_index(i)));
-    };
     const auto m = normal(w), n = normal(x);
     return CGAL::sign(scalar_product(m, m) - scalar_product(n, n));
+  }
+
+  template <class Number>
+  Vector_3<Number> from_u(std::uint32_t w) const
+  {
+    return difference<Number>(points_, Vertex_index(u_), Vertex_index(w));
+  }
+  Vector_3<Exact_ring> normal(std::uint32_t w) const
+  {
+    return cross_product(from_u<Exact_ring>(v_), from_u<Exact_ring>(w));
   }
 
   bool is_on_edge_line(std::uint32_t w) const { return are_collinear(points_[u_], points_[v_], points_[w]); }

@@ -3,17 +3,20 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The sides of triangles, those of one edge together. Side 3f + i runs from corner i of face f to corner i + 1.
+// The sides of triangles, those of one edge together, and the triangles that edges with two faces join. Side 3f + i runs
+// from corner i of face f to corner i + 1.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_SIDES_BY_EDGE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_SIDES_BY_EDGE_H
 
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -25,15 +28,7 @@ using Index_triangle = std::array<std::uint32_t, 3>;
 class Sides_by_edge
 {
 public:
-  // A side in the bucket of the smaller end of its edge.
-  struct Side
-  {
-    std::uint32_t larger_end;
-    std::uint32_t side_and_direction; // odd if it runs to the smaller end
-    std::uint32_t side() const { return side_and_direction >> 1; }
-    std::uint32_t face() const { return side() / 3; }
-    bool runs_to_smaller_end() const { return (side_and_direction & 1) != 0; }
-  };
+  using Side = Side_at_edge;
 
   Sides_by_edge(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles)
     : bucket_begin_(number_of_vertices + 2, 0), sides_(3 * triangles.size(), default_init)
@@ -50,7 +45,7 @@ public:
         sides_[bucket_begin_[(std::min)(v, w) + 1]++] = {(std::max)(v, w), 2 * s + (v > w ? 1 : 0)};
       }
     for (std::size_t v = 0; v < number_of_vertices; ++v)
-      sort_bucket(sides_.data() + bucket_begin_[v], sides_.data() + bucket_begin_[v + 1]);
+      std::sort(sides_.data() + bucket_begin_[v], sides_.data() + bucket_begin_[v + 1], precedes);
   }
 
   // Calls function(smaller end, first side, end) for each edge; its sides are in the order of their numbers.
@@ -71,22 +66,68 @@ private:
     return a.larger_end != b.larger_end ? a.larger_end < b.larger_end : a.side_and_direction < b.side_and_direction;
   }
 
-  static void sort_bucket(Side* begin, Side* end)
-  {
-    constexpr std::ptrdiff_t few = 24; // for which a sort by insertion is quicker
-    if (end - begin > few)
-      return std::sort(begin, end, precedes);
-    for (Side* i = begin; i < end; ++i) {
-      const Side side = *i;
-      Side* j = i;
-      for (; j > begin && precedes(side, j[-1]); --j)
-        *j = j[-1];
-      *j = side;
-    }
-  }
-
   Large_vector<std::uint32_t> bucket_begin_; // of each vertex, and the end of the last
   Large_vector<Side> sides_;
+};
+
+// A piece is what edges with two faces join. The faces of each are turned so that they agree with its first, as far as
+// possible: the search is breadth-first, so that faces which disagree lie far from the first and the line between them
+// is short.
+class Triangle_pieces
+{
+  using Index = std::uint32_t;
+  static constexpr Index none = (std::numeric_limits<Index>::max)();
+
+public:
+  struct Piece
+  {
+    bool is_closed = true; // each of its edges has two faces
+    Index conflict = none; // a side at which two of its faces disagree
+
+    bool is_orientable() const { return conflict == none; }
+  };
+  std::vector<Piece> pieces; // in the order of their first faces
+  Large_vector<Index> piece_of;
+  std::vector<bool> is_turned; // of each face
+
+  Triangle_pieces(const Sides_by_edge& sides, std::size_t number_of_faces)
+    : piece_of(number_of_faces, none), is_turned(number_of_faces, false)
+  {
+    // Of each side twice the other one of its edge, plus 1 if both run in the same direction.
+    Large_vector<Index> neighbor(3 * number_of_faces, none);
+    sides.for_each_edge([&](Index, const Sides_by_edge::Side* begin, const Sides_by_edge::Side* end) {
+      if (end - begin != 2)
+        return;
+      const Index disagree = begin[0].runs_to_smaller_end() == begin[1].runs_to_smaller_end();
+      neighbor[begin[0].side()] = 2 * begin[1].side() + disagree;
+      neighbor[begin[1].side()] = 2 * begin[0].side() + disagree;
+    });
+    std::vector<Index> faces;
+    for (Index first = 0; first < number_of_faces; ++first) {
+      if (piece_of[first] != none)
+        continue;
+      Piece piece;
+      piece_of[first] = Index(pieces.size());
+      faces.assign(1, first);
+      for (std::size_t i = 0; i < faces.size(); ++i)
+        for (Index s = 3 * faces[i]; s < 3 * faces[i] + 3; ++s) {
+          if (neighbor[s] == none) {
+            piece.is_closed = false;
+            continue;
+          }
+          const Index g = neighbor[s] / 6;
+          const bool wanted = is_turned[faces[i]] != ((neighbor[s] & 1) != 0);
+          if (piece_of[g] == none) {
+            piece_of[g] = Index(pieces.size());
+            is_turned[g] = wanted;
+            faces.push_back(g);
+          } else if (is_turned[g] != wanted) {
+            piece.conflict = s;
+          }
+        }
+      pieces.push_back(piece);
+    }
+  }
 };
 
 } // namespace internal

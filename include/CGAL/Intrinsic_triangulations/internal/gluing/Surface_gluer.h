@@ -11,8 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Faces_around_edge.h>
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Sides_by_edge.h>
-#include <CGAL/Intrinsic_triangulations/internal/gluing/Triangle_pieces.h>
-#include <CGAL/Intrinsic_triangulations/internal/gluing/separate_fans.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
@@ -38,23 +36,20 @@ namespace internal {
 //
 // - The two sides of an edge with two faces become one, unless a one-sided surface has to be cut there.
 // - At other edges, the faces are taken in their order around the edge. Counterclockwise about the edge, material lies
-// between a face
-//   that runs backward and the next one that runs forward, as in a solid whose faces point outward. Such faces are
-//   glued, and what they enclose is left out; then the next ones, until none is left. So each pair bounds a set where
-//   the winding number has some least value, and a solid that touches itself comes apart along the edge. Of several
-//   that could be glued where solids overlap, faces of the same piece are.
+//   between a face that runs backward and the next one that runs forward, as in a solid whose faces point outward.
+//   Such faces are glued, and what they enclose is left out; then the next ones, until none is left. So each pair
+//   bounds a set where the winding number has some least value, and a solid that touches itself comes apart along the
+//   edge. Of several that could be glued where solids overlap, faces of the same piece are.
 // - If the solid is inside out, which its volume tells, material is on the other sides.
-// - Pieces that hang on others by one edge alone, as a fin does, are glued after all others. If their number at an edge
-// is odd, as of three sheets,
-//   only faces are that belong to the same piece, or to pieces that were glued elsewhere: else they would be left as a
-//   slit in the surface.
+// - Pieces that hang on others by one edge alone, as a fin does, are glued after all others. If their number at an
+//   edge is odd, as of three sheets, only faces are that belong to the same piece, or to pieces that were glued
+//   elsewhere: else they would be left as a slit in the surface.
 // - If so many faces run forward at an edge as backward, nothing is turned there. If not, pieces are turned so that
-// directions alternate
-//   around each edge with an even number of faces, as they do around each solid.
+//   directions alternate around each edge with an even number of faces, as they do around each solid.
 // - Where faces lie in one half-plane, their order tells nothing about directions: no piece is turned because of that.
 // - Triangles are given by their corners, so two edges must not have the same ends. Where two pairs at an edge would,
-// the faces that have nothing
-//   between them are glued instead: then the solid is one along the edge. If that fails as well, all are cut.
+//   the faces that have nothing between them are glued instead: then the solid is one along the edge. If that fails as
+//   well, all are cut.
 class Surface_gluer
 {
   using Index = std::uint32_t;
@@ -298,7 +293,7 @@ private:
       for (Crowded_edge& edge : crowded_edges_) {
         if (edge.rule == CUT || !is_double(edge))
           continue;
-        const Index s = edge.entries[0].side, v = corners_[s], w = corners_[s % 3 == 2 ? s - 2 : s + 1];
+        const Index s = edge.entries[0].side, v = corners_[s], w = corners_[next_side(s)];
         if (trial < number_of_trials && (is_near[v] || is_near[w]))
           continue;
         is_near[v] = is_near[w] = is_changed = true;
@@ -348,12 +343,15 @@ private:
         if (const Index piece = pieces_.piece_of[f]; network_of[piece] != none)
           function(network_of[piece], triangles_[f], is_turned_[f] != turns(piece));
     };
-    const Vertex_index origin(triangles_[0][0]);
+    const auto corners = [&](auto zero, const Index_triangle& t) {
+      std::array<Vector_3<decltype(zero)>, 3> p;
+      for (std::size_t i = 0; i < 3; ++i)
+        p[i] = difference<decltype(zero)>(points_, Vertex_index(triangles_[0][0]), Vertex_index(t[i]));
+      return p;
+    };
     std::vector<double> volume(n, 0), size(n, 0), extent(n, 0);
     for_each_face([&](Index network, const Index_triangle& t, bool is_turned) {
-      std::array<Vector_3<double>, 3> p;
-      for (std::size_t i = 0; i < 3; ++i)
-        p[i] = difference<double>(points_, origin, Vertex_index(t[i]));
+      const auto p = corners(0., t);
       const double six_times = scalar_product(cross_product(p[0], p[1]), p[2]);
       volume[network] += is_turned ? -six_times : six_times;
       size[network] += sum_of_absolute_values(p[0]) * sum_of_absolute_values(p[1]) * sum_of_absolute_values(p[2]);
@@ -374,9 +372,7 @@ private:
       const auto it = std::lower_bound(open.begin(), open.end(), network);
       if (it == open.end() || *it != network)
         return;
-      std::array<Vector_3<Exact_ring>, 3> p;
-      for (std::size_t i = 0; i < 3; ++i)
-        p[i] = difference<Exact_ring>(points_, origin, Vertex_index(t[i]));
+      const auto p = corners(Exact_ring(), t);
       const Exact_ring six_times = scalar_product(cross_product(p[0], p[1]), p[2]);
       Exact_ring& sum = exact[std::size_t(it - open.begin())];
       sum = is_turned ? Exact_ring(sum - six_times) : Exact_ring(sum + six_times);
@@ -406,7 +402,7 @@ private:
 
   std::pair<Index, Index> ends(Index side) const
   {
-    const Index v = fans_.second[side], w = fans_.second[side % 3 == 2 ? side - 2 : side + 1];
+    const Index v = fans_.second[side], w = fans_.second[next_side(side)];
     return fans_.first[v] < fans_.first[w] ? std::make_pair(v, w) : std::make_pair(w, v);
   }
 

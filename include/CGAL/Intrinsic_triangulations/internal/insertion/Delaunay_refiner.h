@@ -16,10 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Face_quality.h>
-#include <CGAL/Intrinsic_triangulations/internal/insertion/Measured_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
-#include <CGAL/Intrinsic_triangulations/internal/insertion/Segments.h>
-#include <CGAL/Intrinsic_triangulations/internal/insertion/Small_cones.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Steiner_point_search.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/point_on_input.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/settle_around.h>
@@ -176,8 +173,6 @@ private:
     return static_cast<std::uint64_t>((std::min)(sum, 1e18));
   }
 
-  bool is_segment(Halfedge_index h) const { return segments_.contains(h); }
-
   void note(Face_index f)
   {
     if (!quality_.is_bad(f))
@@ -243,12 +238,11 @@ private:
       const std::optional<Vertex_index> p = insert(*place);
       if (!p)
         continue;
-      Halfedge_index to_p = complex_.halfedge(*p);
-      const Halfedge_index last = to_p;
-      while (complex_.source(to_p) != v && (to_p = complex_.next_around_target(to_p)) != last) {
-      }
-      if (complex_.source(to_p) == v)
-        cones_.protect(v, faces_.length(to_p));
+      for (Halfedge_index to_p : Halfedges_around(complex_, *p))
+        if (complex_.source(to_p) == v) {
+          cones_.protect(v, faces_.length(to_p));
+          break;
+        }
     }
   }
   // Inserts a vertex for a face, or splits the segment that is in the way.
@@ -281,7 +275,7 @@ private:
     const double y = below <= -farthest * height ? -farthest : below / height;
     if (y >= 0)
       return insert_or_split(f, walk(h, {0.5, y}));
-    if (is_segment(h))
+    if (segments_.contains(h))
       return split(f, complex_.edge(h));
     return insert_or_split(f, walk(complex_.opposite(h), {0.5, -y}));
   }
@@ -378,13 +372,9 @@ private:
     ++report_.segment_splits;
     segments_.resize();
     // Of the edges that lead to the new vertex, these are its parts.
-    const Halfedge_index first = complex_.halfedge(v);
-    Halfedge_index g = first;
-    do {
+    for (Halfedge_index g : Halfedges_around(complex_, v))
       if (correspondence_.coordinates().is_original(complex_.edge(g)))
         segments_.add(complex_.edge(g));
-      g = complex_.next_around_target(g);
-    } while (g != first);
     settle(v);
     return true;
   }
@@ -414,7 +404,7 @@ private:
       note_faces(h);
       if (quality_.criteria().splits_encroached_edges)
         for (Halfedge_index side : {h, complex_.prev(h)})
-          if ((side == h || !complex_.is_border(h)) && is_segment(side))
+          if ((side == h || !complex_.is_border(h)) && segments_.contains(side))
             segments_to_test_.push_back(complex_.edge(side));
     }
     for (Edge_index e : flipped_)

@@ -10,8 +10,6 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Face_quality.h>
-#include <CGAL/Intrinsic_triangulations/internal/insertion/Measured_faces.h>
-#include <CGAL/Intrinsic_triangulations/internal/insertion/Segments.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/straight_walk.h>
 
 #include <CGAL/number_type_config.h>

@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Saved_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/saving/Saved_header.h>
 #include <CGAL/Intrinsic_triangulations/reports.h>
 
 #include <array>
@@ -22,6 +21,13 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
+
+// What the metric of the input is given by.
+enum class Metric_kind {
+  POINTS,
+  LENGTHS,
+  SQUARED_LENGTHS
+};
 
 struct Saved_file
 {

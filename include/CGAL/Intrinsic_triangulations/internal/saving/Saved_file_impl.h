@@ -7,26 +7,306 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SAVING_SAVED_FILE_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/complex_from_halfedges.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
-#include <CGAL/Intrinsic_triangulations/internal/saving/Byte_stream.h>
+#include <CGAL/Intrinsic_triangulations/internal/connectivity/complex_from_halfedges.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
-#include <CGAL/Intrinsic_triangulations/internal/saving/Saved_header.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
 
+#include <boost/endian/conversion.hpp>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <exception>
+#include <initializer_list>
+#include <ios>
 #include <istream>
+#include <locale>
 #include <ostream>
+#include <sstream>
+#include <streambuf>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Intrinsic_triangulations {
 namespace internal {
+
+// Rows of numbers, least byte first, whatever the processor does.
+template <std::size_t size>
+using Unsigned =
+  std::conditional_t<size == 1, std::uint8_t, std::conditional_t<size == 4, std::uint32_t, std::uint64_t>>;
+
+class Byte_writer
+{
+public:
+  explicit Byte_writer(std::ostream& os) : os_(os) {}
+
+  template <class... Number>
+  void put(Number... x)
+  {
+    std::array<char, (sizeof(Number) + ...)> row;
+    char* at = row.data();
+    (put_one(at, x), ...);
+    bytes_.append(row.data(), row.size());
+    if (bytes_.size() > block)
+      flush();
+  }
+  void put(const std::string& text) { bytes_ += text; }
+  void flush()
+  {
+    os_.write(bytes_.data(), std::streamsize(bytes_.size()));
+    bytes_.clear();
+  }
+
+private:
+  static constexpr std::size_t block = 1 << 16;
+
+  template <class Number>
+  static void put_one(char*& at, Number x)
+  {
+    Unsigned<sizeof(Number)> bits;
+    std::memcpy(&bits, &x, sizeof(x));
+    boost::endian::native_to_little_inplace(bits);
+    std::memcpy(at, &bits, sizeof(bits));
+    at += sizeof(bits);
+  }
+
+  std::ostream& os_;
+  std::string bytes_;
+};
+
+// Reads no more than it is asked for, and keeps a block of it at most.
+class Byte_reader
+{
+public:
+  explicit Byte_reader(std::istream& is) : is_(is)
+  {
+    if (!is.good())
+      return;
+    std::streambuf& buffer = *is.rdbuf();
+    try {
+      const std::streamoff begin = buffer.pubseekoff(0, std::ios::cur, std::ios::in),
+                           end = begin < 0 ? -1 : std::streamoff(buffer.pubseekoff(0, std::ios::end, std::ios::in));
+      if (end >= begin && begin >= 0) {
+        size_of_stream_ = std::uint64_t(end - begin);
+        buffer.pubseekpos(begin, std::ios::in);
+      }
+    } catch (const std::exception&) { // a filter that cannot seek
+    }
+  }
+
+  // A line of a text, without its end. \exception Invalid_surface_error if it is longer than lines of a header are
+  std::string line()
+  {
+    constexpr std::size_t longest = 200;
+    std::string result;
+    for (char c; is_.get(c); result.push_back(c)) {
+      ++offset_;
+      if (c == '\n')
+        return result;
+      if (result.size() == longest)
+        break;
+    }
+    fail(offset_, "there is no header of an intrinsic triangulation");
+  }
+
+  // The rows that follow belong to this element, and there are so many of them, with so many bytes.
+  void begin(const char* element, std::size_t number, std::size_t size)
+  {
+    element_ = element;
+    number_ = number;
+    size_ = size;
+    row_ = 0;
+    left_ = 0;
+  }
+  // So many rows, or as many as the stream can have if it knows: for them, there is room.
+  std::size_t rows_to_expect() const
+  {
+    const std::uint64_t rest = size_of_stream_ > offset_ ? size_of_stream_ - offset_ : 0;
+    return std::size_t((std::min<std::uint64_t>)(number_, rest / size_));
+  }
+  // Goes to the next row, from which `get` takes the numbers.
+  void next_row()
+  {
+    if (left_ == 0) {
+      const std::size_t rows = (std::min)(number_ - row_, (std::max)(std::size_t(1), block / size_));
+      bytes_.resize(rows * size_);
+      is_.read(bytes_.data(), std::streamsize(bytes_.size()));
+      const std::size_t n = std::size_t(is_.gcount()), whole = n / size_;
+      offset_ += n;
+      if (whole < rows) {
+        row_ += whole;
+        fail(offset_, "the file ends there");
+      }
+      left_ = rows;
+      next_ = bytes_.data();
+    }
+    --left_;
+    ++row_;
+  }
+  template <class Number>
+  Number get()
+  {
+    Unsigned<sizeof(Number)> bits;
+    std::memcpy(&bits, next_, sizeof(bits));
+    next_ += sizeof(bits);
+    boost::endian::little_to_native_inplace(bits);
+    Number result;
+    std::memcpy(&result, &bits, sizeof(bits));
+    return result;
+  }
+  // Whether this row is the first of those that were read at once.
+  bool begins_block() const { return next_ == bytes_.data(); }
+
+  // A text of so many bytes.
+  std::string text(std::size_t size)
+  {
+    std::string result;
+    while (result.size() < size) {
+      std::array<char, 4096> part;
+      is_.read(part.data(), std::streamsize((std::min)(part.size(), size - result.size())));
+      const std::size_t n = std::size_t(is_.gcount());
+      offset_ += n;
+      if (n == 0)
+        fail(offset_, "the file ends there");
+      result.append(part.data(), n);
+    }
+    return result;
+  }
+
+  // Of the row that was taken last.
+  [[noreturn]] void fail_here(const std::string& what) const { fail(offset_ - left_ * size_ - size_, what); }
+  [[noreturn]] void fail(std::uint64_t offset, const std::string& what) const
+  {
+    const std::size_t row = row_ == 0 ? 0 : row_ - 1;
+    throw Invalid_surface_error(Invalid_surface_error::Defect::UNREADABLE, row, 1,
+                                "byte " + std::to_string(offset) +
+                                  (element_ ? ", " + std::string(element_) + " " + std::to_string(row) : "") + ": " +
+                                  what);
+  }
+
+private:
+  static constexpr std::size_t block = 1 << 16;
+
+  std::istream& is_;
+  std::uint64_t size_of_stream_ = 0; // or 0 if it does not tell
+  std::uint64_t offset_ = 0;         // of what was read from the stream
+  const char* element_ = nullptr;
+  std::size_t number_ = 0, size_ = 0, row_ = 0, left_ = 0;
+  std::vector<char> bytes_;
+  const char* next_ = nullptr;
+};
+
+// What the header of a file tells. It is text that follows from these numbers, so that a header is right if it is that text.
+struct Saved_header
+{
+  Metric_kind metric = Metric_kind::POINTS;
+  Tie_proof tie_proof = Tie_proof::PROBABLE_IF_COSTLY;
+  bool has_constraints = false;
+  std::size_t vertices = 0, edges = 0, faces = 0; // of the input
+  std::size_t inserted_vertices = 0, intrinsic_vertices = 0, intrinsic_edges = 0, intrinsic_faces = 0;
+
+  static constexpr std::size_t number_of_counts = number_of_stages + 1; // the last one is that of ties
+
+  std::string text() const
+  {
+    std::ostringstream os;
+    os.imbue(std::locale::classic());
+    const auto element = [&](const char* name, std::size_t number, std::initializer_list<const char*> properties) {
+      os << "element " << name << ' ' << number << '\n';
+      for (const char* property : properties)
+        os << "property " << property << '\n';
+    };
+    os << "ply\nformat binary_little_endian 1.0\n"
+       << "comment intrinsic triangulation, version 1\n"
+       << "comment traits Filtered_edge_length_traits\n"
+       << "comment ties " << (tie_proof == Tie_proof::PROVEN ? "proven" : "probable") << '\n';
+    if (metric == Metric_kind::POINTS) {
+      element("vertex", vertices, {"double x", "double y", "double z", "uint halfedge"});
+    } else {
+      element("vertex", vertices, {"uint halfedge"});
+    }
+    element("face", faces, {"list uchar uint vertex_indices", "uint halfedge_0", "uint halfedge_1", "uint halfedge_2"});
+    if (metric == Metric_kind::LENGTHS)
+      element("input_edge", edges, {"double length"});
+    else if (metric == Metric_kind::SQUARED_LENGTHS)
+      element("input_edge", edges, {"list uint uchar squared_length"});
+    else
+      os << "comment input edges " << edges << '\n';
+    element("intrinsic_vertex", intrinsic_vertices, {"uint halfedge"});
+    element("inserted_vertex", inserted_vertices, {"uint halfedge", "double a", "double b", "double c"});
+    element("intrinsic_face", intrinsic_faces,
+            {"uint halfedge_0", "uint halfedge_1", "uint halfedge_2", "double four_areas", "double error",
+             "uchar is_straight"});
+    element("intrinsic_edge", intrinsic_edges,
+            {"double squared_length", "int crossings", "uint input_halfedge_0", "uint input_halfedge_1"});
+    if (has_constraints)
+      os << "property uchar is_constrained\n";
+    element("count", number_of_counts, {"uint low", "uint high"});
+    os << "end_header\n";
+    return os.str();
+  }
+
+  // \exception Invalid_surface_error
+  static Saved_header read(Byte_reader& bytes)
+  {
+    constexpr std::size_t largest_number_of_lines = 40;
+    Saved_header result;
+    std::vector<std::string> lines;
+    do {
+      lines.push_back(bytes.line());
+      result.note(lines.back());
+    } while (lines.back() != "end_header" && lines.size() < largest_number_of_lines && lines[0] == "ply");
+    std::istringstream expected(result.text());
+    std::string line;
+    for (std::size_t i = 0; std::getline(expected, line); ++i)
+      if (i >= lines.size() || lines[i] != line)
+        bytes.fail(0, "line " + std::to_string(i + 1) + " of the header is not \"" + line +
+                        "\": this is no intrinsic triangulation, or was written by another version");
+    return result;
+  }
+
+private:
+  // Takes over what varies.
+  void note(const std::string& line)
+  {
+    const auto number = [&](const char* before, std::size_t& n) {
+      const std::string begin = before;
+      std::uint32_t x = 0;
+      if (line.compare(0, begin.size(), begin) == 0 && line.size() < begin.size() + 11) {
+        for (std::size_t i = begin.size(); i < line.size(); ++i)
+          if (line[i] < '0' || line[i] > '9')
+            return;
+        std::istringstream(line.substr(begin.size())) >> x;
+        n = x;
+      }
+    };
+    number("element vertex ", vertices);
+    number("element face ", faces);
+    number("element input_edge ", edges);
+    number("comment input edges ", edges);
+    number("element intrinsic_vertex ", intrinsic_vertices);
+    number("element inserted_vertex ", inserted_vertices);
+    number("element intrinsic_face ", intrinsic_faces);
+    number("element intrinsic_edge ", intrinsic_edges);
+    if (line == "property double length")
+      metric = Metric_kind::LENGTHS;
+    if (line == "property list uint uchar squared_length")
+      metric = Metric_kind::SQUARED_LENGTHS;
+    if (line == "comment ties proven")
+      tie_proof = Tie_proof::PROVEN;
+    if (line == "property uchar is_constrained")
+      has_constraints = true;
+  }
+};
 
 // In the unit of the input.
 inline Rational unscaled_squared_length(const Input_metric& metric, const Delta_complex& input, Edge_index e)

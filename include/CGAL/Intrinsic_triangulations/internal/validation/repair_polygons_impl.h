@@ -12,10 +12,10 @@
 #include <CGAL/Intrinsic_triangulations/internal/validation/Polygon_sides.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/utility.h>
+
+#include <boost/functional/hash.hpp>
 
 #include <algorithm>
 #include <array>
@@ -24,8 +24,9 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <string>
-#include <tuple>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -72,43 +73,11 @@ inline std::vector<std::array<std::size_t, 3>> triangulate_polygon(const std::ve
 
 namespace internal {
 
-// Points and polygons carry the numbers that they have in the input through functions that copy,
-// swap and renumber them.
-struct Numbered_point : Simple_cartesian<double>::Point_3
+// A polygon of the input, or a part of one that was cut.
+struct Polygon_part
 {
-  using Base = Simple_cartesian<double>::Point_3;
-  Numbered_point() = default;
-  Numbered_point(const std::array<double, 3>& p, std::size_t number) : Base(p[0], p[1], p[2]), input(number) {}
-
-  std::size_t input = 0;
-  std::size_t group = 0; // points at the same place are one if they have the same
-};
-// GCC 14 takes the copy of a polygon with fewer than two corners, in CGAL 6, for one of more.
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Warray-bounds"
-#pragma GCC diagnostic ignored "-Wstringop-overflow"
-#endif
-struct Numbered_polygon : std::vector<std::size_t>
-{
-  using std::vector<std::size_t>::vector;
-  std::size_t input = 0;
-};
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic pop
-#endif
-
-// Which points CGAL's functions take to be the same.
-struct Numbered_point_traits
-{
-  struct Less_xyz_3
-  {
-    bool operator()(const Numbered_point& p, const Numbered_point& q) const
-    {
-      return std::make_tuple(p.x(), p.y(), p.z(), p.group) < std::make_tuple(q.x(), q.y(), q.z(), q.group);
-    }
-  };
-  Less_xyz_3 less_xyz_3_object() const { return {}; }
+  std::size_t input;
+  std::vector<std::size_t> corners;
 };
 
 class Polygon_repairer
@@ -121,10 +90,8 @@ public:
     : input_points_(std::move(points)), input_polygons_(std::move(polygons)),
       is_reversed_(input_polygons_.size(), false), has_lost_part_(input_polygons_.size(), false)
   {
-    for (Index v = 0; v < input_points_.size(); ++v)
-      points_.emplace_back(input_points_[v], v);
     for (Index f = 0; f < input_polygons_.size(); ++f)
-      add_polygon(polygons_, f, input_polygons_[f]);
+      polygons_.push_back({f, input_polygons_[f]});
   }
 
   Repaired_polygons run(const Progress_function& progress)
@@ -149,20 +116,16 @@ private:
     report_progress(progress, fraction, "the repair");
   }
 
-  static void add_polygon(std::vector<Numbered_polygon>& polygons, Index input, const std::vector<Index>& corners)
-  {
-    polygons.emplace_back(corners.begin(), corners.end());
-    polygons.back().input = input;
-  }
-
   // Inner vertices are no candidates: sheets that lie on each other would be glued together.
   void merge_points()
   {
     std::vector<std::array<Index, 2>> edges;
-    std::vector<bool> may_merge(points_.size(), false);
-    for (const Numbered_polygon& polygon : polygons_)
-      for (Index i = 0; i < polygon.size(); ++i) {
-        const Index v = polygon[i], w = polygon[(i + 1) % polygon.size()];
+    std::vector<bool> may_merge(input_points_.size(), false);
+    representative_.assign(input_points_.size(), none);
+    for (const Polygon_part& polygon : polygons_)
+      for (Index i = 0; i < polygon.corners.size(); ++i) {
+        const Index v = polygon.corners[i], w = polygon.corners[(i + 1) % polygon.corners.size()];
+        representative_[v] = v;
         if (input_points_[v] == input_points_[w])
           may_merge[v] = may_merge[w] = true;
         edges.push_back({(std::min)(v, w), (std::max)(v, w)});
@@ -171,34 +134,30 @@ private:
     for (Index i = 0; i < edges.size(); ++i)
       if ((i == 0 || edges[i] != edges[i - 1]) && (i + 1 == edges.size() || edges[i] != edges[i + 1]))
         may_merge[edges[i][0]] = may_merge[edges[i][1]] = true;
-    for (Index v = 0; v < points_.size(); ++v)
-      points_[v].group = may_merge[v] ? 0 : v + 1;
 
-    Polygon_mesh_processing::merge_duplicate_points_in_polygon_soup(points_, polygons_,
-                                                                    parameters::geom_traits(Numbered_point_traits()));
-    representative_.assign(input_points_.size(), none);
-    for (Index f = 0; f < polygons_.size(); ++f)
-      for (Index i = 0; i < polygons_[f].size(); ++i)
-        representative_[input_polygons_[f][i]] = points_[polygons_[f][i]].input;
-    // From here on each point is itself.
-    for (Numbered_point& p : points_)
-      p.group = p.input + 1;
+    std::map<std::array<double, 3>, Index> first_at;
+    for (Index v = 0; v < input_points_.size(); ++v)
+      if (may_merge[v])
+        representative_[v] = first_at.emplace(input_points_[v], v).first->second;
+    for (Polygon_part& polygon : polygons_)
+      for (Index& v : polygon.corners)
+        v = representative_[v];
   }
 
   // Walks around each polygon; where it comes to a vertex for the second time it has gone around
   // a loop, which is cut off.
   void remove_repeated_corners()
   {
-    std::vector<Numbered_polygon> polygons;
-    std::vector<Index> path, place(points_.size(), none); // of each vertex in the path
+    std::vector<Polygon_part> polygons;
+    std::vector<Index> path, place(input_points_.size(), none); // of each vertex in the path
     const auto cut_path = [&](Index begin, Index polygon) {
       if (path.size() - begin >= 3)
-        add_polygon(polygons, polygon, std::vector<Index>(path.begin() + std::ptrdiff_t(begin), path.end()));
+        polygons.push_back({polygon, {path.begin() + std::ptrdiff_t(begin), path.end()}});
       for (; path.size() > begin; path.pop_back())
         place[path.back()] = none;
     };
-    for (const Numbered_polygon& polygon : polygons_) {
-      for (Index v : polygon) {
+    for (const Polygon_part& polygon : polygons_) {
+      for (Index v : polygon.corners) {
         if (place[v] != none)
           cut_path(place[v], polygon.input);
         place[v] = path.size();
@@ -208,7 +167,7 @@ private:
     }
     polygons_ = std::move(polygons);
     is_kept_.assign(input_polygons_.size(), false);
-    for (const Numbered_polygon& polygon : polygons_)
+    for (const Polygon_part& polygon : polygons_)
       is_kept_[polygon.input] = true;
     for (Index f = 0; f < is_kept_.size(); ++f)
       if (!is_kept_[f])
@@ -218,18 +177,26 @@ private:
   std::vector<Index> number_of_parts() const
   {
     std::vector<Index> result(input_polygons_.size(), 0);
-    for (const Numbered_polygon& polygon : polygons_)
+    for (const Polygon_part& polygon : polygons_)
       ++result[polygon.input];
     return result;
   }
 
+  // Of those with the same corners, in either direction, the first stays.
   void remove_duplicates()
   {
     const std::vector<Index> before = number_of_parts();
-    Polygon_mesh_processing::merge_duplicate_polygons_in_polygon_soup(points_, polygons_,
-                                                                      parameters::geom_traits(Numbered_point_traits()));
-    std::stable_sort(polygons_.begin(), polygons_.end(),
-                     [](const Numbered_polygon& a, const Numbered_polygon& b) { return a.input < b.input; });
+    std::unordered_set<std::vector<Index>, boost::hash<std::vector<Index>>> seen;
+    std::vector<Polygon_part> polygons;
+    for (Polygon_part& polygon : polygons_) {
+      std::vector<Index> corners = polygon.corners;
+      std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+      if (corners.back() < corners[1])
+        std::reverse(corners.begin() + 1, corners.end());
+      if (seen.insert(std::move(corners)).second)
+        polygons.push_back(std::move(polygon));
+    }
+    polygons_ = std::move(polygons);
     const std::vector<Index> after = number_of_parts();
     for (Index f = 0; f < before.size(); ++f)
       if (before[f] > 1 && after[f] < before[f])
@@ -239,24 +206,24 @@ private:
   void triangulate(const Progress_function& progress)
   {
     Index number_of_corners = 0, done = 0;
-    for (const Numbered_polygon& polygon : polygons_)
-      number_of_corners += polygon.size();
-    std::vector<Numbered_polygon> triangles;
+    for (const Polygon_part& polygon : polygons_)
+      number_of_corners += polygon.corners.size();
+    std::vector<Polygon_part> triangles;
     bool is_changed = false;
-    for (const Numbered_polygon& polygon : polygons_) {
-      if (polygon.size() == 3) {
+    for (const auto& [input, corners] : polygons_) {
+      if (corners.size() == 3) {
         done += 3;
-        triangles.push_back(polygon);
+        triangles.push_back({input, corners});
         continue;
       }
       is_changed = true;
       ask(progress, 0.1 + 0.7 * double(done) / double(number_of_corners));
-      done += polygon.size();
-      std::vector<std::array<double, 3>> corners;
-      for (Index v : polygon)
-        corners.push_back({points_[v].x(), points_[v].y(), points_[v].z()});
-      for (const std::array<std::size_t, 3>& t : triangulate_polygon(corners))
-        add_polygon(triangles, polygon.input, {polygon[t[0]], polygon[t[1]], polygon[t[2]]});
+      done += corners.size();
+      std::vector<std::array<double, 3>> places;
+      for (Index v : corners)
+        places.push_back(input_points_[v]);
+      for (const std::array<std::size_t, 3>& t : triangulate_polygon(places))
+        triangles.push_back({input, {corners[t[0]], corners[t[1]], corners[t[2]]}});
     }
     polygons_ = std::move(triangles);
     if (is_changed)
@@ -266,25 +233,21 @@ private:
   // Turns triangles, and copies vertices for the fans that are left.
   void glue()
   {
-    Points points;
+    const Points points(input_points_.begin(), input_points_.end());
     std::vector<Index_triangle> triangles;
-    for (const Numbered_point& p : points_)
-      points.push_back({p.x(), p.y(), p.z()});
-    for (const Numbered_polygon& polygon : polygons_)
-      triangles.push_back({std::uint32_t(polygon[0]), std::uint32_t(polygon[1]), std::uint32_t(polygon[2])});
+    for (const auto& [input, v] : polygons_)
+      triangles.push_back({std::uint32_t(v[0]), std::uint32_t(v[1]), std::uint32_t(v[2])});
     const Surface_gluer gluer(points, triangles);
 
     for (Index f = 0; f < triangles.size(); ++f)
       if (gluer.is_turned(f)) {
         is_reversed_[polygons_[f].input] = true;
-        std::swap(polygons_[f][0], polygons_[f][2]);
+        std::swap(polygons_[f].corners[0], polygons_[f].corners[2]);
       }
     find_opened_edges(gluer);
-    points_.reserve(gluer.vertices().size());
-    for (Index v = points_.size(); v < gluer.vertices().size(); ++v)
-      points_.push_back(Numbered_point(points_[gluer.vertices()[v]]));
+    copied_from_ = gluer.vertices();
     for (Index c = 0; c < 3 * triangles.size(); ++c)
-      polygons_[c / 3][c % 3] = gluer.vertex(c);
+      polygons_[c / 3].corners[c % 3] = gluer.vertex(c);
   }
 
   // Border edges that had several faces in the input, or lay inside one.
@@ -293,10 +256,11 @@ private:
     using Edge = std::array<Index, 2>;
     const auto edge = [](Index v, Index w) { return Edge{(std::min)(v, w), (std::max)(v, w)}; };
     std::vector<std::pair<Edge, Index>> border; // with the face
-    for (const Numbered_polygon& triangle : polygons_)
-      for (Index i = 0; i < 3; ++i)
-        if (gluer.is_border(3 * Index(&triangle - polygons_.data()) + i))
-          border.emplace_back(edge(points_[triangle[i]].input, points_[triangle[(i + 1) % 3]].input), triangle.input);
+    for (Index c = 0; c < 3 * polygons_.size(); ++c)
+      if (gluer.is_border(c)) {
+        const auto& [input, v] = polygons_[c / 3];
+        border.emplace_back(edge(v[c % 3], v[(c + 1) % 3]), input);
+      }
     std::sort(border.begin(), border.end());
     std::vector<Index> number_of_faces(border.size(), 0);
     for (const std::vector<Index>& polygon : input_polygons_)
@@ -320,18 +284,18 @@ private:
   // The vertices that are left, and for each the first vertex of the input that has become it.
   void collect()
   {
-    std::vector<Index> input(points_.size(), none);
+    std::vector<Index> input(copied_from_.size(), none);
     for_each_corner([&](Index v, Index in_input) { input[v] = (std::min)(input[v], in_input); });
-    std::vector<Index> number(points_.size(), none);
-    for (Index v = 0; v < points_.size(); ++v)
+    std::vector<Index> number(input.size(), none);
+    for (Index v = 0; v < input.size(); ++v)
       if (input[v] != none) {
         number[v] = result_.points.size();
         result_.points.push_back(input_points_[input[v]]);
         result_.input_vertices.push_back(input[v]);
       }
-    for (const Numbered_polygon& triangle : polygons_) {
-      result_.triangles.push_back({number[triangle[0]], number[triangle[1]], number[triangle[2]]});
-      result_.input_faces.push_back(triangle.input);
+    for (const auto& [face, v] : polygons_) {
+      result_.triangles.push_back({number[v[0]], number[v[1]], number[v[2]]});
+      result_.input_faces.push_back(face);
     }
     merged_with_.assign(input_points_.size(), none);
     for_each_corner([&](Index v, Index in_input) {
@@ -347,7 +311,7 @@ private:
   {
     std::vector<std::array<Index, 2>> corners; // of one face: representative, vertex
     Index face = none;
-    for (const Numbered_polygon& triangle : polygons_) {
+    for (const Polygon_part& triangle : polygons_) {
       if (triangle.input != face) {
         face = triangle.input;
         corners.clear();
@@ -355,9 +319,9 @@ private:
           corners.push_back({representative_[v], v});
         std::sort(corners.begin(), corners.end());
       }
-      for (Index v : triangle)
-        for (auto it = std::lower_bound(corners.begin(), corners.end(), std::array<Index, 2>{points_[v].input, 0});
-             it != corners.end() && (*it)[0] == points_[v].input; ++it)
+      for (Index v : triangle.corners)
+        for (auto it = std::lower_bound(corners.begin(), corners.end(), std::array<Index, 2>{copied_from_[v], 0});
+             it != corners.end() && (*it)[0] == copied_from_[v]; ++it)
           function(v, (*it)[1]);
     }
   }
@@ -431,9 +395,9 @@ private:
 
   const std::vector<std::array<double, 3>> input_points_;
   const std::vector<std::vector<Index>> input_polygons_;
-  std::vector<Numbered_point> points_;
-  std::vector<Numbered_polygon> polygons_;
+  std::vector<Polygon_part> polygons_;      // in the order of the input
   std::vector<Index> representative_;       // of each input vertex that a face names, the one it was merged into
+  std::vector<std::uint32_t> copied_from_;  // of each vertex after the gluing, the one of the input
   std::vector<Index> merged_with_;          // of each input vertex, the one whose place it took, or none
   std::vector<bool> is_kept_, is_reversed_; // of each input face
   std::vector<bool> has_lost_part_;         // of each input face of which several parts were left
