@@ -277,6 +277,48 @@ TEST(Mirror_symmetry, agrees_with_finite_fields_across_planes)
   EXPECT_GT(counts.bent, 10000);
 }
 
+// Four folds, and between the first two and the last two of them a quadrilateral. A corner of the eastern one is as
+// much above π as it would be below it if that was the mirror image of the western one: the cosine is the same.
+Surface sheet_with_quadrilaterals(bool is_mirrored)
+{
+  const double turn = is_mirrored ? -0.5 : 0.5;
+  symmetric_surfaces::Sheet sheet;
+  // Of the folds, from west to east:
+  const std::array<std::uint32_t, 4> top{sheet.add({-1, 64, 0}), sheet.add({-1, 128, 0}), sheet.add({1, 128, 0}),
+                                         sheet.add({1, 64, 0})};
+  const std::array<std::uint32_t, 4> bottom{sheet.add({-0.5, -64, -0.125}), sheet.add({-0.25, -64, -0.1875}),
+                                            sheet.add({0.25, -64, -0.1875}), sheet.add({1 + turn, -64, turn / 4})};
+  // The triangles at both ends are congruent. (Where they lie in space does not matter to the layout.)
+  const double east = is_mirrored ? -1 : 1;
+  const std::array<std::uint32_t, 4> corners{
+    sheet.add({-1 + 0.75, 64 - 63.6875, -0.25}), sheet.add({-1 + 0.75, 64 - 64.3125, -0.5}),
+    sheet.add({1 + east * 0.75, 64 - 64.3125, east * 0.5}), sheet.add({1 + east * 0.75, 64 - 63.6875, east * 0.25})};
+  sheet.add_triangle(corners[1], top[0], corners[0]);
+  sheet.add_triangle(corners[1], bottom[0], top[0]);
+  sheet.add_triangle(top[0], bottom[0], bottom[1]);
+  sheet.add_triangle(top[0], bottom[1], top[1]);
+  sheet.add_triangle(top[1], bottom[1], top[2]);
+  sheet.add_triangle(bottom[1], bottom[2], top[2]);
+  sheet.add_triangle(top[2], bottom[2], top[3]);
+  sheet.add_triangle(bottom[2], bottom[3], top[3]);
+  sheet.add_triangle(top[3], bottom[3], corners[2]);
+  sheet.add_triangle(top[3], corners[2], corners[3]);
+  return sheet.finish(corners);
+}
+
+TEST(Mirror_symmetry, distinguishes_angles_with_the_same_cosine)
+{
+  for (bool is_mirrored : {true, false}) {
+    const Surface surface = sheet_with_quadrilaterals(is_mirrored);
+    Triangulation t(connectivity(surface), surface.mesh.points);
+    IT::flip_to_Delaunay(t);
+    const IT::Edge_index e = diagonal_of_corners(t.connectivity(), surface);
+    ASSERT_TRUE(e.is_valid());
+    EXPECT_EQ(is_symmetric(t, e), is_mirrored);
+    EXPECT_EQ(is_zero_in_finite_fields(t, e), is_mirrored);
+  }
+}
+
 // Spokes of two lengths in turn, so that triangles can be in any order. Between vertices 0, 3, 5 and 8 of the rim there
 // are three triangles, two and three.
 Triangulation fan(const std::array<int, 8>& squared_lengths_of_rim)

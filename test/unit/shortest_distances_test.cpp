@@ -178,6 +178,53 @@ TEST(Geodesic_distances, need_fewer_ways_for_each_face_if_faces_are_finer)
   }
 }
 
+// A hub in the middle of a border that waves: paths bend at it again and again.
+void make_fan(std::uint32_t n, Points& points, Triangles& triangles)
+{
+  points = {{0, 0, 0.5}};
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double angle = 2 * pi * i / n;
+    points.push_back({std::cos(angle), std::sin(angle), 0.1 * std::sin(7 * angle)});
+    triangles.push_back({0, 1 + i, 1 + (i + 1) % n});
+  }
+}
+
+TEST(Geodesic_distances, need_few_ways_in_a_fan)
+{
+  Points points;
+  Triangles triangles;
+  make_fan(90, points, triangles);
+  const std::vector<double> exact = exact_distances(points, triangles, 5);
+  const auto found = IT::geodesic_distances(Delaunay(points, triangles), {Vertex_index(5)}, with_tolerance(0));
+  for (std::size_t v = 0; v < exact.size(); ++v)
+    EXPECT_NEAR(found.distances[v], exact[v], 1e-10 * exact[v]) << v;
+  for (std::uint32_t n : {1000, 4000}) {
+    triangles.clear();
+    make_fan(n, points, triangles);
+    const auto large = IT::geodesic_distances(Delaunay(points, triangles), {Vertex_index(5)}, with_tolerance(0));
+    EXPECT_TRUE(large.is_complete);
+    EXPECT_LT(large.number_of_ways, 20 * n); // going on before the shortest way is known: 150 n
+  }
+}
+
+// Ways into the shadow of a straight border would be as wide as rounding errors, and run through the whole strip.
+TEST(Geodesic_distances, need_few_ways_along_a_straight_border)
+{
+  std::mt19937 random(1);
+  Points points{{0, 0, 0}, {0, 1, 0}};
+  Triangles triangles;
+  for (std::uint32_t i = 0; i < 500; ++i) {
+    points.push_back({points[2 * i][0] + 0x1p-32 * random() / 500, 0, 0});
+    points.push_back({points[2 * i + 1][0] + 0x1p-32 * random() / 500, 1, 0});
+    triangles.push_back({2 * i, 2 * i + 2, 2 * i + 1});
+    triangles.push_back({2 * i + 1, 2 * i + 2, 2 * i + 3});
+  }
+  const auto found = IT::geodesic_distances(Delaunay(points, triangles), {Vertex_index(4)}, with_tolerance(0));
+  for (std::size_t v = 0; v < points.size(); ++v)
+    EXPECT_NEAR(found.distances[v], straight(points, 4, v), 1e-11) << v;
+  EXPECT_LT(found.number_of_ways, 3 * triangles.size()); // with these ways: 133 for each
+}
+
 TEST(Geodesic_distances, depend_on_nothing_elsewhere)
 {
   Points points;

@@ -158,6 +158,14 @@ TEST(Shortest_edge_path, is_not_longer_than_another)
   check(rounded);
 }
 
+TEST(Shortest_path, to_a_near_vertex_does_not_look_further)
+{
+  Triangulation triangulation = Delaunay(samples::random_diagonal_grid(40, 40));
+  const Vertex_index s(800), t(805);
+  EXPECT_TRUE(IT::shortest_path(triangulation, s, t, CGAL::parameters::maximum_number(500)).is_complete);
+  EXPECT_GT(IT::geodesic_distances(triangulation, {s}, CGAL::parameters::tolerance(0.)).number_of_ways, 5000u);
+}
+
 TEST(Shortest_path, to_itself_is_empty)
 {
   Triangulation triangulation = Delaunay(samples::pillow(12));

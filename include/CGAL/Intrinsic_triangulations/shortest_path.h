@@ -354,7 +354,7 @@ Shortest_path shortest_path(Intrinsic_triangulation<Traits>& triangulation, Vert
   const internal::Laid_out_faces faces(triangulation, row);
   internal::Window_propagation windows(faces, 0);
   const internal::Interruption interruption(internal::go_further_function_of(np));
-  result.is_complete = windows.run({source.idx()}, internal::number_of_ways(np, complex), interruption);
+  result.is_complete = windows.run({source.idx()}, internal::number_of_ways(np, complex), interruption, target.idx());
   result.distance = std::ldexp(windows.distances()[target.idx()], faces.exponent());
   internal::Way_back<Traits> way(triangulation, faces, windows, interruption);
   for (Vertex_index v = target; v != source; v = complex.target(result.halfedges.back())) {

@@ -61,8 +61,10 @@ public:
 
   // \param sources rows
   // \param most how many windows may be sent on; the others are lost
+  // \param goal a row: what is further than this is not looked at, if there is no tolerance
   // \return whether that was enough
-  bool run(const std::vector<std::uint32_t>& sources, std::uint64_t most, const Interruption& interruption)
+  bool run(const std::vector<std::uint32_t>& sources, std::uint64_t most, const Interruption& interruption,
+           std::uint32_t goal = none)
   {
     for (std::uint32_t row : sources)
       distances_[row] = 0;
@@ -76,6 +78,8 @@ public:
       std::pop_heap(queue_.begin(), queue_.end(), Comes_later{*this});
       const auto [distance, slot] = queue_.back();
       queue_.pop_back();
+      if (goal != none && distance > distances_[goal])
+        break;
       const Window window = windows_[slot];
       if (window.sigma >= 0 && tolerance_ > 0) {
         send_all_on(window.side);
@@ -104,6 +108,7 @@ private:
   static constexpr std::uint32_t none = Laid_out_faces::none, taken = none - 1;
   static constexpr double shorter = 1 - 1e-12; // by so much that it is not rounding
   static constexpr double least_width = 1e-12, least_angle = 1e-9;
+  static constexpr double shadow_begin = CGAL_PI - least_angle; // from the way to a vertex
 
   // std::hypot() takes four times as long. It is needed only where squares leave the range of double.
   static double length_of(double x, double y)
@@ -210,8 +215,10 @@ private:
       windows_[slot].next = taken;
       slot = waiting_[side];
     }
+    // At the distance of its nearest point: what comes of a window is not nearer, so that ways go on from a vertex only
+    // when the shortest one to it is known.
     w.next = waiting_[side];
-    waiting_[side] = add(w, (std::max)(w.distance(w.b0), w.distance(w.b1)));
+    waiting_[side] = add(w, w.distance((std::min)((std::max)(w.x, w.b0), w.b1)));
   }
 
   static bool come_from_same_point(const Window& u, const Window& v)
@@ -392,28 +399,42 @@ private:
     if (distance > distances_[start.row])
       return;
     send_all_around(start.row, start.vertex);
-    const double whole = surface_.angle_sum(start.vertex); // infinite on the border
-    if (whole - 2 * CGAL_PI < least_angle)
-      return;
-    const double shadow_begin = CGAL_PI - least_angle, shadow_end = whole - shadow_begin;
-    double sum = -angle; // of the side, from the way to the left
-    for (std::uint32_t s = side; s != none && sum < shadow_end;) {
-      const double corner = surface_.side(s).angle;
-      if (sum + corner > shadow_begin)
-        send_into_face(s, shadow_begin - sum, shadow_end - sum);
-      sum += corner;
-      s = surface_.left_of(s);
-      if (s == side)
-        break;
-    }
+    const double whole = surface_.angle_sum(start.vertex);
     if (whole < infinity)
+      return send_to_left(side, angle, whole - CGAL_PI);
+    double to_border = -angle; // from the way to the left
+    for (std::uint32_t s = side; s != none; s = surface_.left_of(s))
+      to_border += surface_.side(s).angle;
+    send_to_left(side, angle, to_border);
+    to_border = angle; // from the way to the right
+    for (std::uint32_t s = surface_.right_of(side); s != none; s = surface_.right_of(s))
+      to_border += surface_.side(s).angle;
+    if (to_border - CGAL_PI < least_angle)
       return;
-    sum = angle; // from the way to the right
-    for (std::uint32_t s = surface_.right_of(side); s != none && s != side; s = surface_.right_of(s)) {
+    double sum = angle;
+    for (std::uint32_t s = surface_.right_of(side); s != none; s = surface_.right_of(s)) {
       const double corner = surface_.side(s).angle;
       if (sum + corner > shadow_begin)
         send_into_face(s, 0, sum + corner - shadow_begin);
       sum += corner;
+    }
+  }
+
+  // The ways from a vertex that was reached into its shadow, up to an angle to the left of the way to it. A straight
+  // border, and a vertex in a plane, have none: what rounding leaves would be sent on over all faces.
+  void send_to_left(std::uint32_t side, double angle, double shadow_end)
+  {
+    if (shadow_end - CGAL_PI < least_angle)
+      return;
+    double sum = -angle; // of the side, from the way to the left
+    for (std::uint32_t s = side; s != none && sum < shadow_end + least_angle;) {
+      const double corner = surface_.side(s).angle;
+      if (sum + corner > shadow_begin)
+        send_into_face(s, shadow_begin - sum, shadow_end + least_angle - sum);
+      sum += corner;
+      s = surface_.left_of(s);
+      if (s == side)
+        break;
     }
   }
 

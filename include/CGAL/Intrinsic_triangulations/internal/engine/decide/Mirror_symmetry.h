@@ -138,20 +138,20 @@ private:
     return false;
   }
 
+  // Equal turns imply that the path is as long up to a as from b on, for both sides have as many folds: if za had fewer
+  // segments, its turns would be those of a part of bc, with as many corners. But a side has one corner more than folds,
+  // and another one for each segment between two turns to the left. At the other end of a part there is one fold less,
+  // or no corner before its first one, behind a turn to the other side.
   bool is_symmetric_path(const Side& za, const Side& ab, const Side& bc)
   {
     path_.clear();
     turns_.clear();
     corners_.clear();
     is_defined_ = true;
-    const Node before_a = add(za);
-    const std::size_t length_to_a = path_.size();
-    add_turn(za, before_a, ab);
-    const Node before_b = add(ab);
-    const std::size_t length_to_b = path_.size();
-    add_turn(ab, before_b, bc);
+    add_turn(za, add(za), ab);
+    add_turn(ab, add(ab), bc);
     add(bc);
-    if (!is_defined_ || path_.size() - length_to_b != length_to_a)
+    if (!is_defined_)
       return false;
     turns_.push_back({corners_.size(), true}); // where the last one ends
     for (std::size_t i = 0, j = path_.size() - 1; i < j; ++i, --j)
