@@ -90,6 +90,8 @@ public:
     minus_b.z_ = -b.z_;
     return a + minus_b;
   }
+  // That of the centers, each coordinate rounded once: right up to 2^-52.99 of itself in double-doubles.
+  friend Two_doubles rounded_difference(const Disk& a, const Disk& b) { return high(a.z_ - b.z_); }
   friend Disk operator*(const Disk& a, const Disk& b) { return product(a, b, Two_doubles(-1, 1)); }
   friend Disk times_conjugate(const Disk& a, const Disk& b) { return product(b, a, Two_doubles(1, -1)); }
   friend Real squared_norm(const Disk& a)

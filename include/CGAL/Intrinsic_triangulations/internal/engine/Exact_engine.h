@@ -264,7 +264,7 @@ private:
   double number_of_quantities(Halfedge_index h) const;
   void carry_images();
   Known_corner<Corner, Image_corner> laid_out(Halfedge_index h);
-  Corner developed_corner(Halfedge_index h);
+  Corner developed_corner(Halfedge_index h, bool in_doubles = false);
   std::optional<Image_corner> image_of_straight_corner(Halfedge_index h);
   std::optional<Image_corner> image_of_developed_corner(Halfedge_index h) const;
   template <class FindImage>
