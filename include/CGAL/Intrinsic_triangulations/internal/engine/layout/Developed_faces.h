@@ -266,7 +266,7 @@ private:
   {
     const Corner& c = known.corner;
     const Real length = sqrt(c.s_first);
-    const Vector j(c.p / length.scaled(2), c.four_areas / length.scaled(2));
+    const Vector j = Vector(c.p, c.four_areas) / length.scaled(2);
     if (!(j.radius() < largest_radius * j.modulus()))
       return std::nullopt;
     std::unique_ptr<const Image> image_of_i, image_of_j, image_of_k;
@@ -276,7 +276,7 @@ private:
       const Residues zero = x.p - x.p, two_s_image = x.s_first + x.s_first;
       unit = std::make_unique<const Residues>(x.s_first);
       image_of_i = std::make_unique<const Image>(two_s_image / two_s_image, zero);
-      image_of_j = std::make_unique<const Image>(x.p / two_s_image, x.four_areas / two_s_image);
+      image_of_j = std::make_unique<const Image>(Image(x.p, x.four_areas) / two_s_image);
       image_of_k = std::make_unique<const Image>(zero, zero);
     }
     planes_.push_back({0, std::move(unit)});
@@ -296,9 +296,8 @@ private:
   Motion motion(std::array<std::uint32_t, 2> from, std::array<std::uint32_t, 2> to) const
   {
     const auto turn = [&](const auto& get) {
-      const auto edge = *get(from[1]) - *get(from[0]), product = times_conjugate(*get(to[1]) - *get(to[0]), edge);
-      const auto norm = squared_norm(edge);
-      return std::decay_t<decltype(edge)>(product.x() / norm, product.y() / norm);
+      const auto edge = *get(from[1]) - *get(from[0]);
+      return times_conjugate(*get(to[1]) - *get(to[0]), edge) / squared_norm(edge);
     };
     const auto image = [&](std::uint32_t point) { return points_[point].image.get(); };
     Motion result{from, to, turn([&](std::uint32_t point) { return &points_[point].position; }), {}};
