@@ -13,6 +13,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/rounded_sqrt.h>
 
+#include <cmath>
+#include <limits>
 #include <type_traits>
 
 namespace CGAL {
@@ -90,8 +92,22 @@ public:
     minus_b.z_ = -b.z_;
     return a + minus_b;
   }
+  // That of the centers, each coordinate rounded once: right up to 2^-52.99 of itself in double-doubles.
+  friend Two_doubles rounded_difference(const Disk& a, const Disk& b) { return high(a.z_ - b.z_); }
   friend Disk operator*(const Disk& a, const Disk& b) { return product(a, b, Two_doubles(-1, 1)); }
   friend Disk times_conjugate(const Disk& a, const Disk& b) { return product(b, a, Two_doubles(1, -1)); }
+  // As the division of real numbers.
+  friend Disk operator/(const Disk& a, const Real& b)
+  {
+    if (!(std::abs(b.hi()) > 2 * b.error()))
+      return {Part{}, Part{}, std::numeric_limits<double>::infinity()};
+    const Two_doubles divisor(b.hi()), q = high(a.z_) / divisor;
+    Disk r;
+    fast_two_sum(q, high(a.z_ - Parts{q, 0.} * Parts{divisor, b.lo()}) / divisor, r.z_.hi, r.z_.lo);
+    const double m = r.modulus();
+    r.radius_ = ((a.radius_ + m * b.error()) * 2 / std::abs(b.hi()) + unit * m) * slightly_more + tiny;
+    return r;
+  }
   friend Real squared_norm(const Disk& a)
   {
     const double m = a.modulus();

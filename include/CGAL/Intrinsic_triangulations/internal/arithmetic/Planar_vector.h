@@ -39,6 +39,8 @@ public:
   {
     return {a.x_ * b.x_ + a.y_ * b.y_, a.y_ * b.x_ - a.x_ * b.y_};
   }
+  /// returns the quotient by a real number.
+  friend Planar_vector operator/(const Planar_vector& a, const Real& b) { return {a.x_ / b, a.y_ / b}; }
   /// returns the squared absolute value.
   friend Real squared_norm(const Planar_vector& a) { return a.x_ * a.x_ + a.y_ * a.y_; }
 

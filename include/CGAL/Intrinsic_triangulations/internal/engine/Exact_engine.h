@@ -234,7 +234,7 @@ private:
   // In flips for each edge: bounds the memory of the journal.
   static constexpr std::size_t longest_journal = 8;
   // In crossings of the four sides, and of the edges at a vertex: to lay out shorter ones again takes no longer.
-  static constexpr std::int64_t long_hinge = 64, long_star = 4;
+  static constexpr std::int64_t long_hinge = 16, long_star = 4;
   // In input quantities: what is laid out in some microseconds.
   static constexpr double short_strip = 256;
 
@@ -264,7 +264,7 @@ private:
   double number_of_quantities(Halfedge_index h) const;
   void carry_images();
   Known_corner<Corner, Image_corner> laid_out(Halfedge_index h);
-  Corner developed_corner(Halfedge_index h);
+  Corner developed_corner(Halfedge_index h, bool in_doubles = false);
   std::optional<Image_corner> image_of_straight_corner(Halfedge_index h);
   std::optional<Image_corner> image_of_developed_corner(Halfedge_index h) const;
   template <class FindImage>
@@ -279,7 +279,7 @@ private:
   Bounded_double_double squared_length(Edge_index e, Input_surface& surface) const;
   Exact_fallback exact_fallback(Input_surface& surface) const;
   bool is_straight(Face_index f) const;
-  Corner straight_corner(Halfedge_index h) const;
+  Corner straight_corner(Halfedge_index h, bool in_doubles = false) const;
 
   Delta_complex connectivity_;
   Input_metric metric_;

@@ -582,17 +582,16 @@ void Exact_engine::carry_images()
 
 // As corner(), from what is kept of tests before.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_engine::Corner Exact_engine::developed_corner(Halfedge_index h)
+Exact_engine::Corner Exact_engine::developed_corner(Halfedge_index h, bool in_doubles)
 {
   Memory& memory = *memory_;
   const Face_index f = connectivity_.face(h);
   if (is_straight(f))
-    return straight_corner(h);
-  if (memory.developed_faces.contains(h))
-    return memory.developed_faces.corner(connectivity_, h);
-  memory.developed_faces.insert(connectivity_,
-                                laid_out(correspondence().coordinates().side_with_most_crossings(connectivity_, f)));
-  return memory.developed_faces.contains(h) ? memory.developed_faces.corner(connectivity_, h)
+    return straight_corner(h, in_doubles);
+  if (!memory.developed_faces.contains(h))
+    memory.developed_faces.insert(connectivity_,
+                                  laid_out(correspondence().coordinates().side_with_most_crossings(connectivity_, f)));
+  return memory.developed_faces.contains(h) ? memory.developed_faces.corner(connectivity_, h, in_doubles)
                                             : unfolded_corner(h, *input_surface());
 }
 
@@ -711,9 +710,9 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 bool Exact_engine::is_straight(Face_index f) const { return (*memory_->straight_faces)(f); }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Exact_engine::Corner Exact_engine::straight_corner(Halfedge_index h) const
+Exact_engine::Corner Exact_engine::straight_corner(Halfedge_index h, bool in_doubles) const
 {
-  return internal::straight_corner<Corner>(connectivity_, positions(), h);
+  return internal::straight_corner<Corner>(connectivity_, positions(), h, in_doubles);
 }
 
 // ---------------------------------------------------------------- where the input lies

@@ -48,12 +48,13 @@ Sign Exact_engine::decide(Edge_index e, std::optional<Opposite_corners>& corners
   prepare();
   memory.is_close_call.resize(connectivity_.number_of_edges());
   memory.is_close_call[e.idx()] = true;
-  const auto test_by_developed_corners = [&] {
-    corners = Opposite_corners{developed_corner(h), developed_corner(g)};
+  const auto test_by_developed_corners = [&](bool in_doubles) {
+    corners = Opposite_corners{developed_corner(h, in_doubles), developed_corner(g, in_doubles)};
     return test_by_corners(h, *corners);
   };
-  if (const std::optional<Test> test = test_by_developed_corners())
-    return memory.decided(*test);
+  for (bool in_doubles : {true, false}) // the first suffices for most tests that the filter leaves open
+    if (const std::optional<Test> test = test_by_developed_corners(in_doubles))
+      return memory.decided(*test);
   const auto find_image = [&](Halfedge_index side) {
     return is_straight(connectivity_.face(side)) ? image_of_straight_corner(side) : image_of_developed_corner(side);
   };
@@ -67,7 +68,7 @@ Sign Exact_engine::decide(Edge_index e, std::optional<Opposite_corners>& corners
       is_laid_out_anew = true;
     }
   if (is_laid_out_anew)
-    if (const std::optional<Test> test = test_by_developed_corners())
+    if (const std::optional<Test> test = test_by_developed_corners(false))
       return memory.decided(*test);
   const auto decision = exact_fallback(*input_surface()).sign_of_cotangents(corners_beside(connectivity_, e));
   if (decision.is_rational && !memory.images)

@@ -94,16 +94,52 @@ std::optional<Corner> straight_corner(const std::array<double, 3>& i, const std:
                 bounded(s_side, 0x1p-100 * s_side.hi)};
 }
 
-// Lengths and angles from three points.
+// In doubles. With u = 2^-53 and sides of lengths m and n, each coordinate of a side is right up to u of itself. So their
+// scalar product is wrong by at most 2.01 u m n for the sides and 3.01 u m n for its rounding, their cross product, the
+// components of which are right up to 4.01 u of both terms, by 4.01 √2 u m n, and its length by 2.51 u m n for its own
+// rounding. In squared lengths, which are stored, what the coordinates have lost is made up for: 4.01 u of themselves.
 template <class Corner>
-Corner straight_corner(const Delta_complex& complex, const Vertex_positions& positions, Halfedge_index ij)
+std::optional<Corner> straight_corner_in_doubles(const std::array<double, 3>& i, const std::array<double, 3>& j,
+                                                 const std::array<double, 3>& k)
+{
+  struct Side
+  {
+    Side(const std::array<double, 3>& p, const std::array<double, 3>& q)
+    {
+      double lost = 0, e;
+      for (int c = 0; c < 3; ++c) {
+        two_sum(q[c], -p[c], v[c], e);
+        lost += v[c] * e;
+      }
+      square = scalar_product(v, v) + 2 * lost;
+    }
+    Vector_3<double> v;
+    double square;
+  };
+  const Side ki(k, i), kj(k, j), side(i, j);
+  const auto normal = cross_product(ki.v, kj.v);
+  const double square = scalar_product(normal, normal), u = 0x1p-53, m_n = rounded_sqrt(ki.square * kj.square);
+  const auto is_usual = [](double s) { return s > 1e-100 && s < 1e100; };
+  if (!is_usual(ki.square) || !is_usual(kj.square) || !is_usual(side.square) || !(square > 1e-200))
+    return std::nullopt;
+  const auto bounded = [](double x, double bound) { return Bounded_double_double(x, 0, bound); };
+  return Corner{bounded(scalar_product(ki.v, kj.v), 5.1 * u * m_n).scaled(2),
+                bounded(rounded_sqrt(square), 8.5 * u * m_n).scaled(2), bounded(ki.square, 4.1 * u * ki.square),
+                bounded(kj.square, 4.1 * u * kj.square), bounded(side.square, 4.1 * u * side.square)};
+}
+
+// Lengths and angles from three points, with half of the digits if that suffices.
+template <class Corner>
+Corner straight_corner(const Delta_complex& complex, const Vertex_positions& positions, Halfedge_index ij,
+                       bool in_doubles = false)
 {
   using Real = Bounded_double_double;
   const Vertex_index i = complex.source(ij), j = complex.target(ij), k = complex.target(complex.next(ij));
-  if (const Points& points = positions.points();
-      !positions.is_inserted(i) && !positions.is_inserted(j) && !positions.is_inserted(k))
-    if (const std::optional<Corner> corner = straight_corner<Corner>(points[i.idx()], points[j.idx()], points[k.idx()]))
+  if (!positions.is_inserted(i) && !positions.is_inserted(j) && !positions.is_inserted(k)) {
+    const auto &p = positions.points()[i.idx()], &q = positions.points()[j.idx()], &r = positions.points()[k.idx()];
+    if (const auto corner = in_doubles ? straight_corner_in_doubles<Corner>(p, q, r) : straight_corner<Corner>(p, q, r))
       return *corner;
+  }
   const auto ki = positions.direction<Real>(k, i), kj = positions.direction<Real>(k, j),
              side = positions.direction<Real>(i, j);
   const auto normal = cross_product(ki, kj);

@@ -12,6 +12,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Planar_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Residues.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/rounded_sqrt.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -80,11 +82,12 @@ public:
   // Whether the face of h is kept.
   bool contains(Halfedge_index h) const { return !sources_.empty() && source(h) != none; }
 
-  // The corner opposite to h. \pre contains(h)
-  Corner corner(const Delta_complex& complex, Halfedge_index h) const
+  // The corner opposite to h, with half of the digits if that suffices. \pre contains(h)
+  Corner corner(const Delta_complex& complex, Halfedge_index h, bool in_doubles = false) const
   {
     const auto [i, j, k] = triangle(complex, h);
-    return corner(points_[i].position, points_[j].position, points_[k].position);
+    const Vector &p = points_[i].position, &q = points_[j].position, &r = points_[k].position;
+    return in_doubles ? corner_in_doubles(p, q, r) : corner(p, q, r);
   }
 
   // The image of that corner, if it is known. \pre contains(h)
@@ -222,6 +225,32 @@ private:
     return {z.x().scaled(2), z.y().scaled(2), squared_norm(u), squared_norm(w), squared_norm(j - i)};
   }
 
+  // In a fraction of the time. With u = 2^-53, a difference of positions is right up to 1.01 u of itself and the radii of
+  // both. So for sides of lengths m and n that are known to be so long, scalar and cross product are wrong by at most
+  // 2.03 u m n for the differences, 2.01 u m n for the rounding of two products and their sum, and R (m + n + R) for the
+  // radii, which sum to R; what is left of 4.1 u and 1.01 R covers products of errors, and the rounding of the bound.
+  static Corner corner_in_doubles(const Vector& i, const Vector& j, const Vector& k)
+  {
+    const Two_doubles u = rounded_difference(i, k), w = rounded_difference(j, k), v = rounded_difference(j, i);
+    const Two_doubles uu = u * u, ww = w * w, vv = v * v, along = u * w, across = w * swapped(u);
+    const Two_doubles squares = firsts(uu, ww) + seconds(uu, ww);
+    const double square = vv.first() + vv.second(), radii = i.radius() + j.radius() + k.radius();
+    const Two_doubles lengths = length_of(squares);
+    const double first = lengths.first(), second = lengths.second(), opposite = length_of(square);
+    const auto product = [&](double x, double m, double n) {
+      return Real(x, 0, 4.1 * 0x1p-53 * m * n + 1.01 * radii * (m + n + radii) + 1e-300);
+    };
+    return {product(along.first() + along.second(), first, second).scaled(2),
+            product(across.second() - across.first(), first, second).scaled(2), product(squares.first(), first, first),
+            product(squares.second(), second, second), product(square, opposite, opposite)};
+  }
+  // An upper bound, also where the square underflows.
+  template <class Number>
+  static Number length_of(const Number& square)
+  {
+    return rounded_sqrt(square) * Number(1 + 0x1p-45) + Number(1e-150);
+  }
+
   bool has_images(const Triangle& t) const { return points_[t[0]].image && points_[t[1]].image && points_[t[2]].image; }
 
   std::uint32_t add_point(const Vector& position, std::uint32_t plane, std::unique_ptr<const Image> image)
@@ -237,7 +266,7 @@ private:
   {
     const Corner& c = known.corner;
     const Real length = sqrt(c.s_first);
-    const Vector j(c.p / length.scaled(2), c.four_areas / length.scaled(2));
+    const Vector j = Vector(c.p, c.four_areas) / length.scaled(2);
     if (!(j.radius() < largest_radius * j.modulus()))
       return std::nullopt;
     std::unique_ptr<const Image> image_of_i, image_of_j, image_of_k;
@@ -247,7 +276,7 @@ private:
       const Residues zero = x.p - x.p, two_s_image = x.s_first + x.s_first;
       unit = std::make_unique<const Residues>(x.s_first);
       image_of_i = std::make_unique<const Image>(two_s_image / two_s_image, zero);
-      image_of_j = std::make_unique<const Image>(x.p / two_s_image, x.four_areas / two_s_image);
+      image_of_j = std::make_unique<const Image>(Image(x.p, x.four_areas) / two_s_image);
       image_of_k = std::make_unique<const Image>(zero, zero);
     }
     planes_.push_back({0, std::move(unit)});
@@ -267,9 +296,8 @@ private:
   Motion motion(std::array<std::uint32_t, 2> from, std::array<std::uint32_t, 2> to) const
   {
     const auto turn = [&](const auto& get) {
-      const auto edge = *get(from[1]) - *get(from[0]), product = times_conjugate(*get(to[1]) - *get(to[0]), edge);
-      const auto norm = squared_norm(edge);
-      return std::decay_t<decltype(edge)>(product.x() / norm, product.y() / norm);
+      const auto edge = *get(from[1]) - *get(from[0]);
+      return times_conjugate(*get(to[1]) - *get(to[0]), edge) / squared_norm(edge);
     };
     const auto image = [&](std::uint32_t point) { return points_[point].image.get(); };
     Motion result{from, to, turn([&](std::uint32_t point) { return &points_[point].position; }), {}};

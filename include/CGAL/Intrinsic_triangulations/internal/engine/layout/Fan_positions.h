@@ -53,9 +53,7 @@ public:
       numerator = numerator * whole_turns_.at(input.source(from));
     if (!is_counterclockwise && b.number >= a.number)
       denominator = denominator * whole_turns_.at(input.source(from));
-    const Vector product = times_conjugate(numerator, denominator);
-    const auto norm = squared_norm(denominator);
-    return {product.x() / norm, product.y() / norm};
+    return times_conjugate(numerator, denominator) / squared_norm(denominator);
   }
 
 private:
