@@ -328,9 +328,9 @@ private:
 /// \ingroup PkgIntrinsicTriangulationsHeat
 /// \brief finds a shortest path between two vertices, and flips edges until it consists of edges.
 ///
-/// The distances from the source are found as by `geodesic_distances()` without a tolerance, the straight lines are
-/// traced back, and the edges that they cross are flipped until the lines are edges. `Geodesic_path_network` proves
-/// that the path is locally shortest; its length then equals `distance` up to rounding.
+/// The distances from the source, up to that of the target, are found as by `geodesic_distances()` without a tolerance,
+/// the straight lines are traced back, and the edges that they cross are flipped until the lines are edges.
+/// `Geodesic_path_network` proves that the path is locally shortest; its length then equals `distance` up to rounding.
 ///
 /// \param triangulation a triangulation, preferably Delaunay, so that paths cross few faces. It is flipped along the
 ///   path

@@ -76,6 +76,9 @@ struct Position_on_edges
 };
 
 // By numbers with one bound for all their errors; gives up where that does not do.
+//
+// In double-doubles from the start. Of the error that is promised, rounding the quotient takes half. In doubles, the areas
+// are sums of rounded products and add as much each: no bound would be small enough for a single crossing.
 // \return whether all crossings were located
 template <class Frame>
 bool locate_crossings(Strip<Frame>& strip, const Crossed_edges& crossed, std::vector<Position_on_edges>& positions)
