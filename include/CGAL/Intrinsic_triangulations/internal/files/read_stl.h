@@ -13,6 +13,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/Polygon_soup.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -160,18 +162,20 @@ private:
     LOOP // before the end of a facet
   };
 
+  BOOST_FORCEINLINE void skip_white_and_count(const char*& p, const char* const last, std::size_t& lines) const
+  {
+    for (; p != last && is_white(*p); ++p)
+      lines += *p == line_end_;
+  }
+
   // Goes over a facet that is written as nearly all are; at any other it stays.
   bool take_usual_facet(const char*& begin, const char* const last)
   {
     const char* p = begin;
     std::size_t lines = 0;
-    const auto skip = [&] {
-      for (; p != last && is_white(*p); ++p)
-        lines += *p == line_end_;
-    };
     const auto take = [&](const auto& word) {
       constexpr std::size_t size = sizeof word - 1; // without the zero
-      skip();
+      skip_white_and_count(p, last, lines);
       if (static_cast<std::size_t>(last - p) <= size || std::memcmp(p, word, size) != 0 || !is_white(p[size]))
         return false;
       p += size;
@@ -180,7 +184,7 @@ private:
     if (!take("facet") || !take("normal"))
       return false;
     for (std::size_t i = 0; i < 3; ++i) {
-      skip();
+      skip_white_and_count(p, last, lines);
       if (p == last || !(is_digit(*p) || *p == '-'))
         return false;
       p = skip_word(p, last);
@@ -192,7 +196,7 @@ private:
       if (!take("vertex"))
         return false;
       for (double& coordinate : point) {
-        skip();
+        skip_white_and_count(p, last, lines);
         if (!take_real(p, last, coordinate) || p == last || *p == '#')
           return false;
       }

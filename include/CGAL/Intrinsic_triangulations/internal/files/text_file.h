@@ -12,6 +12,8 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
@@ -205,7 +207,7 @@ inline bool read_integer(const std::string_view word, long long& number)
 // Goes behind the number at p if all is well with it, and it ends with the word or at a comment: most numbers do, and
 // anything else needs a closer look, by check_coordinate(). Leaves p otherwise.
 template <class Real>
-bool take_real(const char*& p, const char* const end, Real& number)
+BOOST_FORCEINLINE bool take_real(const char*& p, const char* const end, Real& number)
 {
   const std::from_chars_result result = internal::from_chars(p, end, number);
   if (result.ec != std::errc() || !(result.ptr == end || is_white(*result.ptr) || *result.ptr == '#') ||

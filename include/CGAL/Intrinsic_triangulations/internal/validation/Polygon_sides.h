@@ -44,8 +44,9 @@ private:
   std::size_t count_ = 0;
 };
 
-// The corners of all faces one after the other, and the sides in buckets by their smaller vertex (a counting sort), where
-// those of an edge are together: edges in the order of their first sides, and sides in the order of the faces.
+// The corners of all faces one after the other, and the sides in buckets by their smaller
+// vertex (a counting sort), so that the sides of an edge are found in one bucket with one mark
+// per vertex.
 class Polygon_sides
 {
 public:
@@ -111,16 +112,7 @@ public:
       const std::pair<Index, Index> v = std::minmax({corners_[s], corners_[t]});
       sides_[bucket_begin_[v.first + 1]++] = Side{v.second, s, t};
     });
-    std::vector<Index> first(number_of_vertices_, none); // of the edge to a vertex; counts if it is in the bucket
-    for (std::size_t v = 0; v < number_of_vertices_; ++v) {
-      for (Index s = bucket_begin_[v]; s < bucket_begin_[v + 1]; ++s)
-        if (Index& position = first[sides_[s].other]; position < bucket_begin_[v] || position > s)
-          position = s;
-      std::sort(sides_.begin() + bucket_begin_[v], sides_.begin() + bucket_begin_[v + 1],
-                [&first](const Side& a, const Side& b) {
-                  return a.other != b.other ? first[a.other] < first[b.other] : a.target < b.target;
-                });
-    }
+    bucket_begin_.pop_back(); // now the beginning of each bucket, and the end of the last
   }
 
   std::size_t number_of_vertices() const { return number_of_vertices_; }
@@ -160,23 +152,12 @@ public:
     }
   }
 
-  // Calls function(first side, end) for each edge. \pre for this and what follows: the sides are sorted
-  template <class Function>
-  void for_each_edge(const Function& function) const
-  {
-    for (std::size_t v = 0; v < number_of_vertices_; ++v)
-      for (std::size_t s = bucket_begin_[v], end = s; s < bucket_begin_[v + 1]; s = end) {
-        while (end < bucket_begin_[v + 1] && sides_[end].other == sides_[s].other)
-          ++end;
-        function(s, end);
-      }
-  }
+  // The sides of the edges whose smaller vertex is this one are those from bucket_begin(vertex)
+  // to before bucket_begin(vertex + 1). \pre for these and what follows: the sides are sorted
+  std::size_t bucket_begin(const std::size_t vertex) const { return bucket_begin_[vertex]; }
   const Side& side(const std::size_t position) const { return sides_[position]; }
   std::size_t face_of_side(const std::size_t position) const { return face_of_corner(sides_[position].source); }
-  bool have_same_direction(const std::size_t s, const std::size_t t) const
-  {
-    return corners_[sides_[s].source] == corners_[sides_[t].source];
-  }
+  bool leaves(const Side& side, const std::size_t vertex) const { return corners_[side.source] == vertex; }
   // The vertex of a triangle that is not on a side, or `none` if the face is not a triangle.
   Index third_vertex(const Side& side) const
   {
@@ -192,13 +173,13 @@ public:
     const std::size_t a = corners_[sides_[position].source], b = corners_[sides_[position].target];
     return {{(std::min)(a, b), (std::max)(a, b)}};
   }
-  // The end of the edge whose first side this is.
-  std::size_t end_of_edge(const std::size_t position) const
+  // Calls function(face) for the faces of the edge whose first side this is, until it returns false.
+  template <class Function>
+  void for_each_face_of_edge(const std::size_t position, Function function) const
   {
-    std::size_t s = position;
-    while (s < sides_.size() && ends(s) == ends(position))
-      ++s;
-    return s;
+    for (std::size_t s = position; s < bucket_begin_[ends(position)[0] + 1]; ++s)
+      if (sides_[s].other == sides_[position].other && !function(face_of_side(s)))
+        return;
   }
 
 private:
@@ -221,7 +202,7 @@ private:
   std::vector<Index> corners_;
   std::vector<Index> first_corner_; // only if not all faces are triangles
   bool all_triangles_ = true;
-  std::vector<Index> bucket_begin_; // of each vertex, and the end of the last
+  std::vector<Index> bucket_begin_;
   std::vector<Side> sides_;
 };
 

@@ -47,11 +47,16 @@ inline std::string edge_text(const Polygon_sides& polygons, const std::size_t si
 
 inline std::string faces_text(const Polygon_sides& polygons, const std::size_t side)
 {
-  const std::size_t end = polygons.end_of_edge(side), shown_end = (std::min)(end, side + 8);
-  std::string text = shown_end == side + 1 ? "face " : "faces ";
-  for (std::size_t s = side; s < shown_end; ++s)
-    text += (s == side ? "" : ", ") + std::to_string(polygons.face_of_side(s));
-  return text + (shown_end == end ? "" : ", ...");
+  std::string text;
+  std::size_t written = 0;
+  bool is_complete = true;
+  polygons.for_each_face_of_edge(side, [&](const std::size_t face) {
+    if (written == 8)
+      return is_complete = false;
+    text += (written++ == 0 ? "" : ", ") + std::to_string(face);
+    return true;
+  });
+  return (written == 1 ? "face " : "faces ") + text + (is_complete ? "" : ", ...");
 }
 
 // Examines one list of polygons, in passes over the flat arrays of Polygon_sides.
@@ -86,6 +91,13 @@ private:
   typedef Polygon_sides::Side Side;
   static constexpr Index none_ = Polygon_sides::none;
 
+  // The sides of the edge from the current bucket's vertex to this one.
+  struct Edge_mark
+  {
+    Index bucket, first_side, count;
+    bool same_direction, same_third;
+  };
+
   const Coordinates& point(const std::size_t vertex) const { return points_[vertex]; }
   Finding& add(const Defect defect, const std::size_t count, std::vector<std::size_t> elements, std::string description)
   {
@@ -93,20 +105,10 @@ private:
       Finding{defect, std::move(elements), {}, count, defect <= Defect::OUT_OF_RANGE, std::move(description)});
     return report_.findings.back();
   }
-  // \param describe says what is wrong with the first element, if there is one
-  template <class Describe>
-  void add(const Defect defect, const Element_collector& elements, const Describe& describe)
+  // The elements of `edges` are positions in sides_ of the first sides of edges.
+  void add_edges(const Defect defect, const Element_collector& edges, std::string description)
   {
-    if (elements.count() != 0)
-      add(defect, elements.count(), elements.elements(), describe(elements.first()));
-  }
-  // The elements of `edges` are the first sides of edges.
-  template <class Describe>
-  void add_edges(const Defect defect, const Element_collector& edges, const Describe& describe)
-  {
-    if (edges.count() == 0)
-      return;
-    Finding& finding = add(defect, edges.count(), {}, describe(edges.first()));
+    Finding& finding = add(defect, edges.count(), {}, std::move(description));
     for (const std::size_t s : edges.elements()) {
       finding.elements.push_back(polygons_.face_of_side(s));
       finding.edges.push_back(polygons_.ends(s));
@@ -127,10 +129,10 @@ private:
             : "the faces have more corners than 32-bit indices can number");
     if (!report_.findings.empty())
       return false;
-    add(Defect::BAD_INDEX, polygons_.faces_with_bad_index(), [&](const std::size_t f) {
-      return "face " + std::to_string(f) + " names vertex " + index_text(polygons_.first_bad_index()) + ", but there " +
-             are_counted(n, "vertex", "vertices");
-    });
+    if (const Element_collector& bad = polygons_.faces_with_bad_index(); bad.count() != 0)
+      add(Defect::BAD_INDEX, bad.count(), bad.elements(),
+          "face " + std::to_string(bad.first()) + " names vertex " + index_text(polygons_.first_bad_index()) +
+            ", but there " + are_counted(n, "vertex", "vertices"));
     return true;
   }
 
@@ -146,15 +148,15 @@ private:
           box_.add(i, p[i]);
     }
     all_finite_ = bad.count() == 0;
-    if (all_finite_)
+    if (all_finite_) {
       examine_scaled_coordinates();
-    add(Defect::NOT_FINITE, bad, [this](const std::size_t v) {
-      const Coordinates p = point(v);
-      std::ostringstream text;
-      text.precision(17);
-      text << "vertex " << v << " has the coordinates (" << p[0] << ", " << p[1] << ", " << p[2] << ")";
-      return text.str();
-    });
+      return;
+    }
+    const Coordinates p = point(bad.first());
+    std::ostringstream text;
+    text.precision(17);
+    text << "vertex " << bad.first() << " has the coordinates (" << p[0] << ", " << p[1] << ", " << p[2] << ")";
+    add(Defect::NOT_FINITE, bad.count(), bad.elements(), text.str());
   }
 
   // What the constructors refuse to scale.
@@ -167,13 +169,13 @@ private:
     for (std::size_t v = 0; v < number_of_vertices_; ++v)
       if (Coordinates p = point(v); polygons_.is_used(v) && !scale_point(p, box_, exponent_))
         vanishing.add(v);
-    add(Defect::OUT_OF_RANGE, vanishing, [this](const std::size_t v) {
-      const Coordinates p = point(v);
-      std::ostringstream text;
-      text << "vertex " << v << " at (" << p[0] << ", " << p[1] << ", " << p[2]
-           << ") has a coordinate that is lost beside the size of the surface, about " << 2 * box_.half_extent();
-      return text.str();
-    });
+    if (vanishing.count() == 0)
+      return;
+    const Coordinates p = point(vanishing.first());
+    std::ostringstream text;
+    text << "vertex " << vanishing.first() << " at (" << p[0] << ", " << p[1] << ", " << p[2]
+         << ") has a coordinate that is lost beside the size of the surface, about " << 2 * box_.half_extent();
+    add(Defect::OUT_OF_RANGE, vanishing.count(), vanishing.elements(), text.str());
   }
 
   // Number of corners, repeated corners and zero areas.
@@ -203,70 +205,116 @@ private:
       if (is_repeated)
         repeated.add(f);
     }
-    add(Defect::NOT_A_TRIANGLE, not_triangles, [this](const std::size_t f) {
-      const std::size_t corners = polygons_.degree(f);
+    if (not_triangles.count() != 0) {
+      const std::size_t f = not_triangles.first(), corners = polygons_.degree(f);
       const bool has_text = corners != 0 && polygons_.vertex(polygons_.begin_of_face(f)) != none_;
-      return "face " + (has_text ? face_text(polygons_, f) : std::to_string(f)) + " has " + std::to_string(corners) +
-             (corners == 1 ? " corner" : " corners") + " instead of 3";
-    });
-    add(Defect::REPEATED_CORNER, repeated,
-        [this](const std::size_t f) { return "face " + face_text(polygons_, f) + " names a vertex twice"; });
-    add(Defect::DEGENERATE_FACE, flat,
-        [this](const std::size_t f) { return "face " + face_text(polygons_, f) + " has zero area"; });
+      add(Defect::NOT_A_TRIANGLE, not_triangles.count(), not_triangles.elements(),
+          "face " + (has_text ? face_text(polygons_, f) : std::to_string(f)) + " has " + std::to_string(corners) +
+            (corners == 1 ? " corner" : " corners") + " instead of 3");
+    }
+    if (repeated.count() != 0)
+      add(Defect::REPEATED_CORNER, repeated.count(), repeated.elements(),
+          "face " + face_text(polygons_, repeated.first()) + " names a vertex twice");
+    if (flat.count() != 0)
+      add(Defect::DEGENERATE_FACE, flat.count(), flat.elements(),
+          "face " + face_text(polygons_, flat.first()) + " has zero area");
   }
 
   void examine_edges()
   {
     Element_collector crowded, turned, coincident, duplicates;
-    std::vector<std::array<Index, 2>> others; // triangles at the edge of their two smaller corners: the third, the face
+    std::vector<Edge_mark> marks(number_of_vertices_, Edge_mark{none_, 0, 0, false, false});
+    std::vector<std::array<Index, 3>> crowded_faces; // other, third, face
     Disjoint_sets fans(polygons_.number_of_corners());
     Length_range lengths;
-    polygons_.for_each_edge([&](const std::size_t begin, const std::size_t end) {
-      const Side& first = polygons_.side(begin);
-      const std::array<std::size_t, 2> v = polygons_.ends(begin);
-      ++report_.number_of_edges;
-      report_.number_of_border_edges += end - begin == 1;
-      if (!lengths.add(point(v[0]), point(v[1]), begin))
-        coincident.add(begin);
-      if (end - begin > 2)
-        crowded.add(begin);
-      else if (end - begin == 2 && polygons_.have_same_direction(begin, begin + 1))
-        turned.add(begin);
-      others.clear();
+    for (std::size_t a = 0; a < number_of_vertices_; ++a) {
+      const std::size_t begin = polygons_.bucket_begin(a), end = polygons_.bucket_begin(a + 1);
       for (std::size_t s = begin; s < end; ++s) {
         const Side& side = polygons_.side(s);
-        const bool same_direction = polygons_.have_same_direction(begin, s);
+        Edge_mark& mark = marks[side.other];
+        if (mark.bucket != a) {
+          mark = Edge_mark{static_cast<Index>(a), static_cast<Index>(s), 1, false, false};
+          continue;
+        }
+        const Side& first = polygons_.side(mark.first_side);
+        const bool same_direction = polygons_.leaves(side, a) == polygons_.leaves(first, a);
         fans.unite(same_direction ? side.source : side.target, first.source);
         fans.unite(same_direction ? side.target : side.source, first.target);
-        if (const Index third = polygons_.third_vertex(side); end - begin > 1 && third != none_ && third > side.other)
-          others.push_back({third, static_cast<Index>(polygons_.face_of_side(s))});
+        if (++mark.count == 2) {
+          const Index third = polygons_.third_vertex(side);
+          mark.same_direction = same_direction;
+          mark.same_third = third != none_ && third > side.other && third == polygons_.third_vertex(first);
+        }
       }
-      std::sort(others.begin(), others.end());
-      for (std::size_t i = 1; i < others.size(); ++i)
-        if (others[i][0] == others[i - 1][0])
-          duplicates.add(others[i][1]);
-    });
-    report_.is_orientable = turned.count() == 0 || (crowded.count() == 0 && is_orientable());
-    add(Defect::DUPLICATE_FACE, duplicates, [this](const std::size_t f) {
-      return "face " + face_text(polygons_, f) + " has the same corners as face " + std::to_string(first_face_like(f));
-    });
-    add_edges(Defect::NON_MANIFOLD_EDGE, crowded, [this](const std::size_t s) {
-      return edge_text(polygons_, s) + " has " + std::to_string(polygons_.end_of_edge(s) - s) + " faces (" +
-             faces_text(polygons_, s) + ")";
-    });
-    add_edges(Defect::INCONSISTENT_ORIENTATION, turned, [&](const std::size_t s) {
-      return edge_text(polygons_, s) + " is traversed in the same direction by both its faces (" +
-             faces_text(polygons_, s) +
-             (report_.is_orientable || crowded.count() != 0
-                ? ")"
-                : ") and the surface is one-sided, so that no choice of directions fits");
-    });
-    add_edges(Defect::ZERO_LENGTH_EDGE, coincident, [this](const std::size_t s) {
-      return edge_text(polygons_, s) + " of " + faces_text(polygons_, s) + " has zero length, its ends coincide";
-    });
+      bool is_crowded = false;
+      for (std::size_t s = begin; s < end; ++s) {
+        const Side& side = polygons_.side(s);
+        const Edge_mark& mark = marks[side.other];
+        if (mark.first_side == s) {
+          ++report_.number_of_edges;
+          report_.number_of_border_edges += mark.count == 1;
+          if (!lengths.add(point(a), point(side.other), s))
+            coincident.add(s);
+          if (mark.count > 2) {
+            crowded.add(s);
+            is_crowded = true;
+          } else if (mark.same_direction)
+            turned.add(s);
+        } else if (mark.count == 2 && mark.same_third)
+          duplicates.add(polygons_.face_of_corner(side.source));
+      }
+      if (is_crowded)
+        find_duplicates_in_bucket(begin, end, marks, crowded_faces, duplicates);
+    }
+    report_.is_orientable = turned.count() == 0 || (crowded.count() == 0 && is_orientable(marks));
+    if (duplicates.count() != 0)
+      add(Defect::DUPLICATE_FACE, duplicates.count(), duplicates.elements(),
+          "face " + face_text(polygons_, duplicates.first()) + " has the same corners as face " +
+            std::to_string(first_face_like(duplicates.first())));
+    if (crowded.count() != 0)
+      add_edges(Defect::NON_MANIFOLD_EDGE, crowded,
+                edge_text(polygons_, crowded.first()) + " has " + std::to_string(number_of_faces_at(crowded.first())) +
+                  " faces (" + faces_text(polygons_, crowded.first()) + ")");
+    if (turned.count() != 0)
+      add_edges(Defect::INCONSISTENT_ORIENTATION, turned,
+                edge_text(polygons_, turned.first()) + " is traversed in the same direction by both its faces (" +
+                  faces_text(polygons_, turned.first()) +
+                  (report_.is_orientable || crowded.count() != 0
+                     ? ")"
+                     : ") and the surface is one-sided, so that no choice of directions fits"));
+    if (coincident.count() != 0)
+      add_edges(Defect::ZERO_LENGTH_EDGE, coincident,
+                edge_text(polygons_, coincident.first()) + " of " + faces_text(polygons_, coincident.first()) +
+                  " has zero length, its ends coincide");
     count_fans(fans);
     if (all_finite_)
       lengths_ = lengths;
+  }
+  std::size_t number_of_faces_at(const std::size_t side) const
+  {
+    std::size_t count = 0;
+    polygons_.for_each_face_of_edge(side, [&count](std::size_t) {
+      ++count;
+      return true;
+    });
+    return count;
+  }
+  // Among the faces at the edges of a bucket that have more than two.
+  void find_duplicates_in_bucket(const std::size_t begin, const std::size_t end, const std::vector<Edge_mark>& marks,
+                                 std::vector<std::array<Index, 3>>& faces, Element_collector& duplicates) const
+  {
+    faces.clear();
+    for (std::size_t s = begin; s < end; ++s) {
+      if (marks[polygons_.side(s).other].count <= 2)
+        continue;
+      const Index third = polygons_.third_vertex(polygons_.side(s));
+      if (third != none_ && third > polygons_.side(s).other)
+        faces.push_back({{polygons_.side(s).other, third, static_cast<Index>(polygons_.face_of_side(s))}});
+    }
+    std::sort(faces.begin(), faces.end());
+    for (std::size_t i = 1; i < faces.size(); ++i)
+      if (faces[i][0] == faces[i - 1][0] && faces[i][1] == faces[i - 1][1])
+        duplicates.add(faces[i][2]);
   }
   std::size_t first_face_like(const std::size_t face) const
   {
@@ -284,17 +332,26 @@ private:
   }
   // Can the faces be turned to agree? Each face has two nodes, itself and
   // itself turned; a one-sided surface connects them. Only when edges disagree.
-  bool is_orientable() const
+  bool is_orientable(std::vector<Edge_mark>& marks) const
   {
     const Index f = static_cast<Index>(report_.number_of_faces);
     Disjoint_sets turns(2 * std::size_t(f));
-    polygons_.for_each_edge([&](const std::size_t begin, const std::size_t end) {
-      const Index x = static_cast<Index>(polygons_.face_of_side(begin)),
-                  y = static_cast<Index>(polygons_.face_of_side(end - 1));
-      const bool same = end - begin == 2 && polygons_.have_same_direction(begin, begin + 1);
-      turns.unite(x, same ? y + f : y);
-      turns.unite(x + f, same ? y : y + f);
-    });
+    marks.assign(marks.size(), Edge_mark{none_, 0, 0, false, false});
+    for (std::size_t a = 0; a < number_of_vertices_; ++a)
+      for (std::size_t s = polygons_.bucket_begin(a); s < polygons_.bucket_begin(a + 1); ++s) {
+        Edge_mark& mark = marks[polygons_.side(s).other];
+        if (mark.bucket != a) {
+          mark.bucket = static_cast<Index>(a);
+          mark.first_side = static_cast<Index>(s);
+          continue;
+        }
+        const Side& first = polygons_.side(mark.first_side);
+        const Index x = static_cast<Index>(polygons_.face_of_corner(first.source));
+        const Index y = static_cast<Index>(polygons_.face_of_side(s));
+        const bool same = polygons_.leaves(first, a) == polygons_.leaves(polygons_.side(s), a);
+        turns.unite(x, same ? y + f : y);
+        turns.unite(x + f, same ? y : y + f);
+      }
     for (Index x = 0; x < f; ++x)
       if (turns.find(x) == turns.find(x + f))
         return false;
@@ -311,24 +368,21 @@ private:
       return;
     Element_collector shortest;
     shortest.add(lengths_.shortest_edge());
-    add_edges(Defect::OUT_OF_RANGE, shortest, [this](const std::size_t s) {
-      std::ostringstream text;
-      text << edge_text(polygons_, s) << " (length about " << lengths_.shortest() << ") and "
-           << edge_text(polygons_, lengths_.longest_edge()) << " (length about ";
-      if (std::isinf(lengths_.longest()))
-        text << "2^1024";
-      else
-        text << lengths_.longest();
-      text << ") differ by a factor of about 2^"
-           << report_.exponent_of_longest_edge - report_.exponent_of_shortest_edge;
-      return text.str();
-    });
+    std::ostringstream text;
+    text << edge_text(polygons_, lengths_.shortest_edge()) << " (length about " << lengths_.shortest() << ") and "
+         << edge_text(polygons_, lengths_.longest_edge()) << " (length about ";
+    if (std::isinf(lengths_.longest()))
+      text << "2^1024";
+    else
+      text << lengths_.longest();
+    text << ") differ by a factor of about 2^" << report_.exponent_of_longest_edge - report_.exponent_of_shortest_edge;
+    add_edges(Defect::OUT_OF_RANGE, shortest, text.str());
   }
 
   // The corners at a vertex that are connected through sides are one fan.
   void count_fans(Disjoint_sets& fans)
   {
-    std::vector<Index> number_of_fans(number_of_vertices_, 0);
+    number_of_fans_.assign(number_of_vertices_, 0);
     Element_collector pinched;
     for (std::size_t f = 0; f < report_.number_of_faces; ++f) {
       const std::size_t begin = polygons_.begin_of_face(f), end = polygons_.begin_of_face(f + 1);
@@ -336,20 +390,22 @@ private:
         continue;
       for (std::size_t c = begin; c < end; ++c)
         if (fans.find(static_cast<Index>(c)) == c)
-          ++number_of_fans[polygons_.vertex(c)];
+          ++number_of_fans_[polygons_.vertex(c)];
     }
     for (std::size_t v = 0; v < number_of_vertices_; ++v)
-      if (number_of_fans[v] > 1)
+      if (number_of_fans_[v] > 1)
         pinched.add(v);
-    add(Defect::NON_MANIFOLD_VERTEX, pinched, [&](const std::size_t v) {
-      std::string faces;
-      for (std::size_t c = 0, written = 0; c < polygons_.number_of_corners() && written < 2; ++c)
-        if (polygons_.vertex(c) == v && fans.find(static_cast<Index>(c)) == c)
-          faces +=
-            (written++ == 0 ? "one with face " : ", another with face ") + std::to_string(polygons_.face_of_corner(c));
-      return "the faces around vertex " + std::to_string(v) + " form " + std::to_string(number_of_fans[v]) +
-             " fans that touch only there (" + faces + ")";
-    });
+    if (pinched.count() == 0)
+      return;
+    std::string faces;
+    std::size_t written = 0;
+    for (std::size_t c = 0; c < polygons_.number_of_corners() && written < 2; ++c)
+      if (polygons_.vertex(c) == pinched.first() && fans.find(static_cast<Index>(c)) == c)
+        faces +=
+          (written++ == 0 ? "one with face " : ", another with face ") + std::to_string(polygons_.face_of_corner(c));
+    add(Defect::NON_MANIFOLD_VERTEX, pinched.count(), pinched.elements(),
+        "the faces around vertex " + std::to_string(pinched.first()) + " form " +
+          std::to_string(number_of_fans_[pinched.first()]) + " fans that touch only there (" + faces + ")");
   }
   void examine_use()
   {
@@ -364,8 +420,9 @@ private:
         roots.add(v);
     }
     report_.number_of_components = roots.count();
-    add(Defect::UNREFERENCED_VERTEX, unused,
-        [](const std::size_t v) { return "vertex " + std::to_string(v) + " is not referenced by any face"; });
+    if (unused.count() != 0)
+      add(Defect::UNREFERENCED_VERTEX, unused.count(), unused.elements(),
+          "vertex " + std::to_string(unused.first()) + " is not referenced by any face");
     if (roots.count() > 1)
       add(Defect::SEVERAL_COMPONENTS, roots.count(), roots.elements(),
           "the surface has " + std::to_string(roots.count()) + " components");
@@ -375,6 +432,7 @@ private:
   Polygon_sides& polygons_;
   const std::size_t number_of_vertices_ = polygons_.number_of_vertices();
   bool all_finite_ = true;
+  std::vector<Index> number_of_fans_;
   Box box_; // of the vertices that are used
   int exponent_ = 0;
   Length_range lengths_;
