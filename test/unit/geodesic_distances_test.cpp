@@ -258,6 +258,20 @@ TEST(Surface_mesh_geodesic_distances_3, edges_of_length_zero)
     CGAL::Intrinsic_triangulations::Invalid_surface_error);
 }
 
+TEST(Surface_mesh_geodesic_distances_3, faces_without_area_on_the_border)
+{
+  Mesh mesh; // a triangle with a vertex on its base, and a face without area below that
+  for (const Point& p : {Point(0, 0, 0), Point(2, 0, 0), Point(1, 0, 0), Point(1, 2, 0)})
+    mesh.add_vertex(p);
+  mesh.add_face(Vertex(2), Vertex(1), Vertex(3));
+  mesh.add_face(Vertex(0), Vertex(2), Vertex(3));
+  mesh.add_face(Vertex(0), Vertex(1), Vertex(2));
+  std::unordered_map<Vertex, double> result;
+  Ours::estimate_geodesic_distances(mesh, boost::make_assoc_property_map(result), Vertex(0));
+  EXPECT_NEAR(result[Vertex(1)], 2, 1e-12);
+  EXPECT_NEAR(result[Vertex(2)], 1, 1e-12);
+}
+
 // Where CGAL 5.5 returns not a number, or does not return.
 TEST(Surface_mesh_geodesic_distances_3, what_CGAL_cannot_do)
 {
