@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <type_traits>
 
 namespace {
 
@@ -125,6 +126,8 @@ void expect_disks_that_hold(const Double_double& a, const Double_double& b, cons
   expect_inside(times_conjugate(u, v), exact(a) * exact(c) + exact(b) * exact(d),
                 exact(b) * exact(c) - exact(a) * exact(d));
   ASSERT_TRUE(is_within_bound(squared_norm(u), exact(a) * exact(a) + exact(b) * exact(b)));
+  if constexpr (std::is_same<Number, Bounded_double_double>::value)
+    expect_inside(u / Number(bounded(c)), exact(a) / exact(c), exact(b) / exact(c));
 }
 
 TEST(Double_double, has_disks_that_hold)

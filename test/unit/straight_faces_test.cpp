@@ -6,6 +6,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/corner_signs.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Developed_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Double_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Triangle_corner.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Two_straight_faces.h>
@@ -124,9 +125,69 @@ TEST(Two_straight_faces, nothing_is_known_without_area)
   EXPECT_EQ(numbers.cotangents[2].hi(), 1);
 }
 
+using Straight_corner = IT::internal::Triangle_corner<Bounded_double_double>;
+
+TEST(Straight_corner, bounds_in_doubles_hold)
+{
+  const std::vector<Triangle> all = triangles();
+  std::size_t number_of_known = 0;
+  for (const Triangle& t : all)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Point &i = t[c], &j = t[(c + 1) % 3], &k = t[(c + 2) % 3];
+      const auto found = IT::internal::straight_corner_in_doubles<Straight_corner>(i, j, k);
+      if (!found)
+        continue;
+      ++number_of_known;
+      const Corner exact(k, i, j);
+      expect_within(2 * exact.product, found->p);
+      expect_within(2 * exact.twice_area, found->four_areas);
+      expect_within(exact.s, found->s_first);
+      expect_within(exact.s_second, found->s_second);
+      expect_within(Corner(i, j, k).s, found->s_opposite);
+      EXPECT_LT(found->s_opposite.relative_error(), 4.9 * 0x1p-53); // else it would not be stored
+      EXPECT_LE(found->four_areas.error(), Number(0x1p-48 * sqrt(Number(exact.s * exact.s_second))));
+    }
+  EXPECT_GT(number_of_known, 2 * all.size());
+  EXPECT_FALSE(
+    IT::internal::straight_corner_in_doubles<Straight_corner>(Point{1, 0, 0}, Point{2, 0, 0}, Point{0, 0, 0}));
+}
+
+TEST(Developed_faces, bounds_in_doubles_hold)
+{
+  using IT::internal::Developed_faces;
+  using Image_corner = IT::internal::Triangle_corner<IT::internal::Residues>;
+  using Faces = Developed_faces<Bounded_double_double, IT::internal::Double_double_disk, Straight_corner, Image_corner>;
+  const IT::Delta_complex complex =
+    IT::make_Delta_complex_from_triangles(3, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}});
+  const IT::Halfedge_index first = complex.halfedge(IT::Face_index(0));
+  std::size_t number_of_known = 0;
+  for (const Triangle& t : triangles()) {
+    const auto point = [&](IT::Vertex_index v) { return t[v.idx()]; };
+    const Point i = point(complex.source(first)), j = point(complex.target(first)),
+                k = point(complex.target(complex.next(first)));
+    const auto corner = IT::internal::straight_corner<Straight_corner>(i, j, k);
+    Faces faces;
+    if (corner)
+      faces.insert(complex, {first, *corner, {}});
+    if (!faces.contains(first))
+      continue;
+    ++number_of_known;
+    const Straight_corner found = faces.corner(complex, complex.next(first), true); // opposite to jk
+    const Corner exact(i, j, k);
+    expect_within(2 * exact.product, found.p);
+    expect_within(2 * exact.twice_area, found.four_areas);
+    expect_within(exact.s, found.s_first);
+    expect_within(exact.s_second, found.s_second);
+    expect_within(Corner(j, k, i).s, found.s_opposite);
+    // Positions have the errors of the longest side.
+    EXPECT_LE(found.four_areas.error(), Number(0x1p-48 * sqrt(Number(exact.s * exact.s_second)) +
+                                               0x1p-90 * (exact.s + exact.s_second)));
+  }
+  EXPECT_GT(number_of_known, triangles().size() / 2);
+}
+
 TEST(Straight_corner, bounds_hold)
 {
-  using Straight_corner = IT::internal::Triangle_corner<Bounded_double_double>;
   const std::vector<Triangle> all = triangles();
   std::size_t number_of_known = 0;
   for (const Triangle& t : all)

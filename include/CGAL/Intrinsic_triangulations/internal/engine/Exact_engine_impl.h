@@ -308,8 +308,9 @@ bool Exact_engine::log_or_follow(const Hinge_halfedges& around)
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 bool Exact_engine::flip_and_follow(const Hinge_halfedges& around)
 {
-  if (correspondence().number_of_journaled_flips() + memory_->journal.size() >=
-      longest_journal * std::size_t(connectivity_.number_of_edges())) {
+  if (!(is_prepared() && memory_->knows_straight_faces) &&
+      correspondence().number_of_journaled_flips() + memory_->journal.size() >=
+        longest_journal * std::size_t(connectivity_.number_of_edges())) {
     find_straight_faces();
     prepare();
   }

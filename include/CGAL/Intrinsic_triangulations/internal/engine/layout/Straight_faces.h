@@ -99,9 +99,12 @@ public:
     if (plane_.empty())
       return false;
     const Halfedge_index h = complex.halfedge(e);
+    const Face_index f = complex.face(h), g = complex.face(complex.opposite(h));
+    if (!(*this)(f) && !(*this)(g)) // often, along strips
+      return false;
     if (are_coplanar(complex, positions, h))
       return true;
-    forget(complex.face(h), complex.face(complex.opposite(h)));
+    plane_[f.idx()] = plane_[g.idx()] = none;
     return false;
   }
 
@@ -160,12 +163,6 @@ public:
   }
 
 private:
-  void forget(Face_index f, Face_index g)
-  {
-    if (!plane_.empty())
-      plane_[f.idx()] = plane_[g.idx()] = none;
-  }
-
   // \param p, q the planes of both faces
   static bool lie_in_one_plane(const Delta_complex& complex, const Vertex_positions& positions, Halfedge_index h,
                                std::uint32_t p, std::uint32_t q)
