@@ -15,8 +15,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsMetric
 /// \brief an exact rational number of Boost.Multiprecision, without expression templates.
@@ -41,8 +40,7 @@ Rational squared_length(const Input_metric& metric, const Delta_complex& input, 
 /// \param f a face of the input
 Rational squared_four_areas(const Input_metric& metric, const Delta_complex& input, Face_index f);
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/engine/metric/Input_metric_impl.h>

@@ -23,8 +23,7 @@
 
 #include <cstdint>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 template <class Traits>
 class Intrinsic_triangulation;
@@ -327,7 +326,6 @@ private:
   internal::Overlay_arrays arrays_;
 };
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_OVERLAY_H

@@ -34,8 +34,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
 ///
@@ -406,7 +405,6 @@ Surface_point locate(const Delta_complex& complex, const PointRange& points, con
   return nearest;
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_POINT_LOCATION_H

@@ -30,8 +30,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsCover
 /// \brief the surface that `make_tufted_cover()` builds over the triangles.
@@ -255,8 +254,7 @@ Tufted_cover make_tufted_cover(const Delta_complex& complex, const std::vector<d
   return internal::build_cover_of_complex(complex, lengths, internal::cover_options_of(np));
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/cover/Cover_builder_impl.h>

@@ -27,8 +27,7 @@
 #include <ostream>
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
 /// \brief the edge descriptor of `boost::graph_traits<Delta_complex>`: an undirected edge
@@ -121,8 +120,7 @@ struct Dynamic_map
 
 } // namespace internal
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 namespace boost {
 
@@ -206,8 +204,7 @@ struct std::hash<CGAL::Intrinsic_triangulations::Oriented_edge>
   std::size_t operator()(CGAL::Intrinsic_triangulations::Oriented_edge e) const { return e.idx(); }
 };
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 // Graph, IncidenceGraph, BidirectionalGraph, VertexListGraph, EdgeListGraph, AdjacencyGraph
 
@@ -281,8 +278,7 @@ inline std::pair<Oriented_edge, bool> edge(Vertex_index u, Vertex_index v, const
   return {Oriented_edge(h.first), h.second};
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 // PropertyGraph: the positions of one kind of elements, and what is stored for each of them.
 #define CGAL_INTRINSIC_TRIANGULATIONS_MAPS(ELEMENT, DESCRIPTOR, NUMBER)                                                \

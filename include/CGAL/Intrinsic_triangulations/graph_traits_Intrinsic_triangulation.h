@@ -21,8 +21,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
 /// \brief the type of `edge_cotangent_weight`.
@@ -97,8 +96,7 @@ struct Property_map_of<Traits, Tag, false>
 
 } // namespace internal
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 namespace boost {
 
@@ -137,8 +135,7 @@ struct graph_traits<const CGAL::Intrinsic_triangulations::Intrinsic_triangulatio
 } // namespace boost
 
 /// \cond SKIP_IN_MANUAL
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 // A function of the graph, without and with a descriptor.
 #define CGAL_INTRINSIC_TRIANGULATIONS_FORWARD(FUNCTION)                                                                \
@@ -192,8 +189,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_FORWARD_SEARCH(edge)
 #undef CGAL_INTRINSIC_TRIANGULATIONS_FORWARD_OF
 #undef CGAL_INTRINSIC_TRIANGULATIONS_FORWARD_SEARCH
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 // The maps.
 #define CGAL_INTRINSIC_TRIANGULATIONS_MAP(TAG)                                                                         \

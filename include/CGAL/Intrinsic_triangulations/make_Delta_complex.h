@@ -18,8 +18,7 @@
 #include <iosfwd>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
 /// \brief copies the connectivity of a triangle mesh.
@@ -125,8 +124,7 @@ void write_gluing(std::ostream& os, const Delta_complex& complex, const std::vec
 ///   `Intrinsic_triangulation::from_lengths()`. O(size).
 Gluing read_gluing(std::istream& is);
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_io_impl.h>

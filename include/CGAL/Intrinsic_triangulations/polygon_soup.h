@@ -21,8 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsIO
 /// \brief reads the points and polygons of an OFF, OBJ, PLY, STL or TS file; its extension, in lower or upper case,
@@ -113,8 +112,7 @@ void read_triangles(const std::string& file_name, PointRange& points, TriangleRa
   }
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/files/polygon_soup_impl.h>

@@ -20,8 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
 /// \brief a kind of repair by `repair_polygons()`.
@@ -193,8 +192,7 @@ inline std::string message(const Repair& repair)
 /// Complexity as for a face in `repair_polygons()`.
 std::vector<std::array<std::size_t, 3>> triangulate_polygon(const std::vector<std::array<double, 3>>& polygon);
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #include <CGAL/Intrinsic_triangulations/internal/validation/repair_polygons_impl.h>
 

@@ -44,8 +44,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
 /// \brief the result of `geodesic_distances()`.
@@ -455,7 +454,6 @@ Cut_surface cut_along_path(const Delta_complex& complex, const PointRange& point
   return result;
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_SHORTEST_PATH_H

@@ -37,8 +37,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
@@ -343,7 +342,6 @@ void triangulate_overlay_faces(CGAL::Surface_mesh<Point>& mesh)
   }
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_MESH_ADAPTORS_H

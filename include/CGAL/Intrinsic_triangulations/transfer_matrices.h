@@ -27,8 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
@@ -210,7 +209,6 @@ inline L2_projection L2_projection_to_intrinsic(const Transfer_mass_matrices& ma
   return L2_projection(matrices.intrinsic, matrices.mixed);
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_TRANSFER_MATRICES_H

@@ -29,8 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsIO
 /// \brief as `write_triangulation()`, but keeps the order in which the corners of the input faces were given, because
@@ -225,7 +224,6 @@ read_triangulation(const std::string& file_name, const NamedParameters& np = par
   }
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_TRIANGULATION_IO_H

@@ -27,8 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsCover
 /// \brief the kind of a mass matrix.
@@ -226,7 +225,6 @@ Tufted_Laplacian tufted_Laplacian(const Delta_complex& complex, const std::vecto
   return internal::operator_of_cover(make_tufted_cover(complex, lengths, np), np);
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_TUFTED_LAPLACIAN_H

@@ -28,8 +28,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
 /// \brief a finding of `examine_polygons()`, with the first elements that it concerns.
@@ -220,8 +219,7 @@ bool is_clean(const Delta_complex& complex, const PointRange& points)
 std::vector<std::size_t> turned_triangles(const std::vector<std::array<double, 3>>& points,
                                           const std::vector<std::array<std::uint32_t, 3>>& triangles);
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/validation/validate_triangles_impl.h>

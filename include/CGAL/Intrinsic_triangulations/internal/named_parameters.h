@@ -19,9 +19,7 @@
 #include <utility>
 
 namespace CGAL {
-namespace Intrinsic_triangulations {
-
-namespace internal {
+namespace Intrinsic_triangulations::internal {
 
 // The named parameters that CGAL does not have.
 #define CGAL_INTRINSIC_TRIANGULATIONS_PARAMETERS(F)                                                                    \
@@ -88,9 +86,7 @@ template <class NamedParameters>
 constexpr bool has_edge_constraints =
   !parameters::is_default_parameter<NamedParameters, internal_np::edge_is_constrained_t>::value;
 
-} // namespace internal
-
-} // namespace Intrinsic_triangulations
+} // namespace Intrinsic_triangulations::internal
 
 namespace parameters {
 
@@ -151,9 +147,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(mass_type, MASS_TYPE)
 
 } // namespace parameters
 
-namespace Intrinsic_triangulations {
-
-namespace internal {
+namespace Intrinsic_triangulations::internal {
 
 // The value of a parameter, or the default; of the type of the default.
 template <Parameter parameter, class NamedParameters, class D>
@@ -174,9 +168,7 @@ auto edge_constraints_of(const NamedParameters& np)
   return result;
 }
 
-} // namespace internal
-
-} // namespace Intrinsic_triangulations
+} // namespace Intrinsic_triangulations::internal
 } // namespace CGAL
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NAMED_PARAMETERS_H

@@ -17,9 +17,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // What `Two_doubles` offers, for two sums of two doubles.
 using Two_double_doubles = Basic_double_double<Two_doubles>;
@@ -140,8 +138,6 @@ private:
 using Double_double_disk = Disk<Bounded_double_double>;
 using Double_disk = Disk<Double_with_bound>;
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_DISK_H

@@ -12,9 +12,7 @@
 
 #include <boost/config.hpp>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // s + e is exactly a + b (Knuth). A `Number` is double, or several of them. Arguments are taken by value, since results
 // may replace them, and unfused, since they may be products.
@@ -100,8 +98,6 @@ struct Basic_double_double
 
 using Double_double = Basic_double_double<double>;
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_DOUBLE_DOUBLE_H

@@ -19,9 +19,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The precision of the next attempt, where this one did not settle a question that enough digits settle. No input is
 // known that needs a thousandth of the largest.
@@ -264,8 +262,6 @@ private:
   Real x_, y_, radius_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_MPFR_INTERVAL_H

@@ -18,9 +18,7 @@
 #include <cstdint>
 #include <unordered_map>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The field of all roots that are asked for, and how much work may still be done in it. The number
 // of terms can double with each root: Too_costly is thrown when the work is used up.
@@ -136,8 +134,6 @@ private:
   std::unordered_map<Mask, Rational> terms_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_MULTIQUADRATIC_H

@@ -18,9 +18,7 @@
 #include <intrin.h>
 #endif
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // a b / 2^64, rounded down. For any compiler.
 constexpr std::uint64_t upper_product_by_halves(std::uint64_t a, std::uint64_t b)
@@ -228,8 +226,6 @@ inline Gaussian_residue square_root(const Prime_field& f, Prime_field::Number q)
   return {0, f.power(f.negative(q), exponent)};
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_PRIME_FIELD_H

@@ -10,9 +10,7 @@
 
 #include <boost/multiprecision/gmp.hpp>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Without expression templates, so that every expression is a number.
 using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
@@ -21,8 +19,6 @@ using Rational = boost::multiprecision::number<boost::multiprecision::gmp_ration
 inline mpq_srcptr data(const Rational& x) { return x.backend().data(); }
 inline mpz_srcptr data(const Integer& x) { return x.backend().data(); }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_RATIONAL_H

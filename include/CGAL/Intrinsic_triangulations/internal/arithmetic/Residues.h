@@ -22,9 +22,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Fields with random primes.
 using Prime_fields = std::array<Prime_field, 4>;
@@ -239,8 +237,6 @@ inline Residues operator*(const Residues& a, const Residues& b)
 }
 inline Residues operator/(const Residues& a, const Residues& b) { return a * a.rings_->inverse(b); }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_RESIDUES_H

@@ -18,9 +18,7 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // An unevaluated sum hi + lo, of doubles or of `Two_doubles`. The parts head + tail == hi are so short
 // that their products are exact; a number that is a factor several times is split once.
@@ -225,8 +223,6 @@ private:
   Pair xy_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_SPLIT_DOUBLE_DOUBLE_H

@@ -24,9 +24,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(CGAL_HAS_SSE2, 1)
 CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(CGAL_HAS_SSE2, 0)
 #endif
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Each operation is done on both numbers, and rounded as it is on one: formulas that are written for
 // a number type give what they give for `double` twice. Bit for bit, unless the compiler fuses products and sums.
@@ -110,8 +108,6 @@ using Two_points = std::array<Two_doubles, 3>;
 
 inline Two_doubles two(double first, double second) { return {first, second}; }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_TWO_DOUBLES_H

@@ -20,9 +20,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // A real number known to lie within error() of part(). The bound is a running error analysis in the style of Wilkinson:
 // each operation adds its own rounding error, at most `unit` of the result, or nothing where an operation on
@@ -196,8 +194,6 @@ inline bool is_rounded_alike(const Bounded_double_double& a)
   return a.relative_error() < 0x1p-80 && a.hi() + (a.lo() + margin) == a.hi() && a.hi() + (a.lo() - margin) == a.hi();
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_WITH_ERROR_H

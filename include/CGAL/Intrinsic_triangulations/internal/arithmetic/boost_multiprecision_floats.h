@@ -57,8 +57,7 @@ struct RET_boost_mp<NT, boost::mpl::int_<boost::multiprecision::number_kind_floa
   };
 };
 
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace Intrinsic_triangulations::internal {
 
 // Of some kinds of number CGAL only says that there are such templates. A comparison of Boost's
 // intervals has no third answer.
@@ -69,8 +68,7 @@ struct Has_roots<FT, std::enable_if_t<boost::multiprecision::is_number<FT>::valu
                                    !boost::multiprecision::is_interval_number<FT>::value>
 {};
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
+} // namespace Intrinsic_triangulations::internal
 
 /// \endcond
 } // namespace CGAL

@@ -24,8 +24,7 @@ namespace CGAL {
 template <typename ET>
 class Lazy_exact_nt;
 
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace Intrinsic_triangulations::internal {
 
 template <class T>
 const T& without_laziness(const T& x)
@@ -104,8 +103,7 @@ To convert_number(const From& x)
   }
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
+} // namespace Intrinsic_triangulations::internal
 } // namespace CGAL
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_NUMBER_CONVERSION_H

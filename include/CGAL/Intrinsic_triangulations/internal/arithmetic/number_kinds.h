@@ -19,9 +19,7 @@
 #include <limits>
 #include <type_traits>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 template <class FT>
 struct Is_interval : std::false_type
@@ -94,9 +92,7 @@ auto checked_number_type()
 template <class FT>
 using Number_type_with_roots = typename decltype(checked_number_type<FT>())::type;
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #if defined(BOOST_MP_NUMBER_HPP) || defined(BOOST_MATH_EXTENDED_REAL_HPP) // since Boost 1.76, and before
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/boost_multiprecision_floats.h>

@@ -20,9 +20,7 @@
 #include <utility>
 
 namespace CGAL {
-namespace Intrinsic_triangulations {
-
-namespace internal {
+namespace Intrinsic_triangulations::internal {
 
 __extension__ typedef __float128 Float128; // no warning where warnings are pedantic
 
@@ -42,8 +40,7 @@ inline Float128 square_root(Float128 x)
   return root + (x - root * root) / (root + root);
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
+} // namespace Intrinsic_triangulations::internal
 
 template <>
 class Algebraic_structure_traits<Intrinsic_triangulations::internal::Float128>

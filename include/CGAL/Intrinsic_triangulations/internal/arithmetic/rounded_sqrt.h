@@ -20,8 +20,7 @@ namespace CGAL {
 template <bool>
 class Interval_nt;
 
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace Intrinsic_triangulations::internal {
 
 // By the processor and in its mode. That of MinGW-w64, which is called where nothing is optimized, takes the root in the
 // x87 unit: it rounds twice, and does not know the mode that CGAL sets for intervals.
@@ -56,8 +55,7 @@ Interval_nt<is_protected> rounded_sqrt(const Interval_nt<is_protected>& x)
 #endif
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
+} // namespace Intrinsic_triangulations::internal
 } // namespace CGAL
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_ROUNDED_SQRT_H

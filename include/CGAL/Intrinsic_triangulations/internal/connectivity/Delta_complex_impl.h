@@ -22,8 +22,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
 // Returns false, as its callers do.
@@ -326,7 +325,6 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Delta_complex::move_vertex(Vertex_inde
     record(h).target = to.idx();
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_DELTA_COMPLEX_IMPL_H

@@ -20,8 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void write_gluing(std::ostream& os, const Delta_complex& complex,
                                                        const std::vector<double>& lengths)
@@ -43,7 +42,6 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE Gluing read_gluing(std::istream& is)
   return result;
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_DELTA_COMPLEX_IO_IMPL_H

@@ -19,8 +19,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
 ///
@@ -127,7 +126,6 @@ auto interpolate(const Delta_complex& complex, const VertexValues& values, const
                c * values[complex.target(complex.next(h)).idx()]);
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_SURFACE_POINT_H

@@ -18,9 +18,7 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The sign of a b − c d for finite numbers that are not negative; nothing over- or underflows.
 inline Sign compare_products(double a, double b, double c, double d)
@@ -60,8 +58,6 @@ inline bool are_same_points(const Delta_complex& complex, const Surface_point& p
          compare_products(a[2], b[0], a[0], b[2]) == ZERO;
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_COMPARE_POINTS_H

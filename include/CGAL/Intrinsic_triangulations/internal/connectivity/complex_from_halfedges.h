@@ -17,9 +17,7 @@
 #include <string>
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // What a triangulation in a file says that cannot be true.
 [[noreturn]] inline void throw_not_a_triangulation(const char* kind, std::size_t element, const std::string& what)
@@ -89,8 +87,6 @@ inline Delta_complex complex_from_halfedges(std::size_t number_of_edges,
   return Delta_complex(std::move(records), std::move(vertex_halfedges), std::move(face_halfedges));
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_COMPLEX_FROM_HALFEDGES_H

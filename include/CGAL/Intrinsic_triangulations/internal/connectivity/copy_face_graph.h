@@ -32,9 +32,7 @@ class Surface_mesh;
 } // namespace CGAL
 /// \endcond
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Whether a graph is known to be numbered in the order of its ranges, without a look at its elements.
 template <class FaceGraph>
@@ -304,8 +302,6 @@ Delta_complex copy_face_graph(const FaceGraph& graph)
   return complex;
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_COPY_FACE_GRAPH_H

@@ -28,9 +28,7 @@
 #include <system_error>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // A file of a few bytes must not ask for gigabytes: this many vertices without a corner
 // are believed, each beyond the three that a face can bring.
@@ -292,8 +290,6 @@ void write_gluing_text(std::ostream& os, const Delta_complex& complex, int versi
   os << text.str();
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_GLUING_TEXT_H

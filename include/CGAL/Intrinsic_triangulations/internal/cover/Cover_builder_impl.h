@@ -32,9 +32,7 @@
 #include <string>
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Of each vertex, whether it has.
 inline std::vector<bool> have_faces(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles)
@@ -593,8 +591,6 @@ Tufted_cover build_cover_of_complex(const Delta_complex& complex, const std::vec
           report};
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_COVER_BUILDER_IMPL_H

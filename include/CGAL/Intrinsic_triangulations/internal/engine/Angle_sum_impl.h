@@ -16,9 +16,7 @@
 #include <string>
 #include <type_traits>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The numbers p + i a of the corners have their angles as arguments. So the product of the first n has the argument of
 // the sum of n angles; that is ambiguous by 2π, unless corner is added to corner: a sum below π and an angle of at most
@@ -102,8 +100,6 @@ Comparison_result compare_angle_sum_with_pi(const Exact_engine& engine, const st
   return is_straight ? EQUAL : SMALLER;
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_ANGLE_SUM_IMPL_H

@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Numbers of all elements, with one corner laid out for each face. NaN where that is not accurate enough to
 // be rounded as where each corner and edge is laid out.
@@ -126,9 +124,7 @@ private:
   const Input_metric& metric_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers_impl.h>

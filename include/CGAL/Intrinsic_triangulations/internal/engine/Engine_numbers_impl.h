@@ -31,9 +31,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Whether double-doubles determine the requested number: the root of a squared length, the sum of two cotangents with
 // its sign, an area.
@@ -427,8 +425,6 @@ void Engine_numbers::find_numbers(const std::size_t first, const std::size_t las
     find_straight();
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_ENGINE_NUMBERS_IMPL_H

@@ -30,10 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 class Correspondence;
 class Input_surface;
@@ -296,9 +293,7 @@ Halfedge_index input_halfedge(const Correspondence& correspondence, Halfedge_ind
 bool is_inserted(const Correspondence& correspondence, Vertex_index v);
 const Surface_point& location(const Correspondence& correspondence, Vertex_index v);
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_impl.h>

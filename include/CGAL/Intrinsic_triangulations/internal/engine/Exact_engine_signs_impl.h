@@ -28,9 +28,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Sign Exact_engine::decide(Edge_index e, std::optional<Opposite_corners>& corners)
@@ -300,8 +298,6 @@ Sign Exact_engine::side_of(Halfedge_index h, std::int64_t position, const Surfac
     [&] { return Level_line(connectivity_, correspondence(), *surface).contains(h, positions(), point); });
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_SIGNS_IMPL_H

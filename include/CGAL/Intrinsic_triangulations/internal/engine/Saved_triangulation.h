@@ -19,9 +19,7 @@
 #include <functional>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 class Exact_engine;
 
@@ -43,9 +41,7 @@ struct Saved_triangulation
   void restore(Exact_engine& engine, const Block_runner& run, const std::function<bool(Face_index)>& is_known);
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/engine/Saved_triangulation_impl.h>

@@ -36,9 +36,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // At an inserted vertex, and at its neighbours. What is wrong is wrong by full turns.
 // \param input_angle, angles at the source of an input halfedge; opposite to the halfedges
@@ -425,8 +423,6 @@ Face_index Engine_restorer::plane(Face_index f) const
   return result;
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_SAVED_TRIANGULATION_IMPL_H

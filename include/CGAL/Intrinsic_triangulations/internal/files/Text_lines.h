@@ -20,8 +20,7 @@
 #include <string>
 #include <string_view>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 struct Polygon_soup;
 
@@ -205,7 +204,6 @@ protected:
 };
 
 } // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_TEXT_LINES_H

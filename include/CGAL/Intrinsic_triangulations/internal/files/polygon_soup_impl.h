@@ -28,8 +28,7 @@
 #include <system_error>
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
 // A reader for each format. It appends what a file of some bytes holds to an empty soup, or refuses the file at the
@@ -167,7 +166,6 @@ Polygon_soup read_polygon_soup(const std::string& file_name, const Progress_func
   return soup;
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_POLYGON_SOUP_IMPL_H

@@ -21,9 +21,7 @@
 #include <system_error>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Whether a line may begin with a word that is neither `v` nor `f`: what is there is valid, and is no vertex and no
 // face.
@@ -286,8 +284,6 @@ private:
   std::vector<Forward_reference> forward_references_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_OBJ_H

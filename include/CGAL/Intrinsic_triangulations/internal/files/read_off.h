@@ -21,9 +21,7 @@
 #include <string_view>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // A vertex is a line. A face may go on over several lines if nothing follows it on the last of them. Up to four numbers
 // behind an element are its color.
@@ -290,8 +288,6 @@ private:
   std::string first_bad_index_, first_small_face_, first_long_face_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_OFF_H

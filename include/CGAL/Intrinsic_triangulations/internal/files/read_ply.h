@@ -27,9 +27,7 @@
 #include <string_view>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 struct Ply_property
 {
@@ -789,8 +787,6 @@ inline void read_ply(const std::string& path, const std::uintmax_t size, const P
     Ply_binary_reader<boost::endian::order::big>(path, header, soup, file).read();
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_PLY_H

@@ -26,9 +26,7 @@
 #include <string>
 #include <string_view>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Text begins with the word solid, and has no bytes that only binary files have: their headers may begin with any word.
 inline bool is_text_stl(const std::string& head)
@@ -472,8 +470,6 @@ inline void read_stl(const std::string& path, const std::uintmax_t size, const P
     read_binary_stl(path, head, size, progress, soup);
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_STL_H

@@ -21,9 +21,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Parts from a line GOCAD to a line END: a header, which is skipped, then vertices and triangles. Vertices have numbers
 // as names, which count within their part.
@@ -254,8 +252,6 @@ private:
   bool is_ended_ = false;                                     // the part has its line END
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_TS_H

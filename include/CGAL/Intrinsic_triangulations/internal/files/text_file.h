@@ -38,9 +38,7 @@
 #include <xlocale.h>
 #endif
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 #ifndef _WIN32 // where all standard libraries have the function
 inline double by_strtod(double, const char* text, char** end, locale_t locale) { return ::strtod_l(text, end, locale); }
@@ -307,8 +305,6 @@ inline double check_coordinate(const std::string& path, const std::string_view w
   refuse_file(path, where + ": " + quote(word) + " is not a number" + advice, Defect::UNREADABLE, vertex);
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_TEXT_FILE_H

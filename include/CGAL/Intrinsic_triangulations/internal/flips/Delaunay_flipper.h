@@ -24,10 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // A list whose entries are written before it is known whether they stay: without a branch
 // that nothing could predict.
@@ -353,8 +350,6 @@ private:
   std::vector<Edge_index> postponed_, uncertain_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_DELAUNAY_FLIPPER_H

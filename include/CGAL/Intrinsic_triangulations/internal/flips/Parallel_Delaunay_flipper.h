@@ -33,10 +33,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Consecutive edges of a triangulation, and what a Delaunay_flipper needs to flip those of them
 // whose hinges consist of edges of the block alone.
@@ -499,8 +496,6 @@ private:
   std::vector<Edge_index> postponed_, uncertain_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_PARALLEL_DELAUNAY_FLIPPER_H

@@ -21,9 +21,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Flips, with bounds on the errors of all numbers, that can be undone: afterwards connectivity, integers and stored
 // numbers are those that they were, to the last bit.
@@ -216,8 +214,6 @@ private:
   Large_vector<double> face_errors_; // of four times the areas
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_UNDOABLE_FLIPS_H

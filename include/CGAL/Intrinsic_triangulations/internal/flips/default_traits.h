@@ -30,9 +30,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXTERN extern
 #endif
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template Flip_report
 flip_all<Sequential_tag, Whole_triangulation<Filtered_edge_length_traits>,
@@ -49,9 +47,7 @@ normalize_points<Sequential_tag, Points, Is_used_vertex>(Points&, const Is_used_
 CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template void throw_zero_length<Points>(const Delta_complex&, const Points&,
                                                                              const Defect_tally&);
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 #endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_DEFAULT_TRAITS_H

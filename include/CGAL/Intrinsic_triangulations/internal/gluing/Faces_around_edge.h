@@ -21,9 +21,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The faces at the edge from u to v in space, in the order in which a half-plane that turns counterclockwise about u→v
 // meets them. The cyclic order is decided exactly. It does not depend on numbers, on how the faces are
@@ -184,8 +182,6 @@ private:
   const std::uint32_t u_, v_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_FACES_AROUND_EDGE_H

@@ -22,9 +22,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Several vertices may stand for one row, as those of a cover.
 class Laid_out_faces
@@ -194,8 +192,6 @@ private:
   int exponent_ = 0;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_LAID_OUT_FACES_H

@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The points of a side that straight ways from a vertex reach through the same faces are a window. Windows are sent on
 // from face to face, the nearest first; where a way is no longer than that of the window before it gets there over a
@@ -513,8 +511,6 @@ private:
   std::uint64_t number_of_steps_ = 0;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_WINDOW_PROPAGATION_H

@@ -39,9 +39,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Segments are the edges that are not flipped: on the border, or constrained.
 template <class Traits, class Visitor>
@@ -461,8 +459,6 @@ private:
   std::unordered_map<Face_index, std::pair<double, Refinement_obstacle>> left_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_DELAUNAY_REFINER_H

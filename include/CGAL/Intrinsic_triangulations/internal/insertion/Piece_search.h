@@ -20,9 +20,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Intrinsic edges cut an input face into pieces by chords that do not meet. So the search walks from piece to piece,
 // each time across a chord that has the point on its other side, and comes to an end: the pieces and their
@@ -71,8 +69,6 @@ inline Triangle_piece piece_at_source(const Delta_complex& complex, const Corres
   return {side, position + 1};
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_PIECE_SEARCH_H

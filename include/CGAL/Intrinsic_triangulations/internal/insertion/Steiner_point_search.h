@@ -22,9 +22,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The center of the circle through three points.
 inline Plane_point circumcenter(Plane_point a, Plane_point b, Plane_point c)
@@ -169,8 +167,6 @@ private:
   std::vector<int> stack_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_STEINER_POINT_SEARCH_H

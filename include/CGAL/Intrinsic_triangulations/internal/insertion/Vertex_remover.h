@@ -28,9 +28,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Flips the edges at a vertex until a split can be undone. Why this ends, and where, is in doc/termination.md.
 template <class Traits, class ConstraintMap>
@@ -201,8 +199,6 @@ private:
   std::vector<Edge_index> changed_; // that may not be Delaunay any more
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_VERTEX_REMOVER_H

@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Coordinates that are positive multiples of 2^-52 and sum exactly to 1. So nothing has to be divided later, and the
 // point is strictly inside the face.
@@ -170,8 +168,6 @@ std::optional<Point_to_insert> point_on_input(const Exact_engine& engine, Input_
   return Point_to_insert{point, piece_at_source(complex, correspondence, point.halfedge)};
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_POINT_ON_INPUT_H

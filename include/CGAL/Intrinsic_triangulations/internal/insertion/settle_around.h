@@ -19,9 +19,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Makes a triangulation Delaunay again of which all edges are so but for those on the stack: Lawson's algorithm. The
 // work is local.
@@ -68,8 +66,6 @@ void settle_around(Intrinsic_triangulation<Traits>& triangulation, Vertex_index 
   settle(triangulation, is_constrained, stack, after_flip);
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_SETTLE_AROUND_H

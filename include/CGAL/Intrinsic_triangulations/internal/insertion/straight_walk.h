@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 using Plane_point = std::complex<double>;
 
@@ -110,8 +108,6 @@ Walk_end walk_straight(const Delta_complex& complex, Halfedge_index h, Plane_poi
   }
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_STRAIGHT_WALK_H

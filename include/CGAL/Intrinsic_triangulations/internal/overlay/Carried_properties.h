@@ -25,9 +25,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The map that the mesh has by this name, or one that converts to false. CGAL 5 gives a pair of a map and
 // whether it is there, CGAL 6 an optional map.
@@ -117,8 +115,6 @@ private:
   std::vector<std::function<void(Index, Index)>> copies_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_CARRIED_PROPERTIES_H

@@ -17,9 +17,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Halfedges 2s and 2s + 1 belong to segment s. What is removed goes on a free list and is
 // used again. The vertices of the surface come before the crossings.
@@ -129,9 +127,7 @@ private:
   std::vector<Halfedge> first_input_parts_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Dynamic_overlay_graph_impl.h>

@@ -15,9 +15,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Dynamic_overlay_graph::Dynamic_overlay_graph(const Delta_complex& input)
   : number_of_original_vertices_(input.number_of_vertices()), end_of_vertices_(input.number_of_vertices())
@@ -115,8 +113,6 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Dynamic_overlay_graph::release(Halfedg
   free_segments_.push_back(Segment(h.idx() >> 1));
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_DYNAMIC_OVERLAY_GRAPH_IMPL_H

@@ -15,8 +15,7 @@
 
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Incremental_overlay::flip(Edge_index e)
 {
@@ -136,7 +135,6 @@ Incremental_overlay::before_diagonal(Halfedge_index arriving, Side side) const
   return h;
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_INCREMENTAL_OVERLAY_IMPL_H

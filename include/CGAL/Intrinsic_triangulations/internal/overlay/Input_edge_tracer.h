@@ -16,9 +16,7 @@
 
 #include <cstdint>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Only reads the integers: any number of threads may trace at once. How often an edge is crossed
 // comes from the numbers of its segments, which lie side by side in memory.
@@ -111,8 +109,6 @@ private:
   const Overlay_arrays& overlay_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_INPUT_EDGE_TRACER_H

@@ -13,9 +13,7 @@
 
 #include <cstdint>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Segments of intrinsic edges come first, edge by edge; the crossing at the end of segment s
 // of edge e has the number s - e. Segments of input edges follow, edge by edge, too, but
@@ -75,8 +73,6 @@ struct Overlay_arrays
   Large_vector<size_type> split_parts; // of input edges on which vertices were inserted, the halfedges from end to end
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_OVERLAY_ARRAYS_H

@@ -31,9 +31,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The segments of intrinsic edges and all crossings are numbered by counting. Then each
 // input edge is followed once through the intrinsic triangles; at every crossing it is known
@@ -572,8 +570,6 @@ extern template Overlay_arrays build_overlay<Sequential_tag>(const Delta_complex
                                                              const Progress_function&);
 #endif
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_OVERLAY_BUILDER_H

@@ -15,9 +15,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // By dynamic programming over the chains a, a + 1, ..., b of corners, each closed by the
 // diagonal from b to a. The faces of an overlay have six corners at most.
@@ -122,8 +120,6 @@ void for_each_diagonal(const std::vector<std::array<double, 3>>& corners, const 
     });
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_CONVEX_POLYGON_TRIANGULATION_H

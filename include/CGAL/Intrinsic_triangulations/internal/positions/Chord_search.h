@@ -19,9 +19,7 @@
 #include <limits>
 #include <optional>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The edges of the other triangulation cut a face into slices by chords that do not meet. How many
 // chords join which sides follows from the numbers of crossings alone, as for normal
@@ -119,8 +117,6 @@ private:
   const Surface_point& point_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_CHORD_SEARCH_H

@@ -18,9 +18,7 @@
 
 #include <optional>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // A chord is a segment of the overlay that crosses a face of one triangulation and is part of an
 // edge of the other. Both are laid out over the input triangles that the intrinsic edge crosses. In a face of zero
@@ -45,9 +43,7 @@ private:
   const Overlay& overlay_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/positions/Exact_side_impl.h>

@@ -12,8 +12,7 @@
 
 #include <algorithm>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Overlay_positions::find_crossings(const internal::Exact_engine& engine, const Overlay& overlay, std::size_t first,
@@ -41,7 +40,6 @@ void Overlay_positions::find_crossings(const internal::Exact_engine& engine, con
   }
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_OVERLAY_POSITIONS_IMPL_H

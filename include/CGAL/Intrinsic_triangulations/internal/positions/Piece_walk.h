@@ -21,9 +21,7 @@
 #include <unordered_set>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // In such a face the chords begin and end anywhere, so that there is no order to search by. The walk goes from piece to
 // piece across chords that have the point on their other side, and to each piece once: where such a walk would run in
@@ -94,8 +92,6 @@ private:
   const Exact_side& exact_side_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_PIECE_WALK_H

@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // A corner of a face of the overlay in a face of either triangulation.
 struct Corner_in_both
@@ -105,8 +103,6 @@ inline Coordinates affine_image(const Corners_in_both& corners, const Coordinate
   return result;
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_AFFINE_IMAGE_H

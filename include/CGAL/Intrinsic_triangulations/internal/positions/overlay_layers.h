@@ -18,9 +18,7 @@
 #include <cstdint>
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The side of a face that begins at a vertex; null if there are several.
 inline Halfedge_index only_side_from(const Delta_complex& complex, Face_index f, Vertex_index v)
@@ -133,8 +131,6 @@ Coordinates corner_coordinates(const Layer& layer, Overlay::Halfedge h, Halfedge
   return coordinates_from(layer.complex, corner(layer, h), first);
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_OVERLAY_LAYERS_H

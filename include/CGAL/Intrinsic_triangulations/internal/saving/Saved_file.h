@@ -18,9 +18,7 @@
 #include <iosfwd>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // What the metric of the input is given by.
 enum class Metric_kind {
@@ -61,9 +59,7 @@ void write_saved_file(std::ostream& os, const Exact_engine& engine, const Stage_
 // Memory: proportional to what was read, whatever the header says
 Saved_file read_saved_file(std::istream& is, const Go_further& go_further);
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/saving/Saved_file_impl.h>

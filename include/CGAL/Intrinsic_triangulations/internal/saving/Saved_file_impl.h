@@ -35,9 +35,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Rows of numbers, least byte first, whatever the processor does.
 template <std::size_t size>
@@ -619,8 +617,6 @@ Saved_file read_saved_file(std::istream& is, const Go_further& go_further)
   return Saved_file_reader(is, go_further)();
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SAVING_SAVED_FILE_IMPL_H

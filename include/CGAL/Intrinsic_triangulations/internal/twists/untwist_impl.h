@@ -23,8 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
 // Works on one pair of faces after the other. The squared lengths of its edges are integers while it does, over a
@@ -228,7 +227,6 @@ std::vector<Rational> squared_lengths(const std::vector<double>& lengths)
   return result;
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TWISTS_UNTWIST_IMPL_H

@@ -30,8 +30,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 inline std::vector<std::array<std::size_t, 3>> triangulate_polygon(const std::vector<std::array<double, 3>>& polygon)
 {
@@ -414,7 +413,6 @@ inline Repaired_polygons repair(std::vector<std::array<double, 3>> points,
 }
 
 } // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_REPAIR_POLYGONS_IMPL_H

@@ -27,8 +27,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
 // The faces around an inner vertex. The spokes are the halfedges that leave it, counterclockwise; face i lies between
@@ -545,7 +544,6 @@ std::vector<bool> sharp_edges(const Delta_complex& complex, const std::vector<st
   return result;
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_SURFACE_FEATURES_IMPL_H

@@ -22,8 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
 using Defect = Invalid_surface_error::Defect;
@@ -558,7 +557,6 @@ std::vector<std::size_t> turned_triangles(const std::vector<std::array<double, 3
   return result;
 }
 
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_VALIDATE_TRIANGLES_IMPL_H

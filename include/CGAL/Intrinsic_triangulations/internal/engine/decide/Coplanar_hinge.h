@@ -21,9 +21,7 @@
 #include <array>
 #include <cmath>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // With p_k the scalar product of the sides of the corner k and n_k their cross product,
 // cot k = p_k / |n_k|. In one plane n_k and n_l are positive multiples of one normal, so that
@@ -180,8 +178,6 @@ private:
   double magnitude_of_n_ = 0, magnitude_ = 0;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_COPLANAR_HINGE_H

@@ -30,9 +30,7 @@
 #include <string>
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Two corners, named by the halfedges that they are opposite to.
 struct Two_corners
@@ -273,8 +271,6 @@ private:
   Input_surface& surface_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_EXACT_FALLBACK_H

@@ -20,9 +20,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 struct Exact_decision
 {
@@ -154,8 +152,6 @@ Sign exact_sign(Input_surface& surface, const Evaluate& evaluate, const Describe
   return is_certain(sign) ? get_certain(sign) : Exact_sign<Evaluate>(surface, evaluate)(proves_zero, what).sign;
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_EXACT_SIGN_H

@@ -28,9 +28,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Let z, a, b, c be the corners of the hinge of an edge, counterclockwise. If a reflection of the plane in which the
 // hinge is laid out maps a ↔ b and z ↔ c, then the hinge is an isosceles trapezoid, and its edge is a tie, given that
@@ -372,8 +370,6 @@ private:
   bool is_defined_ = true; // no vertices of a corner coincide
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_MIRROR_SYMMETRY_H

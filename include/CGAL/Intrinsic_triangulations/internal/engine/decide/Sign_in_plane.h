@@ -21,9 +21,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // As `Coplanar_hinge`: with p_k the scalar product of the sides of the corner k and n_k one component of their cross
 // product,
@@ -100,8 +98,6 @@ private:
   Vertex_index i_, j_, k_, l_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_SIGN_IN_PLANE_H

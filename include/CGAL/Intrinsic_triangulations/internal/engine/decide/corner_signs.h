@@ -25,9 +25,7 @@
 #include <optional>
 #include <type_traits>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // In a tie the angles sum to 0, π or 2π; only in the last case are both obtuse.
 inline Sign sign_of_tie(Sign sign_k, Sign sign_l) { return sign_k == NEGATIVE && sign_l == NEGATIVE ? NEGATIVE : ZERO; }
@@ -170,8 +168,6 @@ inline Unfolding<Residue_metric>::Corner image_of_straight_corner(const Delta_co
           scalar_product(side, side)};
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_CORNER_SIGNS_H

@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::vector<Edge_index>
 Correspondence::journaled_flips(const Delta_complex& complex) const
@@ -185,8 +183,6 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Correspondence::turn_around(Halfedge_i
     coordinates_.set_roundabout(h, r.steps % 2 == 0 ? r.base : input_.opposite(r.base));
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_CORRESPONDENCE_IMPL_H

@@ -29,9 +29,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Two neighbouring crossings of an edge lie on two sides of one input triangle, which
 // share a corner on one side of the edge. On that side the two input segments run next to
@@ -318,8 +316,6 @@ private:
   Crossed_range crossed_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_CROSSING_SEQUENCE_H

@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Each flip as the halfedges around the edge before it. In parts, so that it grows without being
 // copied, and takes over what others have noted.
@@ -71,8 +69,6 @@ private:
   std::size_t size_of_full_parts_ = 0; // of all but the last
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_FLIP_JOURNAL_H

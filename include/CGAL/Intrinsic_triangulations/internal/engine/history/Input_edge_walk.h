@@ -19,9 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The input halfedge that follows h counterclockwise around a vertex v. Of those on an input edge, there are two.
 inline Halfedge_index next_input_halfedge(const Correspondence& correspondence, Vertex_index v, Halfedge_index h)
@@ -176,8 +174,6 @@ inline Halfedge_index crossed_input_halfedge(const Delta_complex& complex, const
   }
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_INPUT_EDGE_WALK_H

@@ -21,9 +21,7 @@
 #include <optional>
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The input halfedges that a halfedge crosses from its left to its right, in order from its source.
 class Crossed_range
@@ -301,8 +299,6 @@ private:
   mutable std::atomic<std::size_t> total_{0};
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_KEPT_CROSSINGS_H

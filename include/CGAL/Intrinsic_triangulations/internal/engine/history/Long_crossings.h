@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // To find what one edge crosses, the input edges that cross it are followed until they part. For all edges together, it
 // is faster to follow each input edge once from one of its ends to the other. Those that leave a corner side by side
@@ -142,8 +140,6 @@ private:
   std::vector<Block> blocks_;                              // still to be followed
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_LONG_CROSSINGS_H

@@ -23,9 +23,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // How the input edges run through one triangle (i, j, k) of the current triangulation.
 //
@@ -292,9 +290,7 @@ private:
     0; // of edges that were removed: each has the next one as `crossings`, the last one 0
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates_impl.h>

@@ -17,9 +17,7 @@
 #include <array>
 #include <cstdint>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE std::array<Triangle_piece, 3>
 Normal_coordinates::names(const Delta_complex& complex, const Triangle_piece& piece) const
@@ -128,8 +126,6 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Normal_coordinates::remove(const Remov
   remove_entries(record_of_, removed.edges);
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_NORMAL_COORDINATES_IMPL_H

@@ -14,9 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 class Rotation_system
 {
@@ -56,8 +54,6 @@ private:
   Large_vector<std::uint32_t> position_; // of each halfedge there
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_ROTATION_SYSTEM_H

@@ -28,9 +28,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Checks what needs no metric: that the input edges, followed through the triangles, are those of the input, in the same order around
 // each vertex, and that both surfaces have the same topology. Then the input edges cut the surface into the input faces, up to
@@ -293,8 +291,6 @@ private:
   const Interruption& interruption_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_CHECK_CORRESPONDENCE_H

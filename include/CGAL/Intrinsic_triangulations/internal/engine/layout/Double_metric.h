@@ -22,9 +22,7 @@
 #include <optional>
 #include <type_traits>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // As ratios_in_space(), in doubles.
 inline std::optional<Corner_ratios<Double_disk>> rounded_ratios_in_space(const Delta_complex& input,
@@ -96,8 +94,6 @@ private:
   Corner_ratios<Vector> ratios_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_DOUBLE_METRIC_H

@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <unordered_map>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Edges that cross hundreds of input edges do so in fans: in the caps of a prism, or in the sides of a box whose edges
 // were divided. So the halfedges around a vertex are laid out once, and a fan of any number of triangles is a quotient
@@ -99,8 +97,6 @@ private:
   std::unordered_map<Vertex_index, Vector> whole_turns_; // of those that are not on the border
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_FAN_POSITIONS_H

@@ -25,9 +25,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Let all input edges that two edges va and vb cross, and those that leave v between them, be parallel to one direction
 // u, or have coplanar faces. Then each triangle of the strips lies in a plane that contains u, and to unfold it keeps
@@ -147,8 +145,6 @@ private:
   std::optional<Vertex_pair> fold_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_LEVEL_LINE_H

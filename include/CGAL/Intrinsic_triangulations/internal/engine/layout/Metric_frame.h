@@ -18,9 +18,7 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // At an input halfedge ij with the third corner k to its left, both relative to ij: the
 // vector from i to k, and the vector from k to j.
@@ -161,8 +159,6 @@ private:
   Metric& metric_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_METRIC_FRAME_H

@@ -22,9 +22,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The frame (see `Strip`) for triangles that lie in one plane, side by side. Nothing is turned: a projection along
 // a coordinate is affine, so that quotients of areas are the same, and the differences that are projected are exact.
@@ -93,8 +91,6 @@ private:
   double distance_ = 0;                // no corner is further from the source
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_PLANE_FRAME_H

@@ -22,9 +22,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The frame (see `Strip`) in which most positions are found: overlays spend their time here. Corner ratios come
 // straight from the points, and there is one bound for the error of all that is computed instead of one for each
@@ -150,8 +148,6 @@ private:
   double extent_ = 0;   // the sum of the lengths of what positions are made from
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_SPACE_FRAME_H

@@ -21,9 +21,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // A face is known to be straight if it is the flat triangle in space between its corners:
 // at first all are, and the two faces of a flip are if those before were and lie in one
@@ -192,8 +190,6 @@ private:
   Large_vector<std::uint32_t> united_with_; // for each plane another, or itself
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_STRAIGHT_FACES_H

@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The input edges that an edge crosses, in order, as halfedges from the left end to the right end: a list.
 class Crossed_edges
@@ -346,8 +344,6 @@ private:
   std::vector<Corner> corners_; // after the source; first those of the first crossed edge, last the target
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_STRIP_H

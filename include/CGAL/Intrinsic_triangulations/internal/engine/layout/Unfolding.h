@@ -26,9 +26,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Lengths, angles and areas of the current triangulation, computed from the input alone.
 //
@@ -351,8 +349,6 @@ private:
   Metric& metric_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_UNFOLDING_H

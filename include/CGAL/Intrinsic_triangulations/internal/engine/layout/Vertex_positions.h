@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // Vertices of the input lie at their points, inserted ones at the weighted means of the corners of an input face, with
 // their barycentric coordinates as weights: exact rational numbers. They are kept in double-doubles with error bounds,
@@ -165,8 +163,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_VERTEX_POSITIONS_H

@@ -43,9 +43,7 @@
 #include <unordered_map>
 #include <utility>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // What is found out about the input when it is first asked for. Threads that ask at the same time find the same.
 class Input_properties
@@ -435,8 +433,6 @@ using Mpfr_metric = Rational_metric<Mpfr_image>;
 using Multiquadratic_metric = Rational_metric<Multiquadratic_image>;
 using Residue_metric = Rational_metric<Residue_image>;
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_METRIC_IMAGES_H

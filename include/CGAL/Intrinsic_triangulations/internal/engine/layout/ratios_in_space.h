@@ -18,9 +18,7 @@
 
 #include <optional>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // As Metric_frame::ratios(), in half of the time: one bound for all errors instead of a running one. Nothing without
 // points, or where something could underflow, as in faces that are nearly flat.
@@ -46,8 +44,6 @@ inline std::optional<Corner_ratios<Double_double_disk>> ratios_in_space(const De
   return Corner_ratios<Double_double_disk>{{at_source, height}, {Bounded_double_double(1) - at_source, -height}};
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_RATIOS_IN_SPACE_H

@@ -23,8 +23,7 @@
 #include <limits>
 #include <string>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
+namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
@@ -258,7 +257,6 @@ internal::Bounded_double_double Input_metric::four_areas_double_double(const Del
   const Double_double x = u[1] * v[2] - u[2] * v[1], y = u[2] * v[0] - u[0] * v[2], z = u[0] * v[1] - u[1] * v[0];
   return sqrt(x * x + y * y + z * z).scaled(2);
 }
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_METRIC_INPUT_METRIC_IMPL_H

@@ -22,9 +22,7 @@
 #include <string>
 #include <type_traits>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 // The coordinates of one point after the other, of any number type of CGAL. They arrive as text, or as sums of doubles:
 // so only the definitions know a type of rational numbers.
@@ -93,9 +91,7 @@ private:
   std::unique_ptr<Coordinates> coordinates_;
 };
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/Intrinsic_triangulations/internal/engine/metric/Rational_points_impl.h>

@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Intrinsic_triangulations {
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 struct Rational_points::Coordinates
 {
@@ -71,8 +69,6 @@ Input_metric Rational_points::metric(const Delta_complex& complex) const
   return metric_from_squared_lengths(std::move(squared_lengths));
 }
 
-} // namespace internal
-} // namespace Intrinsic_triangulations
-} // namespace CGAL
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_METRIC_RATIONAL_POINTS_IMPL_H
