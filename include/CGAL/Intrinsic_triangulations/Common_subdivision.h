@@ -233,11 +233,7 @@ public:
   /// \param np an optional sequence of named parameters
   ///
   /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{visitor}
-  ///     \cgalParamDescription{reports progress, and can cancel}
-  ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
-  ///     \cgalParamDefault{`Default_visitor`}
-  ///   \cgalParamNEnd
+  ///   \cgalParamVisitor{reports progress, and can cancel}
   /// \cgalNamedParamsEnd
   ///
   /// \pre `triangulation.keeps_input()`

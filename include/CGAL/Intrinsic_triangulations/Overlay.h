@@ -89,11 +89,7 @@ public:
   /// \param np an optional sequence of named parameters
   ///
   /// \cgalNamedParamsBegin
-  ///   \cgalParamNBegin{visitor}
-  ///     \cgalParamDescription{is called from time to time with the fraction that is done, and can cancel}
-  ///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
-  ///     \cgalParamDefault{`Default_visitor`}
-  ///   \cgalParamNEnd
+  ///   \cgalParamVisitor{is called from time to time with the fraction that is done, and can cancel}
   /// \cgalNamedParamsEnd
   ///
   /// \pre `triangulation.keeps_input()`

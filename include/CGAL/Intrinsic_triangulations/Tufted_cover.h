@@ -212,11 +212,7 @@ Tufted_cover build_cover_of_complex(const Delta_complex& complex, const std::vec
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is called from time to time, and can cancel}
-///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
-///     \cgalParamDefault{`Default_visitor`}
-///   \cgalParamNEnd
+///   \cgalParamVisitor{is called from time to time, and can cancel}
 /// \cgalNamedParamsEnd
 ///
 /// \return the cover, not flipped: see `flip_to_Delaunay()`, and `tufted_Laplacian()` for its operator

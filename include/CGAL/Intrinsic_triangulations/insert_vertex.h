@@ -145,16 +145,8 @@ inline std::optional<Vertex_index> vertex_at(const Delta_complex& complex,
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that tells which edges must not be flipped, including new edges}
-///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
-///     \cgalParamDefault{no edge is constrained}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is called during long decisions, and can cancel}
-///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
-///     \cgalParamDefault{`Default_visitor`}
-///   \cgalParamNEnd
+///   \cgalParamConstraints{which edges must not be flipped, including new edges}
+///   \cgalParamVisitor{is called during long decisions, and can cancel}
 /// \cgalNamedParamsEnd
 ///
 /// \return the new vertex
@@ -225,17 +217,8 @@ Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that tells which edges must not be flipped, by their descriptors before the
-///       removal}
-///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
-///     \cgalParamDefault{no edge is constrained}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is called during long decisions, and can cancel}
-///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
-///     \cgalParamDefault{`Default_visitor`}
-///   \cgalParamNEnd
+///   \cgalParamConstraints{which edges must not be flipped, by their descriptors before the removal}
+///   \cgalParamVisitor{is called during long decisions, and can cancel}
 /// \cgalNamedParamsEnd
 ///
 /// \return the removed elements, which determine the moved descriptors

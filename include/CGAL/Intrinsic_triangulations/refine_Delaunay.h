@@ -67,12 +67,8 @@ struct Flips_before_refinement
 /// \param np an optional sequence of named parameters
 ///
 /// \cgalNamedParamsBegin
-///   \cgalParamNBegin{edge_is_constrained_map}
-///     \cgalParamDescription{a property map that tells which edges must not be flipped. They have to coincide with
-///       input edges. It is read only at the beginning; the parts of a split edge are constrained, too}
-///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type}
-///     \cgalParamDefault{no edge is constrained}
-///   \cgalParamNEnd
+///   \cgalParamConstraints{which edges must not be flipped. They have to coincide with input edges. It is read only at
+///     the beginning; the parts of a split edge are constrained, too}
 ///   \cgalParamNBegin{minimum_angle}
 ///     \cgalParamDescription{the minimum angle of all corners, in degrees}
 ///     \cgalParamType{`double`, at most 30}
@@ -95,14 +91,9 @@ struct Flips_before_refinement
 ///     \cgalParamType{`double`, not negative}
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{is called before each step and within long ones, with the numbers of new vertices and of
-///       flips so far. (Before the first new vertex, edges are flipped until the triangulation is Delaunay.)
-///       `before_step()` is called for each step, and `after_insertion()` for each new vertex; pass `std::ref()` to
-///       keep its state}
-///     \cgalParamType{a model of `IntrinsicTriangulationVisitor`}
-///     \cgalParamDefault{`Default_visitor`}
-///   \cgalParamNEnd
+///   \cgalParamVisitor{is called before each step and within long ones, with the numbers of new vertices and of flips
+///     so far. (Before the first new vertex, edges are flipped until the triangulation is Delaunay.) `before_step()` is
+///     called for each step, and `after_insertion()` for each new vertex; pass `std::ref()` to keep its state}
 ///   \cgalParamNBegin{maximum_number}
 ///     \cgalParamDescription{the maximum number of new vertices}
 ///     \cgalParamType{`std::uint64_t`}
