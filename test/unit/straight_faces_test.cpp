@@ -180,8 +180,8 @@ TEST(Developed_faces, bounds_in_doubles_hold)
     expect_within(exact.s_second, found.s_second);
     expect_within(Corner(j, k, i).s, found.s_opposite);
     // Positions have the errors of the longest side.
-    EXPECT_LE(found.four_areas.error(), Number(0x1p-48 * sqrt(Number(exact.s * exact.s_second)) +
-                                               0x1p-90 * (exact.s + exact.s_second)));
+    EXPECT_LE(found.four_areas.error(),
+              Number(0x1p-48 * sqrt(Number(exact.s * exact.s_second)) + 0x1p-90 * (exact.s + exact.s_second)));
   }
   EXPECT_GT(number_of_known, triangles().size() / 2);
 }
