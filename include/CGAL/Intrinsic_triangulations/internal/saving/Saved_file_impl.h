@@ -14,7 +14,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
 #include <CGAL/Intrinsic_triangulations/reports.h>
 
-
 #include <array>
 #include <cmath>
 #include <cstddef>
