@@ -29,7 +29,6 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Rows of numbers, least byte first, whatever the processor does.
 // What the header of a file tells. It is text that follows from these numbers, so that a header is right if it is that text.
 struct Saved_header
 {
