@@ -16,15 +16,15 @@
 
 #include <CGAL/number_type_config.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <unordered_map>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Lengths of edges as doubles, in the unit of the input, and the shapes of faces.
-// The edges that refinement splits and does not flip: those on the border, and constrained ones.
 // Vertices with a small sum of angles, where refinement has to keep its distance: see doc/termination.md. Lengths are in the unit of the input.
 class Small_cones
 {
