@@ -100,8 +100,16 @@ public:
   // The same for four consecutive edges: bit i is set if it does for the i-th.
   unsigned imply_Delaunay_of_four(Edge_index e) const
   {
+#ifdef CGAL_HAS_SSE2
+    const float* const bound = bounds_.data() + 2 * std::size_t(e.idx());
+    const __m128 a = _mm_loadu_ps(bound), b = _mm_loadu_ps(bound + 4);
+    const __m128 sum =
+      _mm_add_ps(_mm_shuffle_ps(a, b, _MM_SHUFFLE(2, 0, 2, 0)), _mm_shuffle_ps(a, b, _MM_SHUFFLE(3, 1, 3, 1)));
+    return unsigned(_mm_movemask_ps(_mm_cmpgt_ps(sum, _mm_setzero_ps())));
+#else
     const auto bit = [&](unsigned i) { return unsigned(imply_Delaunay(Edge_index(e.idx() + i))) << i; };
     return bit(0) | bit(1) | bit(2) | bit(3);
+#endif
   }
 
 private:

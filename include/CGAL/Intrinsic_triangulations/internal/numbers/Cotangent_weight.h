@@ -168,7 +168,7 @@ private:
 
 // The cotangent opposite to h, which has a face, from what is stored.
 template <class Triangulation>
-auto bounded_cotangent(const Triangulation& triangulation, Halfedge_index h)
+BOOST_FORCEINLINE auto bounded_cotangent(const Triangulation& triangulation, Halfedge_index h)
 {
   const Delta_complex& complex = triangulation.connectivity();
   const auto data = [&](Halfedge_index side) -> const auto& { return triangulation.edge_data(complex.edge(side)); };
