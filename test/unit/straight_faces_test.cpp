@@ -127,6 +127,18 @@ TEST(Two_straight_faces, nothing_is_known_without_area)
 
 using Straight_corner = IT::internal::Triangle_corner<Bounded_double_double>;
 
+// The corner at p, which is returned exactly.
+Corner expect_within(const Point& p, const Point& q, const Point& r, const Straight_corner& found)
+{
+  const Corner exact(p, q, r);
+  expect_within(2 * exact.product, found.p);
+  expect_within(2 * exact.twice_area, found.four_areas);
+  expect_within(exact.s, found.s_first);
+  expect_within(exact.s_second, found.s_second);
+  expect_within(Corner(q, r, p).s, found.s_opposite);
+  return exact;
+}
+
 TEST(Straight_corner, bounds_in_doubles_hold)
 {
   const std::vector<Triangle> all = triangles();
@@ -138,12 +150,7 @@ TEST(Straight_corner, bounds_in_doubles_hold)
       if (!found)
         continue;
       ++number_of_known;
-      const Corner exact(k, i, j);
-      expect_within(2 * exact.product, found->p);
-      expect_within(2 * exact.twice_area, found->four_areas);
-      expect_within(exact.s, found->s_first);
-      expect_within(exact.s_second, found->s_second);
-      expect_within(Corner(i, j, k).s, found->s_opposite);
+      const Corner exact = expect_within(k, i, j, *found);
       EXPECT_LT(found->s_opposite.relative_error(), 4.9 * 0x1p-53); // else it would not be stored
       EXPECT_LE(found->four_areas.error(), Number(0x1p-48 * sqrt(Number(exact.s * exact.s_second))));
     }
@@ -173,12 +180,7 @@ TEST(Developed_faces, bounds_in_doubles_hold)
       continue;
     ++number_of_known;
     const Straight_corner found = faces.corner(complex, complex.next(first), true); // opposite to jk
-    const Corner exact(i, j, k);
-    expect_within(2 * exact.product, found.p);
-    expect_within(2 * exact.twice_area, found.four_areas);
-    expect_within(exact.s, found.s_first);
-    expect_within(exact.s_second, found.s_second);
-    expect_within(Corner(j, k, i).s, found.s_opposite);
+    const Corner exact = expect_within(i, j, k, found);
     // Positions have the errors of the longest side.
     EXPECT_LE(found.four_areas.error(),
               Number(0x1p-48 * sqrt(Number(exact.s * exact.s_second)) + 0x1p-90 * (exact.s + exact.s_second)));
@@ -197,12 +199,7 @@ TEST(Straight_corner, bounds_hold)
       if (!found)
         continue;
       ++number_of_known;
-      const Corner exact(k, i, j);
-      expect_within(2 * exact.product, found->p);
-      expect_within(2 * exact.twice_area, found->four_areas);
-      expect_within(exact.s, found->s_first);
-      expect_within(exact.s_second, found->s_second);
-      expect_within(Corner(i, j, k).s, found->s_opposite);
+      const Corner exact = expect_within(k, i, j, *found);
       EXPECT_LT(found->s_opposite.relative_error(), 0x1p-98);
       EXPECT_LE(found->four_areas.error(), Number(0x1p-95 * sqrt(Number(exact.s * exact.s_second))));
       EXPECT_LE(found->p.error(), found->four_areas.error());

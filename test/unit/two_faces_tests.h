@@ -80,8 +80,6 @@ TEST(Two_doubles, compute_as_two)
       expect(min_of(x, y), a < b ? a : b, c < d ? c : d);
       expect(if_greater(x, y, 1., x), a > b ? 1. : a, c > d ? 1. : c);
       expect(Two_doubles(b), b, b);
-      const std::array<double, 2> memory{a, b};
-      expect(Two_doubles::at(memory.data()), a, b);
       const std::array<float, 2> floats = y.floats();
       EXPECT_TRUE(are_same(floats[0], float(b)));
       EXPECT_TRUE(are_same(floats[1], float(d)));

@@ -35,7 +35,6 @@ public:
 #ifdef CGAL_HAS_SSE2
   Two_doubles(double both) : v_(_mm_set1_pd(both)) {}
   Two_doubles(double first, double second) : v_(_mm_set_pd(second, first)) {}
-  static Two_doubles at(const double* p) { return _mm_loadu_pd(p); }
   double first() const { return _mm_cvtsd_f64(v_); }
   double second() const { return _mm_cvtsd_f64(_mm_unpackhi_pd(v_, v_)); }
   // rounded
@@ -73,7 +72,6 @@ private:
 #else
   Two_doubles(double both) : v_{both, both} {}
   Two_doubles(double first, double second) : v_{first, second} {}
-  static Two_doubles at(const double* p) { return {p[0], p[1]}; }
   double first() const { return v_[0]; }
   double second() const { return v_[1]; }
   std::array<float, 2> floats() const { return {float(v_[0]), float(v_[1])}; }

@@ -25,7 +25,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Vertices with a small sum of angles, where refinement has to keep its distance: see doc/termination.md. Lengths are in the unit of the input.
+// Vertices with a small sum of angles, where refinement has to keep its distance: see doc/termination.md. Lengths are in
+// the unit of the input.
 class Small_cones
 {
 public:

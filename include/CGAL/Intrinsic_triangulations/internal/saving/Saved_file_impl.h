@@ -29,7 +29,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// What the header of a file tells. It is text that follows from these numbers, so that a header is right if it is that text.
+// What the header of a file tells. It is text that follows from these numbers, so that a header is right if it is that
+// text.
 struct Saved_header
 {
   Metric_kind metric = Metric_kind::POINTS;
