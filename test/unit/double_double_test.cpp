@@ -126,8 +126,14 @@ void expect_disks_that_hold(const Double_double& a, const Double_double& b, cons
   expect_inside(times_conjugate(u, v), exact(a) * exact(c) + exact(b) * exact(d),
                 exact(b) * exact(c) - exact(a) * exact(d));
   ASSERT_TRUE(is_within_bound(squared_norm(u), exact(a) * exact(a) + exact(b) * exact(b)));
-  if constexpr (std::is_same<Number, Bounded_double_double>::value)
-    expect_inside(u / Number(bounded(c)), exact(a) / exact(c), exact(b) / exact(c));
+  if constexpr (std::is_same<Number, Bounded_double_double>::value) {
+    expect_inside(u / bounded(c), exact(a) / exact(c), exact(b) / exact(c));
+    const double error = 4 * Number::unit * std::abs(c.hi); // of the divisor
+    for (int sign : {1, -1}) {
+      const Rational divisor = exact(c) + sign * Rational(error);
+      expect_inside(u / Number(c.hi, c.lo, error), exact(a) / divisor, exact(b) / divisor);
+    }
+  }
 }
 
 TEST(Double_double, has_disks_that_hold)
