@@ -26,6 +26,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -216,6 +217,31 @@ TEST(Long_strips, what_edges_cross_is_kept_as_long_as_nothing_flips)
   IT::flip_to_Delaunay(moved, CGAL::parameters::edge_is_constrained_map(
                                 CGAL::Static_boolean_property_map<IT::Edge_index, true>())); // tests nothing
   EXPECT_EQ(check_kept_crossings(moved), kept);
+}
+
+TEST(Long_strips, what_all_edges_cross_is_found_at_once_when_many_are_asked_for)
+{
+  Triangulation t = triangulation_of(fan_box(40, 320));
+  IT::flip_to_Delaunay(t);
+  const auto edges = t.connectivity().edges();
+  const auto number_of_edges_that_cross =
+    std::count_if(edges.begin(), edges.end(), [&](IT::Edge_index e) { return t.number_of_crossings(e) > 0; });
+  std::int64_t asked_for = 0;
+  std::vector<double> lengths;
+  for (IT::Edge_index e : edges) {
+    lengths.push_back(t.length(e));
+    asked_for += t.number_of_crossings(e);
+    if (asked_for < 100)
+      EXPECT_LT(check_kept_crossings(t), number_of_edges_that_cross / 2);
+  }
+  EXPECT_GT(asked_for, 4 * std::int64_t(lengths.size()));
+  EXPECT_EQ(check_kept_crossings(t), number_of_edges_that_cross);
+  for (IT::Edge_index e : edges) {
+    const CGAL::Interval_nt<> length = length_interval(t, e);
+    EXPECT_TRUE(std::nextafter(length.inf(), 0) <= lengths[e.idx()] &&
+                lengths[e.idx()] <= std::nextafter(length.sup(), 1e300));
+    EXPECT_EQ(t.length(e), lengths[e.idx()]); // whether the crossings were followed or kept
+  }
 }
 
 // The squared lengths and areas that flips and insertions leave are as good as their bounds say, however they were

@@ -12,6 +12,8 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <random>
 #include <type_traits>
 
@@ -145,6 +147,26 @@ TEST(Double_double, has_disks_that_hold)
     expect_disks_that_hold<Bounded_double_double>(a, b, c, d);
     expect_disks_that_hold<Double_with_bound>(a, b, c, d);
   }
+}
+
+TEST(Double_double, is_rounded_where_the_bound_leaves_one_double)
+{
+  constexpr double ulp = 0x1p-52, half = ulp / 2, infinity = std::numeric_limits<double>::infinity();
+  const auto expect = [](const std::optional<double>& value, double hi, double lo, double error) {
+    EXPECT_EQ(rounded(Bounded_double_double(hi, lo, error)), value);
+    EXPECT_EQ(rounded(Bounded_double_double(-hi, -lo, error)), value ? std::make_optional(-*value) : std::nullopt);
+  };
+  expect(0, 0, 0, 0);
+  expect(1, 1, ulp / 4, ulp / 8);
+  expect(std::nullopt, 1, ulp / 4, ulp / 3);
+  expect(std::nullopt, 0, 0, 1e-300);
+  expect(std::nullopt, 1, 0, infinity);
+  // Halfway, and so little from there that another order of the computation could come to the other side.
+  for (double lo : {half, half * (1 - 0x1p-24)})
+    expect(1 + ulp, 1, lo, 0x1p-90);
+  expect(1 + ulp, 1 + ulp, -half, 0x1p-90);
+  expect(1, 1, half * (1 - 0x1p-21), 0x1p-90);
+  expect(std::nullopt, 1, half * (1 - 0x1p-22), 0x1p-75);
 }
 
 } // namespace

@@ -100,7 +100,7 @@ TEST(Two_straight_faces, bounds_hold)
         continue;
       ++number_of_known;
       const Triangle& t = all[i + is_second];
-      number_of_accurate += IT::internal::is_rounded_alike(numbers.twice_area);
+      number_of_accurate += IT::internal::rounded(numbers.twice_area).has_value();
       for (std::size_t c = 0; c < 3; ++c) { // the side from c to the next corner, and the angle opposite to it
         const Corner at_side(t[c], t[(c + 1) % 3], t[(c + 2) % 3]), opposite(t[(c + 2) % 3], t[c], t[(c + 1) % 3]);
         expect_within(sqrt(at_side.s), numbers.lengths[c]);

@@ -18,6 +18,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -186,12 +187,15 @@ private:
 using Bounded_double_double = With_error<Double_double>;
 using Double_with_bound = With_error<double>;
 
-// Whether the number gives the same double in whatever order it was computed: it is accurate, and not halfway between
-// two doubles.
-inline bool is_rounded_alike(const Bounded_double_double& a)
+// The double that a number rounds to, if the bound leaves only one: the same in whatever order the number was computed.
+// Halfway between two doubles it is the larger one, where numbers with few bits often lie.
+inline std::optional<double> rounded(const Bounded_double_double& a)
 {
-  const double margin = 0x1p-75 * std::abs(a.hi());
-  return a.relative_error() < 0x1p-80 && a.hi() + (a.lo() + margin) == a.hi() && a.hi() + (a.lo() - margin) == a.hi();
+  const double lo = a.lo() + 0x1p-75 * a.hi(), error = a.error() + 0x1p-104 * std::abs(a.hi());
+  const double low = a.hi() + (lo - error), high = a.hi() + (lo + error);
+  if (low != high)
+    return std::nullopt;
+  return low;
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -33,9 +33,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Whether double-doubles determine the requested number: the root of a squared length, the sum of two cotangents with
-// its sign, an area.
-inline bool has_good_root(const Bounded_double_double& s) { return s.relative_error() < 0x1p-70; }
+// Whether double-doubles determine the sum of two cotangents with its sign, or an area.
 inline bool is_good_weight(const Bounded_double_double& weight)
 {
   return is_certain(weight.sign()) && weight.error() < 0x1p-52 * (1 + std::abs(weight.hi()));
@@ -44,13 +42,6 @@ inline bool is_good_area(const Bounded_double_double& a) { return a.is_zero() ||
 
 // Of an interval around a number that is wanted to the last places.
 inline bool is_narrow(double width, double magnitude) { return width <= 0x1p-51 * magnitude; }
-
-// Halfway between two doubles it is the larger one, in whatever order the number was computed.
-inline double rounded_root(const Bounded_double_double& s, int unit_exponent)
-{
-  const Bounded_double_double l = sqrt(s);
-  return std::ldexp(l.hi() + (l.lo() + 0x1p-75 * l.hi()), unit_exponent);
-}
 
 // Vectors that evaluate(metric) computes, each with an error of at most 2^-50 of its length, or of that of the last one
 // if that is longer.
@@ -121,12 +112,9 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 double Engine_numbers::length(Edge_index e) const
 {
   const Standard_arithmetic arithmetic;
-  engine_.prepare();
-  const Surface_lease surface = engine_.input_surface();
-  const Bounded_double_double s = engine_.squared_length(e, *surface);
-  if (has_good_root(s))
-    return rounded_root(s, metric_.unit_exponent());
-  return std::ldexp(engine_.exact_fallback(*surface).length(e), metric_.unit_exponent());
+  const Surface_lease surface = engine_.surface_for_query();
+  const std::optional<double> l = rounded(sqrt(engine_.squared_length(e, *surface)));
+  return std::ldexp(l ? *l : engine_.exact_fallback(*surface).length(e), metric_.unit_exponent());
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -198,7 +186,7 @@ double Engine_numbers::cotangent_weight(Edge_index e) const
   const Corner k = engine_.corner(h, *surface), l = engine_.corner(g, *surface);
   const Bounded_double_double weight = k.p / k.four_areas + l.p / l.four_areas;
   if (is_good_weight(weight))
-    return weight.hi();
+    return rounded(weight).value_or(weight.hi());
   if (const auto by_diagonal = engine_.weight_by_other_diagonal(h, {k, l}); by_diagonal && is_good_weight(*by_diagonal))
     return by_diagonal->hi();
   const double sum = cotangent(h, k, *surface) + cotangent(g, l, *surface);
@@ -219,7 +207,7 @@ double Engine_numbers::area(Face_index f) const
   const Halfedge_index h = complex_.halfedge(f);
   const Bounded_double_double a = engine_.corner(h, *surface).four_areas;
   if (is_good_area(a))
-    return area_in_input_unit(a.hi() / 4, metric_.unit_exponent(), f);
+    return area_in_input_unit(rounded(a).value_or(a.hi()) / 4, metric_.unit_exponent(), f);
   if (engine_.sign_of_area(f, *surface) == ZERO)
     return 0;
   // In the unit of the input, since in that of the numbers it may be subnormal.
@@ -252,7 +240,7 @@ double Rounded_numbers::cotangent_weight(const Delta_complex& complex, Edge_inde
     return Bounded_double_double(hi, lo, error);
   };
   const Bounded_double_double weight = cotangent(h) + cotangent(g);
-  return is_rounded_alike(weight) ? weight.hi() : std::numeric_limits<double>::quiet_NaN();
+  return rounded(weight).value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -357,9 +345,8 @@ void Engine_numbers::find_numbers(const std::size_t first, const std::size_t las
     const Edge_index e = complex_.edge(h);
     if (h != complex_.halfedge(e) && !complex_.is_border(complex_.halfedge(e)))
       return;
-    const Real l = length();
-    if (is_rounded_alike(l))
-      numbers.lengths[e.idx()] = std::ldexp(l.hi(), metric_.unit_exponent());
+    if (const std::optional<double> l = rounded(length()))
+      numbers.lengths[e.idx()] = std::ldexp(*l, metric_.unit_exponent());
   };
   const std::array<Real, 3> unknown_cotangents{Real() / Real(), Real() / Real(), Real() / Real()};
   const auto note_cotangent = [&](Halfedge_index h, const Real& cotangent) {
@@ -377,10 +364,8 @@ void Engine_numbers::find_numbers(const std::size_t first, const std::size_t las
     note_cotangent(h, cotangents[0]);
     note_cotangent(second, cotangents[1]);
     note_cotangent(third, cotangents[2]);
-    if (c.four_areas.is_zero())
-      numbers.areas[f.idx()] = 0;
-    else if (c.four_areas.hi() > 0 && is_rounded_alike(c.four_areas))
-      numbers.areas[f.idx()] = c.four_areas.hi() / 4;
+    if (const std::optional<double> four_areas = rounded(c.four_areas); four_areas && *four_areas >= 0)
+      numbers.areas[f.idx()] = *four_areas / 4;
   };
 
   // Straight faces, two at a time.
@@ -395,7 +380,9 @@ void Engine_numbers::find_numbers(const std::size_t first, const std::size_t las
     Two_straight_faces::Numbers known;
     for (std::size_t i = 0; i < number_of_straight; ++i) {
       const Face_index f = straight[i];
-      if (!two.get(i == 1, known) || !is_rounded_alike(known.twice_area)) {
+      const bool is_known = two.get(i == 1, known);
+      const std::optional<double> twice_area = rounded(known.twice_area);
+      if (!is_known || !twice_area) {
         find(f);
         continue;
       }
@@ -404,7 +391,7 @@ void Engine_numbers::find_numbers(const std::size_t first, const std::size_t las
         note_length(side, [&] { return known.lengths[c]; });
         note_cotangent(side, known.cotangents[c]);
       }
-      numbers.areas[f.idx()] = known.twice_area.hi() / 2;
+      numbers.areas[f.idx()] = *twice_area / 2;
     }
     number_of_straight = 0;
   };

@@ -179,13 +179,22 @@ Surface_lease Exact_engine::input_surface() const
   return memory_->surfaces.take([this] { return new_surface().release(); });
 }
 
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Surface_lease Exact_engine::surface_for_query() const
+{
+  prepare();
+  if (correspondence().kept_crossings().is_time_for_all(connectivity_.number_of_edges()))
+    Long_crossings(connectivity_, correspondence(), decisions().interruption).keep();
+  return input_surface();
+}
+
 // For a query that also uses which faces are straight.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Surface_lease Exact_engine::prepared_surface() const
 {
   prepare();
   find_straight_faces();
-  return input_surface();
+  return surface_for_query();
 }
 
 // \pre `prepare()` was called
@@ -385,12 +394,15 @@ bool Exact_engine::follow(const Hinge_halfedges& around)
   const bool is_close_call = !memory.is_close_call.empty() && memory.is_close_call[e.idx()];
   using Faces = Memory::Developed_faces;
   if (Faces& faces = memory.developed_faces; !faces.flip_in_plane(around)) {
-    const bool is_long = is_long_hinge(around);
-    if (is_close_call || is_long || faces.contains(around.ij) || faces.contains(around.ji))
+    // To lay a face out later, for its successors, would take longer. Images in finite fields are so slow that they are
+    // carried for close calls alone.
+    const bool lays_out = correspondence().is_prepared() && !memory.images &&
+                          !(is_straight(connectivity_.face(around.ij)) && is_straight(connectivity_.face(around.ji)));
+    if (is_close_call || lays_out || faces.contains(around.ij) || faces.contains(around.ji))
       faces.flip(connectivity_, around, [&](Halfedge_index h) -> std::optional<Faces::Known_corner> {
         if (is_straight(connectivity_.face(h)))
           return Faces::Known_corner{h, straight_corner(h), image_of_straight_corner(h)};
-        if (!is_long)
+        if (!lays_out)
           return std::nullopt;
         return laid_out(correspondence().coordinates().side_with_most_crossings(connectivity_, connectivity_.face(h)));
       });
@@ -398,20 +410,6 @@ bool Exact_engine::follow(const Hinge_halfedges& around)
   if (is_close_call)
     memory.is_close_call[e.idx()] = false;
   return memory.straight_faces->flip(connectivity_, positions(), e);
-}
-
-// Whether the faces beside an edge are worth to be laid out when it is flipped, since to do that later, for its
-// successors, would take longer. Most hinges of ordinary surfaces are not; images in finite fields are so slow that
-// they are carried for close calls alone.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-bool Exact_engine::is_long_hinge(const Hinge_halfedges& around) const
-{
-  if (!correspondence().is_prepared() || memory_->images)
-    return false;
-  std::int64_t number_of_crossings = 0;
-  for (Halfedge_index h : {around.jk, around.ki, around.il, around.lj})
-    number_of_crossings += correspondence().coordinates().number_of_crossings(connectivity_.edge(h));
-  return number_of_crossings > long_hinge;
 }
 
 // A face within one face of the input is straight, whatever the flips before.

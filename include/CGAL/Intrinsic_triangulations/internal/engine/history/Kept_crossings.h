@@ -61,17 +61,26 @@ public:
   // What only speeds up queries is not copied.
   Kept_crossings(const Kept_crossings&) {}
   Kept_crossings(Kept_crossings&& other) noexcept
-    : table_(other.table_.exchange(nullptr)), total_(other.total_.exchange(0))
+    : table_(other.table_.exchange(nullptr)), total_(other.total_.exchange(0)),
+      are_all_found_(other.are_all_found_.exchange(false))
   {}
   Kept_crossings& operator=(Kept_crossings other) noexcept
   {
     other.table_ = table_.exchange(other.table_);
     other.total_ = total_.exchange(other.total_);
+    other.are_all_found_ = are_all_found_.exchange(other.are_all_found_);
     return *this;
   }
   ~Kept_crossings() { clear(); }
 
   bool is_empty() const { return table_.load(std::memory_order_relaxed) == nullptr; }
+
+  // Whether one by one so many were kept that it is time to find those of all edges. True once, for one thread.
+  bool is_time_for_all(std::size_t number_of_edges) const
+  {
+    return total_.load(std::memory_order_relaxed) > number_of_edges &&
+           !are_all_found_.load(std::memory_order_relaxed) && !are_all_found_.exchange(true);
+  }
 
   // Those of h, which crosses n input edges, if they are kept.
   std::optional<Crossed_range> find(Halfedge_index h, std::size_t n) const
@@ -191,6 +200,7 @@ public:
       delete table;
     }
     total_ = 0;
+    are_all_found_ = false;
   }
 
 private:
@@ -297,6 +307,7 @@ private:
 
   mutable std::atomic<Table*> table_{nullptr};
   mutable std::atomic<std::size_t> total_{0};
+  mutable std::atomic<bool> are_all_found_{false};
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
