@@ -15,9 +15,12 @@
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_fallback.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Long_crossings.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Level_line.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Parallel_folds.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Vertex_positions.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
@@ -311,7 +314,7 @@ TEST(Long_strips, points_are_proven_to_lie_on_lines_across_parallel_folds)
   ASSERT_EQ(t.number_of_crossings(t.connectivity().edge(h)), 2 * (n - 1));
   const auto& engine = IT::internal::engine(t);
   const auto surface = engine.input_surface();
-  IT::internal::Level_line level(t.connectivity(), engine.correspondence(), *surface);
+  IT::internal::Parallel_folds level(t.connectivity(), engine.correspondence(), *surface);
   const IT::internal::Vertex_positions::Inserted none;
   const IT::internal::Vertex_positions positions(t.input(), engine.metric().points(),
                                                  engine.correspondence().locations(), none);
@@ -321,6 +324,100 @@ TEST(Long_strips, points_are_proven_to_lie_on_lines_across_parallel_folds)
     EXPECT_FALSE(level.contains(h, positions, above));
     EXPECT_EQ(engine.side_of(h, 2 * i, on_line), CGAL::ZERO);
     EXPECT_EQ(engine.side_of(h, 2 * i, above), CGAL::POSITIVE);
+  }
+}
+
+// Two segments in the outermost rectangles of a high folded strip, along the folds: from `low` to `high`, as parts of its
+// height.
+struct Trapezoid
+{
+  double low_left, high_left, low_right, high_right;
+};
+
+// How many edges between the corners are proven to be a tie as that of a trapezoid, once all are Delaunay.
+std::size_t number_of_ties_along_folds(const Trapezoid& corners, IT::Stage_counts& stages)
+{
+  double length = 0;
+  Surface strip = folded_strip(24, length);
+  for (Point& p : strip.points)
+    p[2] *= 16;
+  Triangulation t = triangulation_of(strip);
+  t.set_tie_proof(IT::Tie_proof::PROVEN);
+  const auto insert = [&](std::uint32_t rectangle, double part_of_width, double part_of_height) {
+    // In the lower triangle, whose corners are on the left, on the right, and above that.
+    const IT::Halfedge_index h = t.input().halfedge(IT::Face_index(2 * rectangle));
+    IT::insert_vertex(t, {h, {1 - part_of_width, part_of_width - part_of_height, part_of_height}});
+  };
+  insert(0, 0.75, corners.low_left);
+  insert(0, 0.75, corners.high_left);
+  insert(23, 0.625, corners.low_right);
+  insert(23, 0.625, corners.high_right);
+  IT::flip_to_Delaunay(t);
+  stages = t.stage_counts();
+  EXPECT_TRUE(IT::verify_Delaunay(t).is_Delaunay());
+  const IT::Delta_complex& complex = t.connectivity();
+  const auto& engine = IT::internal::engine(t);
+  const auto surface = engine.input_surface();
+  std::size_t result = 0;
+  for (IT::Edge_index e : complex.edges())
+    if (!complex.is_border(e) &&
+        IT::internal::Parallel_folds(complex, engine.correspondence(), *surface).is_trapezoid(e)) {
+      EXPECT_GT(t.number_of_crossings(e), 40);
+      IT::internal::Mpfr_metric metric(*surface, {1024});
+      const auto [k, l] =
+        unfolded_corners(IT::internal::Unfolding<IT::internal::Mpfr_metric>(complex, engine.correspondence(), metric),
+                         IT::internal::corners_beside(complex, e));
+      const IT::internal::Mpfr_interval sum = k.p * l.four_areas + l.p * k.four_areas;
+      EXPECT_LT((std::max)(std::abs(sum.lower_double()), std::abs(sum.upper_double())), 1e-200);
+      ++result;
+    }
+  return result;
+}
+
+// In 24 planes, whose widths are independent roots.
+TEST(Long_strips, trapezoids_along_parallel_folds_are_proven_to_be_ties)
+{
+  IT::Stage_counts stages;
+  for (const Trapezoid& corners : {Trapezoid{0.4375, 0.5, 0.4375, 0.5}, Trapezoid{0.4375, 0.5, 0.453125, 0.484375}}) {
+    EXPECT_EQ(number_of_ties_along_folds(corners, stages), 1u);
+    EXPECT_GT(stages[IT::Stage::CONGRUENCE], 0u);
+    EXPECT_EQ(stages[IT::Stage::MODULAR], 0u);
+  }
+  for (double difference : {0x1p-10, -0x1p-50}) {
+    EXPECT_EQ(number_of_ties_along_folds({0.4375, 0.5, 0.4375, 0.5 + difference}, stages), 0u);
+    EXPECT_EQ(number_of_ties_along_folds({0.4375, 0.5, 0.4375 + difference, 0.5 + difference}, stages), 0u);
+  }
+}
+
+// In space, edges that wind once around a tube seem to run along its folds.
+TEST(Long_strips, parallelograms_that_wind_around_a_tube_are_no_trapezoids)
+{
+  Surface tube;
+  for (double z : {0., 1.})
+    for (const auto& [x, y] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)})
+      tube.points.push_back({double(x), double(y), z});
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    const std::uint32_t next = (i + 1) % 4;
+    tube.triangles.push_back({i, next, 4 + next});
+    tube.triangles.push_back({i, 4 + next, 4 + i});
+  }
+  Triangulation t = triangulation_of(tube);
+  const IT::Delta_complex& complex = t.connectivity();
+  std::array<std::vector<IT::Edge_index>, 2> by_winding; // by 0 and by 1 of 4 sides; a flip adds 2
+  for (IT::Edge_index e : complex.edges())
+    if (!complex.is_border(e)) {
+      const IT::Halfedge_index h = complex.halfedge(e);
+      by_winding[complex.source(h).idx() % 4 == complex.target(h).idx() % 4 ? 0 : 1].push_back(e);
+    }
+  for (int winding = 0; winding < 5; ++winding) {
+    ASSERT_EQ(by_winding[winding % 2].size(), 4u);
+    for (IT::Edge_index e : by_winding[winding % 2])
+      ASSERT_EQ(t.flip(e), Triangulation::Flip_outcome::FLIPPED);
+    const auto& engine = IT::internal::engine(t);
+    const auto surface = engine.input_surface();
+    IT::internal::Parallel_folds folds(complex, engine.correspondence(), *surface);
+    for (IT::Edge_index e : complex.edges())
+      EXPECT_FALSE(!complex.is_border(e) && folds.is_trapezoid(e)) << winding;
   }
 }
 
@@ -355,7 +452,7 @@ bool is_proven_to_be_straight(const Surface& surface)
       (complex.is_border(h) ? left : right) = h;
   const auto& geometry = IT::internal::engine(t);
   const auto input = geometry.input_surface();
-  return IT::internal::Level_line(complex, geometry.correspondence(), *input)(right, left);
+  return IT::internal::Parallel_folds(complex, geometry.correspondence(), *input).are_level(right, left);
 }
 
 TEST(Long_strips, lines_are_not_proven_to_be_straight_where_they_bend)

@@ -10,7 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Level_line.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Parallel_folds.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
 
 #include <string>
@@ -43,7 +43,7 @@ public:
   {
     const Halfedge_index from = complex_.prev(corners_[first].opposite),
                          to = complex_.opposite(complex_.next(corners_[last - 1].opposite));
-    return Level_line(complex_, engine_.correspondence(), *surface_)(from, to);
+    return Parallel_folds(complex_, engine_.correspondence(), *surface_).are_level(from, to);
   }
 
 private:

@@ -15,7 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_fallback.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Sign_in_plane.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Level_line.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Parallel_folds.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Vertex_positions.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/corner_signs.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
@@ -295,7 +295,7 @@ Sign Exact_engine::side_of(Halfedge_index h, std::int64_t position, const Surfac
   }
   return exact_sign(
     *surface, area_beside, [&] { return "that a point lies on edge " + std::to_string(connectivity_.edge(h).idx()); },
-    [&] { return Level_line(connectivity_, correspondence(), *surface).contains(h, positions(), point); });
+    [&] { return Parallel_folds(connectivity_, correspondence(), *surface).contains(h, positions(), point); });
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -16,7 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Level_line.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Parallel_folds.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Mirror_symmetry.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/corner_signs.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
@@ -68,7 +68,9 @@ public:
       const auto c = unfolded_corners(unfolding(metric), corners);
       return c.k.p * c.l.four_areas + c.l.p * c.k.four_areas;
     };
-    if (is_level(corners))
+    if (is_level(corners) ||
+        (is_edge(corners) &&
+         Parallel_folds(complex_, correspondence_, surface_).is_trapezoid(complex_.edge(corners.opposite_to_k))))
       return decided({ZERO, Stage::CONGRUENCE}, corners);
     const auto is_symmetric = [&] {
       return is_edge(corners) &&
@@ -202,7 +204,8 @@ private:
     for (const auto& [g, h] : {std::pair(corners.opposite_to_k, corners.opposite_to_l),
                                std::pair(corners.opposite_to_l, corners.opposite_to_k)})
       if (complex_.opposite(complex_.next(g)) == complex_.prev(h))
-        return Level_line(complex_, correspondence_, surface_)(complex_.prev(g), complex_.opposite(complex_.next(h)));
+        return Parallel_folds(complex_, correspondence_, surface_)
+          .are_level(complex_.prev(g), complex_.opposite(complex_.next(h)));
     return false;
   }
 

@@ -3,10 +3,10 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Proofs that two edges, or an edge and a point, lie on one straight line across parallel folds.
+// Proofs across parallel folds, without a root: that points lie on one straight line, or on one circle.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_LEVEL_LINE_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_LEVEL_LINE_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_PARALLEL_FOLDS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_PARALLEL_FOLDS_H
 
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
@@ -21,6 +21,8 @@
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -32,15 +34,18 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // the coordinate of its points along u. So if a and b are level with v, which is to say (a − v)·u = (b − v)·u = 0, then
 // va and vb are perpendicular to u in the plane of the unfolding, and the angle between them is a multiple of π: on
 // cylinders, prisms and folded plates, whatever lies between, without a root.
-class Level_line
+//
+// Two segments along u with midpoints that are level are the bases of an isosceles trapezoid, whose corners lie on one
+// circle: an edge between them is a tie.
+class Parallel_folds
 {
 public:
-  Level_line(const Delta_complex& complex, const Correspondence& correspondence, Input_surface& surface)
+  Parallel_folds(const Delta_complex& complex, const Correspondence& correspondence, Input_surface& surface)
     : complex_(complex), correspondence_(correspondence), input_(correspondence.input()), surface_(surface)
   {}
 
   // Whether the angle at their common source, counterclockwise from va to vb, is proven to be a multiple of π.
-  bool operator()(Halfedge_index va, Halfedge_index vb)
+  bool are_level(Halfedge_index va, Halfedge_index vb)
   {
     const Vertex_index v = complex_.source(va), a = complex_.target(va), b = complex_.target(vb);
     if (points().empty() || correspondence_.is_inserted(v) || correspondence_.is_inserted(a) ||
@@ -62,6 +67,19 @@ public:
     const Rational level = scalar_product(u, positions.position(point, rational));
     return level == Rational(scalar_product(u, positions.position(complex_.source(h), rational))) &&
            level == Rational(scalar_product(u, positions.position(complex_.target(h), rational)));
+  }
+
+  // Whether the hinge of an edge that has two faces is proven to be an isosceles trapezoid whose bases run along the
+  // folds.
+  bool is_trapezoid(Edge_index e)
+  {
+    fold_.reset();
+    const Hinge_halfedges around = complex_.hinge(e);
+    if (points().empty() || !folds_along_are_parallel(around.ij) || !fold_)
+      return false;
+    const std::array<Halfedge_index, 4> sides{around.il, around.lj, around.jk, around.ki};
+    return (are_level_bases(sides[0], sides[2]) || are_level_bases(sides[1], sides[3])) &&
+           std::all_of(sides.begin(), sides.end(), [&](Halfedge_index h) { return crossed_folds_are_parallel(h); });
   }
 
 private:
@@ -98,6 +116,46 @@ private:
       if (!is_parallel_fold(crossed[i]))
         return false;
     return true;
+  }
+
+  // Those that h crosses, or that which it coincides with.
+  bool folds_along_are_parallel(Halfedge_index h)
+  {
+    return correspondence_.coordinates().is_original(complex_.edge(h))
+             ? is_parallel_fold(correspondence_.input_halfedge(h))
+             : crossed_folds_are_parallel(h);
+  }
+
+  // Whether two edges run along the first fold, in planes that they do not leave, with midpoints at one level.
+  bool are_level_bases(Halfedge_index g, Halfedge_index h) const
+  {
+    static const Vertex_positions::Inserted none; // as exact positions are computed
+    const Vertex_positions positions(input_, points(), correspondence_.locations(), none);
+    const auto u = difference<Rational>(points(), fold_->first, fold_->second);
+    Rational levels[2];
+    for (int i = 0; i < 2; ++i) {
+      const Halfedge_index side = i == 0 ? g : h;
+      const auto position = [&](Halfedge_index at) {
+        return positions.position(complex_.source(at), [](double x) { return Rational(x); });
+      };
+      const auto p = position(side), q = position(complex_.opposite(side));
+      const Vector_3<Rational> along{q[0] - p[0], q[1] - p[1], q[2] - p[2]}, normal = cross_product(u, along);
+      if (scalar_product(along, along) == 0 || scalar_product(normal, normal) != 0 || crosses_fold(side))
+        return false;
+      levels[i] = scalar_product(u, p) + scalar_product(u, q);
+    }
+    return levels[0] == levels[1];
+  }
+
+  bool crosses_fold(Halfedge_index h) const
+  {
+    if (correspondence_.coordinates().number_of_crossings(complex_.edge(h)) == 0)
+      return false;
+    const Crossed_halfedges crossed(complex_, correspondence_, h, surface_.interruption());
+    for (std::size_t i = 0; i < crossed.size(); ++i)
+      if (!surface_.is_flat(crossed[i]))
+        return true;
+    return false;
   }
 
   // The first fold gives the direction.
@@ -147,4 +205,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_LEVEL_LINE_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_PARALLEL_FOLDS_H
