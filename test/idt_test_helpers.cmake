@@ -12,7 +12,7 @@ function(idt_precompile_headers target)
   endif()
 endfunction()
 
-# Compiles with less optimization: -O1 in two thirds of the time; -O0, which the preset `sanitize` sets, in a third.
+# Compiles with less optimization: -O1 in two thirds of the time; -O0, which the presets `day` and `sanitize` set, in a third.
 set(INTRINSIC_TRIANGULATIONS_TEST_OPTIMIZATION "$<$<CONFIG:Release>:-O1>" CACHE STRING "The compiler's option for the optimization of tests")
 function(idt_compile_quickly target)
   target_compile_options(${target} PRIVATE
