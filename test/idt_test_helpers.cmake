@@ -74,7 +74,7 @@ function(add_idt_test name)
     # GCC takes each of these sources for a header, where a fixture in a namespace without a name would be wrong.
     target_compile_options(${name} PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
   endif()
-  if(arg_OPTIMIZE)
+  if(arg_OPTIMIZE AND INTRINSIC_TRIANGULATIONS_NIGHT_TESTS)
     target_compile_options(${name} PRIVATE $<$<AND:$<CONFIG:Release>,$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>>:-O1>)
   else()
     idt_compile_quickly(${name})
