@@ -42,16 +42,17 @@ if(CMAKE_CROSSCOMPILING AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
 endif()
 
 # add_idt_test(NAME SOURCE... [SANITIZE] [SANITIZE_AT_NIGHT] [THREADS] [LIBRARIES TARGET...] [DEFINITIONS DEF...]
-#              [PREFIX PREFIX] [OPTIMIZE] [TOGETHER] [NIGHT])
+#              [PREFIX PREFIX] [OPTIMIZE] [OPTIMIZE_BY_DAY] [TOGETHER] [NIGHT])
 #
 # One GoogleTest executable, each of whose cases is a test of its own in CTest.
 # SANITIZE marks a test that the sanitizer lane of .ci/run builds and runs; SANITIZE_AT_NIGHT one that `scripts/test --all` runs, as it
 # takes long there, or computes much with numbers and little with memory; THREADS one that has several threads, for the preset
-# `thread-sanitize`. OPTIMIZE keeps -O1 under the sanitizers: for a test that computes for longer than its compilation takes, or
-# has more names than fit into an object file of Windows without optimization. TOGETHER compiles all sources as one, which takes half of
-# the time: most of it goes into what they include. NIGHT marks a test that rarely tells what others do not: the preset `day` leaves it out.
+# `thread-sanitize`. OPTIMIZE keeps -O1 under the sanitizers: for a test that computes for longer there than its compilation takes, or
+# has more names than fit into an object file of Windows without optimization. OPTIMIZE_BY_DAY keeps it in every preset: without it,
+# such a test would compute for minutes. TOGETHER compiles all sources as one, which takes half of the time:
+# most of it goes into what they include. NIGHT marks a test that rarely tells what others do not: the preset `day` leaves it out.
 function(add_idt_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "SANITIZE;SANITIZE_AT_NIGHT;THREADS;OPTIMIZE;TOGETHER;NIGHT" "PREFIX" "LIBRARIES;DEFINITIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SANITIZE;SANITIZE_AT_NIGHT;THREADS;OPTIMIZE;OPTIMIZE_BY_DAY;TOGETHER;NIGHT" "PREFIX" "LIBRARIES;DEFINITIONS")
   if(arg_NIGHT AND NOT INTRINSIC_TRIANGULATIONS_NIGHT_TESTS)
     return()
   endif()
@@ -74,7 +75,7 @@ function(add_idt_test name)
     # GCC takes each of these sources for a header, where a fixture in a namespace without a name would be wrong.
     target_compile_options(${name} PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
   endif()
-  if(arg_OPTIMIZE AND INTRINSIC_TRIANGULATIONS_NIGHT_TESTS)
+  if(arg_OPTIMIZE_BY_DAY OR (arg_OPTIMIZE AND INTRINSIC_TRIANGULATIONS_NIGHT_TESTS))
     target_compile_options(${name} PRIVATE $<$<AND:$<CONFIG:Release>,$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>>:-O1>)
   else()
     idt_compile_quickly(${name})
@@ -109,16 +110,16 @@ function(add_idt_test name)
 endfunction()
 
 # add_idt_number_type_tests(NAME BODY NUMBER_TYPE... [SANITIZE_TYPES NUMBER_TYPE...]
-#                           [NIGHT_TYPES NUMBER_TYPE...] [options of add_idt_test])
+#                           [options of add_idt_test])
 #
 # The tests in the header BODY, once for each number type: one executable
 # NAME_<number type> from one generated source, so that these compile apart. The
 # header uses the type `Number_type`, which number_types/<number type>.h defines.
-# With SANITIZE_TYPES, the sanitizer lane takes the tests of those types; those of NIGHT_TYPES are for a night.
+# With SANITIZE_TYPES, the sanitizer lane takes the tests of those types.
 function(add_idt_number_type_tests name body)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "SANITIZE_TYPES;NIGHT_TYPES;LIBRARIES;DEFINITIONS")
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "SANITIZE_TYPES;LIBRARIES;DEFINITIONS")
   get_filename_component(body ${body} ABSOLUTE)
-  foreach(number_type IN LISTS arg_UNPARSED_ARGUMENTS arg_NIGHT_TYPES)
+  foreach(number_type IN LISTS arg_UNPARSED_ARGUMENTS)
     set(number_type_header
       ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/number_types/${number_type}.h)
     if(NOT EXISTS ${number_type_header})
@@ -130,9 +131,6 @@ function(add_idt_number_type_tests name body)
     set(options)
     if(number_type IN_LIST arg_SANITIZE_TYPES)
       list(APPEND options SANITIZE)
-    endif()
-    if(number_type IN_LIST arg_NIGHT_TYPES)
-      list(APPEND options NIGHT)
     endif()
     add_idt_test(${name}_${number_type} ${source} ${options}
       PREFIX "${number_type}."
