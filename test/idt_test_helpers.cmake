@@ -42,17 +42,17 @@ if(CMAKE_CROSSCOMPILING AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
 endif()
 
 # add_idt_test(NAME SOURCE... [SANITIZE] [SANITIZE_AT_NIGHT] [THREADS] [LIBRARIES TARGET...] [DEFINITIONS DEF...]
-#              [PREFIX PREFIX] [OPTIMIZE] [TOGETHER] [NIGHT] [NIGHT_CASES CASE...])
+#              [PREFIX PREFIX] [OPTIMIZE] [OPTIMIZE_BY_DAY] [TOGETHER] [NIGHT] [NIGHT_CASES CASE...])
 #
 # One GoogleTest executable, each of whose cases is a test of its own in CTest.
 # SANITIZE marks a test that the sanitizer lane of .ci/run builds and runs; SANITIZE_AT_NIGHT one that `scripts/test --all` runs, as it
 # takes long there, or computes much with numbers and little with memory; THREADS one that has several threads, for the preset
 # `thread-sanitize`. OPTIMIZE keeps -O1 under the sanitizers: for a test that computes for longer there than its compilation takes, or
-# has more names than fit into an object file of Windows without optimization. TOGETHER compiles all sources as one, which takes half of
-# the time: most of it goes into what they include. NIGHT marks a test that rarely tells what others do not: the preset `day` leaves it
-# out, or those of NIGHT_CASES, which compute for long.
+# has more names than fit into an object file of Windows without optimization; OPTIMIZE_BY_DAY does so in every preset. TOGETHER compiles
+# all sources as one, which takes half of the time: most of it goes into what they include. NIGHT marks a test that rarely tells what others
+# do not: the preset `day` leaves it out, or those of NIGHT_CASES, which compute for long.
 function(add_idt_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "SANITIZE;SANITIZE_AT_NIGHT;THREADS;OPTIMIZE;TOGETHER;NIGHT" "PREFIX" "LIBRARIES;DEFINITIONS;NIGHT_CASES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SANITIZE;SANITIZE_AT_NIGHT;THREADS;OPTIMIZE;OPTIMIZE_BY_DAY;TOGETHER;NIGHT" "PREFIX" "LIBRARIES;DEFINITIONS;NIGHT_CASES")
   if(arg_NIGHT AND NOT INTRINSIC_TRIANGULATIONS_NIGHT_TESTS)
     return()
   endif()
@@ -75,7 +75,7 @@ function(add_idt_test name)
     # GCC takes each of these sources for a header, where a fixture in a namespace without a name would be wrong.
     target_compile_options(${name} PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
   endif()
-  if(arg_OPTIMIZE AND INTRINSIC_TRIANGULATIONS_NIGHT_TESTS)
+  if(arg_OPTIMIZE_BY_DAY OR (arg_OPTIMIZE AND INTRINSIC_TRIANGULATIONS_NIGHT_TESTS))
     target_compile_options(${name} PRIVATE $<$<AND:$<CONFIG:Release>,$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>>:-O1>)
   else()
     idt_compile_quickly(${name})
