@@ -123,7 +123,7 @@ endfunction()
 # header uses the type `Number_type`, which number_types/<number type>.h defines.
 # With SANITIZE_TYPES, the sanitizer lane takes the tests of those types.
 function(add_idt_number_type_tests name body)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "SANITIZE_TYPES;LIBRARIES;DEFINITIONS")
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "SANITIZE_TYPES;LIBRARIES;DEFINITIONS;NIGHT_CASES")
   get_filename_component(body ${body} ABSOLUTE)
   foreach(number_type IN LISTS arg_UNPARSED_ARGUMENTS)
     set(number_type_header
@@ -141,6 +141,7 @@ function(add_idt_number_type_tests name body)
     add_idt_test(${name}_${number_type} ${source} ${options}
       PREFIX "${number_type}."
       LIBRARIES ${arg_LIBRARIES}
-      DEFINITIONS ${arg_DEFINITIONS})
+      DEFINITIONS ${arg_DEFINITIONS}
+      NIGHT_CASES ${arg_NIGHT_CASES})
   endforeach()
 endfunction()
