@@ -12,7 +12,7 @@ function(idt_precompile_headers target)
   endif()
 endfunction()
 
-# Compiles with less optimization: -O1 in two thirds of the time; -O0, which the preset `sanitize` sets, in a third.
+# Compiles with less optimization: -O1 in two thirds of the time; -O0, which the presets `day` and `sanitize` set, in a third.
 set(INTRINSIC_TRIANGULATIONS_TEST_OPTIMIZATION "$<$<CONFIG:Release>:-O1>" CACHE STRING "The compiler's option for the optimization of tests")
 function(idt_compile_quickly target)
   target_compile_options(${target} PRIVATE
@@ -42,16 +42,20 @@ if(CMAKE_CROSSCOMPILING AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
 endif()
 
 # add_idt_test(NAME SOURCE... [SANITIZE] [SANITIZE_AT_NIGHT] [THREADS] [LIBRARIES TARGET...] [DEFINITIONS DEF...]
-#              [PREFIX PREFIX] [OPTIMIZE] [TOGETHER])
+#              [PREFIX PREFIX] [OPTIMIZE] [OPTIMIZE_BY_DAY] [TOGETHER] [NIGHT] [NIGHT_CASES CASE...])
 #
 # One GoogleTest executable, each of whose cases is a test of its own in CTest.
 # SANITIZE marks a test that the sanitizer lane of .ci/run builds and runs; SANITIZE_AT_NIGHT one that `scripts/test --all` runs, as it
 # takes long there, or computes much with numbers and little with memory; THREADS one that has several threads, for the preset
-# `thread-sanitize`. OPTIMIZE keeps -O1 under the sanitizers: for a test that computes for longer than its compilation takes, or
-# has more names than fit into an object file of Windows without optimization. TOGETHER compiles all sources as one, which takes half of
-# the time: most of it goes into what they include.
+# `thread-sanitize`. OPTIMIZE keeps -O1 under the sanitizers: for a test that computes for longer there than its compilation takes, or
+# has more names than fit into an object file of Windows without optimization; OPTIMIZE_BY_DAY does so in every preset. TOGETHER compiles
+# all sources as one, which takes half of the time: most of it goes into what they include. NIGHT marks a test that rarely tells what others
+# do not: the preset `day` leaves it out, or those of NIGHT_CASES, which compute for long.
 function(add_idt_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "SANITIZE;SANITIZE_AT_NIGHT;THREADS;OPTIMIZE;TOGETHER" "PREFIX" "LIBRARIES;DEFINITIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SANITIZE;SANITIZE_AT_NIGHT;THREADS;OPTIMIZE;OPTIMIZE_BY_DAY;TOGETHER;NIGHT" "PREFIX" "LIBRARIES;DEFINITIONS;NIGHT_CASES")
+  if(arg_NIGHT AND NOT INTRINSIC_TRIANGULATIONS_NIGHT_TESTS)
+    return()
+  endif()
   get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
   set_property(DIRECTORY PROPERTY LABELS ${folder})
 
@@ -71,7 +75,7 @@ function(add_idt_test name)
     # GCC takes each of these sources for a header, where a fixture in a namespace without a name would be wrong.
     target_compile_options(${name} PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
   endif()
-  if(arg_OPTIMIZE)
+  if(arg_OPTIMIZE_BY_DAY OR (arg_OPTIMIZE AND INTRINSIC_TRIANGULATIONS_NIGHT_TESTS))
     target_compile_options(${name} PRIVATE $<$<AND:$<CONFIG:Release>,$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>>:-O1>)
   else()
     idt_compile_quickly(${name})
@@ -98,8 +102,14 @@ function(add_idt_test name)
   if(arg_PREFIX)
     set(prefix TEST_PREFIX ${arg_PREFIX})
   endif()
+  set(filter)
+  if(arg_NIGHT_CASES AND NOT INTRINSIC_TRIANGULATIONS_NIGHT_TESTS)
+    list(JOIN arg_NIGHT_CASES ":" cases)
+    set(filter TEST_FILTER "-${cases}")
+  endif()
   gtest_discover_tests(${name}
     ${prefix}
+    ${filter}
     DISCOVERY_MODE PRE_TEST
     DISCOVERY_TIMEOUT 120
     PROPERTIES ${label} TIMEOUT ${test_timeout})
@@ -113,7 +123,7 @@ endfunction()
 # header uses the type `Number_type`, which number_types/<number type>.h defines.
 # With SANITIZE_TYPES, the sanitizer lane takes the tests of those types.
 function(add_idt_number_type_tests name body)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "SANITIZE_TYPES;LIBRARIES;DEFINITIONS")
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "SANITIZE_TYPES;LIBRARIES;DEFINITIONS;NIGHT_CASES")
   get_filename_component(body ${body} ABSOLUTE)
   foreach(number_type IN LISTS arg_UNPARSED_ARGUMENTS)
     set(number_type_header
@@ -131,6 +141,7 @@ function(add_idt_number_type_tests name body)
     add_idt_test(${name}_${number_type} ${source} ${options}
       PREFIX "${number_type}."
       LIBRARIES ${arg_LIBRARIES}
-      DEFINITIONS ${arg_DEFINITIONS})
+      DEFINITIONS ${arg_DEFINITIONS}
+      NIGHT_CASES ${arg_NIGHT_CASES})
   endforeach()
 endfunction()

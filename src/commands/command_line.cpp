@@ -160,7 +160,7 @@ CLI::Option* set_words(CLI::Option* option, const std::vector<std::string>& word
     list += (list.empty() ? "{" : ",") + word;
   all_words()[option] = words;
   return option->check(CLI::Validator(
-    [words, are_listed, list](const std::string& value) {
+    [words, list](const std::string& value) {
       if (std::find(words.begin(), words.end(), value) != words.end())
         return std::string();
       const std::string near = suggestion(value, words);
