@@ -21,6 +21,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -36,6 +37,13 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_trait
 Triangulation triangulation(const Surface& surface)
 {
   return {symmetric_surfaces::connectivity(surface), surface.mesh.points};
+}
+
+// From lengths alone, which do not tell that folds are parallel.
+Triangulation triangulation_by_lengths(const Surface& surface)
+{
+  return Triangulation::from_metric(symmetric_surfaces::connectivity(surface),
+                                    IT::metric_from_squared_lengths(symmetric_surfaces::squared_lengths(surface)));
 }
 
 // Its tie has so many roots that an expansion is given up.
@@ -199,15 +207,19 @@ TEST(Tie_proof, a_run_can_be_ended_at_any_question)
 TEST(Tie_proof, a_proof_is_found_or_an_error_says_that_there_is_none)
 {
   for (int strips : {6, 20, 50}) {
-    Triangulation t = triangulation(parallel_folds(strips));
-    EXPECT_EQ(IT::flip_to_Delaunay(t, params::tie_proof(Tie_proof::PROVEN)).status, Flip_status::DELAUNAY);
-    EXPECT_GE(t.stage_counts()[Stage::ALGEBRAIC], 1u);
-    EXPECT_EQ(t.stage_counts()[Stage::MODULAR], 0u);
-    EXPECT_EQ(IT::verify_Delaunay(t).ties, 1u);
+    const Surface surface = parallel_folds(strips);
+    for (const auto& [start, stage] : {std::pair(triangulation_by_lengths(surface), Stage::ALGEBRAIC),
+                                       std::pair(triangulation(surface), Stage::CONGRUENCE)}) {
+      Triangulation t = start;
+      EXPECT_EQ(IT::flip_to_Delaunay(t, params::tie_proof(Tie_proof::PROVEN)).status, Flip_status::DELAUNAY);
+      EXPECT_GE(t.stage_counts()[stage], 1u);
+      EXPECT_EQ(t.stage_counts()[Stage::MODULAR], 0u);
+      EXPECT_EQ(IT::verify_Delaunay(t).ties, 1u);
+    }
   }
   // More roots than a proof can have.
   const Surface surface = parallel_folds(100);
-  Triangulation t = triangulation(surface);
+  Triangulation t = triangulation_by_lengths(surface);
   try {
     IT::flip_to_Delaunay(t, params::tie_proof(Tie_proof::PROVEN));
     ADD_FAILURE() << "no proof was missed";
