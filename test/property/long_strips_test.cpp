@@ -234,8 +234,9 @@ TEST(Long_strips, what_all_edges_cross_is_found_at_once_when_many_are_asked_for)
   for (IT::Edge_index e : edges) {
     lengths.push_back(t.length(e));
     asked_for += t.number_of_crossings(e);
-    if (asked_for < 100)
+    if (asked_for < 100) {
       EXPECT_LT(check_kept_crossings(t), number_of_edges_that_cross / 2);
+    }
   }
   EXPECT_GT(asked_for, 4 * std::int64_t(lengths.size()));
   EXPECT_EQ(check_kept_crossings(t), number_of_edges_that_cross);
