@@ -188,7 +188,7 @@ using Bounded_double_double = With_error<Double_double>;
 using Double_with_bound = With_error<double>;
 
 // The double that a number rounds to, if the bound leaves only one: the same in whatever order the number was computed.
-// Halfway between two doubles it is the larger one, where numbers with few bits often lie.
+// Halfway between two doubles, where numbers with few bits often lie, it is the one that is farther from zero.
 inline std::optional<double> rounded(const Bounded_double_double& a)
 {
   const double lo = a.lo() + 0x1p-75 * a.hi(), error = a.error() + 0x1p-104 * std::abs(a.hi());
