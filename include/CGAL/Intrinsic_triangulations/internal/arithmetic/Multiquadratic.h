@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <unordered_map>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -28,9 +29,14 @@ public:
   // A set of roots.
   using Mask = std::uint64_t;
 
+  static constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
+  static constexpr std::size_t most_roots = 64;
+
   // \param work a bound on the number of terms that are computed; a large one counts more than once
-  Multiquadratic_field(const Interruption& interruption, std::size_t work)
-    : basis_(interruption, 64), interruption_(interruption), work_(work)
+  // \param number_of_roots how many there may be, at most `most_roots`: with none, the field is that of the rationals,
+  //   and other roots throw Too_costly
+  Multiquadratic_field(const Interruption& interruption, std::size_t work, std::size_t number_of_roots = most_roots)
+    : basis_(interruption, number_of_roots), interruption_(interruption), work_(work)
   {}
 
   Square_root_basis& basis() { return basis_; }
@@ -49,8 +55,8 @@ private:
   std::size_t work_;
 };
 
-// A sum of rational multiples of products of roots, each product once, none with
-// coefficient zero: the number is zero exactly if there is no term.
+// A rational number and a sum of rational multiples of products of roots, each product once, none with
+// coefficient zero: so the number is zero exactly if the first is and there is no term.
 class Multiquadratic
 {
   using Mask = Multiquadratic_field::Mask;
@@ -59,15 +65,22 @@ public:
   explicit Multiquadratic(Multiquadratic_field* field = nullptr) : field_(field) {}
   Multiquadratic(Multiquadratic_field* field, Mask mask, const Rational& coefficient) : field_(field)
   {
-    if (coefficient != 0)
-      terms_.emplace(mask, coefficient);
+    add(mask, coefficient);
   }
 
-  bool is_zero() const { return terms_.empty(); }
+  bool is_zero() const { return rational_ == 0 && terms_.empty(); }
+
+  // \pre there are no roots in it
+  const Rational& rational() const
+  {
+    CGAL_precondition(terms_.empty());
+    return rational_;
+  }
 
   friend Multiquadratic operator-(const Multiquadratic& a)
   {
     Multiquadratic r = a.copy();
+    r.rational_ = -r.rational_;
     for (auto& term : r.terms_)
       term.second = -term.second;
     return r;
@@ -75,37 +88,37 @@ public:
   friend Multiquadratic operator+(const Multiquadratic& a, const Multiquadratic& b)
   {
     Multiquadratic r = a.copy();
-    if (!b.is_zero())
+    if (b.field_)
       b.field_->take(b.terms_.size());
-    for (const auto& term : b.terms_)
-      r.add(term.first, term.second);
+    b.for_each_term([&](Mask mask, const Rational& coefficient) { r.add(mask, coefficient); });
     return r;
   }
   friend Multiquadratic operator-(const Multiquadratic& a, const Multiquadratic& b) { return a + -b; }
   friend Multiquadratic operator*(const Multiquadratic& a, const Multiquadratic& b)
   {
     Multiquadratic r(a.field_ ? a.field_ : b.field_);
-    for (const auto& x : a.terms_)
-      for (const auto& y : b.terms_) {
-        Rational coefficient = x.second * y.second;
-        Mask common = x.first & y.first;
+    a.for_each_term([&](Mask of_x, const Rational& x) {
+      b.for_each_term([&](Mask of_y, const Rational& y) {
+        Rational coefficient = x * y;
+        Mask common = of_x & of_y;
         for (std::size_t i = 0; common != 0; ++i, common >>= 1)
           if (common & 1)
             coefficient *= r.field_->basis().generator(i);
         // To cancel its common factors takes time proportional to the square of its size.
         const std::size_t size = mpz_size(mpq_numref(data(coefficient))) + mpz_size(mpq_denref(data(coefficient)));
         r.field_->take(1 + size * size / 256);
-        r.add(x.first ^ y.first, coefficient);
-      }
+        r.add(of_x ^ of_y, coefficient);
+      });
+    });
     return r;
   }
   // The divisor is rational: unfolding divides by input quantities alone.
   friend Multiquadratic operator/(const Multiquadratic& a, const Multiquadratic& b)
   {
-    CGAL_precondition(b.terms_.size() == 1 && b.terms_.begin()->first == 0);
     Multiquadratic r = a.copy();
+    r.rational_ /= b.rational();
     for (auto& term : r.terms_)
-      term.second /= b.terms_.begin()->second;
+      term.second /= b.rational();
     return r;
   }
 
@@ -115,13 +128,26 @@ private:
 
   Multiquadratic copy() const
   {
-    if (!is_zero())
+    if (field_)
       field_->take(terms_.size());
     return *this;
   }
 
+  template <class Visit>
+  void for_each_term(const Visit& visit) const
+  {
+    if (rational_ != 0)
+      visit(0, rational_);
+    for (const auto& [mask, coefficient] : terms_)
+      visit(mask, coefficient);
+  }
+
   void add(Mask mask, const Rational& coefficient)
   {
+    if (mask == 0) {
+      rational_ += coefficient;
+      return;
+    }
     const auto position = terms_.emplace(mask, Rational(0)).first;
     position->second += coefficient;
     if (position->second == 0)
@@ -131,6 +157,7 @@ private:
   }
 
   Multiquadratic_field* field_;
+  Rational rational_;
   std::unordered_map<Mask, Rational> terms_;
 };
 

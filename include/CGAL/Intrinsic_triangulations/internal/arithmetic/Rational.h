@@ -19,6 +19,12 @@ using Rational = boost::multiprecision::number<boost::multiprecision::gmp_ration
 inline mpq_srcptr data(const Rational& x) { return x.backend().data(); }
 inline mpz_srcptr data(const Integer& x) { return x.backend().data(); }
 
+inline bool is_square(const Rational& x)
+{
+  const Integer square = boost::multiprecision::numerator(x) * boost::multiprecision::denominator(x);
+  return mpz_perfect_square_p(data(square)) != 0;
+}
+
 } // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_RATIONAL_H

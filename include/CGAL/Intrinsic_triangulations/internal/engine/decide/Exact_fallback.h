@@ -243,7 +243,7 @@ private:
   bool may_be_rational(Halfedge_index opposite_to_corner) const
   {
     const Face_index f = uncrossed_input_face(complex_, correspondence_, complex_.prev(opposite_to_corner));
-    return Rational_image::has_root(squared_four_areas(surface_.metric(), surface_.connectivity(), f));
+    return is_square(squared_four_areas(surface_.metric(), surface_.connectivity(), f));
   }
 
   template <class Evaluate>

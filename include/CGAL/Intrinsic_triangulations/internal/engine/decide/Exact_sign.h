@@ -76,14 +76,15 @@ private:
     return surface_.accepts_probable_ties() ? few_quantities : Multiquadratic_metric::unlimited;
   }
 
-  // If all roots are rational.
+  // If all roots are rational: in a field that has no others.
   std::optional<Sign> rational_sign() const
   {
     if (!may_be_rational_)
       return std::nullopt;
     try {
-      Rational_metric<Rational_image> metric(surface_, {}, largest_count());
-      return static_cast<Sign>(Rational(evaluate_(metric)).sign());
+      Multiquadratic_field rationals(surface_.interruption(), Multiquadratic_field::unlimited, 0);
+      Multiquadratic_metric metric(surface_, {rationals}, largest_count());
+      return static_cast<Sign>(evaluate_(metric).rational().sign());
     } catch (const Too_costly&) {
       return std::nullopt;
     }

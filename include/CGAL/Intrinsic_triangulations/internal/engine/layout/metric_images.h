@@ -370,7 +370,7 @@ struct Mpfr_image
   long precision;
 };
 
-// The multiquadratic field of the roots that are asked for.
+// The multiquadratic field of the roots that are asked for; without any, the rationals.
 struct Multiquadratic_image
 {
   using Real = Multiquadratic;
@@ -401,32 +401,6 @@ struct Residue_image
   Real rational(const Rational& x) const { return rings.rational(x); }
   Real root(const Rational& x) const { return rings.root(x); }
   Residue_rings& rings;
-};
-
-// The rationals themselves: wherever the roots that are asked for are rational, as on a surface
-// of rectangles, and much faster there than their field.
-struct Rational_image
-{
-  using Real = Rational;
-  using Coordinate = Rational;
-  using Vector = Planar_vector<Real>;
-  Real rational(const Rational& x) const { return x; }
-  Rational coordinate(double x) const { return Rational(x); }
-  Real real(const Rational& x) const { return x; }
-  Real root(const Rational& x) const
-  {
-    if (!has_root(x))
-      throw Too_costly();
-    return Rational(Integer(boost::multiprecision::sqrt(square(x))), boost::multiprecision::denominator(x));
-  }
-  static bool has_root(const Rational& x) { return mpz_perfect_square_p(data(square(x))) != 0; }
-
-private:
-  // x times the square of its denominator
-  static Integer square(const Rational& x)
-  {
-    return boost::multiprecision::numerator(x) * boost::multiprecision::denominator(x);
-  }
 };
 
 using Mpfr_metric = Rational_metric<Mpfr_image>;
