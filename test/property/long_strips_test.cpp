@@ -248,6 +248,24 @@ TEST(Long_strips, what_all_edges_cross_is_found_at_once_when_many_are_asked_for)
   }
 }
 
+// To find what a few edges cross takes less.
+TEST(Long_strips, what_all_edges_cross_is_not_found_for_a_few_of_them)
+{
+  Triangulation t = triangulation_of(samples::sheared_grid(400, 1, 200));
+  IT::flip_to_Delaunay(t);
+  const auto edges = t.connectivity().edges();
+  std::int64_t asked_for = 0;
+  std::size_t number_of_queries = 0;
+  for (auto e = edges.begin(); asked_for < 2 * std::int64_t(edges.size()); ++e)
+    if (t.number_of_crossings(*e) > 100) {
+      t.length(*e);
+      asked_for += t.number_of_crossings(*e);
+      ++number_of_queries;
+    }
+  EXPECT_LT(number_of_queries, 30u);
+  EXPECT_EQ(check_kept_crossings(t), number_of_queries);
+}
+
 // The squared lengths and areas that flips and insertions leave are as good as their bounds say, however they were
 // carried.
 TEST(Long_strips, numbers_that_are_carried_keep_their_bounds)

@@ -183,8 +183,9 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Surface_lease Exact_engine::surface_for_query() const
 {
   prepare();
-  if (correspondence().kept_crossings().is_time_for_all(connectivity_.number_of_edges()))
-    Long_crossings(connectivity_, correspondence(), decisions().interruption).keep();
+  Long_crossings all(connectivity_, correspondence(), decisions().interruption);
+  if (correspondence().kept_crossings().is_time_for_all(connectivity_.number_of_edges(), [&] { return all.number(); }))
+    all.keep();
   return input_surface();
 }
 
