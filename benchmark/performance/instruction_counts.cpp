@@ -18,6 +18,8 @@
 
 #include <boost/config.hpp>
 
+#include <array>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 
@@ -53,6 +55,14 @@ int main(int argc, char** argv)
   else if (is("ties")) {
     const Mesh grid = mesh_of(samples::random_diagonal_grid(100, 100, 1, 3));
     result = counted([&] { return triangulate<Filtered>(grid).report.tests; });
+  } else if (is("one_tie")) { // the first edge that is tested
+    samples::Indexed_triangles surface = samples::bad_torus(100, 100);
+    const auto i = std::uint32_t(surface.points.size()), j = i + 1, k = i + 2, l = i + 3;
+    for (const auto& [x, y, z] : {std::array{4, 0, 0}, std::array{8, 0, 0}, std::array{6, 2, 0}, std::array{6, 0, 2}})
+      surface.points.push_back({double(x), double(y), double(z)});
+    surface.triangles.insert(surface.triangles.begin(), {{i, j, k}, {j, i, l}});
+    const Mesh mesh = mesh_of(surface);
+    result = counted([&] { return triangulate<Filtered>(mesh).report.flips; });
   } else if (is("pillow")) {
     const Mesh pillow = mesh_of(samples::pillow(300));
     result = counted([&] { return triangulate<Filtered>(pillow).report.flips; });
@@ -69,7 +79,7 @@ int main(int argc, char** argv)
     const auto t = triangulate<Filtered>(torus).triangulation;
     result = counted([&] { return std::size_t(IT::stiffness_matrix(t).nonZeros()); });
   } else {
-    std::fprintf(stderr, "usage: instruction_counts double|exact|ties|pillow|overlay|positions|stiffness\n");
+    std::fprintf(stderr, "usage: instruction_counts double|exact|ties|one_tie|pillow|overlay|positions|stiffness\n");
     return 2;
   }
   std::printf("%zu\n", result); // so that nothing is optimized away

@@ -248,6 +248,24 @@ TEST(Long_strips, what_all_edges_cross_is_found_at_once_when_many_are_asked_for)
   }
 }
 
+// To find what a few edges cross takes less.
+TEST(Long_strips, what_all_edges_cross_is_not_found_for_a_few_of_them)
+{
+  Triangulation t = triangulation_of(samples::sheared_grid(400, 1, 200));
+  IT::flip_to_Delaunay(t);
+  const auto edges = t.connectivity().edges();
+  std::int64_t asked_for = 0;
+  std::size_t number_of_queries = 0;
+  for (auto e = edges.begin(); asked_for < 2 * std::int64_t(edges.size()); ++e)
+    if (t.number_of_crossings(*e) > 100) {
+      t.length(*e);
+      asked_for += t.number_of_crossings(*e);
+      ++number_of_queries;
+    }
+  EXPECT_LT(number_of_queries, 30u);
+  EXPECT_EQ(check_kept_crossings(t), number_of_queries);
+}
+
 // The squared lengths and areas that flips and insertions leave are as good as their bounds say, however they were
 // carried.
 TEST(Long_strips, numbers_that_are_carried_keep_their_bounds)
@@ -420,6 +438,40 @@ TEST(Long_strips, parallelograms_that_wind_around_a_tube_are_no_trapezoids)
     for (IT::Edge_index e : complex.edges())
       EXPECT_FALSE(!complex.is_border(e) && folds.is_trapezoid(e)) << winding;
   }
+}
+
+// What crosses a hinge may be laid out although its diagonal crosses too many input edges. On a tetrahedron of four
+// congruent faces, all hinges are convex.
+TEST(Long_strips, diagonals_that_cross_too_many_input_edges_are_not_asked_for_folds)
+{
+  const Surface tetrahedron{{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
+                            {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
+  IT::Delta_complex complex = triangulation_of(tetrahedron).connectivity();
+  IT::internal::Correspondence correspondence;
+  correspondence.prepare(complex);
+  std::array<std::vector<IT::Edge_index>, 3> opposite_edges; // one of two is at vertex 0
+  for (IT::Edge_index e : complex.edges()) {
+    const std::uint32_t i = complex.source(complex.halfedge(e)).idx(), j = complex.target(complex.halfedge(e)).idx();
+    opposite_edges[i == 0 || j == 0 ? i + j - 1 : 5 - i - j].push_back(e);
+  }
+  const auto number_of_crossings = [&](IT::Edge_index e) {
+    return correspondence.coordinates().number_of_crossings(e);
+  };
+  IT::Edge_index last;
+  for (std::size_t i = 0; i == 0 || number_of_crossings(last) <= IT::internal::Crossing_sequence::largest_number; ++i)
+    for (IT::Edge_index e : opposite_edges[i % 3]) {
+      const IT::Hinge_halfedges around = complex.hinge(e);
+      correspondence.flip(complex, around);
+      complex.flip(around);
+      last = e;
+    }
+  for (IT::Halfedge_index side : {complex.hinge(last).jk, complex.hinge(last).ki})
+    EXPECT_LE(number_of_crossings(complex.edge(side)), IT::internal::Crossing_sequence::largest_number);
+  const IT::Input_metric metric = IT::Input_metric::from_points({tetrahedron.points.begin(), tetrahedron.points.end()});
+  const IT::internal::Decisions decisions;
+  IT::internal::Input_properties properties(correspondence.input(), metric);
+  IT::internal::Input_surface surface(correspondence.input(), metric, decisions, properties);
+  EXPECT_FALSE(IT::internal::Parallel_folds(complex, correspondence, surface).is_trapezoid(last));
 }
 
 // Two edges are left at a vertex, so that the sum of two corners is that of all angles: nearly π, but for the last

@@ -95,6 +95,7 @@ struct Exact_engine::Memory
   Developed_faces developed_faces;
   std::optional<Developed_faces::Whole> split_face; // the last one, until its parts are measured
   std::vector<bool> is_close_call;                  // a test took more than double since the last flip of the edge
+  std::size_t spare_layouts = 0;                    // so many flips may lay out short hinges
 
   std::unique_ptr<Input_surface> surface_of_images;
   std::unique_ptr<Carried_images> images; // of the developed faces, from the first tie on
@@ -183,8 +184,9 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Surface_lease Exact_engine::surface_for_query() const
 {
   prepare();
-  if (correspondence().kept_crossings().is_time_for_all(connectivity_.number_of_edges()))
-    Long_crossings(connectivity_, correspondence(), decisions().interruption).keep();
+  Long_crossings all(connectivity_, correspondence(), decisions().interruption);
+  if (correspondence().kept_crossings().is_time_for_all(connectivity_.number_of_edges(), [&] { return all.number(); }))
+    all.keep();
   return input_surface();
 }
 
@@ -394,10 +396,7 @@ bool Exact_engine::follow(const Hinge_halfedges& around)
   const bool is_close_call = !memory.is_close_call.empty() && memory.is_close_call[e.idx()];
   using Faces = Memory::Developed_faces;
   if (Faces& faces = memory.developed_faces; !faces.flip_in_plane(around)) {
-    // To lay a face out later, for its successors, would take longer. Images in finite fields are so slow that they are
-    // carried for close calls alone.
-    const bool lays_out = correspondence().is_prepared() && !memory.images &&
-                          !(is_straight(connectivity_.face(around.ij)) && is_straight(connectivity_.face(around.ji)));
+    const bool lays_out = is_worth_a_layout(around);
     if (is_close_call || lays_out || faces.contains(around.ij) || faces.contains(around.ji))
       faces.flip(connectivity_, around, [&](Halfedge_index h) -> std::optional<Faces::Known_corner> {
         if (is_straight(connectivity_.face(h)))
@@ -410,6 +409,25 @@ bool Exact_engine::follow(const Hinge_halfedges& around)
   if (is_close_call)
     memory.is_close_call[e.idx()] = false;
   return memory.straight_faces->flip(connectivity_, positions(), e);
+}
+
+// Whether the faces beside an edge are worth to be laid out when it is flipped, since to do that later, for its
+// successors, would take longer: at long hinges, and at others twice for each close call, of which most surfaces have
+// few. Images in finite fields are so slow that they are carried for close calls alone.
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool Exact_engine::is_worth_a_layout(const Hinge_halfedges& around)
+{
+  if (!correspondence().is_prepared() || memory_->images ||
+      (is_straight(connectivity_.face(around.ij)) && is_straight(connectivity_.face(around.ji))))
+    return false;
+  if (memory_->spare_layouts > 0) {
+    --memory_->spare_layouts;
+    return true;
+  }
+  std::int64_t number_of_crossings = 0;
+  for (Halfedge_index h : {around.jk, around.ki, around.il, around.lj})
+    number_of_crossings += correspondence().coordinates().number_of_crossings(connectivity_.edge(h));
+  return number_of_crossings > long_hinge;
 }
 
 // A face within one face of the input is straight, whatever the flips before.

@@ -16,6 +16,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <new>
 #include <optional>
@@ -61,25 +62,34 @@ public:
   // What only speeds up queries is not copied.
   Kept_crossings(const Kept_crossings&) {}
   Kept_crossings(Kept_crossings&& other) noexcept
-    : table_(other.table_.exchange(nullptr)), total_(other.total_.exchange(0)),
-      are_all_found_(other.are_all_found_.exchange(false))
+    : table_(other.table_.exchange(nullptr)), total_(other.total_.exchange(0)), enough_(other.enough_.exchange(0))
   {}
   Kept_crossings& operator=(Kept_crossings other) noexcept
   {
     other.table_ = table_.exchange(other.table_);
     other.total_ = total_.exchange(other.total_);
-    other.are_all_found_ = are_all_found_.exchange(other.are_all_found_);
+    other.enough_ = enough_.exchange(other.enough_);
     return *this;
   }
   ~Kept_crossings() { clear(); }
 
   bool is_empty() const { return table_.load(std::memory_order_relaxed) == nullptr; }
 
-  // Whether one by one so many were kept that it is time to find those of all edges. True once, for one thread.
-  bool is_time_for_all(std::size_t number_of_edges) const
+  // Whether one by one so many were kept that to find those of all edges takes no longer. True once, for one thread.
+  // \param number_of_all() how many all edges cross
+  template <class Count>
+  bool is_time_for_all(std::size_t number_of_edges, const Count& number_of_all) const
   {
-    return total_.load(std::memory_order_relaxed) > number_of_edges &&
-           !are_all_found_.load(std::memory_order_relaxed) && !are_all_found_.exchange(true);
+    const std::size_t total = total_.load(std::memory_order_relaxed);
+    std::size_t enough = enough_.load(std::memory_order_relaxed);
+    if (total <= number_of_edges || total <= enough)
+      return false;
+    if (enough == 0) {
+      const std::size_t found = number_of_all() / 16; // some one by one take as long as 16 times as many at once
+      if (enough_.compare_exchange_strong(enough, found))
+        enough = found;
+    }
+    return total > enough && enough_.exchange(never) != never;
   }
 
   // Those of h, which crosses n input edges, if they are kept.
@@ -200,10 +210,12 @@ public:
       delete table;
     }
     total_ = 0;
-    are_all_found_ = false;
+    enough_ = 0;
   }
 
 private:
+  static constexpr std::size_t never = (std::numeric_limits<std::size_t>::max)();
+
   using Slot = std::atomic<const Halfedge_index*>;
   // One for each edge, of the halfedge with the even number.
   struct Table
@@ -307,7 +319,7 @@ private:
 
   mutable std::atomic<Table*> table_{nullptr};
   mutable std::atomic<std::size_t> total_{0};
-  mutable std::atomic<bool> are_all_found_{false};
+  mutable std::atomic<std::size_t> enough_{0}; // so many it takes until it is time for all; 0 if that was not asked yet
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

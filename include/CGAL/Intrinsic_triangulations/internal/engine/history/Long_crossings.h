@@ -37,20 +37,26 @@ public:
       interruption_(interruption)
   {}
 
+  // How many all edges cross, or more than can be kept.
+  std::size_t number() const
+  {
+    auto room = std::int64_t(Kept_crossings::largest_total);
+    for (Edge_index e : complex_.edges()) {
+      if (number_of_crossings(e) > room)
+        return Kept_crossings::largest_total + 1;
+      room -= number_of_crossings(e);
+    }
+    return Kept_crossings::largest_total - std::size_t(room);
+  }
+
   // Keeps what all edges cross, if one of them crosses many and there is room for all: edges of strongly twisted
   // surfaces may cross far more than could be followed.
   void keep()
   {
-    bool is_any_long = false;
-    auto room = std::int64_t(Kept_crossings::largest_total);
-    for (Edge_index e : complex_.edges()) {
-      const std::int64_t n = number_of_crossings(e);
-      is_any_long = is_any_long || n > std::int64_t(Crossed_halfedges::few);
-      if (n > room)
-        return;
-      room -= n;
-    }
-    if (!is_any_long)
+    const auto edges = complex_.edges();
+    if (number() > Kept_crossings::largest_total || std::none_of(edges.begin(), edges.end(), [&](Edge_index e) {
+          return number_of_crossings(e) > std::int64_t(Crossed_halfedges::few);
+        }))
       return;
     for (Edge_index e : complex_.edges()) {
       const auto n = std::size_t(number_of_crossings(e));

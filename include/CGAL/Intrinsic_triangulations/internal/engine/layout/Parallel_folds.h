@@ -109,13 +109,7 @@ private:
 
   bool crossed_folds_are_parallel(Halfedge_index h)
   {
-    if (correspondence_.coordinates().number_of_crossings(complex_.edge(h)) == 0)
-      return true;
-    const Crossed_halfedges crossed(complex_, correspondence_, h, surface_.interruption());
-    for (std::size_t i = 0; i < crossed.size(); ++i)
-      if (!is_parallel_fold(crossed[i]))
-        return false;
-    return true;
+    return all_crossed(h, [&](Halfedge_index crossed) { return is_parallel_fold(crossed); });
   }
 
   // Those that h crosses, or that which it coincides with.
@@ -140,22 +134,29 @@ private:
       };
       const auto p = position(side), q = position(complex_.opposite(side));
       const Vector_3<Rational> along{q[0] - p[0], q[1] - p[1], q[2] - p[2]}, normal = cross_product(u, along);
-      if (scalar_product(along, along) == 0 || scalar_product(normal, normal) != 0 || crosses_fold(side))
+      if (scalar_product(along, along) == 0 || scalar_product(normal, normal) != 0 ||
+          !all_crossed(side, [&](Halfedge_index crossed) { return surface_.is_flat(crossed); }))
         return false;
       levels[i] = scalar_product(u, p) + scalar_product(u, q);
     }
     return levels[0] == levels[1];
   }
 
-  bool crosses_fold(Halfedge_index h) const
+  // Whether a test holds for all input edges that h crosses: not where they are too many to be found, as the corners
+  // beside an edge that crosses too many can be laid out if their sides do not.
+  template <class Test>
+  bool all_crossed(Halfedge_index h, const Test& test) const
   {
-    if (correspondence_.coordinates().number_of_crossings(complex_.edge(h)) == 0)
+    const std::int64_t number = correspondence_.coordinates().number_of_crossings(complex_.edge(h));
+    if (number == 0)
+      return true;
+    if (number > Crossing_sequence::largest_number)
       return false;
     const Crossed_halfedges crossed(complex_, correspondence_, h, surface_.interruption());
     for (std::size_t i = 0; i < crossed.size(); ++i)
-      if (!surface_.is_flat(crossed[i]))
-        return true;
-    return false;
+      if (!test(crossed[i]))
+        return false;
+    return true;
   }
 
   // The first fold gives the direction.
