@@ -231,8 +231,10 @@ private:
 
   // In flips for each edge: bounds the memory of the journal.
   static constexpr std::size_t longest_journal = 8;
-  // In crossings of the four sides, and of the edges at a vertex: to lay out shorter ones again takes no longer.
-  static constexpr std::int64_t long_hinge = 32, long_star = 4;
+  // In crossings of the edges at a vertex: to lay out shorter ones again takes no longer.
+  static constexpr std::int64_t long_star = 4;
+  // So many flips lay out faces for each close call and for each corner that is asked for.
+  static constexpr std::size_t layouts_for_question = 4;
   // In input quantities: what is laid out in some microseconds.
   static constexpr double short_strip = 256;
 
@@ -240,7 +242,6 @@ private:
   bool flip_and_follow(const Hinge_halfedges& around);
   bool follow(const Hinge_halfedges& around);
   void set_first(std::initializer_list<Halfedge_index> first);
-  bool is_worth_a_layout(const Hinge_halfedges& around);
   bool is_prepared() const;
   void prepare(const Block_runner& run) const;
   void find_straight_faces() const;

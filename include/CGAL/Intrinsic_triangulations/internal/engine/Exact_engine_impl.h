@@ -95,7 +95,7 @@ struct Exact_engine::Memory
   Developed_faces developed_faces;
   std::optional<Developed_faces::Whole> split_face; // the last one, until its parts are measured
   std::vector<bool> is_close_call;                  // a test took more than double since the last flip of the edge
-  std::size_t spare_layouts = 0;                    // so many flips may lay out short hinges
+  std::size_t spare_layouts = 0;                    // so many flips may lay out faces
 
   std::unique_ptr<Input_surface> surface_of_images;
   std::unique_ptr<Carried_images> images; // of the developed faces, from the first tie on
@@ -396,7 +396,11 @@ bool Exact_engine::follow(const Hinge_halfedges& around)
   const bool is_close_call = !memory.is_close_call.empty() && memory.is_close_call[e.idx()];
   using Faces = Memory::Developed_faces;
   if (Faces& faces = memory.developed_faces; !faces.flip_in_plane(around)) {
-    const bool lays_out = is_worth_a_layout(around);
+    // Where faces are often asked for, to lay one out later, for its successors, would take longer. Images in finite
+    // fields are so slow that they are carried for close calls alone.
+    const bool lays_out = memory.spare_layouts > 0 && correspondence().is_prepared() && !memory.images &&
+                          !(is_straight(connectivity_.face(around.ij)) && is_straight(connectivity_.face(around.ji)));
+    memory.spare_layouts -= lays_out;
     if (is_close_call || lays_out || faces.contains(around.ij) || faces.contains(around.ji))
       faces.flip(connectivity_, around, [&](Halfedge_index h) -> std::optional<Faces::Known_corner> {
         if (is_straight(connectivity_.face(h)))
@@ -409,25 +413,6 @@ bool Exact_engine::follow(const Hinge_halfedges& around)
   if (is_close_call)
     memory.is_close_call[e.idx()] = false;
   return memory.straight_faces->flip(connectivity_, positions(), e);
-}
-
-// Whether the faces beside an edge are worth to be laid out when it is flipped, since to do that later, for its
-// successors, would take longer: at long hinges, and at others twice for each close call, of which most surfaces have
-// few. Images in finite fields are so slow that they are carried for close calls alone.
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-bool Exact_engine::is_worth_a_layout(const Hinge_halfedges& around)
-{
-  if (!correspondence().is_prepared() || memory_->images ||
-      (is_straight(connectivity_.face(around.ij)) && is_straight(connectivity_.face(around.ji))))
-    return false;
-  if (memory_->spare_layouts > 0) {
-    --memory_->spare_layouts;
-    return true;
-  }
-  std::int64_t number_of_crossings = 0;
-  for (Halfedge_index h : {around.jk, around.ki, around.il, around.lj})
-    number_of_crossings += correspondence().coordinates().number_of_crossings(connectivity_.edge(h));
-  return number_of_crossings > long_hinge;
 }
 
 // A face within one face of the input is straight, whatever the flips before.
@@ -626,10 +611,11 @@ Exact_engine::Corner Exact_engine::kept_corner(Halfedge_index h)
   const Standard_arithmetic arithmetic;
   prepare();
   find_straight_faces();
+  if (memory_->developed_faces.contains(h))
+    return developed_corner(h);
+  memory_->spare_layouts += layouts_for_question;
   // To carry a face along, with those that flips join it to, takes longer than to lay out a short strip again.
-  if (!memory_->developed_faces.contains(h) && number_of_quantities(h) <= short_strip)
-    return corner(h, *input_surface());
-  return developed_corner(h);
+  return number_of_quantities(h) <= short_strip ? corner(h, *input_surface()) : developed_corner(h);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
