@@ -16,7 +16,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <unordered_map>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -29,7 +28,6 @@ public:
   // A set of roots.
   using Mask = std::uint64_t;
 
-  static constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
   static constexpr std::size_t most_roots = 64;
 
   // \param work a bound on the number of terms that are computed; a large one counts more than once
@@ -115,6 +113,7 @@ public:
   // The divisor is rational: unfolding divides by input quantities alone.
   friend Multiquadratic operator/(const Multiquadratic& a, const Multiquadratic& b)
   {
+    CGAL_precondition(b.rational() != 0);
     Multiquadratic r = a.copy();
     r.rational_ /= b.rational();
     for (auto& term : r.terms_)

@@ -82,7 +82,7 @@ private:
     if (!may_be_rational_)
       return std::nullopt;
     try {
-      Multiquadratic_field rationals(surface_.interruption(), Multiquadratic_field::unlimited, 0);
+      Multiquadratic_field rationals(surface_.interruption(), Multiquadratic_metric::unlimited, 0);
       Multiquadratic_metric metric(surface_, {rationals}, largest_count());
       return static_cast<Sign>(evaluate_(metric).rational().sign());
     } catch (const Too_costly&) {
