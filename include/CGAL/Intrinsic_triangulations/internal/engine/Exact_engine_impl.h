@@ -70,6 +70,12 @@ struct Exact_engine::Memory
     }
   }
 
+  // At most one layout for each edge is spare, so that those that nobody asks for later never take long.
+  void note_question(std::size_t number_of_edges)
+  {
+    spare_layouts = (std::min)(spare_layouts + layouts_for_question, number_of_edges);
+  }
+
   Sign decided(const Test& test)
   {
     decisions.counts.add(test.stage, test.sign == ZERO);
@@ -613,7 +619,7 @@ Exact_engine::Corner Exact_engine::kept_corner(Halfedge_index h)
   find_straight_faces();
   if (memory_->developed_faces.contains(h))
     return developed_corner(h);
-  memory_->spare_layouts += layouts_for_question;
+  memory_->note_question(connectivity_.number_of_edges());
   // To carry a face along, with those that flips join it to, takes longer than to lay out a short strip again.
   return number_of_quantities(h) <= short_strip ? corner(h, *input_surface()) : developed_corner(h);
 }

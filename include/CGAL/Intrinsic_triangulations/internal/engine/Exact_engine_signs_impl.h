@@ -46,7 +46,7 @@ Sign Exact_engine::decide(Edge_index e, std::optional<Opposite_corners>& corners
   prepare();
   memory.is_close_call.resize(connectivity_.number_of_edges());
   memory.is_close_call[e.idx()] = true;
-  memory.spare_layouts += layouts_for_question;
+  memory.note_question(connectivity_.number_of_edges());
   const auto test_by_developed_corners = [&](bool in_doubles) {
     corners = Opposite_corners{developed_corner(h, in_doubles), developed_corner(g, in_doubles)};
     return test_by_corners(h, *corners);
