@@ -19,6 +19,7 @@
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Long_crossings.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
@@ -670,6 +671,30 @@ TEST_F(Operations, on_several_threads)
   parallel_flips();
 }
 #endif
+
+// What only speeds up queries is not kept where memory is short, and a query does without.
+TEST(Long_crossings, do_without_memory)
+{
+  Triangulation t = triangulation_of(samples::pillow(40));
+  IT::flip_to_Delaunay(t);
+  const auto keep = [&](Fault kind, std::int64_t at) {
+    const Triangulation copy = t; // without what is kept
+    const auto& engine = IT::internal::engine(copy);
+    IT::internal::Long_crossings all(engine.connectivity(), engine.correspondence(), engine.decisions().interruption);
+    {
+      const Fault_scope scope(kind, at);
+      all.keep();
+    }
+    return !engine.correspondence().kept_crossings().is_empty();
+  };
+  ASSERT_TRUE(keep(Fault::NONE, 0));
+  std::int64_t not_kept = 0;
+  const std::int64_t n = number_of_allocations;
+  for (std::int64_t k = 1; k <= n; ++k)
+    if (!keep(Fault::MEMORY, k))
+      ++not_kept;
+  EXPECT_GT(not_kept, 1);
+}
 
 // These take many minutes: `scripts/test --all` runs them.
 TEST_F(Operations, DISABLED_at_all_points_of_small_surfaces)

@@ -17,6 +17,7 @@
 #include <mpfr.h>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -53,7 +54,10 @@ public:
     mpfr_set(lower_, other.lower_, MPFR_RNDD);
     mpfr_set(upper_, other.upper_, MPFR_RNDU);
   }
-  Mpfr_interval(Mpfr_interval&& other) noexcept : Mpfr_interval() { swap(other); }
+  Mpfr_interval(Mpfr_interval&& other) noexcept : lower_{*other.lower_}, upper_{*other.upper_}
+  {
+    other.lower_->_mpfr_d = nullptr; // it can only be destroyed or assigned to
+  }
   Mpfr_interval& operator=(Mpfr_interval other) noexcept
   {
     swap(other);
@@ -61,8 +65,10 @@ public:
   }
   ~Mpfr_interval()
   {
-    mpfr_clear(lower_);
-    mpfr_clear(upper_);
+    if (lower_->_mpfr_d) {
+      mpfr_clear(lower_);
+      mpfr_clear(upper_);
+    }
   }
 
   mpfr_prec_t precision() const { return mpfr_get_prec(lower_); }
@@ -95,24 +101,22 @@ public:
   friend Mpfr_interval operator*(const Mpfr_interval& a, const Mpfr_interval& b)
   {
     Mpfr_interval r(common_precision(a, b));
-    if (mpfr_sgn(a.lower_) >= 0 && mpfr_sgn(b.lower_) >= 0) {
-      mpfr_mul(r.lower_, a.lower_, b.lower_, MPFR_RNDD);
-      mpfr_mul(r.upper_, a.upper_, b.upper_, MPFR_RNDU);
+    // The signs tell which ends the extremes are products of.
+    if (a.has_both_signs() && b.has_both_signs()) {
+      Mpfr_interval other(r.precision());
+      mpfr_mul(r.lower_, a.lower_, b.upper_, MPFR_RNDD);
+      mpfr_mul(other.lower_, a.upper_, b.lower_, MPFR_RNDD);
+      mpfr_mul(r.upper_, a.lower_, b.lower_, MPFR_RNDU);
+      mpfr_mul(other.upper_, a.upper_, b.upper_, MPFR_RNDU);
+      mpfr_min(r.lower_, r.lower_, other.lower_, MPFR_RNDD);
+      mpfr_max(r.upper_, r.upper_, other.upper_, MPFR_RNDU);
       return r;
     }
-    // The extremes are among the four products of end points.
-    Mpfr_interval product(r.precision());
-    bool is_first = true;
-    for (mpfr_srcptr x : {mpfr_srcptr(a.lower_), mpfr_srcptr(a.upper_)})
-      for (mpfr_srcptr y : {mpfr_srcptr(b.lower_), mpfr_srcptr(b.upper_)}) {
-        mpfr_mul(product.lower_, x, y, MPFR_RNDD);
-        mpfr_mul(product.upper_, x, y, MPFR_RNDU);
-        if (is_first || mpfr_less_p(product.lower_, r.lower_))
-          mpfr_set(r.lower_, product.lower_, MPFR_RNDD);
-        if (is_first || mpfr_greater_p(product.upper_, r.upper_))
-          mpfr_set(r.upper_, product.upper_, MPFR_RNDU);
-        is_first = false;
-      }
+    const auto& [x, signed_one] = b.has_both_signs() ? std::tie(b, a) : std::tie(a, b);
+    const bool is_negative = mpfr_sgn(signed_one.lower_) < 0;
+    const mpfr_srcptr low = is_negative ? x.upper_ : x.lower_, high = is_negative ? x.lower_ : x.upper_;
+    mpfr_mul(r.lower_, low, mpfr_sgn(low) >= 0 ? signed_one.lower_ : signed_one.upper_, MPFR_RNDD);
+    mpfr_mul(r.upper_, high, mpfr_sgn(high) >= 0 ? signed_one.upper_ : signed_one.lower_, MPFR_RNDU);
     return r;
   }
   friend Mpfr_interval operator/(const Mpfr_interval& a, const Mpfr_interval& b)
@@ -179,6 +183,7 @@ public:
   }
 
 private:
+  bool has_both_signs() const { return mpfr_sgn(lower_) < 0 && mpfr_sgn(upper_) > 0; }
   static mpfr_prec_t common_precision(const Mpfr_interval& a, const Mpfr_interval& b)
   {
     return (std::max)(a.precision(), b.precision());
@@ -200,7 +205,7 @@ class Mpfr_disk
 public:
   using Real = Mpfr_interval;
 
-  Mpfr_disk(const Real& x, const Real& y) : x_(x), y_(y), radius_(radius_precision) { shrink(); }
+  Mpfr_disk(Real x, Real y) : Mpfr_disk(std::move(x), std::move(y), Real(radius_precision)) {}
 
   Real x() const { return widened(x_); }
   Real y() const { return widened(y_); }
@@ -231,7 +236,7 @@ public:
 private:
   static constexpr mpfr_prec_t radius_precision = 64;
 
-  Mpfr_disk(const Real& x, const Real& y, const Real& radius) : x_(x), y_(y), radius_(radius) { shrink(); }
+  Mpfr_disk(Real x, Real y, Real radius) : x_(std::move(x)), y_(std::move(y)), radius_(std::move(radius)) { shrink(); }
 
   // Non-negative numbers are kept as intervals of which only the upper end matters.
   static Real rounded(const Real& x)

@@ -200,7 +200,6 @@ Surface_lease Exact_engine::surface_for_query() const
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Surface_lease Exact_engine::prepared_surface() const
 {
-  prepare();
   find_straight_faces();
   return surface_for_query();
 }

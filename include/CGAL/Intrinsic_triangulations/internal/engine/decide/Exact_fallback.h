@@ -82,16 +82,10 @@ public:
   }
 
   // The sign of the area of the face of h.
-  Sign sign_of_area(Halfedge_index h)
-  {
-    return sign_of_corner(h, "area", [](const auto& corner) { return corner.four_areas; });
-  }
+  Sign sign_of_area(Halfedge_index h) { return sign_of_corner(h, true); }
 
   // The sign of the scalar product of the two sides that meet in the corner opposite to h.
-  Sign sign_of_scalar_product(Halfedge_index h)
-  {
-    return sign_of_corner(h, "scalar product", [](const auto& corner) { return corner.p; });
-  }
+  Sign sign_of_scalar_product(Halfedge_index h) { return sign_of_corner(h, false); }
 
   bool has_length_zero(Edge_index e)
   {
@@ -246,12 +240,15 @@ private:
     return is_square(squared_four_areas(surface_.metric(), surface_.connectivity(), f));
   }
 
-  template <class Evaluate>
-  Sign sign_of_corner(Halfedge_index h, const char* quantity, const Evaluate& evaluate)
+  Sign sign_of_corner(Halfedge_index h, bool of_area)
   {
-    const auto value = [&](auto& metric) { return evaluate(unfolding(metric).opposite_corner(h)); };
+    const auto value = [&](auto& metric) {
+      const auto corner = unfolding(metric).opposite_corner(h);
+      return of_area ? corner.four_areas : corner.p;
+    };
     return exact_sign(surface_, value, [&] {
-      return "face " + std::to_string(complex_.face(h).idx()) + ": that its " + quantity + " is zero";
+      return "face " + std::to_string(complex_.face(h).idx()) + ": that its " + (of_area ? "area" : "scalar product") +
+             " is zero";
     });
   }
 

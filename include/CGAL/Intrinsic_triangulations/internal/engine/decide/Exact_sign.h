@@ -18,7 +18,9 @@
 #include <CGAL/enum.h>
 
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <string>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -29,23 +31,24 @@ struct Exact_decision
   bool is_rational = false; // all roots in the number are
 };
 
-// The stages that follow on double-doubles. `evaluate(metric)` gives the number in any image of the metric. A value
-// that double-doubles leave open is more likely zero than not, and where no root is irrational that is seen at once;
-// then the proof that takes least is tried. What 128 bits do not tell from zero, finite fields do: for other numbers
-// multiple precision comes to an end, however small they are. Of what is zero there, an expansion is tried.
-template <class Evaluate>
+// The stages that follow on double-doubles. A value that double-doubles leave open is more likely zero than not, and
+// where no root is irrational that is seen at once; then the proof that takes least is tried. What 128 bits do not tell
+// from zero, finite fields do: for other numbers multiple precision comes to an end, however small they are. Of what is
+// zero there, an expansion is tried.
 class Exact_sign
 {
 public:
+  // \param evaluate evaluate(metric) gives the number in any image of the metric; it has to live as long as this
   // \param may_be_rational whether it is worth a trial that all roots are rational
+  template <class Evaluate>
   Exact_sign(Input_surface& surface, const Evaluate& evaluate, bool may_be_rational = true)
-    : surface_(surface), evaluate_(evaluate), may_be_rational_(may_be_rational)
+    : surface_(surface), by_intervals_(std::cref(evaluate)), by_expansion_(std::cref(evaluate)),
+      by_residues_(std::cref(evaluate)), may_be_rational_(may_be_rational)
   {}
 
   // \param proves_zero tries a proof of zero that is particular to the number
   // \param what gives the beginning of the message where a proof is demanded and there is none
-  template <class ProvesZero, class Describe>
-  Exact_decision operator()(const ProvesZero& proves_zero, const Describe& what) const
+  Exact_decision operator()(const std::function<bool()>& proves_zero, const std::function<std::string()>& what) const
   {
     if (const std::optional<Sign> sign = rational_sign())
       return {*sign, Stage::ALGEBRAIC, true};
@@ -84,7 +87,7 @@ private:
     try {
       Multiquadratic_field rationals(surface_.interruption(), Multiquadratic_metric::unlimited, 0);
       Multiquadratic_metric metric(surface_, {rationals}, largest_count());
-      return static_cast<Sign>(evaluate_(metric).rational().sign());
+      return static_cast<Sign>(by_expansion_(metric).rational().sign());
     } catch (const Too_costly&) {
       return std::nullopt;
     }
@@ -96,7 +99,7 @@ private:
     try {
       Multiquadratic_field field(surface_.interruption(), work);
       Multiquadratic_metric metric(surface_, {field}, largest_count());
-      return evaluate_(metric).is_zero();
+      return by_expansion_(metric).is_zero();
     } catch (const Too_costly&) {
       return std::nullopt;
     }
@@ -109,7 +112,7 @@ private:
     for (std::size_t i = 0; certainty < 128; ++i) {
       Residue_rings rings(surface_.prime_fields(i), surface_.interruption());
       Residue_metric metric(surface_, {rings});
-      const bool is_zero = evaluate_(metric).is_zero();
+      const bool is_zero = by_residues_(metric).is_zero();
       if (!rings.is_defined())
         continue;
       if (!is_zero)
@@ -122,7 +125,7 @@ private:
   Uncertain<Sign> approximate_sign(long precision) const
   {
     Mpfr_metric metric(surface_, {precision});
-    return evaluate_(metric).sign();
+    return by_intervals_(metric).sign();
   }
 
   Sign sign_of_nonzero() const
@@ -133,14 +136,16 @@ private:
   }
 
   Input_surface& surface_;
-  const Evaluate& evaluate_;
+  std::function<Mpfr_interval(Mpfr_metric&)> by_intervals_;
+  std::function<Multiquadratic(Multiquadratic_metric&)> by_expansion_;
+  std::function<Residues(Residue_metric&)> by_residues_;
   bool may_be_rational_;
 };
 
 inline bool has_no_other_proof() { return false; }
 
 // The sign, from the first stage on: double-doubles.
-// \param evaluate as above. It has to be a polynomial of degree at most 8 in each quantity that it asks the metric for,
+// \param evaluate as above. The number has to be a polynomial of degree at most 8 in each quantity that it asks the metric for,
 //   as the bound of 2^-128 on the error of finite fields assumes (see Residue_rings::certainty): squared lengths and the
 //   numbers of corners have degree 2, so sums of products of up to four of them are.
 // \param proves_zero as above
@@ -150,7 +155,7 @@ Sign exact_sign(Input_surface& surface, const Evaluate& evaluate, const Describe
 {
   Double_double_metric metric(surface);
   const Uncertain<Sign> sign = evaluate(metric).sign();
-  return is_certain(sign) ? get_certain(sign) : Exact_sign<Evaluate>(surface, evaluate)(proves_zero, what).sign;
+  return is_certain(sign) ? get_certain(sign) : Exact_sign(surface, evaluate)(proves_zero, what).sign;
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

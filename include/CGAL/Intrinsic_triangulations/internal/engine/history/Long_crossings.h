@@ -21,6 +21,7 @@
 #include <cstdint>
 #include <iterator>
 #include <memory>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -50,8 +51,25 @@ public:
   }
 
   // Keeps what all edges cross, if one of them crosses many and there is room for all: edges of strongly twisted
-  // surfaces may cross far more than could be followed.
+  // surfaces may cross far more than could be followed. Where memory is short, nothing is kept.
   void keep()
+  {
+    try {
+      find_and_keep();
+    } catch (const std::bad_alloc&) {
+    }
+  }
+
+private:
+  // Input halfedges side by side, which cross `across` to its right: the one that is number `first` in the fan after so
+  // many crossings from the source, and so on.
+  struct Block
+  {
+    Halfedge_index across;
+    std::int64_t position, first, count;
+  };
+
+  void find_and_keep()
   {
     const auto edges = complex_.edges();
     if (number() > Kept_crossings::largest_total || std::none_of(edges.begin(), edges.end(), [&](Edge_index e) {
@@ -77,15 +95,6 @@ public:
       correspondence_.kept_crossings().keep(complex_.number_of_edges(), e, std::size_t(number_of_crossings(e)),
                                             std::move(crossed_[e.idx()]));
   }
-
-private:
-  // Input halfedges side by side, which cross `across` to its right: the one that is number `first` in the fan after so
-  // many crossings from the source, and so on.
-  struct Block
-  {
-    Halfedge_index across;
-    std::int64_t position, first, count;
-  };
 
   std::int64_t number_of_crossings(Edge_index e) const { return coordinates_.number_of_crossings(e); }
 
