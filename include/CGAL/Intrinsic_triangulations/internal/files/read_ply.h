@@ -18,9 +18,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -29,10 +29,60 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+// The type of a number; of size 0 if there is none.
+struct Ply_type
+{
+  const char* name = "";
+  std::size_t size = 0; // in bytes
+  bool is_real = false;
+  long long least = 0, greatest = 0; // of the integers
+
+  bool is_signed() const { return least < 0; }
+};
+
+template <class Number>
+constexpr Ply_type ply_type_as(const char* name)
+{
+  using Limits = std::numeric_limits<Number>;
+  if constexpr (Limits::is_integer)
+    return {name, sizeof(Number), false, (Limits::min)(), (Limits::max)()};
+  else
+    return {name, sizeof(Number), true};
+}
+
+inline Ply_type ply_type(const std::string& name)
+{
+  static constexpr Ply_type types[] = {
+    ply_type_as<std::int8_t>("char"),     ply_type_as<std::int8_t>("int8"),     ply_type_as<std::uint8_t>("uchar"),
+    ply_type_as<std::uint8_t>("uint8"),   ply_type_as<std::int16_t>("short"),   ply_type_as<std::int16_t>("int16"),
+    ply_type_as<std::uint16_t>("ushort"), ply_type_as<std::uint16_t>("uint16"), ply_type_as<std::int32_t>("int"),
+    ply_type_as<std::int32_t>("int32"),   ply_type_as<std::uint32_t>("uint"),   ply_type_as<std::uint32_t>("uint32"),
+    ply_type_as<float>("float"),          ply_type_as<float>("float32"),        ply_type_as<double>("double"),
+    ply_type_as<double>("float64")};
+  const auto found =
+    std::find_if(std::begin(types), std::end(types), [&name](const Ply_type& type) { return type.name == name; });
+  return found == std::end(types) ? Ply_type() : *found;
+}
+
 struct Ply_property
 {
-  std::string name, type, size_type;
-}; // size_type: lists only
+  enum Role : std::size_t {
+    X,
+    Y,
+    Z,
+    CORNERS,
+    STRIPS, // corners, too
+    NONE
+  };
+
+  std::string name;
+  Ply_type type, size_type; // the latter of lists only: of the number of entries
+  Role role = NONE;
+
+  bool is_list() const { return size_type.size != 0; }
+  bool has_corners() const { return role == CORNERS || role == STRIPS; }
+};
+
 struct Ply_element
 {
   std::string name;
@@ -42,42 +92,15 @@ struct Ply_element
   bool is_vertex() const { return name == "vertex" || name == "vertices"; }
   bool is_face() const { return name == "face" || name == "faces"; }
   bool is_strips() const { return name == "tristrips"; }
-  // The first property of that name, null if there is none.
-  const Ply_property* find(const std::string& property_name) const
+  // The property of that name, null if there is none.
+  Ply_property* find(const std::string& property_name)
   {
-    for (const Ply_property& property : properties)
+    for (Ply_property& property : properties)
       if (property.name == property_name)
         return &property;
     return nullptr;
   }
-  // The corners of a face, or of strips.
-  const Ply_property* find_corners() const
-  {
-    const Ply_property* const property = find("vertex_indices");
-    return property != nullptr ? property : find("vertex_index");
-  }
 };
-
-// The number of bytes of a type, 0 if there is no such type.
-inline std::size_t ply_type_size(const std::string& type)
-{
-  // clang-format off
-  static const struct
-  {
-    const char* name;
-    std::size_t size;
-  } table[] = {
-    {"char", 1}, {"int8", 1}, {"uchar", 1}, {"uint8", 1},
-    {"short", 2}, {"int16", 2}, {"ushort", 2}, {"uint16", 2},
-    {"int", 4}, {"int32", 4}, {"uint", 4}, {"uint32", 4},
-    {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
-  // clang-format on
-  for (const auto& row : table)
-    if (type == row.name)
-      return row.size;
-  return 0;
-}
-inline bool is_real(const std::string& type) { return type.compare(0, 5, "float") == 0 || type == "double"; }
 
 struct Ply_header
 {
@@ -131,18 +154,19 @@ inline Ply_header read_ply_header(const std::string& path, const Text_encoding& 
       elements.push_back(element);
     } else if (keyword == "property") {
       Ply_property property;
-      property.type = word();
-      if (property.type == "list") {
-        property.size_type = word();
-        property.type = word();
+      std::string type = word();
+      const bool is_list = type == "list";
+      if (is_list) {
+        property.size_type = ply_type(word());
+        type = word();
       }
+      property.type = ply_type(type);
       property.name = word();
       if (elements.empty())
         refuse_file(path, where + "a property comes before any element");
-      refuse_unless(
-        !property.name.empty() && ply_type_size(property.type) != 0 &&
-          (property.size_type.empty() || (ply_type_size(property.size_type) != 0 && !is_real(property.size_type))),
-        " has a type that is not known");
+      refuse_unless(!property.name.empty() && property.type.size != 0 && property.is_list() == is_list &&
+                      !property.size_type.is_real,
+                    " has a type that is not known");
       refuse_unless(elements.back().find(property.name) == nullptr, " names a property for the second time");
       elements.back().properties.push_back(property);
     } else {
@@ -158,32 +182,36 @@ inline Ply_header read_ply_header(const std::string& path, const Text_encoding& 
   return header;
 }
 
-// That properties have types that are known, and that there are x, y and z.
-inline void check_types(const std::string& path, const std::vector<Ply_element>& elements, Polygon_soup& soup)
+// Finds the coordinates and the corners, which have to be there and of suitable types.
+inline void find_roles(const std::string& path, std::vector<Ply_element>& elements, Polygon_soup& soup)
 {
   bool has_vertices = false, has_faces = false;
-  for (const Ply_element& element : elements) {
+  for (Ply_element& element : elements) {
+    const bool has_corners = element.is_face() || element.is_strips();
     has_vertices = has_vertices || element.is_vertex();
-    has_faces = has_faces || element.is_face() || element.is_strips();
-    const Ply_property* const corners = element.find_corners();
-    if (!element.is_face() && !element.is_strips() && corners != nullptr && !corners->size_type.empty() &&
-        element.count > 0)
+    has_faces = has_faces || has_corners;
+    Ply_property* corners = element.find("vertex_indices");
+    if (corners == nullptr)
+      corners = element.find("vertex_index");
+    if (!has_corners && corners != nullptr && corners->is_list() && element.count > 0)
       soup.warnings.push_back("the header announces " + counted(element.count, "element", "elements") + " " +
                               quote(element.name) + " with lists of vertices: left out, as these are not called face");
     if (element.is_vertex())
-      for (const char* const name : {"x", "y", "z"}) {
-        const Ply_property* const property = element.find(name);
-        if (property == nullptr || !property->size_type.empty())
-          refuse_file(path, std::string("by the header the vertices have no coordinate ") + name);
+      for (const Ply_property::Role role : {Ply_property::X, Ply_property::Y, Ply_property::Z}) {
+        const std::string name(1, "xyz"[role]);
+        Ply_property* const property = element.find(name);
+        if (property == nullptr || property->is_list())
+          refuse_file(path, "by the header the vertices have no coordinate " + name);
+        property->role = role;
       }
-    if (element.is_face() || element.is_strips()) {
-      const Ply_property* const property = element.find_corners();
-      if (property == nullptr || property->size_type.empty())
+    if (has_corners) {
+      if (corners == nullptr || !corners->is_list())
         refuse_file(path,
                     "by the header the elements " + element.name + " have no list vertex_indices or vertex_index");
-      if (is_real(property->type))
-        refuse_file(path, "by the header the list " + property->name + " of the elements " + element.name +
-                            " has the type " + property->type + ", which is not a list of integers");
+      if (corners->type.is_real)
+        refuse_file(path, "by the header the list " + corners->name + " of the elements " + element.name +
+                            " has the type " + corners->type.name + ", which is not a list of integers");
+      corners->role = element.is_face() ? Ply_property::CORNERS : Ply_property::STRIPS;
     }
   }
   if (!has_vertices || !has_faces)
@@ -199,7 +227,7 @@ inline void check_counts(const std::string& path, const Ply_header& header, cons
   for (const Ply_element& element : header.elements) {
     std::uintmax_t least = 0; // the bytes of one element whose lists are empty
     for (const Ply_property& property : element.properties)
-      least += is_text ? 2 : ply_type_size(property.size_type.empty() ? property.type : property.size_type);
+      least += is_text ? 2 : (property.is_list() ? property.size_type : property.type).size;
     const std::string announced =
       "the header announces " + counted(element.count, "element", "elements") + " " + quote(element.name);
     if (element.count > 0 && least == 0)
@@ -208,61 +236,6 @@ inline void check_counts(const std::string& path, const Ply_header& header, cons
       refuse_file(path, announced + ", more than fit into the " + counted(file_size, "byte", "bytes") + " of the file");
   }
 }
-
-inline bool is_signed(const std::string& type) { return type[0] == 'i' || type == "char" || type == "short"; }
-
-// A property as the loops want it.
-struct Ply_layout
-{
-  enum Role : std::size_t {
-    X,
-    Y,
-    Z,
-    CORNERS,
-    STRIPS, // corners, too
-    NONE
-  };
-
-  // The smallest and the largest integer of a type.
-  struct Range
-  {
-    explicit Range(const std::string& type)
-      : least(is_signed(type) ? -(1LL << (8 * ply_type_size(type) - 1)) : 0),
-        greatest((1LL << (8 * ply_type_size(type) - is_signed(type))) - 1)
-    {}
-    long long least, greatest;
-  };
-
-  Ply_layout(const Ply_element& element, const Ply_property& property)
-    : size(ply_type_size(property.type)), size_of_count(ply_type_size(property.size_type)),
-      is_real(internal::is_real(property.type)), range(is_real ? "char" : property.type),
-      range_of_count(is_list() ? property.size_type : "char"), role(NONE)
-  {
-    static constexpr const char* names[] = {"x", "y", "z"};
-    for (std::size_t i = 0; i < 3; ++i)
-      if (element.is_vertex() && element.find(names[i]) == &property)
-        role = static_cast<Role>(i);
-    if ((element.is_face() || element.is_strips()) && element.find_corners() == &property)
-      role = element.is_face() ? CORNERS : STRIPS;
-  }
-
-  static std::vector<Ply_layout> of(const Ply_element& element)
-  {
-    std::vector<Ply_layout> result;
-    for (const Ply_property& property : element.properties)
-      result.emplace_back(element, property);
-    return result;
-  }
-
-  bool is_list() const { return size_of_count != 0; }
-  bool has_corners() const { return role == CORNERS || role == STRIPS; }
-
-  std::size_t size;          // of a number in bytes
-  std::size_t size_of_count; // of the number of entries, 0 if it is no list
-  bool is_real;
-  Range range, range_of_count; // of an integer
-  Role role;
-};
 
 // A file of that many bytes has no more triangles, in text or not.
 inline void reserve_ply(const Ply_element& element, const std::uintmax_t bytes, Polygon_soup& soup)
@@ -313,16 +286,18 @@ public:
   {
     for (const Ply_element& element : header_.elements) {
       reserve_ply(element, file_.left(), soup_);
-      const std::vector<Ply_layout> layout = Ply_layout::of(element);
-      const bool has_lists = std::any_of(layout.begin(), layout.end(), [](const Ply_layout& l) { return l.is_list(); });
+      const std::vector<Ply_property>& properties = element.properties;
+      const bool has_lists =
+        std::any_of(properties.begin(), properties.end(), [](const Ply_property& p) { return p.is_list(); });
       std::size_t done = 0;
       if (element.is_vertex() && !has_lists)
-        done = take_vertices(element, layout);
+        done = take_vertices(element);
       for (; done < element.count; ++done) {
-        if (layout.size() == 1 && layout[0].size_of_count == 1 && layout[0].size == 4 && element.is_face())
+        if (properties.size() == 1 && properties[0].size_type.size == 1 && properties[0].type.size == 4 &&
+            element.is_face())
           done += take_triangles(element.count - done);
         if (done < element.count)
-          take_element(element, layout, done);
+          take_element(element, done);
       }
     }
     check_end();
@@ -333,29 +308,23 @@ private:
   template <class T>
   static T load(const char* const p)
   {
-    char bytes[sizeof(T)];
-    std::memcpy(bytes, p, sizeof(T));
-    if constexpr (order != boost::endian::order::native)
-      std::reverse(bytes, bytes + sizeof(T));
-    T result;
-    std::memcpy(&result, bytes, sizeof(T));
-    return result;
+    return boost::endian::endian_load<T, sizeof(T), order>(reinterpret_cast<const unsigned char*>(p));
   }
-  static double load_number(const char* const p, const Ply_layout& l)
+  static double load_number(const char* const p, const Ply_type& type)
   {
-    if (l.is_real)
-      return l.size == 8 ? load<double>(p) : static_cast<double>(load<float>(p));
-    const std::uint32_t bits = load_index(p, l);
-    return l.range.least < 0 ? static_cast<double>(static_cast<std::int32_t>(bits)) : static_cast<double>(bits);
+    if (type.is_real)
+      return type.size == 8 ? load<double>(p) : static_cast<double>(load<float>(p));
+    const std::uint32_t bits = load_integer(p, type);
+    return type.is_signed() ? static_cast<double>(static_cast<std::int32_t>(bits)) : static_cast<double>(bits);
   }
 
-  // An index of any type; -1 if it is negative.
-  static std::uint32_t load_index(const char* const p, const Ply_layout& l)
+  // An integer of any type, modulo 2^32 if it is negative.
+  static std::uint32_t load_integer(const char* const p, const Ply_type& type)
   {
-    const bool is_signed = l.range.least < 0;
-    return l.size == 1   ? (is_signed ? static_cast<std::uint32_t>(load<std::int8_t>(p)) : load<std::uint8_t>(p))
-           : l.size == 2 ? (is_signed ? static_cast<std::uint32_t>(load<std::int16_t>(p)) : load<std::uint16_t>(p))
-                         : load<std::uint32_t>(p);
+    const bool is_signed = type.is_signed();
+    return type.size == 1   ? (is_signed ? static_cast<std::uint32_t>(load<std::int8_t>(p)) : load<std::uint8_t>(p))
+           : type.size == 2 ? (is_signed ? static_cast<std::uint32_t>(load<std::int16_t>(p)) : load<std::uint16_t>(p))
+                            : load<std::uint32_t>(p);
   }
 
   // Bytes behind the elements are faces or vertices that the header does not know, unless there is nothing in them.
@@ -428,21 +397,20 @@ private:
 
   // Each has the same number of bytes, and coordinates of one real type: none is taken otherwise. Returns how many
   // there are before the end of the file.
-  std::size_t take_vertices(const Ply_element& element, const std::vector<Ply_layout>& layout)
+  std::size_t take_vertices(const Ply_element& element)
   {
     std::size_t stride = 0;
     std::array<std::size_t, 3> offset{};
-    std::array<const Ply_layout*, 3> coordinate{};
-    for (const Ply_layout& l : layout) {
-      if (l.role < 3) {
-        offset[l.role] = stride;
-        coordinate[l.role] = &l;
+    std::array<const Ply_type*, 3> type{};
+    for (const Ply_property& property : element.properties) {
+      if (property.role < 3) {
+        offset[property.role] = stride;
+        type[property.role] = &property.type;
       }
-      stride += l.size;
+      stride += property.type.size;
     }
-    const auto are_reals_of = [&coordinate](const std::size_t size) {
-      return std::all_of(coordinate.begin(), coordinate.end(),
-                         [size](const Ply_layout* l) { return l->is_real && l->size == size; });
+    const auto are_reals_of = [&type](const std::size_t size) {
+      return std::all_of(type.begin(), type.end(), [size](const Ply_type* t) { return t->is_real && t->size == size; });
     };
     const auto take = [&](auto real) {
       using Real = decltype(real);
@@ -499,51 +467,47 @@ private:
   }
 
   // The general case. What nobody wants is never in memory as a whole.
-  void take_element(const Ply_element& element, const std::vector<Ply_layout>& layout, const std::size_t index)
+  void take_element(const Ply_element& element, const std::size_t index)
   {
     std::array<double, 3> point{};
     const std::uintmax_t begin = file_.offset();
-    for (std::size_t k = 0; k < layout.size(); ++k) {
-      const Ply_layout& l = layout[k];
+    for (const Ply_property& property : element.properties) {
       const auto refuse = [&](const std::string& text) {
         refuse_file(path_, "element " + element.name + " " + std::to_string(index) + ": " + text +
                              " (the element begins at byte " + std::to_string(begin) + "; the header announces " +
                              announced() + ")" + hint());
       };
-      const std::string& name = element.properties[k].name;
       std::uintmax_t count = 1;
-      if (l.is_list()) {
-        if (!file_.require(l.size_of_count))
-          refuse("the file ends within " + name);
-        std::uint32_t bits = 0;
-        for (std::size_t b = 0; b < l.size_of_count; ++b)
-          bits |= static_cast<std::uint32_t>(static_cast<unsigned char>(file_.first[b]))
-                  << 8 * (order == boost::endian::order::big ? l.size_of_count - 1 - b : b);
-        file_.first += l.size_of_count;
-        if (l.range_of_count.least < 0 && (bits >> (8 * l.size_of_count - 1)) != 0)
-          refuse("the list " + name + " claims a negative number of entries");
+      if (property.is_list()) {
+        const Ply_type& type = property.size_type;
+        if (!file_.require(type.size))
+          refuse("the file ends within " + property.name);
+        const std::uint32_t bits = load_integer(file_.first, type);
+        file_.first += type.size;
+        if (type.is_signed() && static_cast<std::int32_t>(bits) < 0)
+          refuse("the list " + property.name + " claims a negative number of entries");
         if (bits > file_.left())
-          refuse("the list " + name + " claims more entries than the file has");
-        if (bits == 0 && l.role == Ply_layout::CORNERS && index == 0)
+          refuse("the list " + property.name + " claims more entries than the file has");
+        if (bits == 0 && property.role == Ply_property::CORNERS && index == 0)
           byte_of_empty_face_ = begin;
         count = bits;
       }
-      const std::uintmax_t bytes = count * l.size;
-      if (l.role == Ply_layout::NONE ? !file_.skip(bytes)
-                                     : bytes > file_.left() || !file_.require(static_cast<std::size_t>(bytes)))
-        refuse("the file ends within " + name);
-      if (l.role == Ply_layout::NONE)
+      const std::uintmax_t bytes = count * property.type.size;
+      if (property.role == Ply_property::NONE ? !file_.skip(bytes)
+                                              : bytes > file_.left() || !file_.require(static_cast<std::size_t>(bytes)))
+        refuse("the file ends within " + property.name);
+      if (property.role == Ply_property::NONE)
         continue;
-      if (l.has_corners()) {
+      if (property.has_corners()) {
         corners_.clear();
         for (std::size_t i = 0; i < count; ++i)
-          corners_.push_back(load_index(file_.first + l.size * i, l));
-        if (l.role == Ply_layout::CORNERS)
+          corners_.push_back(load_integer(file_.first + property.type.size * i, property.type));
+        if (property.role == Ply_property::CORNERS)
           soup_.add_face(corners_.data(), corners_.data() + corners_.size());
         else
           add_strips(path_, "element " + element.name + " " + std::to_string(index), corners_, soup_);
       } else
-        point[l.role] = load_number(file_.first, l);
+        point[property.role] = load_number(file_.first, property.type);
       file_.first += bytes;
     }
     if (!element.is_vertex())
@@ -578,7 +542,6 @@ public:
     for (const Ply_element& element : header_.elements) {
       element_ = &element;
       reserve_ply(element, size_, soup_);
-      const std::vector<Ply_layout> layout = Ply_layout::of(element);
       const bool is_vertex = element.is_vertex();
       for (index_ = 0; index_ < element.count; ++index_) {
         if (!find_word())
@@ -592,7 +555,7 @@ public:
         if (lines_.number() == end && end != first_)
           refuse_file(path_, surplus_, Defect::UNREADABLE, index_);
         begin_ = lines_.number();
-        take_element(layout, is_vertex);
+        take_element(is_vertex);
         end = lines_.number();
       }
     }
@@ -623,21 +586,18 @@ private:
            ", or begin each element on a line of its own";
   }
 
-  void take_element(const std::vector<Ply_layout>& layout, const bool is_vertex)
+  void take_element(const bool is_vertex)
   {
     std::array<double, 3> point{};
-    for (std::size_t k = 0; k < layout.size(); ++k) {
-      const Ply_layout& l = layout[k];
-      const Ply_property& property = element_->properties[k];
-      if (!l.is_list()) {
-        if (l.role < 3)
-          point[l.role] = take_value(l, property);
+    for (const Ply_property& property : element_->properties) {
+      if (!property.is_list()) {
+        if (property.role < 3)
+          point[property.role] = take_value(property);
         else
           skip_value(property);
         continue;
       }
-      const long long count =
-        take_integer(l.range_of_count, property.size_type, [&] { return "the size of the list " + property.name; });
+      const long long count = take_integer(property.size_type, [&] { return "the size of the list " + property.name; });
       if (count < 0)
         refuse_file(path_, where() + ": the list " + property.name + " claims a negative number of entries");
       // Each entry takes two bytes.
@@ -645,14 +605,13 @@ private:
         refuse_file(path_, where() + ": the list " + property.name + " claims more entries than the file has");
       corners_.clear();
       for (long long i = 0; i < count; ++i)
-        if (l.has_corners())
-          corners_.push_back(
-            static_cast<std::uint32_t>(take_integer(l.range, property.type, [&] { return property.name; })));
+        if (property.has_corners())
+          corners_.push_back(static_cast<std::uint32_t>(take_integer(property.type, [&] { return property.name; })));
         else
           skip_value(property);
-      if (!l.has_corners())
+      if (!property.has_corners())
         continue;
-      if (l.role == Ply_layout::CORNERS)
+      if (property.role == Ply_property::CORNERS)
         soup_.add_face(corners_.data(), corners_.data() + corners_.size());
       else
         add_strips(path_, where(), corners_, soup_);
@@ -690,18 +649,19 @@ private:
     return true;
   }
 
-  double take_value(const Ply_layout& l, const Ply_property& property)
+  double take_value(const Ply_property& property)
   {
-    if (!l.is_real)
-      return static_cast<double>(take_integer(l.range, property.type, [&] { return property.name; }));
+    if (!property.type.is_real)
+      return static_cast<double>(take_integer(property.type, [&] { return property.name; }));
+    const bool is_double = property.type.size == 8;
     require_word();
     double number = 0;
     float rounded = 0;
-    if (l.size == 8 ? take_real_word(number) : take_real_word(rounded))
-      return l.size == 8 ? number : rounded;
+    if (is_double ? take_real_word(number) : take_real_word(rounded))
+      return is_double ? number : rounded;
     const std::string_view word = lines_.take_word();
     number = check_coordinate(path_, word, where(), index_);
-    if (l.size == 8)
+    if (is_double)
       return number;
     if (std::abs(number) > (std::numeric_limits<float>::max)())
       refuse_file(path_,
@@ -723,11 +683,11 @@ private:
 
   // \param what says what it is
   template <class What>
-  long long take_integer(const Ply_layout::Range& range, const std::string& type, const What& what)
+  long long take_integer(const Ply_type& type, const What& what)
   {
     require_word();
     const char* p = lines_.p;
-    if (std::uint32_t count = 0; take_count(p, lines_.last, count) && count <= range.greatest) {
+    if (std::uint32_t count = 0; take_count(p, lines_.last, count) && count <= type.greatest) {
       lines_.p = p;
       return count;
     }
@@ -736,9 +696,9 @@ private:
     const Integer_state state = integer_state(word, number);
     if (state == Integer_state::NOT_AN_INTEGER)
       refuse_file(path_, where() + ": " + quote(word) + " is not an integer, which is needed for " + what());
-    if (state == Integer_state::TOO_LARGE || number < range.least || number > range.greatest)
+    if (state == Integer_state::TOO_LARGE || number < type.least || number > type.greatest)
       refuse_file(path_,
-                  where() + ": " + quote(word) + " is out of range for " + what() + ", which is of type " + type);
+                  where() + ": " + quote(word) + " is out of range for " + what() + ", which is of type " + type.name);
     return number;
   }
 
@@ -775,8 +735,8 @@ inline void read_ply(const std::string& path, const std::uintmax_t size, const P
                      Polygon_soup& soup)
 {
   const Text_encoding encoding = find_ply_encoding(path);
-  const Ply_header header = read_ply_header(path, encoding);
-  check_types(path, header.elements, soup);
+  Ply_header header = read_ply_header(path, encoding);
+  find_roles(path, header.elements, soup);
   check_counts(path, header, size);
   if (header.format == "ascii")
     return Ply_text_reader(path, header, soup, size, progress, encoding.line_end).read();
