@@ -107,22 +107,26 @@ struct Exact_gluing
 
 namespace internal {
 
-class Exact_number_fields : public Length_fields
+// Of both versions of the format.
+class Exact_gluing_reader : public Gluing_reader
 {
 public:
-  template <class Fail>
-  void begin(const std::string& version, const Fail& fail)
+  using Gluing_reader::Gluing_reader;
+
+  std::vector<Rational> squared_lengths; // instead of lengths in version 2
+
+private:
+  void take_version(const std::string& version) override
   {
     is_squared_ = version == "2";
     if (!is_squared_ && version != "1")
       fail(Defect::UNREADABLE, "asks for version " + shown_text(version) + " of the format; there are 1 and 2");
   }
 
-  template <class Fail>
-  void add(const std::string& field, const Fail& fail)
+  void take_number(const std::string& field) override
   {
     if (!is_squared_)
-      return Length_fields::add(field, fail);
+      return Gluing_reader::take_number(field);
     // GMP would read 010 in octal, and ask for any amount of memory.
     if (field.size() > maximum_size)
       fail(Defect::OUT_OF_RANGE, "has a squared length of more than a million digits");
@@ -137,10 +141,6 @@ public:
     squared_lengths.push_back(Rational(n, d));
   }
 
-  std::vector<Rational> squared_lengths;
-
-private:
-  using Defect = Invalid_surface_error::Defect;
   static constexpr std::size_t maximum_size = 1000000;
 
   static bool parse(const std::string& digits, Integer& n)
@@ -186,11 +186,11 @@ inline void write_exact_gluing(std::ostream& os, const Delta_complex& complex,
 ///   O(size)
 inline Exact_gluing read_exact_gluing(std::istream& is)
 {
-  internal::Exact_number_fields numbers;
+  internal::Exact_gluing_reader reader(is);
   Exact_gluing result;
-  result.complex = internal::Gluing_reader<internal::Exact_number_fields>(is).read(numbers);
-  result.lengths = std::move(numbers.lengths);
-  result.squared_lengths = std::move(numbers.squared_lengths);
+  result.complex = reader.read();
+  result.lengths = std::move(reader.lengths);
+  result.squared_lengths = std::move(reader.squared_lengths);
   return result;
 }
 

@@ -35,10 +35,10 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void write_gluing(std::ostream& os, const D
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE Gluing read_gluing(std::istream& is)
 {
-  internal::Lengths_only numbers;
+  internal::Gluing_reader reader(is);
   Gluing result;
-  result.complex = internal::Gluing_reader<internal::Lengths_only>(is).read(numbers);
-  result.lengths = std::move(numbers.lengths);
+  result.complex = reader.read();
+  result.lengths = std::move(reader.lengths);
   return result;
 }
 

@@ -36,17 +36,40 @@ constexpr std::size_t maximum_number_of_isolated_vertices = 1 << 20;
 
 inline bool is_positive_and_finite(double x) { return x > 0 && x <= (std::numeric_limits<double>::max)(); }
 
-// The last fields of the lines of edges, in version 1 of the format: lengths as doubles. For a defect of a line,
-// fail(defect, what) is called, which does not return: `what` follows "line 3 " in a sentence.
-class Length_fields
+// The lines of a text that are not empty without their comments, and what they contain in version 1 of the format.
+class Gluing_reader
 {
 public:
-  Length_fields() { parser_.imbue(std::locale::classic()); }
+  explicit Gluing_reader(std::istream& is) : is_(is) { parser_.imbue(std::locale::classic()); }
+  virtual ~Gluing_reader() = default;
 
-  template <class Fail>
-  void add(const std::string& field, const Fail& fail)
+  Delta_complex read()
   {
-    using Defect = Invalid_surface_error::Defect;
+    read_header();
+    read_faces();
+    read_edges();
+    check_end();
+    return Delta_complex_builder::from_numbered_sides(number_of_vertices_, corner_vertex_, halfedge_of_,
+                                                      number_of_edges_);
+  }
+
+  std::vector<double> lengths; // of the edges
+
+protected:
+  using Defect = Invalid_surface_error::Defect;
+
+  virtual void take_version(const std::string& version)
+  {
+    if (version == "2")
+      fail(Defect::UNREADABLE,
+           "asks for version 2 of the format, with exact squared lengths, which read_exact_gluing() reads");
+    if (version != "1")
+      fail(Defect::UNREADABLE, "asks for version " + shown_text(version) + " of the format; this is version 1");
+  }
+
+  // The last field of the line of an edge.
+  virtual void take_number(const std::string& field)
+  {
     double x = 0;
     parser_.clear();
     parser_.str(field);
@@ -58,56 +81,21 @@ public:
     lengths.push_back(x);
   }
 
-  std::vector<double> lengths;
-
-private:
-  std::istringstream parser_;
-};
-
-// The same for those who read version 1 alone.
-class Lengths_only : public Length_fields
-{
-public:
-  template <class Fail>
-  void begin(const std::string& version, const Fail& fail) const
+  // \param what follows "line 3 " in a sentence
+  [[noreturn]] void fail(Defect defect, const std::string& what) const
   {
-    using Defect = Invalid_surface_error::Defect;
-    if (version == "2")
-      fail(Defect::UNREADABLE,
-           "asks for version 2 of the format, with exact squared lengths, which read_exact_gluing() reads");
-    if (version != "1")
-      fail(Defect::UNREADABLE, "asks for version " + shown_text(version) + " of the format; this is version 1");
-  }
-};
-
-// The lines of a text that are not empty without their comments, and what they contain.
-template <class Number_fields>
-class Gluing_reader
-{
-public:
-  explicit Gluing_reader(std::istream& is) : is_(is) {}
-
-  // \param numbers gets the version and what the file says about each edge
-  Delta_complex read(Number_fields& numbers)
-  {
-    read_header(numbers);
-    read_faces();
-    read_edges(numbers);
-    check_end();
-    return Delta_complex_builder::from_numbered_sides(number_of_vertices_, corner_vertex_, halfedge_of_,
-                                                      number_of_edges_);
+    throw Invalid_surface_error(defect, line_number_, 1, "line " + std::to_string(line_number_) + " " + what);
   }
 
 private:
-  using Defect = Invalid_surface_error::Defect;
   static constexpr std::uint32_t null = (std::numeric_limits<std::uint32_t>::max)();
 
-  void read_header(Number_fields& numbers)
+  void read_header()
   {
     next_line("'INTRINSIC_GLUING 1'", 2);
     if (fields_[0] != "INTRINSIC_GLUING")
       fail(Defect::UNREADABLE, "does not begin with INTRINSIC_GLUING");
-    numbers.begin(fields_[1], [this](Defect defect, const std::string& what) { fail(defect, what); });
+    take_version(fields_[1]);
     next_line("the numbers of vertices, edges and faces", 3);
     number_of_vertices_ = count(fields_[0]);
     number_of_edges_ = count(fields_[1]);
@@ -134,7 +122,7 @@ private:
     }
   }
 
-  void read_edges(Number_fields& numbers)
+  void read_edges()
   {
     halfedge_of_.assign(corner_vertex_.size(), null);
     for (std::size_t e = 0; e < number_of_edges_; ++e) {
@@ -144,7 +132,7 @@ private:
         fail(Defect::INVALID_GLUING, "is an edge without a face");
       if (s != null && t != null && (corner_vertex_[s] != side_target(t) || corner_vertex_[t] != side_target(s)))
         fail(Defect::INVALID_GLUING, "glues sides that do not join the same vertices");
-      numbers.add(fields_[2], [this](Defect defect, const std::string& what) { fail(defect, what); });
+      take_number(fields_[2]);
     }
     const auto it = std::find(halfedge_of_.begin(), halfedge_of_.end(), null);
     if (it != halfedge_of_.end())
@@ -248,12 +236,8 @@ private:
 
   std::uint32_t side_target(std::uint32_t s) const { return corner_vertex_[next_side(s)]; }
 
-  [[noreturn]] void fail(Defect defect, const std::string& what) const
-  {
-    throw Invalid_surface_error(defect, line_number_, 1, "line " + std::to_string(line_number_) + " " + what);
-  }
-
   std::istream& is_;
+  std::istringstream parser_; // of lengths
   std::vector<std::string> fields_;
   std::size_t line_number_ = 0;
   std::size_t number_of_vertices_ = 0, number_of_edges_ = 0, number_of_faces_ = 0;
