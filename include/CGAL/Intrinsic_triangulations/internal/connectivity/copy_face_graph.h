@@ -76,6 +76,7 @@ public:
     const bool is_in_order = is_numbered_in_order<ConcurrencyTag>();
     if (!is_in_order)
       make_tables();
+    copies_faces_ = is_in_order && has_random_access;
     check_size(2 * number_of_edges_);
     Delta_complex::Halfedge_vector records(2 * number_of_edges_, default_init);
     Delta_complex::Descriptor_vector vertex_halfedges(number_of_vertices_, default_init),
@@ -83,21 +84,18 @@ public:
     records_ = records.data(); // of the complex's vectors, too
     vertex_halfedges_ = vertex_halfedges.data();
     face_halfedges_ = face_halfedges.data();
-    copies_faces_ = is_in_order && has_random_access;
     if (copies_faces_) {
       border_.resize(number_of_faces_ / elements_of_block + 1);
-      for_each_element<ConcurrencyTag>(vertices(graph_), number_of_vertices_,
-                                       [&](std::size_t first, std::size_t, auto v, auto end) {
-                                         for (Halfedge_index* to = vertex_halfedges_ + first; v != end; ++v, ++to)
-                                           *to = copy_of(halfedge(*v, graph_), own_halfedge_number());
-                                         return true;
-                                       });
-    } else if (is_in_order) {
-      copy_all(own_vertex_number(), own_halfedge_number(), own_face_number());
+      for_each_element<ConcurrencyTag>(
+        vertices(graph_), number_of_vertices_, [&](std::size_t first, std::size_t, auto v, auto end) {
+          for (Halfedge_index* to = vertex_halfedges_ + first; v != end; ++v, ++to) {
+            const Halfedge h = halfedge(*v, graph_);
+            *to = h == Graph_traits::null_halfedge() ? Halfedge_index() : Halfedge_index(own_number(h));
+          }
+          return true;
+        });
     } else {
-      copy_all([&](Vertex v) { return vertex_number_[get(vertex_index_map_, v)]; },
-               [&](Halfedge h) { return halfedge_number_[get(halfedge_index_map_, h)]; },
-               [&](Face f) { return face_number_[get(face_index_map_, f)]; });
+      copy_all();
     }
     return Delta_complex(std::move(records), std::move(vertex_halfedges), std::move(face_halfedges));
   }
@@ -128,7 +126,7 @@ public:
     for (const std::vector<std::uint32_t>& of_block : border_)
       number_of_copied += of_block.size();
     if (number_of_copied != 2 * number_of_edges_) // an edge without faces, or faces that are not triangles
-      copy_all(own_vertex_number(), own_halfedge_number(), own_face_number());
+      copy_all();
     for (const std::vector<std::uint32_t>& of_block : border_)
       link_to_border(of_block);
   }
@@ -138,18 +136,8 @@ private:
     std::is_convertible<typename std::iterator_traits<typename Graph_traits::face_iterator>::iterator_category,
                         std::random_access_iterator_tag>::value;
 
-  auto own_vertex_number() const
-  {
-    return [this](Vertex v) { return std::uint32_t(get(vertex_index_map_, v)); };
-  }
-  auto own_halfedge_number() const
-  {
-    return [this](Halfedge h) { return std::uint32_t(get(halfedge_index_map_, h)); };
-  }
-  auto own_face_number() const
-  {
-    return [this](Face f) { return std::uint32_t(get(face_index_map_, f)); };
-  }
+  std::uint32_t own_number_of_vertex(Vertex v) const { return std::uint32_t(get(vertex_index_map_, v)); }
+  std::uint32_t own_number(Halfedge h) const { return std::uint32_t(get(halfedge_index_map_, h)); }
 
   // Whether the graph's own indices are 0, 1, 2, ... in the order of its ranges.
   template <class ConcurrencyTag>
@@ -166,32 +154,28 @@ private:
     };
     if (has_no_garbage(graph_))
       return true;
-    const auto vertex_number = own_vertex_number();
-    const auto halfedge_number = own_halfedge_number();
-    const auto face_number = own_face_number();
     return are_in_order(vertices(graph_), number_of_vertices_,
-                        [&](Vertex v, std::uint32_t n) { return vertex_number(v) == n; }) &&
+                        [&](Vertex v, std::uint32_t n) { return own_number_of_vertex(v) == n; }) &&
            are_in_order(edges(graph_), number_of_edges_,
                         [&](Edge e, std::uint32_t n) {
                           const Halfedge h = halfedge(e, graph_);
-                          return halfedge_number(h) == 2 * n && halfedge_number(opposite(h, graph_)) == 2 * n + 1;
+                          return own_number(h) == 2 * n && own_number(opposite(h, graph_)) == 2 * n + 1;
                         }) &&
-           are_in_order(faces(graph_), number_of_faces_, [&](Face f, std::uint32_t n) { return face_number(f) == n; });
+           are_in_order(faces(graph_), number_of_faces_,
+                        [&](Face f, std::uint32_t n) { return std::uint32_t(get(face_index_map_, f)) == n; });
   }
 
   void copy_face(Halfedge h, std::uint32_t number)
   {
-    const auto vertex_number = own_vertex_number();
-    const auto halfedge_number = own_halfedge_number();
     const Halfedge after = next(h, graph_), last = next(after, graph_);
-    const std::uint32_t i = halfedge_number(h), j = halfedge_number(after), k = halfedge_number(last);
+    const std::uint32_t i = own_number(h), j = own_number(after), k = own_number(last);
     face_halfedges_[number] = Halfedge_index(i);
-    records_[i] = {j, halfedge_number(prev(h, graph_)), vertex_number(target(h, graph_)), number};
-    records_[j] = {k, i, vertex_number(target(after, graph_)), number};
-    records_[k] = {i, j, vertex_number(target(last, graph_)), number};
+    records_[i] = {j, own_number(prev(h, graph_)), own_number_of_vertex(target(h, graph_)), number};
+    records_[j] = {k, i, own_number_of_vertex(target(after, graph_)), number};
+    records_[k] = {i, j, own_number_of_vertex(target(last, graph_)), number};
     if (last != prev(h, graph_)) // no triangle, which is for others to find
       for (Halfedge g = last; g != h; g = next(g, graph_))
-        records_[halfedge_number(g)] = record(g, vertex_number, halfedge_number, own_face_number());
+        records_[own_number(g)] = own_record(g, number);
   }
 
   void copy_border_beside(Halfedge h, std::vector<std::uint32_t>& border)
@@ -200,48 +184,47 @@ private:
       const Halfedge g = opposite(h, graph_);
       if (face(g, graph_) != Graph_traits::null_face())
         continue;
-      const std::uint32_t number = own_halfedge_number()(g);
-      records_[number] = record(g, own_vertex_number(), own_halfedge_number(), own_face_number());
-      border.push_back(number);
+      records_[own_number(g)] = own_record(g, Face_index::null_index());
+      border.push_back(own_number(g));
     }
   }
 
-  // All of the graph, at once.
-  template <class VertexNumber, class HalfedgeNumber, class FaceNumber>
-  void copy_all(const VertexNumber& vertex_number, const HalfedgeNumber& halfedge_number, const FaceNumber& face_number)
+  Delta_complex::Halfedge own_record(Halfedge h, std::uint32_t face) const
   {
+    return {own_number(next(h, graph_)), own_number(prev(h, graph_)), own_number_of_vertex(target(h, graph_)), face};
+  }
+
+  // All of the graph, at once.
+  void copy_all()
+  {
+    const auto number_of = [](const std::vector<std::uint32_t>& table, std::size_t own_number) {
+      return table.empty() ? std::uint32_t(own_number) : table[own_number];
+    };
+    const auto number = [&](Halfedge h) { return number_of(halfedge_number_, get(halfedge_index_map_, h)); };
+    const auto copy_of = [&](Halfedge h) {
+      return h == Graph_traits::null_halfedge() ? Halfedge_index() : Halfedge_index(number(h));
+    };
     std::vector<std::uint32_t> border;
-    std::uint32_t number = 0;
+    std::uint32_t i = 0;
     for (Edge e : edges(graph_)) {
       Halfedge h = halfedge(e, graph_);
-      for (int side = 0; side < 2; ++side, ++number, h = opposite(h, graph_)) {
-        records_[number] = record(h, vertex_number, halfedge_number, face_number);
-        if (records_[number].face == Face_index::null_index())
-          border.push_back(number);
+      for (int side = 0; side < 2; ++side, ++i, h = opposite(h, graph_)) {
+        const Face f = face(h, graph_);
+        const bool is_border = f == Graph_traits::null_face();
+        records_[i] = {number(next(h, graph_)), number(prev(h, graph_)),
+                       number_of(vertex_number_, get(vertex_index_map_, target(h, graph_))),
+                       is_border ? Face_index::null_index() : number_of(face_number_, get(face_index_map_, f))};
+        if (is_border)
+          border.push_back(i);
       }
     }
     Halfedge_index* to = face_halfedges_;
     for (Face f : faces(graph_))
-      *to++ = copy_of(halfedge(f, graph_), halfedge_number);
+      *to++ = copy_of(halfedge(f, graph_));
     to = vertex_halfedges_;
     for (Vertex v : vertices(graph_))
-      *to++ = copy_of(halfedge(v, graph_), halfedge_number);
+      *to++ = copy_of(halfedge(v, graph_));
     link_to_border(border);
-  }
-
-  template <class VertexNumber, class HalfedgeNumber, class FaceNumber>
-  Delta_complex::Halfedge record(Halfedge h, const VertexNumber& vertex_number, const HalfedgeNumber& halfedge_number,
-                                 const FaceNumber& face_number) const
-  {
-    const Face f = face(h, graph_);
-    return {halfedge_number(next(h, graph_)), halfedge_number(prev(h, graph_)), vertex_number(target(h, graph_)),
-            f == Graph_traits::null_face() ? Face_index::null_index() : face_number(f)};
-  }
-
-  template <class HalfedgeNumber>
-  static Halfedge_index copy_of(Halfedge h, const HalfedgeNumber& halfedge_number)
-  {
-    return h == Graph_traits::null_halfedge() ? Halfedge_index() : Halfedge_index(halfedge_number(h));
   }
 
   // The halfedge of a vertex on the border is one of the border.
@@ -283,7 +266,7 @@ private:
   Halfedge_index_map halfedge_index_map_;
   Face_index_map face_index_map_;
   std::size_t number_of_vertices_ = 0, number_of_edges_ = 0, number_of_faces_ = 0;
-  std::vector<std::uint32_t> vertex_number_, halfedge_number_, face_number_; // if they are not in order
+  std::vector<std::uint32_t> vertex_number_, halfedge_number_, face_number_; // if the graph's own are not in order
   bool copies_faces_ = false;                                                // or copy_vertices() copies all
   std::vector<std::vector<std::uint32_t>> border_;                           // of each block of faces
   Delta_complex::Halfedge* records_ = nullptr;
