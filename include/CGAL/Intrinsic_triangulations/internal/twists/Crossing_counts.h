@@ -126,32 +126,25 @@ private:
   // The segments that cut off the corner between sides crossed a and b times, beyond one that is crossed c times.
   static Integer cut_off(const Integer& a, const Integer& b, const Integer& c)
   {
-    const Integer twice = a + b - c;
-    if (twice <= 0)
-      return 0;
-    return (std::min)((std::min)(a, b), Integer(twice / 2));
+    return (std::min)((std::min)(a, b), visible(Integer((a + b - c) / 2)));
   }
   // The segments from a corner to the opposite side, which is crossed `far` times, the two sides at the corner a and b
   // times.
-  static Integer leaving(const Integer& far, const Integer& a, const Integer& b)
-  {
-    const Integer rest = far - a - b;
-    return rest < 0 ? Integer(0) : rest;
-  }
+  static Integer leaving(const Integer& far, const Integer& a, const Integer& b) { return visible(far - a - b); }
 
   // The count of the other diagonal, kl, of the hinge of ij; the formulas are explained at Normal_coordinates::flip().
   static Integer flipped(const Integer& ij, const Integer& jk, const Integer& ki, const Integer& il, const Integer& lj)
   {
     const Integer n_ij = visible(ij);
-    const Integer above_i = cut_off(n_ij, ki, jk), above_j = cut_off(n_ij, jk, ki), above_k = cut_off(jk, ki, n_ij);
-    const Integer below_i = cut_off(n_ij, il, lj), below_j = cut_off(n_ij, lj, il), below_l = cut_off(il, lj, n_ij);
+    const Integer above_i = cut_off(n_ij, ki, jk), above_j = cut_off(n_ij, jk, ki);
+    const Integer below_i = cut_off(n_ij, il, lj), below_j = cut_off(n_ij, lj, il);
     const Integer from_k = n_ij - above_i - above_j, from_l = n_ij - below_i - below_j;
     // Counted from i, the segments that end in k cross ij after above_i others, those that end in l after below_i.
     if ((std::max)(above_i, below_i) < (std::min)(Integer(above_i + from_k), Integer(below_i + from_l)))
       return -1;
-    return above_k + below_l + leaving(jk, n_ij, ki) + leaving(ki, n_ij, jk) + leaving(il, n_ij, lj) +
-           leaving(lj, n_ij, il) + visible(above_i - below_i - from_l) + visible(below_i - above_i - from_k) +
-           (ij < 0 ? 1 : 0);
+    return (std::max)(Integer(jk - above_j), Integer(ki - above_i)) +
+           (std::max)(Integer(lj - below_j), Integer(il - below_i)) + visible(above_i - below_i - from_l) +
+           visible(below_i - above_i - from_k) + (ij < 0 ? 1 : 0);
   }
 
   void flip(const Delta_complex& complex, const Hinge_halfedges& around)
