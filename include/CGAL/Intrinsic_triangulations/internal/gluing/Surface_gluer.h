@@ -8,6 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_SURFACE_GLUER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_SURFACE_GLUER_H
 
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Faces_around_edge.h>
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Sides_by_edge.h>
@@ -15,16 +16,17 @@
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 
+#include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -336,47 +338,35 @@ private:
       for (const Entry& entry : edge.entries)
         if (!is_hanging_[entry.piece])
           network_of[entry.piece] = networks.find(entry.piece);
-    const auto for_each_face = [&](const auto& function) {
-      for (std::size_t f = 0; f < triangles_.size(); ++f)
-        if (const Index piece = pieces_.piece_of[f]; network_of[piece] != none)
-          function(network_of[piece], triangles_[f], is_turned_[f] != turns(piece));
+    // Adds six times the volume below each face to that of its network, if it is one of those.
+    const auto add_volumes = [&](auto& six_times, const auto& is_wanted) {
+      using Number = std::decay_t<decltype(six_times[0])>;
+      for (std::size_t f = 0; f < triangles_.size(); ++f) {
+        const Index piece = pieces_.piece_of[f], network = network_of[piece];
+        if (network == none || !is_wanted(network))
+          continue;
+        std::array<Vector_3<Number>, 3> p;
+        for (std::size_t i = 0; i < 3; ++i)
+          p[i] = difference<Number>(points_, Vertex_index(triangles_[0][0]), Vertex_index(triangles_[f][i]));
+        const Number volume = scalar_product(cross_product(p[0], p[1]), p[2]);
+        const bool is_turned = is_turned_[f] != turns(piece);
+        six_times[network] = six_times[network] + (is_turned ? Number(-volume) : volume);
+      }
     };
-    const auto corners = [&](auto zero, const Index_triangle& t) {
-      std::array<Vector_3<decltype(zero)>, 3> p;
-      for (std::size_t i = 0; i < 3; ++i)
-        p[i] = difference<decltype(zero)>(points_, Vertex_index(triangles_[0][0]), Vertex_index(t[i]));
-      return p;
-    };
-    std::vector<double> volume(n, 0), size(n, 0), extent(n, 0);
-    for_each_face([&](Index network, const Index_triangle& t, bool is_turned) {
-      const auto p = corners(0., t);
-      const double six_times = scalar_product(cross_product(p[0], p[1]), p[2]);
-      volume[network] += is_turned ? -six_times : six_times;
-      size[network] += sum_of_absolute_values(p[0]) * sum_of_absolute_values(p[1]) * sum_of_absolute_values(p[2]);
-      extent[network] = (std::max)(
-        {extent[network], sum_of_absolute_values(p[0]), sum_of_absolute_values(p[1]), sum_of_absolute_values(p[2])});
-    });
-    // The errors of the products, as in is_clearly_bent(), of the sums, and by underflow.
-    const double error = 0x1p-48 + 0x1p-52 * double(triangles_.size());
+    std::vector<Double_with_bound> bounded(n);
+    add_volumes(bounded, [](Index) { return true; });
+    std::map<Index, Exact_ring> exact; // of which the bounds do not tell it
     std::vector<bool> result(n, false);
-    std::vector<Index> open; // networks of which doubles do not tell it
     for (Index i = 0; i < n; ++i) {
-      result[i] = volume[i] < 0;
-      if (extent[i] > 0 && !(std::abs(volume[i]) > error * size[i] + 1e-280 && extent[i] < 1e30))
-        open.push_back(i);
+      const Uncertain<Sign> sign = bounded[i].sign();
+      result[i] = certainly(sign == NEGATIVE);
+      if (!is_certain(sign))
+        exact[i] = 0;
     }
-    std::vector<Exact_ring> exact(open.size());
-    for_each_face([&](Index network, const Index_triangle& t, bool is_turned) {
-      const auto it = std::lower_bound(open.begin(), open.end(), network);
-      if (it == open.end() || *it != network)
-        return;
-      const auto p = corners(Exact_ring(), t);
-      const Exact_ring six_times = scalar_product(cross_product(p[0], p[1]), p[2]);
-      Exact_ring& sum = exact[std::size_t(it - open.begin())];
-      sum = is_turned ? Exact_ring(sum - six_times) : Exact_ring(sum + six_times);
-    });
-    for (std::size_t i = 0; i < open.size(); ++i)
-      result[open[i]] = CGAL::sign(exact[i]) == NEGATIVE;
+    if (!exact.empty())
+      add_volumes(exact, [&exact](Index network) { return exact.count(network) != 0; });
+    for (const auto& [network, volume] : exact)
+      result[network] = CGAL::sign(volume) == NEGATIVE;
     return result;
   }
 
