@@ -158,6 +158,13 @@ inline void require_vertex(Vertex_index v, std::size_t n)
                                  " vertices, counted from 0");
 }
 
+// What a triangulation in a file says that cannot be true.
+[[noreturn]] inline void throw_not_a_triangulation(const char* kind, std::size_t element, const std::string& what)
+{
+  throw Invalid_surface_error(Invalid_surface_error::Defect::UNREADABLE, element, 1,
+                              std::string(kind) + " " + std::to_string(element) + " " + what);
+}
+
 } // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations

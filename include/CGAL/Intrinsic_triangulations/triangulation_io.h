@@ -43,7 +43,6 @@ void write_triangulation(std::ostream& os, const Intrinsic_triangulation<Filtere
                          const std::vector<Halfedge_index>& first_sides,
                          const NamedParameters& np = parameters::default_values())
 {
-  const Delta_complex& input = triangulation.input();
   using parameters::get_parameter;
   std::vector<bool> is_constrained;
   if constexpr (internal::has_edge_constraints<NamedParameters>) {
@@ -51,13 +50,11 @@ void write_triangulation(std::ostream& os, const Intrinsic_triangulation<Filtere
     for (Edge_index e : triangulation.connectivity().edges())
       is_constrained.push_back(get(map, e));
   }
-  const internal::Stored_numbers numbers{
-    [&](Face_index f) { return first_sides.empty() ? input.halfedge(f) : first_sides[f.idx()]; },
-    [&](Edge_index e) { return triangulation.edge_data(e); },
-    [&](Face_index f) {
-      const Bounded_area& area = triangulation.face_data(f);
-      return std::array<double, 2>{area.value, area.error};
-    }};
+  const internal::Stored_numbers numbers{first_sides, [&](Edge_index e) { return triangulation.edge_data(e); },
+                                         [&](Face_index f) {
+                                           const Bounded_area& area = triangulation.face_data(f);
+                                           return std::array<double, 2>{area.value, area.error};
+                                         }};
   internal::write_saved_file(os, internal::engine(triangulation), triangulation.stage_counts(), numbers, is_constrained,
                              internal::go_further_function_of(np));
 }
@@ -108,12 +105,10 @@ void write_triangulation(std::ostream& os, const Common_subdivision& subdivision
                          const NamedParameters& np = parameters::default_values())
 {
   const internal::Exact_engine& engine = internal::engine(subdivision);
-  const Delta_complex& input = engine.correspondence().input();
   // A subdivision keeps no numbers of the traits: without bounds, a reader replaces them by the true ones.
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const internal::Stored_numbers numbers{
-    [&](Face_index f) { return first_sides.empty() ? input.halfedge(f) : first_sides[f.idx()]; },
-    [](Edge_index) { return unknown; },
+    first_sides, [](Edge_index) { return unknown; },
     [](Face_index) {
       return std::array<double, 2>{unknown, std::numeric_limits<double>::infinity()};
     }};

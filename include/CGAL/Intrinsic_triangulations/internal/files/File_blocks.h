@@ -35,8 +35,7 @@ void reserve(std::vector<T>& elements, const std::uintmax_t n)
 }
 
 // The same for points and triangles.
-template <class Soup>
-void reserve(Soup& soup, const std::uintmax_t points, const std::uintmax_t triangles)
+inline void reserve(Polygon_soup& soup, const std::uintmax_t points, const std::uintmax_t triangles)
 {
   reserve(soup.points, points);
   reserve(soup.triangles, triangles);

@@ -20,11 +20,7 @@
 #include <string>
 #include <string_view>
 
-namespace CGAL::Intrinsic_triangulations {
-
-struct Polygon_soup;
-
-namespace internal {
+namespace CGAL::Intrinsic_triangulations::internal {
 
 class Text_lines
 {
@@ -203,7 +199,6 @@ protected:
   Text_lines lines_;
 };
 
-} // namespace internal
-} // namespace CGAL::Intrinsic_triangulations
+} // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_TEXT_LINES_H

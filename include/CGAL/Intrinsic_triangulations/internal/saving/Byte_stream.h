@@ -16,21 +16,15 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <exception>
 #include <ios>
 #include <istream>
 #include <ostream>
 #include <streambuf>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
-
-template <std::size_t size>
-using Unsigned =
-  std::conditional_t<size == 1, std::uint8_t, std::conditional_t<size == 4, std::uint32_t, std::uint64_t>>;
 
 class Byte_writer
 {
@@ -40,10 +34,14 @@ public:
   template <class... Number>
   void put(Number... x)
   {
-    std::array<char, (sizeof(Number) + ...)> row;
-    char* at = row.data();
-    (put_one(at, x), ...);
-    bytes_.append(row.data(), row.size());
+    std::array<unsigned char, (sizeof(Number) + ...)> row;
+    unsigned char* at = row.data();
+    const auto put_one = [&at](auto number) {
+      boost::endian::endian_store<decltype(number), sizeof(number), boost::endian::order::little>(at, number);
+      at += sizeof(number);
+    };
+    (put_one(x), ...);
+    bytes_.append(reinterpret_cast<const char*>(row.data()), row.size());
     if (bytes_.size() > block)
       flush();
   }
@@ -56,16 +54,6 @@ public:
 
 private:
   static constexpr std::size_t block = 1 << 16;
-
-  template <class Number>
-  static void put_one(char*& at, Number x)
-  {
-    Unsigned<sizeof(Number)> bits;
-    std::memcpy(&bits, &x, sizeof(x));
-    boost::endian::native_to_little_inplace(bits);
-    std::memcpy(at, &bits, sizeof(bits));
-    at += sizeof(bits);
-  }
 
   std::ostream& os_;
   std::string bytes_;
@@ -143,13 +131,9 @@ public:
   template <class Number>
   Number get()
   {
-    Unsigned<sizeof(Number)> bits;
-    std::memcpy(&bits, next_, sizeof(bits));
-    next_ += sizeof(bits);
-    boost::endian::little_to_native_inplace(bits);
-    Number result;
-    std::memcpy(&result, &bits, sizeof(bits));
-    return result;
+    const auto* const at = reinterpret_cast<const unsigned char*>(next_);
+    next_ += sizeof(Number);
+    return boost::endian::endian_load<Number, sizeof(Number), boost::endian::order::little>(at);
   }
   // Whether this row is the first of those that were read at once.
   bool begins_block() const { return next_ == bytes_.data(); }
