@@ -171,13 +171,14 @@ public:
     const std::size_t a = corners_[sides_[position].source], b = corners_[sides_[position].target];
     return {{(std::min)(a, b), (std::max)(a, b)}};
   }
-  // Calls function(face) for the faces of the edge whose first side this is, until it returns false.
-  template <class Function>
-  void for_each_face_of_edge(const std::size_t position, Function function) const
+  // The faces of the edge whose first side this is.
+  std::vector<std::size_t> faces_of_edge(const std::size_t position) const
   {
+    std::vector<std::size_t> faces;
     for (std::size_t s = position; s < bucket_begin_[ends(position)[0] + 1]; ++s)
-      if (sides_[s].other == sides_[position].other && !function(face_of_side(s)))
-        return;
+      if (sides_[s].other == sides_[position].other)
+        faces.push_back(face_of_side(s));
+    return faces;
   }
 
 private:

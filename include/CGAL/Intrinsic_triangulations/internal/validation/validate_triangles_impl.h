@@ -46,16 +46,11 @@ inline std::string edge_text(const Polygon_sides& polygons, const std::size_t si
 
 inline std::string faces_text(const Polygon_sides& polygons, const std::size_t side)
 {
-  std::string text;
-  std::size_t written = 0;
-  bool is_complete = true;
-  polygons.for_each_face_of_edge(side, [&](const std::size_t face) {
-    if (written == 8)
-      return is_complete = false;
-    text += (written++ == 0 ? "" : ", ") + std::to_string(face);
-    return true;
-  });
-  return (written == 1 ? "face " : "faces ") + text + (is_complete ? "" : ", ...");
+  const std::vector<std::size_t> faces = polygons.faces_of_edge(side);
+  std::string text = faces.size() == 1 ? "face " : "faces ";
+  for (std::size_t i = 0; i < faces.size() && i < 8; ++i)
+    text += (i == 0 ? "" : ", ") + std::to_string(faces[i]);
+  return text + (faces.size() > 8 ? ", ..." : "");
 }
 
 // Examines one list of polygons, in passes over the flat arrays of Polygon_sides.
@@ -104,10 +99,20 @@ private:
       Finding{defect, std::move(elements), {}, count, defect <= Defect::OUT_OF_RANGE, std::move(description)});
     return report_.findings.back();
   }
-  // The elements of `edges` are positions in sides_ of the first sides of edges.
-  void add_edges(const Defect defect, const Element_collector& edges, std::string description)
+  // \param describe says what is wrong with the first element
+  template <class Describe>
+  void add(const Defect defect, const Element_collector& elements, const Describe& describe)
   {
-    Finding& finding = add(defect, edges.count(), {}, std::move(description));
+    if (elements.count() != 0)
+      add(defect, elements.count(), elements.elements(), describe(elements.first()));
+  }
+  // The elements of `edges` are positions in sides_ of the first sides of edges.
+  template <class Describe>
+  void add_edges(const Defect defect, const Element_collector& edges, const Describe& describe)
+  {
+    if (edges.count() == 0)
+      return;
+    Finding& finding = add(defect, edges.count(), {}, describe(edges.first()));
     for (const std::size_t s : edges.elements()) {
       finding.elements.push_back(polygons_.face_of_side(s));
       finding.edges.push_back(polygons_.ends(s));
@@ -128,10 +133,10 @@ private:
             : "the faces have more corners than 32-bit indices can number");
     if (!report_.findings.empty())
       return false;
-    if (const Element_collector& bad = polygons_.faces_with_bad_index(); bad.count() != 0)
-      add(Defect::BAD_INDEX, bad.count(), bad.elements(),
-          "face " + std::to_string(bad.first()) + " names vertex " + index_text(polygons_.first_bad_index()) +
-            ", but there " + are_counted(n, "vertex", "vertices"));
+    add(Defect::BAD_INDEX, polygons_.faces_with_bad_index(), [&](const std::size_t f) {
+      return "face " + std::to_string(f) + " names vertex " + index_text(polygons_.first_bad_index()) + ", but there " +
+             are_counted(n, "vertex", "vertices");
+    });
     return true;
   }
 
@@ -147,15 +152,15 @@ private:
           box_.add(i, p[i]);
     }
     all_finite_ = bad.count() == 0;
-    if (all_finite_) {
+    if (all_finite_)
       examine_scaled_coordinates();
-      return;
-    }
-    const Coordinates p = point(bad.first());
-    std::ostringstream text;
-    text.precision(17);
-    text << "vertex " << bad.first() << " has the coordinates (" << p[0] << ", " << p[1] << ", " << p[2] << ")";
-    add(Defect::NOT_FINITE, bad.count(), bad.elements(), text.str());
+    add(Defect::NOT_FINITE, bad, [this](const std::size_t v) {
+      const Coordinates p = point(v);
+      std::ostringstream text;
+      text.precision(17);
+      text << "vertex " << v << " has the coordinates (" << p[0] << ", " << p[1] << ", " << p[2] << ")";
+      return text.str();
+    });
   }
 
   // What the constructors refuse to scale.
@@ -168,13 +173,13 @@ private:
     for (std::size_t v = 0; v < number_of_vertices_; ++v)
       if (Coordinates p = point(v); polygons_.is_used(v) && !scale_point(p, box_, exponent_))
         vanishing.add(v);
-    if (vanishing.count() == 0)
-      return;
-    const Coordinates p = point(vanishing.first());
-    std::ostringstream text;
-    text << "vertex " << vanishing.first() << " at (" << p[0] << ", " << p[1] << ", " << p[2]
-         << ") has a coordinate that is lost beside the size of the surface, about " << 2 * box_.half_extent();
-    add(Defect::OUT_OF_RANGE, vanishing.count(), vanishing.elements(), text.str());
+    add(Defect::OUT_OF_RANGE, vanishing, [this](const std::size_t v) {
+      const Coordinates p = point(v);
+      std::ostringstream text;
+      text << "vertex " << v << " at (" << p[0] << ", " << p[1] << ", " << p[2]
+           << ") has a coordinate that is lost beside the size of the surface, about " << 2 * box_.half_extent();
+      return text.str();
+    });
   }
 
   // Number of corners, repeated corners and zero areas.
@@ -204,19 +209,15 @@ private:
       if (is_repeated)
         repeated.add(f);
     }
-    if (not_triangles.count() != 0) {
-      const std::size_t f = not_triangles.first(), corners = polygons_.degree(f);
+    add(Defect::NOT_A_TRIANGLE, not_triangles, [this](const std::size_t f) {
+      const std::size_t corners = polygons_.degree(f);
       const bool has_text = corners != 0 && polygons_.vertex(polygons_.begin_of_face(f)) != none_;
-      add(Defect::NOT_A_TRIANGLE, not_triangles.count(), not_triangles.elements(),
-          "face " + (has_text ? face_text(polygons_, f) : std::to_string(f)) + " has " + std::to_string(corners) +
-            (corners == 1 ? " corner" : " corners") + " instead of 3");
-    }
-    if (repeated.count() != 0)
-      add(Defect::REPEATED_CORNER, repeated.count(), repeated.elements(),
-          "face " + face_text(polygons_, repeated.first()) + " names a vertex twice");
-    if (flat.count() != 0)
-      add(Defect::DEGENERATE_FACE, flat.count(), flat.elements(),
-          "face " + face_text(polygons_, flat.first()) + " has zero area");
+      return "face " + (has_text ? face_text(polygons_, f) : std::to_string(f)) + " has " +
+             counted(corners, "corner", "corners") + " instead of 3";
+    });
+    const auto face = [this](const std::size_t f) { return "face " + face_text(polygons_, f); };
+    add(Defect::REPEATED_CORNER, repeated, [&](const std::size_t f) { return face(f) + " names a vertex twice"; });
+    add(Defect::DEGENERATE_FACE, flat, [&](const std::size_t f) { return face(f) + " has zero area"; });
   }
 
   void examine_edges()
@@ -266,37 +267,24 @@ private:
         find_duplicates_in_bucket(begin, end, marks, crowded_faces, duplicates);
     }
     report_.is_orientable = turned.count() == 0 || (crowded.count() == 0 && is_orientable(marks));
-    if (duplicates.count() != 0)
-      add(Defect::DUPLICATE_FACE, duplicates.count(), duplicates.elements(),
-          "face " + face_text(polygons_, duplicates.first()) + " has the same corners as face " +
-            std::to_string(first_face_like(duplicates.first())));
-    if (crowded.count() != 0)
-      add_edges(Defect::NON_MANIFOLD_EDGE, crowded,
-                edge_text(polygons_, crowded.first()) + " has " + std::to_string(number_of_faces_at(crowded.first())) +
-                  " faces (" + faces_text(polygons_, crowded.first()) + ")");
-    if (turned.count() != 0)
-      add_edges(Defect::INCONSISTENT_ORIENTATION, turned,
-                edge_text(polygons_, turned.first()) + " is traversed in the same direction by both its faces (" +
-                  faces_text(polygons_, turned.first()) +
-                  (report_.is_orientable || crowded.count() != 0
-                     ? ")"
-                     : ") and the surface is one-sided, so that no choice of directions fits"));
-    if (coincident.count() != 0)
-      add_edges(Defect::ZERO_LENGTH_EDGE, coincident,
-                edge_text(polygons_, coincident.first()) + " of " + faces_text(polygons_, coincident.first()) +
-                  " has zero length, its ends coincide");
+    const auto edge = [this](const std::size_t s) { return edge_text(polygons_, s); };
+    const auto faces = [this](const std::size_t s) { return faces_text(polygons_, s); };
+    add(Defect::DUPLICATE_FACE, duplicates, [&](const std::size_t f) {
+      return "face " + face_text(polygons_, f) + " has the same corners as face " + std::to_string(first_face_like(f));
+    });
+    add_edges(Defect::NON_MANIFOLD_EDGE, crowded, [&](const std::size_t s) {
+      return edge(s) + " has " + std::to_string(polygons_.faces_of_edge(s).size()) + " faces (" + faces(s) + ")";
+    });
+    add_edges(Defect::INCONSISTENT_ORIENTATION, turned, [&](const std::size_t s) {
+      const bool is_one_sided = !report_.is_orientable && crowded.count() == 0;
+      return edge(s) + " is traversed in the same direction by both its faces (" + faces(s) +
+             (is_one_sided ? ") and the surface is one-sided, so that no choice of directions fits" : ")");
+    });
+    add_edges(Defect::ZERO_LENGTH_EDGE, coincident,
+              [&](const std::size_t s) { return edge(s) + " of " + faces(s) + " has zero length, its ends coincide"; });
     count_fans(fans);
     if (all_finite_)
       lengths_ = lengths;
-  }
-  std::size_t number_of_faces_at(const std::size_t side) const
-  {
-    std::size_t count = 0;
-    polygons_.for_each_face_of_edge(side, [&count](std::size_t) {
-      ++count;
-      return true;
-    });
-    return count;
   }
   // Among the faces at the edges of a bucket that have more than two.
   void find_duplicates_in_bucket(const std::size_t begin, const std::size_t end, const std::vector<Edge_mark>& marks,
@@ -367,21 +355,24 @@ private:
       return;
     Element_collector shortest;
     shortest.add(lengths_.shortest_edge());
-    std::ostringstream text;
-    text << edge_text(polygons_, lengths_.shortest_edge()) << " (length about " << lengths_.shortest() << ") and "
-         << edge_text(polygons_, lengths_.longest_edge()) << " (length about ";
-    if (std::isinf(lengths_.longest()))
-      text << "2^1024";
-    else
-      text << lengths_.longest();
-    text << ") differ by a factor of about 2^" << report_.exponent_of_longest_edge - report_.exponent_of_shortest_edge;
-    add_edges(Defect::OUT_OF_RANGE, shortest, text.str());
+    add_edges(Defect::OUT_OF_RANGE, shortest, [this](const std::size_t s) {
+      std::ostringstream text;
+      text << edge_text(polygons_, s) << " (length about " << lengths_.shortest() << ") and "
+           << edge_text(polygons_, lengths_.longest_edge()) << " (length about ";
+      if (std::isinf(lengths_.longest()))
+        text << "2^1024";
+      else
+        text << lengths_.longest();
+      text << ") differ by a factor of about 2^"
+           << report_.exponent_of_longest_edge - report_.exponent_of_shortest_edge;
+      return text.str();
+    });
   }
 
   // The corners at a vertex that are connected through sides are one fan.
   void count_fans(Disjoint_sets& fans)
   {
-    number_of_fans_.assign(number_of_vertices_, 0);
+    std::vector<Index> number_of_fans(number_of_vertices_, 0);
     Element_collector pinched;
     for (std::size_t f = 0; f < report_.number_of_faces; ++f) {
       const std::size_t begin = polygons_.begin_of_face(f), end = polygons_.begin_of_face(f + 1);
@@ -389,22 +380,21 @@ private:
         continue;
       for (std::size_t c = begin; c < end; ++c)
         if (fans.find(static_cast<Index>(c)) == c)
-          ++number_of_fans_[polygons_.vertex(c)];
+          ++number_of_fans[polygons_.vertex(c)];
     }
     for (std::size_t v = 0; v < number_of_vertices_; ++v)
-      if (number_of_fans_[v] > 1)
+      if (number_of_fans[v] > 1)
         pinched.add(v);
-    if (pinched.count() == 0)
-      return;
-    std::string faces;
-    std::size_t written = 0;
-    for (std::size_t c = 0; c < polygons_.number_of_corners() && written < 2; ++c)
-      if (polygons_.vertex(c) == pinched.first() && fans.find(static_cast<Index>(c)) == c)
-        faces +=
-          (written++ == 0 ? "one with face " : ", another with face ") + std::to_string(polygons_.face_of_corner(c));
-    add(Defect::NON_MANIFOLD_VERTEX, pinched.count(), pinched.elements(),
-        "the faces around vertex " + std::to_string(pinched.first()) + " form " +
-          std::to_string(number_of_fans_[pinched.first()]) + " fans that touch only there (" + faces + ")");
+    add(Defect::NON_MANIFOLD_VERTEX, pinched, [&](const std::size_t v) {
+      std::string faces;
+      std::size_t written = 0;
+      for (std::size_t c = 0; c < polygons_.number_of_corners() && written < 2; ++c)
+        if (polygons_.vertex(c) == v && fans.find(static_cast<Index>(c)) == c)
+          faces +=
+            (written++ == 0 ? "one with face " : ", another with face ") + std::to_string(polygons_.face_of_corner(c));
+      return "the faces around vertex " + std::to_string(v) + " form " + std::to_string(number_of_fans[v]) +
+             " fans that touch only there (" + faces + ")";
+    });
   }
   void examine_use()
   {
@@ -419,19 +409,17 @@ private:
         roots.add(v);
     }
     report_.number_of_components = roots.count();
-    if (unused.count() != 0)
-      add(Defect::UNREFERENCED_VERTEX, unused.count(), unused.elements(),
-          "vertex " + std::to_string(unused.first()) + " is not referenced by any face");
+    add(Defect::UNREFERENCED_VERTEX, unused,
+        [](const std::size_t v) { return "vertex " + std::to_string(v) + " is not referenced by any face"; });
     if (roots.count() > 1)
-      add(Defect::SEVERAL_COMPONENTS, roots.count(), roots.elements(),
-          "the surface has " + std::to_string(roots.count()) + " components");
+      add(Defect::SEVERAL_COMPONENTS, roots,
+          [&](std::size_t) { return "the surface has " + std::to_string(roots.count()) + " components"; });
   }
 
   const std::vector<Coordinates>& points_;
   Polygon_sides& polygons_;
   const std::size_t number_of_vertices_ = polygons_.number_of_vertices();
   bool all_finite_ = true;
-  std::vector<Index> number_of_fans_;
   Box box_; // of the vertices that are used
   int exponent_ = 0;
   Length_range lengths_;
