@@ -638,15 +638,10 @@ private:
     refuse_file(path_, surplus_.empty() ? "the file ends too early, after " + so_far() : surplus_);
   }
   std::string so_far() const { return vertices_and_faces(soup_.points.size(), soup_.number_of_faces()); }
-  // Goes over the number at p if it is the whole word.
   template <class Real>
-  bool take_real_word(Real& number)
+  bool take_real(Real& number)
   {
-    const char* p = lines_.p;
-    if (!take_real(p, lines_.last, number) || (p != lines_.last && *p == '#'))
-      return false;
-    lines_.p = p;
-    return true;
+    return internal::take_real(lines_.p, lines_.last, number, no_comment);
   }
 
   double take_value(const Ply_property& property)
@@ -657,7 +652,7 @@ private:
     require_word();
     double number = 0;
     float rounded = 0;
-    if (is_double ? take_real_word(number) : take_real_word(rounded))
+    if (is_double ? take_real(number) : take_real(rounded))
       return is_double ? number : rounded;
     const std::string_view word = lines_.take_word();
     number = check_coordinate(path_, word, where(), index_);
@@ -674,7 +669,7 @@ private:
   void skip_value(const Ply_property& property)
   {
     require_word();
-    if (double ignored = 0; take_real_word(ignored))
+    if (double ignored = 0; take_real(ignored))
       return;
     if (const std::string_view word = lines_.take_word(); !is_number(word))
       refuse_file(path_, where() + ": " + quote(word) + " is not a number, which is needed for " + property.name,

@@ -24,7 +24,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <initializer_list>
 #include <string>
@@ -95,8 +94,7 @@ using Defect = Invalid_surface_error::Defect;
 inline std::string load_file(const std::string& path, const std::size_t at_most)
 {
   std::ifstream in(path, std::ios::binary);
-  std::error_code ignored;
-  std::string text((std::min<std::uintmax_t>)(std::filesystem::file_size(path, ignored), at_most), '\0');
+  std::string text(at_most, '\0');
   in.read(&text[0], static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(in.gcount()));
   return text;
@@ -205,10 +203,10 @@ inline bool read_integer(const std::string_view word, long long& number)
 // Goes behind the number at p if all is well with it, and it ends with the word or at a comment: most numbers do, and
 // anything else needs a closer look, by check_coordinate(). Leaves p otherwise.
 template <class Real>
-BOOST_FORCEINLINE bool take_real(const char*& p, const char* const end, Real& number)
+BOOST_FORCEINLINE bool take_real(const char*& p, const char* const end, Real& number, const char comment = '#')
 {
   const std::from_chars_result result = internal::from_chars(p, end, number);
-  if (result.ec != std::errc() || !(result.ptr == end || is_white(*result.ptr) || *result.ptr == '#') ||
+  if (result.ec != std::errc() || !(result.ptr == end || is_white(*result.ptr) || *result.ptr == comment) ||
       !std::isfinite(number))
     return false;
   p = result.ptr;

@@ -63,8 +63,7 @@ public:
       is_turned_(pieces_.is_turned), glued_to_(3 * triangles.size(), none), is_hanging_(pieces_.pieces.size(), false),
       turns_(2 * pieces_.pieces.size()), joined_(pieces_.pieces.size())
   {
-    glue_simple_edges();
-    find_crowded_edges();
+    look_at_edges();
     find_hanging_pieces();
     for (const bool are_hanging : {false, true}) {
       turn_pieces(are_hanging);
@@ -108,26 +107,21 @@ private:
   };
   using Entries = std::vector<Entry*>;
 
-  void glue_simple_edges()
-  {
-    sides_.for_each_edge([&](Index, const Sides_by_edge::Side* begin, const Sides_by_edge::Side* end) {
-      const auto runs_backward = [this](const Sides_by_edge::Side& s) {
-        return s.runs_to_smaller_end() != is_turned_[s.face()];
-      };
-      if (end - begin == 2 && runs_backward(begin[0]) != runs_backward(begin[1])) {
-        glue_sides(begin[0].side(), begin[1].side());
-      } else if (end - begin <= 2) {
-        is_hanging_[pieces_.piece_of[begin->face()]] = true;
-      }
-    });
-  }
-
-  void find_crowded_edges()
+  // Glues the sides of simple ones.
+  void look_at_edges()
   {
     std::vector<Faces_around_edge::Face> around;
     sides_.for_each_edge([&](Index v, const Sides_by_edge::Side* begin, const Sides_by_edge::Side* end) {
-      if (end - begin <= 2)
+      const auto runs_backward = [this](const Sides_by_edge::Side& s) {
+        return s.runs_to_smaller_end() != is_turned_[s.face()];
+      };
+      if (end - begin <= 2) {
+        if (end - begin == 2 && runs_backward(begin[0]) != runs_backward(begin[1]))
+          glue_sides(begin[0].side(), begin[1].side());
+        else
+          is_hanging_[pieces_.piece_of[begin->face()]] = true;
         return;
+      }
       around.clear();
       for (const Sides_by_edge::Side* s = begin; s < end; ++s)
         around.push_back({triangles_[s->face()][(s->side() + 2) % 3], Index(s - begin)});
@@ -136,8 +130,7 @@ private:
       Crowded_edge edge;
       for (std::size_t i = 0; i < around.size(); ++i) {
         const Sides_by_edge::Side& s = begin[around[i].side];
-        edge.entries.push_back(
-          {s.side(), pieces_.piece_of[s.face()], s.runs_to_smaller_end() != is_turned_[s.face()], false});
+        edge.entries.push_back({s.side(), pieces_.piece_of[s.face()], runs_backward(s), false});
         edge.has_faces_in_one_half_plane =
           edge.has_faces_in_one_half_plane ||
           order.are_in_one_half_plane(around[i], around[i + 1 < around.size() ? i + 1 : 0]);

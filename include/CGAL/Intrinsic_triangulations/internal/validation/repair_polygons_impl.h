@@ -168,9 +168,6 @@ private:
     is_kept_.assign(input_polygons_.size(), false);
     for (const Polygon_part& polygon : polygons_)
       is_kept_[polygon.input] = true;
-    for (Index f = 0; f < is_kept_.size(); ++f)
-      if (!is_kept_[f])
-        collapsed_.add(f);
   }
 
   std::vector<Index> number_of_parts() const
@@ -333,7 +330,7 @@ private:
     for (Index f : result_.input_faces)
       ++face_count[f];
 
-    Element_collector merged, duplicates, lost_parts, triangulated, reversed, split, dropped;
+    Element_collector merged, collapsed, duplicates, lost_parts, triangulated, reversed, split, dropped;
     for (Index v = 0; v < vertex_count.size(); ++v) {
       if (vertex_count[v] > 1)
         split.add(v);
@@ -341,6 +338,8 @@ private:
         (merged_with_[v] != none ? merged : dropped).add(v);
     }
     for (Index f = 0; f < face_count.size(); ++f) {
+      if (!is_kept_[f])
+        collapsed.add(f);
       if (has_lost_part_[f])
         lost_parts.add(f);
       if (face_count[f] == 0 && is_kept_[f] && !has_lost_part_[f])
@@ -357,7 +356,7 @@ private:
     const auto face = [](Index f) { return "face " + std::to_string(f); };
     add(Repair_kind::MERGED_VERTEX, merged,
         [&](Index v) { return vertex(v) + " was merged with " + vertex(merged_with_[v]) + " at the same place"; });
-    add(Repair_kind::COLLAPSED_FACE, collapsed_,
+    add(Repair_kind::COLLAPSED_FACE, collapsed,
         [&](Index f) { return face(f) + " was removed, as fewer than three of its corners differ"; });
     add(Repair_kind::DUPLICATE_FACE, duplicates,
         [&](Index f) { return face(f) + " was removed, as another face has the same corners"; });
@@ -400,7 +399,6 @@ private:
   std::vector<Index> merged_with_;          // of each input vertex, the one whose place it took, or none
   std::vector<bool> is_kept_, is_reversed_; // of each input face
   std::vector<bool> has_lost_part_;         // of each input face of which several parts were left
-  Element_collector collapsed_;
   Element_collector opened_;
   std::array<Index, 3> first_opened_edge_ = {}; // ends, and how many faces it had
   Repaired_polygons result_;
