@@ -40,10 +40,11 @@ public:
     end_part();
     if (brace_line_ != 0)
       refuse("the brace on line " + std::to_string(brace_line_) + " is not closed");
-    if (vertices_ == 0 && !soup_.warnings.empty())
+    const std::size_t vertices = soup_.points.size(), triangles = soup_.triangles.size();
+    if (vertices == 0 && !soup_.warnings.empty())
       refuse(soup_.warnings.front() + "; there is no other part", Defect::EMPTY);
-    if (vertices_ == 0 || triangles_ == 0)
-      refuse_empty(vertices_, triangles_);
+    if (vertices == 0 || triangles == 0)
+      refuse_empty(vertices, triangles);
     if (!is_ended_)
       refuse("the file has no line END, or not as many as it has parts");
   }
@@ -137,10 +138,10 @@ private:
 
   void vertex()
   {
-    define(integer("vertex", vertices_), static_cast<std::uint32_t>(vertices_));
-    soup_.points.push_back(take_point(vertices_));
-    take_properties("vertex", vertices_);
-    ++vertices_;
+    const std::size_t v = soup_.points.size();
+    define(integer("vertex", v), static_cast<std::uint32_t>(v));
+    soup_.points.push_back(take_point(v));
+    take_properties("vertex", v);
   }
 
   // Numbers, and the word that makes a vertex a control node: CN, with the coordinates that it fixes. How many there
@@ -156,28 +157,28 @@ private:
   // Another number for a vertex that is there.
   void atom()
   {
-    const long long name = integer("vertex", vertices_), other = integer("vertex", vertices_);
+    const std::size_t v = soup_.points.size();
+    const long long name = integer("vertex", v), other = integer("vertex", v);
     const auto it = vertex_of_number_.find(other);
     if (it == vertex_of_number_.end())
-      refuse("vertex", vertices_, ": the part has no vertex " + std::to_string(other) + " before this line",
-             Defect::BAD_INDEX);
+      refuse("vertex", v, ": the part has no vertex " + std::to_string(other) + " before this line", Defect::BAD_INDEX);
     define(name, it->second);
-    take_properties("vertex", vertices_);
+    take_properties("vertex", v);
   }
 
   void triangle()
   {
+    const std::size_t f = soup_.triangles.size() + triangles_of_part_.size();
     Triangle triangle{{}, lines_.number()};
     for (long long& corner : triangle.corners)
-      corner = integer("face", triangles_);
-    if (properties_ == 0 ? lines_.find_word_on_line() : take_properties("face", triangles_) != properties_)
-      refuse("face", triangles_,
+      corner = integer("face", f);
+    if (properties_ == 0 ? lines_.find_word_on_line() : take_properties("face", f) != properties_)
+      refuse("face", f,
              properties_ == 0 ? ": there is more in the line than three vertices"
                               : ": three vertices are not followed by " +
                                   counted(properties_, "property", "properties") + ", as TRGL_PROPERTIES announces",
              Defect::NOT_A_TRIANGLE);
     triangles_of_part_.push_back(triangle);
-    ++triangles_;
   }
 
   // The properties of triangles are named, and may have sizes.
@@ -196,20 +197,18 @@ private:
   // Triangles may come before their vertices, but not in another part.
   void end_part()
   {
-    std::size_t face = triangles_ - triangles_of_part_.size();
     for (const Triangle& triangle : triangles_of_part_) {
       std::array<std::uint32_t, 3> corners;
       for (std::size_t i = 0; i < 3; ++i) {
         const long long corner = triangle.corners[i];
         const auto it = vertex_of_number_.find(corner);
         if (it == vertex_of_number_.end())
-          refuse(place(triangle.line, "face", face) + ": the face names vertex " + std::to_string(corner) +
-                   ", but its part has no vertex of this number",
-                 Defect::BAD_INDEX, face);
+          refuse(place(triangle.line, "face", soup_.triangles.size()) + ": the face names vertex " +
+                   std::to_string(corner) + ", but its part has no vertex of this number",
+                 Defect::BAD_INDEX, soup_.triangles.size());
         corners[i] = it->second;
       }
       soup_.triangles.push_back(corners);
-      ++face;
     }
     triangles_of_part_.clear();
   }
@@ -217,7 +216,8 @@ private:
   void define(const long long name, const std::uint32_t vertex)
   {
     if (!vertex_of_number_.emplace(name, vertex).second)
-      refuse("vertex", vertices_, ": there is a vertex " + std::to_string(name) + " before it in the same part");
+      refuse("vertex", soup_.points.size(),
+             ": there is a vertex " + std::to_string(name) + " before it in the same part");
   }
 
   long long integer(const char* const kind, const std::size_t element)
@@ -244,12 +244,12 @@ private:
 
   std::unordered_map<long long, std::uint32_t> vertex_of_number_; // in this part
   std::vector<Triangle> triangles_of_part_;
-  std::size_t vertices_ = 0, triangles_ = 0, properties_ = 0; // properties of a triangle of this part
-  std::size_t brace_line_ = 0;                                // of a brace that is still open
-  std::size_t part_line_ = 0;                                 // on which the part begins
-  bool is_other_ = false;                                     // the part is no surface
-  bool is_begun_ = false;                                     // the part has more than its header
-  bool is_ended_ = false;                                     // the part has its line END
+  std::size_t properties_ = 0; // of a triangle of this part
+  std::size_t brace_line_ = 0; // of a brace that is still open
+  std::size_t part_line_ = 0;  // on which the part begins
+  bool is_other_ = false;      // the part is no surface
+  bool is_begun_ = false;      // the part has more than its header
+  bool is_ended_ = false;      // the part has its line END
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

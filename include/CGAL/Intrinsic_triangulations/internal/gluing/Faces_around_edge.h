@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -38,10 +37,19 @@ namespace CGAL::Intrinsic_triangulations::internal {
 class Faces_around_edge
 {
 public:
+  // Where a half-plane is, seen from the first: in front means counterclockwise, by less than π.
+  enum Sector {
+    SAME,
+    IN_FRONT,
+    OPPOSITE,
+    BEHIND
+  };
+
   struct Face
   {
     std::uint32_t third_vertex;
-    std::uint32_t side; // what the caller knows it by; orders the sheets
+    std::uint32_t side;   // what the caller knows it by; orders the sheets
+    Sector sector = SAME; // found by sort()
   };
 
   // \pre u < v are at different places, and the third vertices at places different from these
@@ -50,14 +58,9 @@ public:
   void sort(std::vector<Face>& faces)
   {
     const std::uint32_t reference = find_reference(faces);
-    std::vector<Placed_face> placed;
-    placed.reserve(faces.size());
-    for (const Face& f : faces)
-      placed.push_back({f, sector(reference, f.third_vertex)});
-    std::sort(placed.begin(), placed.end(),
-              [this](const Placed_face& a, const Placed_face& b) { return precedes(a, b); });
-    for (std::size_t i = 0; i < faces.size(); ++i)
-      faces[i] = placed[i].face;
+    for (Face& f : faces)
+      f.sector = sector(reference, f.third_vertex);
+    std::sort(faces.begin(), faces.end(), [this](const Face& a, const Face& b) { return precedes(a, b); });
   }
 
   // Whether no turn leads from one face to the other. A face without area is in every half-plane.
@@ -67,20 +70,6 @@ public:
   }
 
 private:
-  // Where a half-plane is, seen from the first: in front means counterclockwise, by less than π.
-  enum Sector {
-    SAME,
-    IN_FRONT,
-    OPPOSITE,
-    BEHIND
-  };
-
-  struct Placed_face
-  {
-    Face face;
-    Sector sector;
-  };
-
   // The first vertex of those farthest from the line through the edge, if one of them is on that line: else any will
   // do.
   std::uint32_t find_reference(const std::vector<Face>& faces) const
@@ -109,17 +98,16 @@ private:
     return sign_of_normals(points_, {u, v}, {u, r}, {u, v}, {u, x}) == NEGATIVE ? OPPOSITE : SAME;
   }
 
-  bool precedes(const Placed_face& a, const Placed_face& b) const
+  bool precedes(const Face& a, const Face& b) const
   {
     if (a.sector != b.sector)
       return a.sector < b.sector;
     if (a.sector == IN_FRONT || a.sector == BEHIND) {
-      const Sign sign =
-        a.face.third_vertex == b.face.third_vertex ? ZERO : orientation(a.face.third_vertex, b.face.third_vertex);
+      const Sign sign = a.third_vertex == b.third_vertex ? ZERO : orientation(a.third_vertex, b.third_vertex);
       if (sign != ZERO)
         return sign == POSITIVE;
     }
-    return precedes_in_half_plane(a.face, b.face);
+    return precedes_in_half_plane(a, b);
   }
 
   bool precedes_in_half_plane(const Face& a, const Face& b) const

@@ -56,7 +56,7 @@ private:
   // Returns whether the visitor lets it go on.
   bool straighten_tubes_of(Face_index f)
   {
-    bool is_loaded = false, has_changed = true, goes_on = true;
+    bool is_loaded = false, has_changed = true, is_changed = false, goes_on = true;
     // A torus has three tubes, and each changes the others; for others the second round finds nothing to do.
     while (has_changed && goes_on) {
       // That around the shortest side: the others of a torus can have about as many flips, one at a time.
@@ -75,10 +75,11 @@ private:
           shortest = tube;
       }
       has_changed = shortest && straighten(*shortest);
+      is_changed = is_changed || has_changed;
       if (has_changed)
         goes_on = goes_further();
     }
-    if (is_loaded)
+    if (is_changed)
       store();
     return goes_on;
   }
@@ -100,14 +101,12 @@ private:
       const Rational& s = squared_lengths_[edges_[i].idx()];
       numbers_[i] = numerator(s) * (denominator_ / denominator(s));
     }
-    has_changed_ = false;
   }
 
   void store()
   {
-    if (has_changed_)
-      for (Edge_index e : edges_)
-        squared_lengths_[e.idx()] = Rational(number(e), denominator_);
+    for (Edge_index e : edges_)
+      squared_lengths_[e.idx()] = Rational(number(e), denominator_);
   }
 
   Integer& number(Edge_index e)
@@ -138,7 +137,6 @@ private:
     result_.number_of_flips +=
       boost::multiprecision::abs(power); // CGAL::abs() would name traits that its boost_mp.h specializes
     result_.number_of_steps += std::uint64_t(number_of_steps);
-    has_changed_ = true;
     return true;
   }
 
@@ -189,7 +187,6 @@ private:
   std::array<Edge_index, 4> edges_;
   std::array<Integer, 4> numbers_;
   Integer denominator_;
-  bool has_changed_ = false;
 };
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
