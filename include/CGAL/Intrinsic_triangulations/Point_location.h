@@ -16,7 +16,6 @@
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/compare_points.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/Chord_search.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/Exact_side.h>

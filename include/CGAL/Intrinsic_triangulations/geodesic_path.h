@@ -13,7 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/compare_points.h>
 #include <CGAL/Intrinsic_triangulations/internal/numbers/Accurate_shapes.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
