@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Definitions of Delta_complex_io.h.
+// Definitions of make_Delta_complex.h: gluings as text.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_DELTA_COMPLEX_IO_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_DELTA_COMPLEX_IO_IMPL_H
