@@ -4,7 +4,6 @@
 // What is compiled once of overlays.
 
 #include <CGAL/Intrinsic_triangulations/Incremental_overlay.h>
-#include <CGAL/Intrinsic_triangulations/internal/overlay/Dynamic_overlay_graph_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Incremental_overlay_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Overlay_builder.h>
 

@@ -22,13 +22,12 @@ namespace internal {
 
 class Incremental_overlay_check
 {
-  using Graph = Dynamic_overlay_graph;
-  using Vertex = Graph::Vertex;
-  using Halfedge = Graph::Halfedge;
+  using Vertex = Incremental_overlay::Vertex;
+  using Halfedge = Incremental_overlay::Halfedge;
 
 public:
   explicit Incremental_overlay_check(const Incremental_overlay& overlay)
-    : graph_(overlay.graph_), input_(overlay.input()), intrinsic_(overlay.intrinsic())
+    : graph_(overlay), input_(overlay.input()), intrinsic_(overlay.intrinsic())
   {}
 
   // The first defect, or nothing.
@@ -56,7 +55,7 @@ private:
   template <class Function>
   bool for_all_parts(const Function& holds) const
   {
-    for (std::uint32_t i = 0; i < graph_.end_of_halfedges(); ++i)
+    for (std::uint32_t i = 0; i < graph_.halfedges_.size(); ++i)
       if (graph_.is_in_use(Halfedge(i)) && !holds(Halfedge(i)))
         return false;
     return true;
@@ -68,7 +67,7 @@ private:
     const bool are_linked = for_all_parts([&](Halfedge h) {
       ++number_in_use;
       for (Halfedge other : {graph_.next(h), graph_.prev(h)})
-        if (other.idx() >= graph_.end_of_halfedges() || !graph_.is_in_use(other))
+        if (other.idx() >= graph_.halfedges_.size() || !graph_.is_in_use(other))
           return fails(name(h), "next or prev is not in use");
       if (graph_.prev(graph_.next(h)) != h || graph_.next(graph_.prev(h)) != h)
         return fails(name(h), "next and prev are not inverse to each other");
@@ -83,7 +82,7 @@ private:
   // Four segments meet at a crossing, and opposite ones belong to the same edge.
   bool has_valid_crossings()
   {
-    std::vector<std::uint8_t> degree(graph_.end_of_vertices(), 0);
+    std::vector<std::uint8_t> degree(graph_.end_of_crossings_, 0);
     const bool are_crossings = for_all_parts([&](Halfedge h) {
       const Vertex x = graph_.target(h);
       if (!graph_.is_crossing(x))
@@ -124,7 +123,7 @@ private:
         return fails(std::string(which) + " halfedge " + std::to_string(h.idx()), what);
       };
       Halfedge part = first_part(h);
-      if (part.idx() >= graph_.end_of_halfedges() || halfedge_of(part) != h ||
+      if (part.idx() >= graph_.halfedges_.size() || halfedge_of(part) != h ||
           graph_.source(part).idx() != complex.source(h).idx())
         return halfedge_fails("does not begin with its first part");
       for (++number_of_parts; graph_.is_crossing(graph_.target(part)); ++number_of_parts)
@@ -148,7 +147,7 @@ private:
   bool has_valid_faces()
   {
     std::int64_t faces = 0;
-    std::vector<bool> is_visited(graph_.end_of_halfedges(), false);
+    std::vector<bool> is_visited(graph_.halfedges_.size(), false);
     const bool are_faces = for_all_parts([&](Halfedge first) {
       if (is_visited[first.idx()])
         return true;
@@ -192,7 +191,7 @@ private:
     return face == complex.face(h);
   }
 
-  const Graph& graph_;
+  const Incremental_overlay& graph_;
   const Delta_complex& input_;
   const Delta_complex& intrinsic_;
   std::string defect_;

@@ -430,7 +430,7 @@ protected:
           if (p.dimension() == 2) {
             const IT::internal::Triangle_piece at =
               IT::internal::piece_at_source(t.connectivity(), engine.correspondence(), p.halfedge);
-            whole.split_face(IT::internal::Piece_search(engine)(at, p), p);
+            whole.split_face(IT::internal::piece_of_point(engine, at, p), p);
           } else {
             whole.split_edge(*IT::internal::halfedge_along(engine, p), p);
           }

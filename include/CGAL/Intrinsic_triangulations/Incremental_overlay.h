@@ -11,8 +11,9 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/internal/config.h>
-#include <CGAL/Intrinsic_triangulations/internal/overlay/Dynamic_overlay_graph.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
+
+#include <CGAL/assertions.h>
 
 #include <cstdint>
 #include <vector>
@@ -48,8 +49,6 @@ class Incremental_overlay_check;
 /// Source: Fisher, Springborn, Schroeder, Bobenko (2006), section 2.3 and figure 5.
 class Incremental_overlay
 {
-  using Graph = internal::Dynamic_overlay_graph;
-
 public:
   /// the type of counts
   using size_type = std::uint32_t;
@@ -59,7 +58,7 @@ public:
   using Halfedge = Overlay::Halfedge;
 
   /// constructs the overlay of a triangulation and itself: every segment has the label `BOTH`.
-  explicit Incremental_overlay(const Delta_complex& input) : input_(input), intrinsic_(input), graph_(input) {}
+  explicit Incremental_overlay(const Delta_complex& input);
 
   /// \brief flips intrinsic edge `e`, as `Delta_complex::flip()` does.
   ///
@@ -83,28 +82,35 @@ public:
   /// returns the current intrinsic triangulation.
   const Delta_complex& intrinsic() const { return intrinsic_; }
   /// returns the number of crossings.
-  size_type number_of_crossings() const { return graph_.number_of_crossings(); }
+  size_type number_of_crossings() const
+  {
+    return end_of_crossings_ - number_of_vertices_ - size_type(free_crossings_.size());
+  }
   /// returns the number of segments.
-  size_type number_of_segments() const { return graph_.number_of_segments(); }
+  size_type number_of_segments() const { return size_type(segments_.size() - free_segments_.size()); }
 
   /// \name Along an edge
   /// @{
 
   /// returns the first part of a halfedge of the intrinsic triangulation, out of its source.
-  Halfedge first_part(Halfedge_index h) const { return graph_.first_part(h); }
+  Halfedge first_part(Halfedge_index h) const { return first_intrinsic_parts_[h.idx()]; }
   /// returns the first part of a halfedge of the input.
-  Halfedge first_part_in_input(Halfedge_index h) const { return graph_.first_part_in_input(h); }
+  Halfedge first_part_in_input(Halfedge_index h) const { return first_input_parts_[h.idx()]; }
   /// returns the other halfedge of the segment of `h`.
-  Halfedge opposite(Halfedge h) const { return graph_.opposite(h); }
+  Halfedge opposite(Halfedge h) const { return Halfedge(h.idx() ^ 1); }
   /// returns the halfedge after `h` around its face; at a crossing it turns left.
-  Halfedge next(Halfedge h) const { return graph_.next(h); }
+  Halfedge next(Halfedge h) const { return halfedges_[h.idx()].next; }
   /// returns the vertex or crossing that `h` points to; the vertices of the surface come before
   /// the crossings.
-  Vertex target(Halfedge h) const { return graph_.target(h); }
+  Vertex target(Halfedge h) const { return halfedges_[h.idx()].target; }
   /// returns whether `v` is a crossing, not a vertex of the surface.
-  bool is_crossing(Vertex v) const { return graph_.is_crossing(v); }
+  bool is_crossing(Vertex v) const { return v.idx() >= number_of_vertices_; }
   /// returns the part that follows `h` in the same edge. \pre `is_crossing(target(h))`
-  Halfedge straight_on(Halfedge h) const { return graph_.straight_on(h); }
+  Halfedge straight_on(Halfedge h) const
+  {
+    CGAL_precondition(is_crossing(target(h)));
+    return next(opposite(next(h))); // left, and left again
+  }
   /// returns which of the triangulations `h` is part of.
   Segment_label label(Halfedge h) const
   {
@@ -114,10 +120,10 @@ public:
   }
   /// returns the halfedge of the intrinsic triangulation that contains `h`, with the same direction;
   /// the null descriptor if the label is `INPUT`.
-  Halfedge_index intrinsic_halfedge(Halfedge h) const { return graph_.intrinsic_halfedge(h); }
+  Halfedge_index intrinsic_halfedge(Halfedge h) const { return directed(segment(h).intrinsic, h); }
   /// returns the halfedge of the input that contains `h`, with the same direction; the null
   /// descriptor if the label is `INTRINSIC`.
-  Halfedge_index input_halfedge(Halfedge h) const { return graph_.input_halfedge(h); }
+  Halfedge_index input_halfedge(Halfedge h) const { return directed(segment(h).input, h); }
 
   /// returns the input halfedges that cross intrinsic halfedge `h` from right to left, in order.
   std::vector<Halfedge_index> crossing_input_halfedges(Halfedge_index h) const;
@@ -130,11 +136,36 @@ private:
   friend class internal::Incremental_overlay_check; // of the tests
   /// \endcond
 
+  // Halfedges 2s and 2s + 1 belong to segment s. What is removed goes on a free list and is used again. The vertices of
+  // the surface come before the crossings.
+  using Segment = Overlay::Segment;
+  struct Halfedge_record
+  {
+    Halfedge next, prev;
+    Vertex target;
+  };
+  struct Segment_record
+  {
+    Halfedge_index intrinsic, input; // that 2s is part of; both null if the segment is free
+  };
   enum class Side : std::uint8_t {
     NONE,
     LEFT,
     RIGHT
   };
+
+  Halfedge prev(Halfedge h) const { return halfedges_[h.idx()].prev; }
+  Vertex source(Halfedge h) const { return target(opposite(h)); }
+  Halfedge last_part(Halfedge_index h) const { return opposite(first_intrinsic_parts_[h.idx() ^ 1]); }
+
+  const Segment_record& segment(Halfedge h) const { return segments_[h.idx() >> 1]; }
+  Segment_record& segment(Halfedge h) { return segments_[h.idx() >> 1]; }
+  bool is_in_use(Halfedge h) const { return segment(h).intrinsic.is_valid() || segment(h).input.is_valid(); }
+  // What h is part of if 2s is part of `of_first`, and the other way round.
+  static Halfedge_index directed(Halfedge_index of_first, Halfedge h)
+  {
+    return of_first.is_valid() ? Halfedge_index(of_first.idx() ^ (h.idx() & 1)) : of_first;
+  }
 
   // Removes intrinsic edge ij. What it crossed is left in one piece.
   void take_out(Halfedge_index ij);
@@ -157,9 +188,36 @@ private:
   // the diagonal: chords to that side come before it.
   Halfedge before_diagonal(Halfedge_index arriving, Side side) const;
 
+  void link(Halfedge h, Halfedge next);
+
+  // Adds a part of an intrinsic halfedge, through one face: from its corner behind `before` to
+  // that behind `arriving`.
+  Halfedge add_intrinsic_part(Halfedge_index h, Halfedge before, Halfedge arriving);
+
+  // Takes a segment out. \pre something else is left at both ends
+  void remove(Halfedge h);
+
+  // Cuts the part h of an input edge in two at a new crossing, the target of h afterwards.
+  void split(Halfedge h);
+
+  // Joins the part h of an input edge with the next one. \pre nothing else is left at the crossing in which h ends
+  void join(Halfedge h);
+
+  Vertex new_crossing();
+  Halfedge new_segment(Vertex source, Vertex target);
+  void release(Halfedge h);
+
   Delta_complex input_;
   Delta_complex intrinsic_;
-  Graph graph_;
+
+  size_type number_of_vertices_; // of the surface
+  size_type end_of_crossings_;
+  std::vector<Halfedge_record> halfedges_;
+  std::vector<Segment_record> segments_;
+  std::vector<Vertex> free_crossings_;
+  std::vector<Segment> free_segments_;
+  std::vector<Halfedge> first_intrinsic_parts_; // out of the source of each halfedge
+  std::vector<Halfedge> first_input_parts_;
 
   // Of use during a flip only.
   std::vector<Halfedge> parts_, crossed_, right_chords_, left_chords_;

@@ -23,7 +23,6 @@
 
 #include <Eigen/SparseCore>
 
-#include <algorithm>
 #include <complex>
 #include <cstddef>
 #include <type_traits>
@@ -49,28 +48,6 @@ Eigen::SparseMatrix<double> assemble_stiffness_matrix(const Delta_complex& compl
   const double scale = factor == Stiffness_factor::HALF ? -0.5 : -1;
   return assemble_symmetric_matrix<ConcurrencyTag>(
     complex, [&](Edge_index e) { return scale * weight(e); }, [](int, double sum_of_others) { return -sum_of_others; });
-}
-
-// For each vertex the sum over all corners that meet there of the area of the face times a
-// factor.
-inline std::vector<double> corner_sums(const Delta_complex& complex, const std::vector<double>& areas, double factor)
-{
-  std::vector<double> sums(complex.number_of_vertices(), 0);
-  for (Halfedge_index h : complex.halfedges())
-    if (!complex.is_border(h))
-      sums[complex.target(h).idx()] += factor * areas[complex.face(h).idx()];
-  return sums;
-}
-
-// The areas of the faces beside an edge.
-inline double area_beside(const Delta_complex& complex, const std::vector<double>& areas, Edge_index e)
-{
-  const Halfedge_index h = complex.halfedge(e);
-  double sum = 0;
-  for (Halfedge_index side : {h, complex.opposite(h)})
-    if (!complex.is_border(side))
-      sum += areas[complex.face(side).idx()];
-  return sum;
 }
 
 } // namespace internal
@@ -134,11 +111,7 @@ Eigen::SparseMatrix<double> stiffness_matrix(const Intrinsic_triangulation<Trait
 inline Eigen::SparseMatrix<double> lumped_mass_matrix(const Delta_complex& complex, const std::vector<double>& areas)
 {
   CGAL_precondition(areas.size() == complex.number_of_faces());
-  const std::vector<double> sums = internal::corner_sums(complex, areas, 1. / 3);
-  Eigen::SparseMatrix<double> mass(Eigen::Index(sums.size()), Eigen::Index(sums.size()));
-  mass.setIdentity();
-  std::copy(sums.begin(), sums.end(), mass.valuePtr());
-  return mass;
+  return internal::assemble_lumped_mass_matrix(complex, internal::Row_of_vertex(complex), areas);
 }
 
 /// \brief as above, with the areas of `face_areas()`.
@@ -163,7 +136,7 @@ template <class ConcurrencyTag = Sequential_tag>
 Eigen::SparseMatrix<double> Galerkin_mass_matrix(const Delta_complex& complex, const std::vector<double>& areas)
 {
   CGAL_precondition(areas.size() == complex.number_of_faces());
-  std::vector<double> diagonal = internal::corner_sums(complex, areas, 1. / 6);
+  std::vector<double> diagonal = internal::corner_sums(complex, internal::Row_of_vertex(complex), areas, 1. / 6);
   for (Edge_index e : complex.edges())
     if (complex.is_loop(e)) // two corners of each face beside it are the same vertex
       diagonal[complex.target(complex.halfedge(e)).idx()] += internal::area_beside(complex, areas, e) / 6;

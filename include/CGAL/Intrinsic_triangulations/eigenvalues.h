@@ -110,16 +110,10 @@ inline std::vector<std::vector<int>> connected_rows(const Eigen::SparseMatrix<do
     for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, c); entry; ++entry)
       if (entry.value() != 0)
         sets.unite(std::uint32_t(entry.row()), std::uint32_t(c));
-  std::vector<std::vector<int>> parts;
-  std::vector<std::size_t> part_of(std::size_t(matrix.rows()));
-  for (int row = 0; row < matrix.rows(); ++row) {
-    const std::size_t first = sets.find(std::uint32_t(row)); // the smallest row of the part
-    if (first == std::size_t(row)) {
-      part_of[first] = parts.size();
-      parts.emplace_back();
-    }
-    parts[part_of[first]].push_back(row);
-  }
+  std::vector<std::size_t> part_of;
+  std::vector<std::vector<int>> parts(sets.number(part_of));
+  for (int row = 0; row < matrix.rows(); ++row)
+    parts[part_of[std::size_t(row)]].push_back(row);
   return parts;
 }
 

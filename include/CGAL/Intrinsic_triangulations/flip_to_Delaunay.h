@@ -60,7 +60,7 @@ Flip_report flip_all(Triangulation triangulation, const ConstraintMap& is_constr
   if constexpr (Triangulation::Traits::Uses_exact_geometry::value)
     arithmetic.emplace();
   std::optional<Interruption_scope<Triangulation>> scope;
-  if constexpr (Triangulation::Traits::Uses_exact_geometry::value && !Is_silent<Visitor>::value)
+  if constexpr (Triangulation::Traits::Uses_exact_geometry::value && !Visitor::Is_silent::value)
     scope.emplace(triangulation, [&flipper] { return flipper.goes_further(); });
   require_threads<ConcurrencyTag>();
 #ifdef CGAL_LINKED_WITH_TBB

@@ -18,6 +18,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Vertex_remover.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/settle_around.h>
+#include <CGAL/Intrinsic_triangulations/internal/numbers/Cotangent_weight.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
@@ -37,20 +38,13 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-template <class Traits>
-bool has_area(const Intrinsic_triangulation<Traits>& triangulation, Face_index f)
-{
-  return triangulation.traits().has_positive_area_object()(triangulation.face_data(f)) ||
-         engine(triangulation).sign_of_area(f) != ZERO;
-}
-
 // The halfedge of an edge in a face without area, if there is one.
 template <class Traits>
 std::optional<Halfedge_index> side_without_area(const Intrinsic_triangulation<Traits>& triangulation, Edge_index e)
 {
   const Delta_complex& complex = triangulation.connectivity();
   for (Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
-    if (!complex.is_border(h) && !has_area(triangulation, complex.face(h)))
+    if (!complex.is_border(h) && !has_positive_area(triangulation, complex.face(h)))
       return h;
   return std::nullopt;
 }
@@ -192,7 +186,7 @@ Vertex_index insert_vertex(Intrinsic_triangulation<Traits>& triangulation, const
         !engine.metric().has_area(correspondence.input(), f))
       throw_no_area("in", f);
     const internal::Triangle_piece start = internal::piece_at_source(complex, correspondence, point.halfedge);
-    const internal::Triangle_piece piece = internal::Piece_search(engine)(start, point);
+    const internal::Triangle_piece piece = internal::piece_of_point(engine, start, point);
     if (const auto there = internal::vertex_at(complex, correspondence, piece.side, point))
       throw Invalid_point_error("a new vertex lies at vertex " + std::to_string(there->idx()) + ": use that");
     v = internal::Whole_triangulation<Traits>(triangulation).split_face(piece, point);

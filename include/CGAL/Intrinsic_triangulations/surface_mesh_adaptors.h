@@ -16,7 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Carried_properties.h>
-#include <CGAL/Intrinsic_triangulations/internal/overlay/convex_polygon_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/convex_polygon_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
 
 #include <CGAL/Surface_mesh.h>

@@ -73,6 +73,15 @@ inline double share(const Tufted_cover& cover, Edge_index e)
   return share(cover, complex.face(complex.is_border(h) ? complex.opposite(h) : h));
 }
 
+// The areas of the faces, as they count.
+inline std::vector<double> shares_of_area(const Tufted_cover& cover)
+{
+  std::vector<double> areas = face_areas(cover.triangulation);
+  for (Face_index f : cover.triangulation.connectivity().faces())
+    areas[f.idx()] *= share(cover, f);
+  return areas;
+}
+
 } // namespace internal
 /// \endcond
 
@@ -110,18 +119,8 @@ inline Eigen::SparseMatrix<double> stiffness_matrix(const Tufted_cover& cover, d
 /// \exception Invalid_surface_error as `face_areas()`
 inline Eigen::SparseMatrix<double> lumped_mass_matrix(const Tufted_cover& cover)
 {
-  const Delta_complex& complex = cover.triangulation.connectivity();
-  const internal::Row_of_cover_vertex row(cover);
-  const std::vector<double> areas = face_areas(cover.triangulation);
-  Eigen::SparseMatrix<double> mass(Eigen::Index(row.number_of_rows()), Eigen::Index(row.number_of_rows()));
-  mass.setIdentity();
-  std::fill(mass.valuePtr(), mass.valuePtr() + row.number_of_rows(), 0.);
-  for (Halfedge_index h : complex.halfedges())
-    if (!complex.is_border(h)) {
-      const Face_index f = complex.face(h);
-      mass.valuePtr()[row(complex.target(h))] += 1. / 3 * internal::share(cover, f) * areas[f.idx()];
-    }
-  return mass;
+  return internal::assemble_lumped_mass_matrix(cover.triangulation.connectivity(), internal::Row_of_cover_vertex(cover),
+                                               internal::shares_of_area(cover));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCover
@@ -132,23 +131,19 @@ inline Eigen::SparseMatrix<double> Galerkin_mass_matrix(const Tufted_cover& cove
 {
   const Delta_complex& complex = cover.triangulation.connectivity();
   const internal::Row_of_cover_vertex row(cover);
-  const std::vector<double> areas = face_areas(cover.triangulation);
-  const auto mass_of = [&](Halfedge_index h) {
-    return complex.is_border(h) ? 0 : internal::share(cover, complex.face(h)) * areas[complex.face(h).idx()];
-  };
+  const std::vector<double> areas = internal::shares_of_area(cover);
   std::vector<double> diagonal(row.number_of_rows(), 0);
   for (Halfedge_index h : complex.halfedges()) {
+    if (complex.is_border(h))
+      continue;
     const std::uint32_t v = row(complex.target(h));
-    diagonal[v] += mass_of(h) / 6;
+    const double mass = areas[complex.face(h).idx()] / 6;
+    diagonal[v] += mass;
     if (v == row(complex.source(h))) // two corners of the face at the same vertex
-      diagonal[v] += mass_of(h) / 6;
+      diagonal[v] += mass;
   }
   return internal::assemble_symmetric_matrix(
-    complex, row,
-    [&](Edge_index e) {
-      const Halfedge_index h = complex.halfedge(e);
-      return (mass_of(h) + mass_of(complex.opposite(h))) / 12;
-    },
+    complex, row, [&](Edge_index e) { return internal::area_beside(complex, areas, e) / 12; },
     [&](int v, double) { return diagonal[std::size_t(v)]; });
 }
 

@@ -213,6 +213,8 @@ template <class Visitor>
 class Counting_visitor
 {
 public:
+  using Is_silent = Tag_false;
+
   Counting_visitor(Visitor& visitor, const Delta_complex& complex, Crossing_counts& crossings)
     : visitor_(visitor), complex_(complex), crossings_(crossings)
   {}

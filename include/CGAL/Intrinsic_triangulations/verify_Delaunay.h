@@ -21,11 +21,10 @@
 #include <CGAL/enum.h>
 #include <CGAL/tags.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <cstdint>
 #include <exception>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -48,21 +47,19 @@ struct Delaunay_verification
 namespace internal {
 
 // Decides blocks of faces, then blocks of edges.
-template <class ConstraintMap>
+template <class ConcurrencyTag, class ConstraintMap>
 class Delaunay_verifier
 {
 public:
-  Delaunay_verifier(const internal::Exact_engine& engine, const ConstraintMap& is_constrained)
+  Delaunay_verifier(const Exact_engine& engine, const ConstraintMap& is_constrained)
     : complex_(engine.connectivity()), engine_(engine), is_constrained_(is_constrained)
   {}
 
-  // `loop(n, f)` calls f(first, last) for ranges that make up [0, n) on one thread or several.
-  template <class Loop>
-  Delaunay_verification verify(const Loop& loop) const
+  Delaunay_verification verify() const
   {
     Delaunay_verification result;
-    verify_elements<Face_index>(complex_.number_of_faces(), loop, result);
-    verify_elements<Edge_index>(complex_.number_of_edges(), loop, result);
+    verify_elements<Face_index>(complex_.number_of_faces(), result);
+    verify_elements<Edge_index>(complex_.number_of_edges(), result);
     return result;
   }
 
@@ -77,17 +74,17 @@ private:
     std::exception_ptr failure;
   };
 
-  template <class Element, class Loop>
-  void verify_elements(std::size_t n, const Loop& loop, Delaunay_verification& result) const
+  template <class Element>
+  void verify_elements(std::size_t n, Delaunay_verification& result) const
   {
     std::vector<Part> parts((n + elements_of_block - 1) / elements_of_block);
     // Blocks before this one go on: of the decisions that fail, the first is to be named.
     std::atomic<std::size_t> end{parts.size()};
-    const auto verify_block = [&](std::size_t block) {
+    for_each_block<ConcurrencyTag>(n, elements_of_block, [&](std::size_t first, std::size_t last) {
+      const std::size_t block = first / elements_of_block;
       Part& part = parts[block];
       try {
-        const std::size_t last = (std::min)((block + 1) * elements_of_block, n);
-        for (std::size_t i = block * elements_of_block; i < last && block < end.load(std::memory_order_relaxed); ++i)
+        for (std::size_t i = first; i < last && block < end.load(std::memory_order_relaxed); ++i)
           verify(Element(typename Element::size_type(i)), part.found);
       } catch (const Cancelled_error&) {
         part.failure = std::current_exception();
@@ -98,10 +95,6 @@ private:
         while (block < before && !end.compare_exchange_weak(before, block)) {
         }
       }
-    };
-    loop(parts.size(), [&](std::size_t first, std::size_t last) {
-      for (std::size_t block = first; block < last; ++block)
-        verify_block(block);
     });
     for (const Part& part : parts) {
       if (part.failure)
@@ -122,7 +115,7 @@ private:
       return;
     ++found.tests;
     engine_.decisions().interruption.check();
-    const Sign sign = engine_.test(e, internal::Exact_engine::Means::UNFOLDING)->sign;
+    const Sign sign = engine_.test(e, Exact_engine::Means::UNFOLDING)->sign;
     if (sign == NEGATIVE)
       found.not_Delaunay.push_back(e);
     else if (sign == ZERO)
@@ -138,7 +131,7 @@ private:
   }
 
   const Delta_complex& complex_;
-  const internal::Exact_engine& engine_;
+  const Exact_engine& engine_;
   const ConstraintMap& is_constrained_;
 };
 
@@ -171,8 +164,10 @@ template <class ConcurrencyTag = Sequential_tag, class Triangulation,
 Delaunay_verification verify_Delaunay(const Triangulation& triangulation,
                                       const NamedParameters& np = parameters::default_values())
 {
-  return internal::Delaunay_verifier(internal::engine<ConcurrencyTag>(triangulation), internal::edge_constraints_of(np))
-    .verify([](std::size_t n, const auto& f) { internal::for_each_block<ConcurrencyTag>(n, 1, f); });
+  const auto is_constrained = internal::edge_constraints_of(np);
+  return internal::Delaunay_verifier<ConcurrencyTag, std::decay_t<decltype(is_constrained)>>(
+           internal::engine<ConcurrencyTag>(triangulation), is_constrained)
+    .verify();
 }
 
 /// \ingroup PkgIntrinsicTriangulationsRef
@@ -226,12 +221,10 @@ public:
   /// \exception Undecided_error as `sign_of_cotangent_weight()`
   template <class Triangulation>
   explicit Delaunay_tessellation(const Triangulation& triangulation)
-    : is_tie_(triangulation.connectivity().number_of_edges(), false),
-      cells_(triangulation.connectivity().number_of_faces())
+    : is_tie_(triangulation.connectivity().number_of_edges(), false)
   {
     const Delta_complex& complex = triangulation.connectivity();
-    const std::size_t number_of_faces = complex.number_of_faces();
-    internal::Disjoint_sets sets(number_of_faces);
+    internal::Disjoint_sets sets(complex.number_of_faces());
     for (Edge_index e : complex.edges()) {
       if (!complex.is_flippable(e) || triangulation.sign_of_cotangent_weight(e) != ZERO)
         continue;
@@ -239,13 +232,7 @@ public:
       const Halfedge_index h = complex.halfedge(e);
       sets.unite(complex.face(h).idx(), complex.face(complex.opposite(h)).idx());
     }
-    std::vector<std::size_t> number_of(number_of_faces, number_of_faces);
-    for (std::uint32_t f = 0; f < number_of_faces; ++f) {
-      std::size_t& number = number_of[sets.find(f)];
-      if (number == number_of_faces)
-        number = number_of_cells_++;
-      cells_[f] = number;
-    }
+    number_of_cells_ = sets.number(cells_);
   }
 
   /// returns the number of cells.

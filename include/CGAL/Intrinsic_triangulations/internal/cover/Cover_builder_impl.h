@@ -490,66 +490,50 @@ Tufted_cover build_cover(const Points& points, const std::vector<Index_triangle>
 }
 
 // A complex and a copy of it that is turned over, glued along the border. Face f is copied as face f and, turned over,
-// as f + n.
-class Complex_doubler
+// as f + n. Also fills the vertices below, and the lengths of the edges.
+inline Delta_complex doubled(const Delta_complex& complex, const std::vector<double>& lengths,
+                             std::vector<std::uint32_t>& vertex_of, std::vector<double>& doubled_lengths)
 {
   using Index = std::uint32_t;
-
-public:
-  Complex_doubler(const Delta_complex& complex, const std::vector<double>& lengths)
-    : complex_(complex), lengths_(lengths), n_(complex.number_of_faces()), side_of_(complex.number_of_halfedges())
-  {
-    for (Face_index f : complex.faces()) {
-      Halfedge_index h = complex.halfedge(f);
-      for (Index i = 0; i < 3; ++i, h = complex.next(h))
-        side_of_[h.idx()] = 3 * f.idx() + i;
+  const std::size_t n = complex.number_of_faces();
+  check_size(12 * n);
+  // Calls visit(h, s) for the halfedge of each side s.
+  const auto for_each_side = [](const Delta_complex& of, const auto& visit) {
+    for (Face_index f : of.faces()) {
+      Halfedge_index h = of.halfedge(f);
+      for (Index i = 0; i < 3; ++i, h = of.next(h))
+        visit(h, 3 * f.idx() + i);
     }
-  }
+  };
+  const auto back_side = [n](Index s) { return Index(3 * (n + s / 3) + 2 - s % 3); };
 
-  // Also fills the vertices below, and the lengths of the edges.
-  Delta_complex make(std::vector<Index>& vertex_of, std::vector<double>& doubled_lengths) const
-  {
-    check_size(12 * n_);
-    Large_vector<Index> corner_vertex(6 * n_, default_init), glued_to(6 * n_, default_init);
-    vertex_of.resize(complex_.number_of_vertices());
-    std::iota(vertex_of.begin(), vertex_of.end(), Index(0));
-    std::vector<Index> back_vertex = vertex_of;
-    for (Vertex_index v : complex_.vertices())
-      if (complex_.halfedge(v).is_valid() && !complex_.is_border(complex_.halfedge(v))) {
-        back_vertex[v.idx()] = Index(vertex_of.size());
-        vertex_of.push_back(v.idx());
-      }
-    std::vector<double> length_of_side(6 * n_);
-    for (Halfedge_index h : complex_.halfedges()) {
-      if (complex_.is_border(h))
-        continue;
-      const Index s = side_of_[h.idx()], back = back_side(s);
-      const Halfedge_index g = complex_.opposite(h);
-      corner_vertex[s] = complex_.source(h).idx();
-      corner_vertex[back] = back_vertex[complex_.target(h).idx()];
-      glued_to[s] = complex_.is_border(g) ? back : side_of_[g.idx()];
-      glued_to[back] = complex_.is_border(g) ? s : back_side(side_of_[g.idx()]);
-      length_of_side[s] = length_of_side[back] = lengths_[complex_.edge(h).idx()];
+  vertex_of.resize(complex.number_of_vertices());
+  std::iota(vertex_of.begin(), vertex_of.end(), Index(0));
+  std::vector<Index> back_vertex = vertex_of;
+  for (Vertex_index v : complex.vertices())
+    if (complex.halfedge(v).is_valid() && !complex.is_border(complex.halfedge(v))) {
+      back_vertex[v.idx()] = Index(vertex_of.size());
+      vertex_of.push_back(v.idx());
     }
-    Delta_complex doubled =
-      Delta_complex_builder::from_glued_sides(vertex_of.size(), std::move(corner_vertex), std::move(glued_to));
-    doubled_lengths.resize(doubled.number_of_edges());
-    for (Face_index f : doubled.faces()) {
-      Halfedge_index h = doubled.halfedge(f);
-      for (Index i = 0; i < 3; ++i, h = doubled.next(h))
-        doubled_lengths[doubled.edge(h).idx()] = length_of_side[3 * f.idx() + i];
-    }
-    return doubled;
-  }
-
-private:
-  Index back_side(Index s) const { return Index(3 * (n_ + s / 3) + 2 - s % 3); }
-
-  const Delta_complex& complex_;
-  const std::vector<double>& lengths_;
-  const std::size_t n_;
-  std::vector<Index> side_of_; // of each halfedge
-};
+  std::vector<Index> side_of(complex.number_of_halfedges());
+  for_each_side(complex, [&](Halfedge_index h, Index s) { side_of[h.idx()] = s; });
+  Large_vector<Index> corner_vertex(6 * n, default_init), glued_to(6 * n, default_init);
+  std::vector<double> length_of_side(6 * n);
+  for_each_side(complex, [&](Halfedge_index h, Index s) {
+    const Index back = back_side(s);
+    const Halfedge_index g = complex.opposite(h);
+    corner_vertex[s] = complex.source(h).idx();
+    corner_vertex[back] = back_vertex[complex.target(h).idx()];
+    glued_to[s] = complex.is_border(g) ? back : side_of[g.idx()];
+    glued_to[back] = complex.is_border(g) ? s : back_side(side_of[g.idx()]);
+    length_of_side[s] = length_of_side[back] = lengths[complex.edge(h).idx()];
+  });
+  Delta_complex result =
+    Delta_complex_builder::from_glued_sides(vertex_of.size(), std::move(corner_vertex), std::move(glued_to));
+  doubled_lengths.resize(result.number_of_edges());
+  for_each_side(result, [&](Halfedge_index h, Index s) { doubled_lengths[result.edge(h).idx()] = length_of_side[s]; });
+  return result;
+}
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Tufted_cover build_cover_of_complex(const Delta_complex& complex, const std::vector<double>& lengths,
@@ -575,7 +559,7 @@ Tufted_cover build_cover_of_complex(const Delta_complex& complex, const std::vec
   std::vector<double> cover_lengths = lengths;
   vertex_of = representative;
   if (is_doubled) {
-    cover = Complex_doubler(complex, lengths).make(vertex_of, cover_lengths);
+    cover = doubled(complex, lengths, vertex_of, cover_lengths);
     face_of.resize(2 * n);
     std::iota(face_of.begin() + std::ptrdiff_t(n), face_of.end(), std::uint32_t(0));
     is_back.resize(2 * n, true);

@@ -19,7 +19,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Vertex_positions.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/corner_signs.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/metric_defects.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_type_config.h>

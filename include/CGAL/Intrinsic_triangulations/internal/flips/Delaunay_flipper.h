@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -60,14 +61,6 @@ enum class Edge_mark : std::uint8_t {
 };
 using Edge_marks = Large_vector<Edge_mark>;
 
-// Whether a visitor never stops anything, so that it need not be asked.
-template <class Visitor, class = void>
-struct Is_silent : std::false_type
-{};
-template <class Visitor>
-struct Is_silent<Visitor, std::void_t<typename Visitor::Is_silent>> : Visitor::Is_silent
-{};
-
 // The edges are settled group by group, and a group in rounds: all candidates are tested, those
 // that are not Delaunay are flipped, and what lies around them are the next candidates, as is
 // what a flip of the same round has changed. Most tests of a round do not depend on each other,
@@ -83,7 +76,7 @@ class Delaunay_flipper
   static constexpr bool is_whole = Triangulation::is_whole;
   // Whether the tests of several edges can be made at once.
   static constexpr bool tests_together =
-    Has_cotangent_bounds<typename Triangulation::Traits>::value && Is_silent<Visitor>::value &&
+    Has_cotangent_bounds<typename Triangulation::Traits>::value && Visitor::Is_silent::value &&
     std::is_same<ConstraintMap, Static_boolean_property_map<Edge_index, false>>::value;
 
   static constexpr Edge_index::size_type group_size = 1024;
@@ -267,7 +260,12 @@ private:
       }
       marks_[e.idx()] = Edge_mark::SETTLED;
       const Hinge_halfedges around = triangulation_.connectivity().hinge(e);
-      switch (triangulation_.flip_not_Delaunay(around)) {
+      const std::optional<Flip_outcome> outcome = triangulation_.flip_not_Delaunay(around);
+      if (!outcome) {
+        postponed_.push_back(e);
+        continue;
+      }
+      switch (*outcome) {
       case Flip_outcome::FLIPPED:
         ++report_.flips;
         if constexpr (!Triangulation::Traits::Has_exact_decisions::value)
@@ -280,9 +278,6 @@ private:
         break;
       case Flip_outcome::UNDECIDED:
         report_.undecided.push_back(e);
-        break;
-      default:
-        postponed_.push_back(e);
       }
     }
     return true;

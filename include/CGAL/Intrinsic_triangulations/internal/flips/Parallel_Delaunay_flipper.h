@@ -22,6 +22,7 @@
 #include <cstdint>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -45,12 +46,7 @@ public:
   using Triangulation = Intrinsic_triangulation<Traits_>;
   using Traits = Traits_;
   using Boolean = typename Triangulation::Boolean;
-  enum class Flip_outcome {
-    FLIPPED,
-    NOT_CONVEX,
-    UNDECIDED,
-    POSTPONED
-  };
+  using Flip_outcome = typename Triangulation::Flip_outcome;
   static constexpr bool is_whole = false;
 
   // Whether there may be blocks: numbers are of a type that threads need not share.
@@ -86,22 +82,14 @@ public:
   Boolean test_and_recompute(Edge_index e) const { return is_locally_Delaunay(e); }
   void count_as_tested(std::uint64_t) const {} // all at once, when the blocks are done
 
-  Flip_outcome flip_not_Delaunay(const Hinge_halfedges& around)
+  // \return nothing if the flip is postponed
+  std::optional<Flip_outcome> flip_not_Delaunay(const Hinge_halfedges& around)
   {
     const typename Triangulation::Hinge_data old = triangulation_.hinge(around);
-    if constexpr (Triangulation::uses_exact_geometry)
-      if (!triangulation_.is_new_edge_known_to_have_length(old))
-        return Flip_outcome::POSTPONED;
-    switch (triangulation_.flip_hinge(around, old, triangulation_.traits().construct_flipped_hinge_object(),
-                                      [&] { journal_.flip(around); })) {
-    case Triangulation::Flip_outcome::FLIPPED:
-      return Flip_outcome::FLIPPED;
-    case Triangulation::Flip_outcome::NOT_CONVEX:
-      return Flip_outcome::NOT_CONVEX;
-    case Triangulation::Flip_outcome::UNDECIDED:
-      break;
-    }
-    return Flip_outcome::UNDECIDED;
+    if (!triangulation_.is_new_edge_known_to_have_length(old))
+      return std::nullopt;
+    return triangulation_.flip_hinge(around, old, triangulation_.traits().construct_flipped_hinge_object(),
+                                     [&] { journal_.flip(around); });
   }
 
 private:
@@ -121,7 +109,7 @@ private:
 template <class Visitor>
 class Shared_visitor
 {
-  static constexpr bool is_trivial = Is_silent<Visitor>::value;
+  static constexpr bool is_trivial = Visitor::Is_silent::value;
 
 public:
   explicit Shared_visitor(Visitor& visitor) : visitor_(visitor) {}

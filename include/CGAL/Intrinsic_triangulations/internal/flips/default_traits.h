@@ -44,9 +44,6 @@ Face_measurer<Sequential_tag, Filtered_edge_length_traits>::measure(std::size_t,
 CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template int
 normalize_points<Sequential_tag, Points, Is_used_vertex>(Points&, const Is_used_vertex&);
 
-CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template void throw_zero_length<Points>(const Delta_complex&, const Points&,
-                                                                             const Defect_tally&);
-
 } // namespace CGAL::Intrinsic_triangulations::internal
 #endif
 

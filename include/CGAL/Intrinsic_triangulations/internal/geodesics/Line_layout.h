@@ -115,7 +115,7 @@ public:
       begin_at_vertex();
     else {
       const Triangle_piece piece =
-        Piece_search(engine)(piece_at_source(complex, correspondence_, start.point.halfedge), start.point);
+        piece_of_point(engine, piece_at_source(complex, correspondence_, start.point.halfedge), start.point);
       first_ = piece.side;
       position_ = piece.gap;
     }

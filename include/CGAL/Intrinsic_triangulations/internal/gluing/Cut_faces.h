@@ -12,7 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/Index.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/overlay/convex_polygon_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/convex_polygon_triangulation.h>
 
 #include <algorithm>
 #include <array>

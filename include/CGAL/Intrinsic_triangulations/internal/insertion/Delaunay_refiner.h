@@ -186,7 +186,7 @@ private:
   void fix_faces_without_area()
   {
     for (Face_index f : complex_.faces())
-      if (!has_area(triangulation_, f)) {
+      if (!has_positive_area(triangulation_, f)) {
         const Halfedge_index h = complex_.halfedge(f);
         for (Halfedge_index side : {h, complex_.next(h), complex_.prev(h)})
           segments_.add(complex_.edge(side));
@@ -334,7 +334,7 @@ private:
   {
     if (!(shapes_.four_areas(correspondence_.input().face(place.point.halfedge)) > 0))
       return std::nullopt;
-    const Triangle_piece piece = Piece_search(engine_)(place.start, place.point);
+    const Triangle_piece piece = piece_of_point(engine_, place.start, place.point);
     if (vertex_at(complex_, correspondence_, piece.side, place.point))
       return std::nullopt;
     const Vertex_index v = Whole_triangulation<Traits>(triangulation_).split_face(piece, place.point);

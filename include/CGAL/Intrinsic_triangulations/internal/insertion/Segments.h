@@ -81,13 +81,11 @@ public:
       if (!correspondence_.is_inserted(v) || correspondence_.location(v).dimension() != 1)
         return result;
       const Surface_point& p = correspondence_.location(v);
-      Halfedge_index along = p.halfedge;
-      std::size_t i = 0;
-      for (; p.coordinates[(i + 2) % 3] != 0; ++i)
-        along = input.next(along);
+      const Halfedge_index along = side_of(input, p);
+      const auto [a, b] = coordinates_on_edge(input, p, along);
       const double l = shapes_.length(input.edge(along));
-      result[0] = {along, l * p.coordinates[(i + 1) % 3]};
-      result[1] = {input.opposite(along), l * p.coordinates[i]};
+      result[0] = {along, l * b};
+      result[1] = {input.opposite(along), l * a};
       return result;
     };
     for (const auto& [g, d] : views(complex_.source(h)))

@@ -9,31 +9,22 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_STRAIGHT_WALK_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
 
 #include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
 using Plane_point = std::complex<double>;
 
-// The third corner of a triangle with sides of these lengths, where the first side leads from 0 to 1. The area is that
-// of W. Kahan, "Miscalculating area and angles of a needle-like triangle" (2014), which is accurate for thin triangles.
+// The third corner of a triangle with sides of these lengths, where the first side leads from 0 to 1.
 inline Plane_point third_corner(double ij, double jk, double ki)
 {
-  double a = 1, b = jk / ij, c = ki / ij;
-  const double x = (1 + (c - b) * (c + b)) / 2;
-  if (a < b)
-    std::swap(a, b);
-  if (b < c)
-    std::swap(b, c);
-  if (a < b)
-    std::swap(a, b);
-  const double product = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
-  return {x, product > 0 ? std::sqrt(product) / 2 : 0};
+  const double b = jk / ij, c = ki / ij, q = squared_four_areas_from_lengths(1., b, c);
+  return {(1 + (c - b) * (c + b)) / 2, q > 0 ? std::sqrt(q) / 2 : 0};
 }
 
 inline double cross_product(Plane_point a, Plane_point b) { return a.real() * b.imag() - a.imag() * b.real(); }

@@ -389,6 +389,41 @@ Eigen::SparseMatrix<double> assemble_symmetric_matrix(const Delta_complex& compl
   return assemble_symmetric_matrix(complex, Row_of_vertex(complex), edge_value, diagonal_value);
 }
 
+// For each row the sum over all corners there of the area of the face times a factor.
+template <class Row>
+std::vector<double> corner_sums(const Delta_complex& complex, const Row& row, const std::vector<double>& areas,
+                                double factor)
+{
+  std::vector<double> sums(row.number_of_rows(), 0);
+  for (Halfedge_index h : complex.halfedges())
+    if (!complex.is_border(h))
+      sums[row(complex.target(h))] += factor * areas[complex.face(h).idx()];
+  return sums;
+}
+
+// The areas of the faces beside an edge.
+inline double area_beside(const Delta_complex& complex, const std::vector<double>& areas, Edge_index e)
+{
+  const Halfedge_index h = complex.halfedge(e);
+  double sum = 0;
+  for (Halfedge_index side : {h, complex.opposite(h)})
+    if (!complex.is_border(side))
+      sum += areas[complex.face(side).idx()];
+  return sum;
+}
+
+// The diagonal matrix with a third of the area of the faces at each row.
+template <class Row>
+Eigen::SparseMatrix<double> assemble_lumped_mass_matrix(const Delta_complex& complex, const Row& row,
+                                                        const std::vector<double>& areas)
+{
+  const std::vector<double> sums = corner_sums(complex, row, areas, 1. / 3);
+  Eigen::SparseMatrix<double> mass(Eigen::Index(sums.size()), Eigen::Index(sums.size()));
+  mass.setIdentity();
+  std::copy(sums.begin(), sums.end(), mass.valuePtr());
+  return mass;
+}
+
 } // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MATRICES_ASSEMBLE_SYMMETRIC_MATRIX_H

@@ -10,10 +10,10 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_METRIC_CONSTRUCTION_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Cotangent_bounds.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/metric_defects.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/memory_access.h>
@@ -31,7 +31,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -44,36 +43,6 @@ struct Is_used_vertex
   const Delta_complex& complex;
   bool operator()(std::size_t v) const { return complex.halfedge(Vertex_index(std::uint32_t(v))).is_valid(); }
 };
-
-// For an edge that a flip has made.
-[[noreturn]] inline void throw_no_length(const Delta_complex& complex, Edge_index e)
-{
-  const Halfedge_index h = complex.halfedge(e);
-  const std::string source = std::to_string(complex.source(h).idx()), target = std::to_string(complex.target(h).idx());
-  throw Invalid_surface_error(Defect::ZERO_LENGTH_EDGE, complex.source(h).idx(), 1,
-                              complex.is_loop(e)
-                                ? "a loop at vertex " + source + " has length zero: the lengths leave no room there"
-                                : "vertices " + source + " and " + target +
-                                    " coincide on the surface, though no edge joins them; "
-                                    "merge them first");
-}
-
-// Names the first edge whose squared length is zero.
-template <class PointVector>
-[[noreturn]] void throw_zero_length(const Delta_complex& complex, const PointVector& points,
-                                    const Defect_tally& offenders)
-{
-  const Halfedge_index h = complex.halfedge(Edge_index(std::uint32_t(offenders.first)));
-  const std::size_t v = complex.source(h).idx(), w = complex.target(h).idx();
-  const bool is_coincident = certainly(points[v][0] == points[w][0]) && certainly(points[v][1] == points[w][1]) &&
-                             certainly(points[v][2] == points[w][2]);
-  throw Invalid_surface_error(
-    is_coincident ? Defect::ZERO_LENGTH_EDGE : Defect::OUT_OF_RANGE, offenders.first, offenders.count,
-    "edge " + std::to_string(offenders.first) + " joins vertices " + std::to_string(v) + " and " + std::to_string(w) +
-      (is_coincident ? ", which coincide: merge them first"
-                     : ", whose squared distance underflows beside the size of the surface") +
-      offenders.and_more());
-}
 
 // Whether the functors of traits take two edges or faces at once.
 template <class Traits, class = void>
@@ -302,7 +271,10 @@ void construct_metric_from_points(const Delta_complex& complex, Copier& copier, 
     for (std::size_t e = 0; e < edges.size(); ++e)
       if (faces_and_sides.is_zero(edges[e]) != 0)
         offenders.add(e);
-    throw_zero_length(complex, points, offenders);
+    const Halfedge_index h = complex.halfedge(Edge_index(std::uint32_t(offenders.first)));
+    const auto &p = points[complex.source(h).idx()], &q = points[complex.target(h).idx()];
+    throw_zero_length(complex, offenders,
+                      certainly(p[0] == q[0]) && certainly(p[1] == q[1]) && certainly(p[2] == q[2]));
   }
 }
 
@@ -323,7 +295,7 @@ void construct_metric_from_lengths(const Delta_complex& complex, const Traits& t
     if (!possibly(compute_squared_length(edges[e]) > FT(0)))
       offenders.add(e);
   }
-  throw_if_underflow("the squared length of edge ", offenders);
+  offenders.refuse_underflow("the squared length of edge ");
 
   for (Face_index f : complex.faces()) {
     const Face_halfedges sides(complex, f);
@@ -333,10 +305,7 @@ void construct_metric_from_lengths(const Delta_complex& complex, const Traits& t
       offenders.add(f.idx());
     faces[f.idx()] = construct_face_data.from_lengths(ij, jk, ki);
   }
-  if (offenders.count > 0)
-    throw Invalid_surface_error(Defect::TRIANGLE_INEQUALITY, offenders.first, offenders.count,
-                                "the lengths of face " + std::to_string(offenders.first) +
-                                  " violate the triangle inequality" + offenders.and_more());
+  offenders.refuse(Defect::TRIANGLE_INEQUALITY, "the lengths of face ", " violate the triangle inequality");
 }
 
 // For traits with exact geometry, from the exact metric.

@@ -9,11 +9,10 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_UNIT_OF_LENGTH_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_UNIT_OF_LENGTH_H
 
-#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_kinds.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/metric_defects.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
-#include <CGAL/Intrinsic_triangulations/internal/Index.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
@@ -24,13 +23,10 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
-
-using Defect = Invalid_surface_error::Defect;
 
 // Products of two squared lengths occur, and differences of such products matter down to
 // their rounding: lengths between 2^-(a tenth of the largest exponent) and 2^(the same) stay far
@@ -83,19 +79,6 @@ double magnitude(const FT& x)
   }
 }
 
-// Counts the offending elements and keeps the first.
-struct Defect_tally
-{
-  void add(std::size_t element)
-  {
-    first = count == 0 ? element : first;
-    ++count;
-  }
-  std::string and_more() const { return count > 1 ? " (and " + std::to_string(count - 1) + " more)" : std::string(); }
-  std::size_t first = 0;
-  std::size_t count = 0;
-};
-
 // Multiplies by a power of two, and returns whether that was exact.
 template <class FT>
 bool scale(FT& x, int exponent)
@@ -118,17 +101,6 @@ bool scale(FT& x, int exponent)
     is_exact = back == x;
   x = scaled;
   return is_exact;
-}
-
-inline void throw_if_underflow(const char* what, const Defect_tally& offenders,
-                               const char* advice = "remove the outliers")
-{
-  if (offenders.count > 0)
-    throw Invalid_surface_error(Defect::OUT_OF_RANGE, offenders.first, offenders.count,
-                                what + std::to_string(offenders.first) +
-                                  " underflows beside the size of the surface: the range of the "
-                                  "number type does not hold both" +
-                                  offenders.and_more() + "; " + advice);
 }
 
 // Is zero for finite numbers and NaN otherwise, and needs no branch. An exact number may be
@@ -232,12 +204,8 @@ int normalize_points(PointVector& points, const IsUsed& is_used)
 {
   using FT = typename PointVector::value_type::value_type;
   const Box box = bounding_box<ConcurrencyTag>(points, is_used);
-  if (!(box.zero == 0)) {
-    const Defect_tally offenders = non_finite_points(points);
-    throw Invalid_surface_error(Defect::NOT_FINITE, offenders.first, offenders.count,
-                                "vertex " + std::to_string(offenders.first) +
-                                  " has a coordinate that is not a finite number" + offenders.and_more());
-  }
+  if (!(box.zero == 0))
+    non_finite_points(points).refuse(Defect::NOT_FINITE, "vertex ", " has a coordinate that is not a finite number");
   const int exponent = unit_exponent<FT>(box.half_extent());
   if (exponent == 0)
     return 0;
@@ -247,7 +215,7 @@ int normalize_points(PointVector& points, const IsUsed& is_used)
       points[v] = {FT(0), FT(0), FT(0)};
     else if (!scale_point(points[v], box, exponent))
       offenders.add(v);
-  throw_if_underflow("a coordinate of vertex ", offenders, "round it to zero, or remove the outliers");
+  offenders.refuse_underflow("a coordinate of vertex ", "; round it to zero, or remove the outliers");
   return exponent;
 }
 
@@ -268,31 +236,15 @@ int normalize_lengths(std::vector<FT>& lengths)
       offenders.add(e);
     largest = l > largest ? l : largest;
   }
-  if (offenders.count > 0)
-    throw Invalid_surface_error(Defect::NOT_FINITE, offenders.first, offenders.count,
-                                "the length of edge " + std::to_string(offenders.first) +
-                                  " is not a positive finite number" + offenders.and_more());
+  offenders.refuse(Defect::NOT_FINITE, "the length of edge ", " is not a positive finite number");
   const int exponent = unit_exponent<FT>(largest);
   if (exponent == 0)
     return 0;
   for (std::size_t e = 0; e < lengths.size(); ++e)
     if (!scale(lengths[e], -exponent))
       offenders.add(e);
-  throw_if_underflow("the length of edge ", offenders);
+  offenders.refuse_underflow("the length of edge ");
   return exponent;
-}
-
-// Lengths of 1e-160 or 1e160 are well within the range of double, but their squares are not.
-inline double area_in_input_unit(double area, int unit_exponent, Face_index f)
-{
-  using Limits = std::numeric_limits<double>;
-  const double result = std::ldexp(area, 2 * unit_exponent);
-  if (result > (Limits::max)() || (result < (Limits::min)() && area >= (Limits::min)()))
-    throw Invalid_surface_error(
-      Invalid_surface_error::Defect::OUT_OF_RANGE, f.idx(), 1,
-      "face " + std::to_string(f.idx()) +
-        ": its area leaves the range of double; scale the surface, or remove the face if that does not help");
-  return result;
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

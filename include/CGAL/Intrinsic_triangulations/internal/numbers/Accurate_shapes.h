@@ -13,12 +13,12 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/metric/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
+#include <CGAL/Intrinsic_triangulations/internal/numbers/Cotangent_weight.h>
 
-#include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -27,14 +27,11 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 // Where the apex of a face is, as seen from its longest side and in units of that, by the lengths of its sides from that
 // on: nothing if it is so low that their rounding tells.
-//
-// Source of the area: W. Kahan, "Miscalculating area and angles of a needle-like triangle" (2014).
 inline std::optional<std::array<double, 2>> apex_by_lengths(const std::array<double, 3>& length)
 {
   constexpr double least_height = 0x1p-5;
-  const double next = length[1] / length[0], prev = length[2] / length[0], b = (std::max)(next, prev),
-               c = (std::min)(next, prev);
-  const double height = std::sqrt((1 + (b + c)) * (c - (1 - b)) * (c + (1 - b)) * (1 + (b - c))) / 2;
+  const double next = length[1] / length[0], prev = length[2] / length[0];
+  const double height = std::sqrt(squared_four_areas_from_lengths(1., next, prev)) / 2;
   if (!(height > least_height))
     return std::nullopt;
   return std::array<double, 2>{((prev - next) * (prev + next) + 1) / 2, height};
@@ -58,7 +55,7 @@ public:
   // k such that lengths are in units of 2^k units of the input.
   int exponent() const { return 0; }
   double length(Edge_index e) const { return to_double(triangulation_.length(e)); }
-  bool has_area(Face_index f) const { return certainly(triangulation_.area(f) > typename Traits::FT(0)); }
+  bool has_area(Face_index f) const { return has_positive_area(triangulation_, f); }
   // Opposite to h. \pre its face has an area
   double cotangent(Halfedge_index h) const { return to_double(triangulation_.cotangent(h)); }
 
@@ -88,11 +85,7 @@ public:
     return square > 0x1p-900 ? std::sqrt(square) : std::ldexp(triangulation_.length(e), -exponent());
   }
 
-  bool has_area(Face_index f) const
-  {
-    const Bounded_area& area = triangulation_.face_data(f);
-    return area.value > area.error || engine(triangulation_).sign_of_area(f) == POSITIVE;
-  }
+  bool has_area(Face_index f) const { return has_positive_area(triangulation_, f); }
 
   double cotangent(Halfedge_index h) const
   {

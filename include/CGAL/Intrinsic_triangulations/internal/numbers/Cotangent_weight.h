@@ -15,7 +15,8 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/metric_defects.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Direct_mapped_cache.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
@@ -31,6 +32,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -70,6 +72,16 @@ void require_positive_areas(const Triangulation& triangulation, Edge_index e)
   }
 }
 
+// The sum of two rounded cotangents can be negative where the test of the number type, which is not made from the same
+// sum, says that it is not.
+template <class Triangulation>
+double with_decided_sign(const Triangulation& triangulation, Edge_index e, double weight)
+{
+  return weight < 0 && !triangulation.connectivity().is_border(e) && certainly(triangulation.is_locally_Delaunay(e))
+           ? 0
+           : weight;
+}
+
 template <class Triangulation>
 BOOST_NOINLINE double cotangent_weight_by_number_type(const Triangulation& triangulation, Edge_index e)
 {
@@ -82,11 +94,7 @@ BOOST_NOINLINE double cotangent_weight_by_number_type(const Triangulation& trian
     throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, e.idx(), 1,
                                 "the cotangent weight of edge " + std::to_string(e.idx()) +
                                   " is beyond the range of double");
-  // The sum of two rounded cotangents can be negative where the test of the number type,
-  // which is not made from the same sum, says that it is not.
-  if (weight < 0 && !triangulation.connectivity().is_border(e) && certainly(triangulation.is_locally_Delaunay(e)))
-    return 0;
-  return weight;
+  return with_decided_sign(triangulation, e, weight);
 }
 
 // Weights and areas that are accurate up to this bound are taken from what is stored.
@@ -131,39 +139,26 @@ template <class Number>
 class Known_cotangents
 {
 public:
-  // What is remembered is not copied: each thread remembers for itself.
-  Known_cotangents() = default;
-  Known_cotangents(const Known_cotangents&) {}
-  Known_cotangents& operator=(const Known_cotangents&) = delete;
-
   // Opposite to h; zero on the border.
   Number operator()(const Exact_engine& engine, Halfedge_index h)
   {
     const Delta_complex& complex = engine.connectivity();
     if (complex.is_border(h))
       return {};
-    if (entries_.empty())
-      entries_.resize(number_of_entries);
+    if (!of_faces_)
+      of_faces_.emplace(1024);
     const Face_index f = complex.face(h);
-    Entry& entry = entries_[f.idx() % number_of_entries];
-    if (entry.face != f) {
-      entry.face = Face_index();
-      Engine_numbers(engine).find_cotangents(f, entry.cotangents);
-      entry.face = f;
-    }
+    const auto& cotangents = (*of_faces_)(f, f.idx(), [&] {
+      std::array<Number, 3> found;
+      Engine_numbers(engine).find_cotangents(f, found);
+      return found;
+    });
     const Halfedge_index first = complex.halfedge(f);
-    return entry.cotangents[h == first ? 0 : h == complex.next(first) ? 1 : 2];
+    return cotangents[h == first ? 0 : h == complex.next(first) ? 1 : 2];
   }
 
 private:
-  static constexpr std::size_t number_of_entries = 1024;
-  struct Entry
-  {
-    Face_index face;
-    std::array<Number, 3> cotangents;
-  };
-
-  std::vector<Entry> entries_; // by numbers of faces
+  std::optional<Direct_mapped_cache<Face_index, std::array<Number, 3>>> of_faces_; // none before it is needed
 };
 
 // The cotangent opposite to h, which has a face, from what is stored.
@@ -181,6 +176,7 @@ template <class Traits, class = void>
 class Cotangent_weight
 {
 public:
+  static constexpr bool has_bounds = false; // of cotangents
   static constexpr bool has_threads = is_for_threads<typename Traits::Edge_data>;
 
   explicit Cotangent_weight(const Intrinsic_triangulation<Traits>& triangulation) : triangulation_(triangulation) {}
@@ -197,6 +193,7 @@ class Cotangent_weight<Traits, std::void_t<typename Traits::Compute_bounded_cota
   using Triangulation = Intrinsic_triangulation<Traits>;
 
 public:
+  static constexpr bool has_bounds = true;
   static constexpr bool has_threads = true;
 
   explicit Cotangent_weight(const Triangulation& triangulation)

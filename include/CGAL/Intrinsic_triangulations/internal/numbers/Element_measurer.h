@@ -14,7 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/metric_defects.h>
 #include <CGAL/Intrinsic_triangulations/internal/numbers/Cotangent_weight.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 
@@ -27,7 +27,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -56,10 +55,7 @@ public:
       if (std::isnan(result))
         result = 0;
     }
-    // A sum of two rounded cotangents that cancel can have another sign.
-    if (result < 0 && !complex_.is_border(e) && certainly(triangulation_.is_locally_Delaunay(e)))
-      result = 0;
-    return result;
+    return with_decided_sign(triangulation_, e, result);
   }
 
   // Opposite to h. \pre h is not a border halfedge
@@ -259,7 +255,7 @@ public:
   template <class Summary>
   void summarize(Summary& summary)
   {
-    if constexpr (has_bounds)
+    if constexpr (Cotangent_weight<Traits>::has_bounds && Traits::Uses_exact_geometry::value)
       by_bounds(summary);
     else
       for (Edge_index e : complex_.edges())
@@ -267,14 +263,6 @@ public:
   }
 
 private:
-  template <class T, class = void>
-  struct Has_bounds : std::false_type
-  {};
-  template <class T>
-  struct Has_bounds<T, std::void_t<typename T::Compute_bounded_cotangent>> : T::Uses_exact_geometry
-  {};
-  static constexpr bool has_bounds = Has_bounds<Traits>::value;
-
   template <class Summary>
   void add(Edge_index e, Summary& summary)
   {

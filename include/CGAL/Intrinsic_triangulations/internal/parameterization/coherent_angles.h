@@ -99,9 +99,10 @@ class Angle_optimizer
   using Array = Eigen::ArrayXd;
   using Matrix = Eigen::SparseMatrix<double>;
 
-  struct Direction
+  // Angles, multipliers of the equations, and slacks and multipliers of the inequalities: or how all of these change.
+  struct Iterate
   {
-    Array x, y, slack, edge_slack, dual, edge_dual;
+    Array x, y, slack, dual;
   };
 
 public:
@@ -119,8 +120,7 @@ public:
     for (int iteration = 0; iteration < 100; ++iteration) {
       report_progress(progress, fraction_of_digits(first_gap, gap(), 1e-10), "the search for angles");
       evaluate();
-      if ((equation_error_.abs() < tolerance_).all() && slack_error_.abs().maxCoeff() < 1e-12 &&
-          (edges_.empty() || edge_slack_error_.abs().maxCoeff() < 1e-12) && gap() < 1e-10)
+      if ((equation_error_.abs() < tolerance_).all() && slack_error_.abs().maxCoeff() < 1e-12 && gap() < 1e-10)
         return result();
       factorize();
       step();
@@ -136,24 +136,24 @@ private:
     for (Halfedge_index h : complex_.halfedges())
       if (!complex_.is_border(h))
         unknown_[h.idx()] = n++;
+    for (Edge_index e : complex_.edges())
+      if (!complex_.is_border(e))
+        edges_.push_back(e);
     given_.resize(n);
-    lowest_.resize(n);
+    bounds_.resize(n + Eigen::Index(edges_.size()));
     for (Halfedge_index h : complex_.halfedges())
       if (!complex_.is_border(h)) {
         const double given = angles[h.idx()];
         given_[unknown_[h.idx()]] = given;
-        lowest_[unknown_[h.idx()]] = (std::min)(given / 2, margins[complex_.target(complex_.next(h)).idx()]);
+        bounds_[unknown_[h.idx()]] = (std::min)(given / 2, margins[complex_.target(complex_.next(h)).idx()]);
       }
-    for (Edge_index e : complex_.edges())
-      if (!complex_.is_border(e))
-        edges_.push_back(e);
-    highest_.resize(Eigen::Index(edges_.size()));
     for (std::size_t i = 0; i < edges_.size(); ++i)
-      highest_[Eigen::Index(i)] = boost::math::constants::pi<double>() - edge_margin(complex_, margins, edges_[i]);
+      bounds_[row_of_edge(i)] = edge_margin(complex_, margins, edges_[i]) - boost::math::constants::pi<double>();
   }
 
   int left(std::size_t i) const { return unknown_[complex_.halfedge(edges_[i]).idx()]; }
   int right(std::size_t i) const { return unknown_[complex_.opposite(complex_.halfedge(edges_[i])).idx()]; }
+  Eigen::Index row_of_edge(std::size_t i) const { return given_.size() + Eigen::Index(i); }
 
   // The angles of a face sum to pi, those around an inner vertex to 2 pi.
   void build_equations()
@@ -185,51 +185,54 @@ private:
 
   void start()
   {
-    x_ = given_;
-    y_ = Array::Zero(sums_.size());
-    slack_ = (x_ - lowest_).max(0.1);
-    edge_slack_ = edge_room(x_).max(0.1);
-    dual_ = Array::Constant(slack_.size(), 0.1);
-    edge_dual_ = Array::Constant(edge_slack_.size(), 0.1);
+    now_.x = given_;
+    now_.y = Array::Zero(sums_.size());
+    now_.slack = (limited(now_.x) - bounds_).max(0.1);
+    now_.dual = Array::Constant(bounds_.size(), 0.1);
   }
 
-  Array edge_sums(const Array& x) const
+  // What is not to be below the bounds: the angles, then the sums over the sides of edges, negative.
+  Array limited(const Array& x) const
   {
-    Array sums(Eigen::Index(edges_.size()));
+    Array result(bounds_.size());
+    result.head(x.size()) = x;
     for (std::size_t i = 0; i < edges_.size(); ++i)
-      sums[Eigen::Index(i)] = x[left(i)] + x[right(i)];
-    return sums;
+      result[row_of_edge(i)] = -(x[left(i)] + x[right(i)]);
+    return result;
   }
-  Array edge_room(const Array& x) const { return highest_ - edge_sums(x); }
-  void add_to_sides(Array& x, const Array& edge_values) const
+  // Adds the product of the transposed matrix of that, which is linear, and another vector.
+  void add_transposed(Array& x, const Array& factor) const
   {
+    x += factor.head(x.size());
     for (std::size_t i = 0; i < edges_.size(); ++i) {
-      x[left(i)] += edge_values[Eigen::Index(i)];
-      x[right(i)] += edge_values[Eigen::Index(i)];
+      x[left(i)] -= factor[row_of_edge(i)];
+      x[right(i)] -= factor[row_of_edge(i)];
     }
   }
 
   void evaluate()
   {
-    gradient_ = x_ - given_ + (equations_.transpose() * y_.matrix()).array() - dual_;
-    add_to_sides(gradient_, edge_dual_);
-    equation_error_ = (equations_ * x_.matrix()).array() - sums_;
-    slack_error_ = x_ - lowest_ - slack_;
-    edge_slack_error_ = edge_room(x_) - edge_slack_;
+    gradient_ = now_.x - given_ + (equations_.transpose() * now_.y.matrix()).array();
+    add_transposed(gradient_, -now_.dual);
+    equation_error_ = (equations_ * now_.x.matrix()).array() - sums_;
+    slack_error_ = limited(now_.x) - bounds_ - now_.slack;
   }
 
-  double gap() const
+  // The mean of their products.
+  double gap(const Array& slack, const Array& dual) const
   {
-    return ((slack_ * dual_).sum() + (edge_slack_ * edge_dual_).sum()) / double(slack_.size() + edge_slack_.size());
+    const Eigen::Index n = given_.size(), m = slack.size() - n;
+    return ((slack.head(n) * dual.head(n)).sum() + (slack.tail(m) * dual.tail(m)).sum()) / double(n + m);
   }
+  double gap() const { return gap(now_.slack, now_.dual); }
 
   void factorize()
   {
     std::vector<Eigen::Triplet<double>> entries;
-    const Array diagonal = 1 + dual_ / slack_, coupling = edge_dual_ / edge_slack_;
+    const Array ratio = now_.dual / now_.slack, diagonal = 1 + ratio.head(given_.size());
     for (std::size_t i = 0; i < edges_.size(); ++i) {
       const int h = left(i), g = right(i);
-      const double a = diagonal[h], b = diagonal[g], d = coupling[Eigen::Index(i)];
+      const double a = diagonal[h], b = diagonal[g], d = ratio[row_of_edge(i)];
       const double determinant = a * b + d * (a + b);
       entries.emplace_back(h, h, (b + d) / determinant);
       entries.emplace_back(g, g, (a + d) / determinant);
@@ -249,23 +252,21 @@ private:
   }
 
   // The Newton direction towards slack * dual = slack * dual + target.
-  Direction direction(const Array& target, const Array& edge_target) const
+  Iterate direction(const Array& target) const
   {
-    Direction d;
-    Array right_side = -gradient_ + (target - dual_ * slack_error_) / slack_;
-    add_to_sides(right_side, -(edge_target - edge_dual_ * edge_slack_error_) / edge_slack_);
+    Iterate d;
+    Array right_side = -gradient_;
+    add_transposed(right_side, (target - now_.dual * slack_error_) / now_.slack);
     const Eigen::VectorXd inverse_right = inverse_ * right_side.matrix();
     d.y = cholesky_->solve(Eigen::VectorXd(equations_ * inverse_right + equation_error_.matrix())).array();
     d.x = (inverse_right - inverse_ * (equations_.transpose() * d.y.matrix())).array();
-    d.slack = d.x + slack_error_;
-    d.edge_slack = -edge_sums(d.x) + edge_slack_error_;
-    d.dual = (target - dual_ * d.slack) / slack_;
-    d.edge_dual = (edge_target - edge_dual_ * d.edge_slack) / edge_slack_;
+    d.slack = limited(d.x) + slack_error_;
+    d.dual = (target - now_.dual * d.slack) / now_.slack;
     return d;
   }
 
-  // The longest step, at most 1, that keeps all of these from becoming negative.
-  double longest_step(const Direction& d) const
+  // The longest step, at most 1, that keeps slacks and multipliers from becoming negative.
+  double longest_step(const Iterate& d) const
   {
     double step = 1;
     const auto limit = [&step](const Array& value, const Array& change) {
@@ -273,32 +274,24 @@ private:
         if (change[i] < 0)
           step = (std::min)(step, -value[i] / change[i]);
     };
-    limit(slack_, d.slack);
-    limit(edge_slack_, d.edge_slack);
-    limit(dual_, d.dual);
-    limit(edge_dual_, d.edge_dual);
+    limit(now_.slack, d.slack);
+    limit(now_.dual, d.dual);
     return step;
   }
 
   void step()
   {
     const double old_gap = gap();
-    const Direction predictor = direction(-slack_ * dual_, -edge_slack_ * edge_dual_);
+    const Iterate predictor = direction(-now_.slack * now_.dual);
     const double trial = longest_step(predictor);
-    const double trial_gap =
-      (((slack_ + trial * predictor.slack) * (dual_ + trial * predictor.dual)).sum() +
-       ((edge_slack_ + trial * predictor.edge_slack) * (edge_dual_ + trial * predictor.edge_dual)).sum()) /
-      double(slack_.size() + edge_slack_.size());
+    const double trial_gap = gap(now_.slack + trial * predictor.slack, now_.dual + trial * predictor.dual);
     const double center = std::pow(trial_gap / old_gap, 3) * old_gap;
-    const Direction d = direction(center - slack_ * dual_ - predictor.slack * predictor.dual,
-                                  center - edge_slack_ * edge_dual_ - predictor.edge_slack * predictor.edge_dual);
+    const Iterate d = direction(center - now_.slack * now_.dual - predictor.slack * predictor.dual);
     const double t = (std::min)(1., 0.99 * longest_step(d));
-    x_ += t * d.x;
-    y_ += t * d.y;
-    slack_ += t * d.slack;
-    edge_slack_ += t * d.edge_slack;
-    dual_ += t * d.dual;
-    edge_dual_ += t * d.edge_dual;
+    now_.x += t * d.x;
+    now_.y += t * d.y;
+    now_.slack += t * d.slack;
+    now_.dual += t * d.dual;
   }
 
   std::vector<double> result() const
@@ -306,22 +299,20 @@ private:
     std::vector<double> angles(complex_.number_of_halfedges(), 0);
     for (Halfedge_index h : complex_.halfedges())
       if (!complex_.is_border(h))
-        angles[h.idx()] = x_[unknown_[h.idx()]];
+        angles[h.idx()] = now_.x[unknown_[h.idx()]];
     return angles;
   }
 
   static constexpr double rounding = 0x1p-52; // of a term of a sum
 
   const Delta_complex& complex_;
-  std::vector<int> unknown_;                          // by halfedge
-  std::vector<Edge_index> edges_;                     // those with two sides
-  Array given_, lowest_, highest_, sums_, tolerance_; // the sums over the sides of edges have highest_
+  std::vector<int> unknown_;      // by halfedge
+  std::vector<Edge_index> edges_; // those with two sides
+  Array given_, bounds_, sums_, tolerance_;
   Matrix equations_, inverse_;
   std::optional<Sparse_Cholesky<>> cholesky_;
-  // The iterate: angles, multipliers of the equations, and slacks and multipliers of the
-  // inequalities.
-  Array x_, y_, slack_, edge_slack_, dual_, edge_dual_;
-  Array gradient_, equation_error_, slack_error_, edge_slack_error_;
+  Iterate now_;
+  Array gradient_, equation_error_, slack_error_;
 };
 
 // Finds the coherent angle system that is nearest to given angles in the least-squares sense.

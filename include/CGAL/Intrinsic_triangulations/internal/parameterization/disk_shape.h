@@ -22,7 +22,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -39,15 +38,13 @@ namespace CGAL::Intrinsic_triangulations::internal {
 inline std::size_t number_of_components(const Delta_complex& complex)
 {
   Disjoint_sets sets(complex.number_of_faces());
-  std::size_t result = complex.number_of_faces();
   for (Edge_index e : complex.edges())
     if (!complex.is_border(e)) {
       const Halfedge_index h = complex.halfedge(e);
-      const std::uint32_t f = sets.find(complex.face(h).idx()), g = sets.find(complex.face(complex.opposite(h)).idx());
-      result -= f != g;
-      sets.unite(f, g);
+      sets.unite(complex.face(h).idx(), complex.face(complex.opposite(h)).idx());
     }
-  return result;
+  std::vector<std::size_t> component_of;
+  return sets.number(component_of);
 }
 
 inline std::size_t number_of_boundaries(const Delta_complex& complex)

@@ -40,6 +40,17 @@ public:
     else
       parent_[a] = b;
   }
+  // Numbers the sets in the order of their smallest elements. Returns how many there are
+  std::size_t number(std::vector<std::size_t>& number_of)
+  {
+    std::size_t n = 0;
+    number_of.resize(parent_.size());
+    for (std::size_t x = 0; x < parent_.size(); ++x) {
+      const std::uint32_t root = find(std::uint32_t(x)); // not larger than x
+      number_of[x] = root == x ? n++ : number_of[root];
+    }
+    return n;
+  }
 
 private:
   std::vector<std::uint32_t> parent_;

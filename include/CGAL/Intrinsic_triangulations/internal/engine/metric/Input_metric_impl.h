@@ -155,17 +155,11 @@ void Input_metric::check(const Delta_complex& input) const
   for (Edge_index e : input.edges())
     if (squared_length(*this, input, e) <= 0)
       offenders.add(e.idx());
-  if (offenders.count > 0)
-    throw Invalid_surface_error(internal::Defect::ZERO_LENGTH_EDGE, offenders.first, offenders.count,
-                                "edge " + std::to_string(offenders.first) + " does not have a positive length" +
-                                  offenders.and_more());
+  offenders.refuse(internal::Defect::ZERO_LENGTH_EDGE, "edge ", " does not have a positive length");
   for (Face_index f : input.faces())
     if (squared_four_areas(*this, input, f) < 0)
       offenders.add(f.idx());
-  if (offenders.count > 0)
-    throw Invalid_surface_error(internal::Defect::TRIANGLE_INEQUALITY, offenders.first, offenders.count,
-                                "the lengths of face " + std::to_string(offenders.first) +
-                                  " violate the triangle inequality" + offenders.and_more());
+  offenders.refuse(internal::Defect::TRIANGLE_INEQUALITY, "the lengths of face ", " violate the triangle inequality");
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE

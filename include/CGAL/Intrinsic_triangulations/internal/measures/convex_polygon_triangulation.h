@@ -5,8 +5,10 @@
 //
 // The triangulation of a convex polygon in space whose smallest triangle is largest.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_CONVEX_POLYGON_TRIANGULATION_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_CONVEX_POLYGON_TRIANGULATION_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_CONVEX_POLYGON_TRIANGULATION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_CONVEX_POLYGON_TRIANGULATION_H
+
+#include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 
 #include <algorithm>
 #include <array>
@@ -24,23 +26,35 @@ class Convex_polygon_triangulation
   using Point = std::array<double, 3>;
 
 public:
-  explicit Convex_polygon_triangulation(const std::vector<Point>& corners)
-    : size_(corners.size()), corners_(relative(corners)), normal_{0, 0, 0},
-      smallest_(size_ * size_, std::numeric_limits<double>::infinity()), apex_(size_ * size_, 0)
+  explicit Convex_polygon_triangulation(const std::vector<Point>& given) : size_(given.size()), apex_(size_ * size_, 0)
   {
+    const std::vector<Point> corners = relative(given);
+    const auto twice_area_vector = [&](std::size_t a, std::size_t b, std::size_t c) {
+      Point u, v;
+      for (std::size_t k = 0; k < 3; ++k) {
+        u[k] = corners[b][k] - corners[a][k];
+        v[k] = corners[c][k] - corners[a][k];
+      }
+      return cross_product(u, v);
+    };
+    Point normal{0, 0, 0};
     for (std::size_t i = 1; i + 1 < size_; ++i) {
-      const Point n = cross_product(0, i, i + 1);
+      const Point n = twice_area_vector(0, i, i + 1);
       for (std::size_t k = 0; k < 3; ++k)
-        normal_[k] += n[k];
+        normal[k] += n[k];
     }
+    // Of the smallest triangle in the best triangulation of each chain, up to a factor; negative where rounding has
+    // turned a triangle over.
+    std::vector<double> smallest_area(size_ * size_, std::numeric_limits<double>::infinity());
     for (std::size_t length = 2; length < size_; ++length)
       for (std::size_t a = 0; a + length < size_; ++a) {
         const std::size_t b = a + length;
-        double& best = smallest_[a * size_ + b];
+        double& best = smallest_area[a * size_ + b];
         best = -std::numeric_limits<double>::infinity();
         for (std::size_t apex = a + 1; apex < b; ++apex) {
           const double smallest =
-            (std::min)(area(a, apex, b), (std::min)(smallest_[a * size_ + apex], smallest_[apex * size_ + b]));
+            (std::min)(scalar_product(twice_area_vector(a, apex, b), normal),
+                       (std::min)(smallest_area[a * size_ + apex], smallest_area[apex * size_ + b]));
           if (smallest > best || apex == a + 1) {
             best = smallest;
             apex_[a * size_ + b] = apex;
@@ -84,27 +98,7 @@ private:
     return result;
   }
 
-  Point cross_product(std::size_t a, std::size_t b, std::size_t c) const
-  {
-    Point u, v;
-    for (std::size_t k = 0; k < 3; ++k) {
-      u[k] = corners_[b][k] - corners_[a][k];
-      v[k] = corners_[c][k] - corners_[a][k];
-    }
-    return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-  }
-
-  // Up to a factor; negative where rounding has turned a triangle over.
-  double area(std::size_t a, std::size_t b, std::size_t c) const
-  {
-    const Point n = cross_product(a, b, c);
-    return n[0] * normal_[0] + n[1] * normal_[1] + n[2] * normal_[2];
-  }
-
   std::size_t size_;
-  std::vector<Point> corners_;
-  Point normal_;
-  std::vector<double> smallest_;  // triangle in the best triangulation of each chain
   std::vector<std::size_t> apex_; // of the triangle at the diagonal that closes the chain
 };
 
@@ -122,4 +116,4 @@ void for_each_diagonal(const std::vector<std::array<double, 3>>& corners, const 
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_CONVEX_POLYGON_TRIANGULATION_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_CONVEX_POLYGON_TRIANGULATION_H
