@@ -5,5 +5,5 @@
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/Overlay_positions_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/positions/Exact_side.h>
-#include <CGAL/Intrinsic_triangulations/internal/positions/Exact_side_impl.h>
+#include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
+#include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers_impl.h>

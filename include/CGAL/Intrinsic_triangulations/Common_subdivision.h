@@ -187,11 +187,7 @@ private:
   static Surface_point normalized(const Delta_complex& input, const Surface_point& point)
   {
     const Halfedge_index side = point.dimension() == 1 ? internal::side_of(input, point) : point.halfedge;
-    Surface_point result{side, coordinates_from(input, point, side)};
-    const double sum = result.coordinates[0] + result.coordinates[1] + result.coordinates[2];
-    for (double& x : result.coordinates)
-      x /= sum;
-    return result;
+    return {side, internal::with_sum_one(coordinates_from(input, point, side))};
   }
 
   size_type index(Overlay::Vertex x) const
@@ -300,15 +296,7 @@ public:
   template <class PointRange>
   std::array<double, 3> point(const Surface_point& point, const PointRange& points) const
   {
-    std::array<double, 3> result{};
-    Halfedge_index h = point.halfedge;
-    for (double weight : point.coordinates) {
-      const auto& p = points[input().source(h).idx()];
-      for (int i = 0; i < 3; ++i)
-        result[i] += weight * to_double(p[i]);
-      h = input().next(h);
-    }
-    return result;
+    return point_in_space(input(), points, point);
   }
 
   /// \cond SKIP_IN_MANUAL

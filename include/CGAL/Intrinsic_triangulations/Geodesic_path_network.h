@@ -28,6 +28,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -194,8 +195,8 @@ public:
         continue;
       if (complex().opposite(a) == b)
         return false;
-      for (const internal::Wedge& wedge : {left_wedge(a, b), left_wedge(complex().opposite(b), complex().opposite(a))})
-        if (!is_fenced(wedge) && geometry_.compare_with_pi(wedge) == SMALLER)
+      for (bool is_on_left : {true, false})
+        if (angle_of_bend(a, b, is_on_left))
           return false;
     }
     return true;
@@ -231,8 +232,18 @@ private:
 
   const Delta_complex& complex() const { return triangulation_.connectivity(); }
 
-  // To the left of the way from a to b.
-  internal::Wedge left_wedge(Halfedge_index a, Halfedge_index b) const { return {b, complex().opposite(a)}; }
+  // On one side of the way from a to b.
+  internal::Wedge wedge_between(Halfedge_index a, Halfedge_index b, bool is_on_left) const
+  {
+    return is_on_left ? internal::Wedge{b, complex().opposite(a)} : internal::Wedge{complex().opposite(a), b};
+  }
+
+  // An estimate of the angle on one side of the way from a to b, if it may be shortened there.
+  std::optional<double> angle_of_bend(Halfedge_index a, Halfedge_index b, bool is_on_left)
+  {
+    const internal::Wedge wedge = wedge_between(a, b, is_on_left);
+    return is_fenced(wedge) ? std::nullopt : geometry_.angle_below_pi(wedge);
+  }
 
   bool is_constrained(Edge_index e) const { return is_constrained_ && is_constrained_(e); }
 
@@ -324,11 +335,8 @@ private:
     for (bool is_on_left : {true, false}) {
       if (paths_[a].is_straight[is_on_left])
         continue;
-      const internal::Wedge wedge =
-        is_on_left ? left_wedge(g, h) : left_wedge(complex().opposite(h), complex().opposite(g));
-      double angle = 0;
-      if (!is_fenced(wedge) && geometry_.compare_with_pi(wedge, &angle) == SMALLER)
-        queue.push({angle, a, b, is_on_left});
+      if (const std::optional<double> angle = angle_of_bend(g, h, is_on_left))
+        queue.push({*angle, a, b, is_on_left});
       else
         paths_.is_straight(a)[is_on_left] = true;
     }
@@ -404,8 +412,7 @@ private:
     const Halfedge_index a = paths_[bend.before].halfedge, b = paths_[bend.after].halfedge;
     std::vector<Halfedge_index> way;
     if (complex().opposite(a) != b) {
-      const internal::Wedge wedge =
-        bend.is_on_left ? left_wedge(a, b) : left_wedge(complex().opposite(b), complex().opposite(a));
+      const internal::Wedge wedge = wedge_between(a, b, bend.is_on_left);
       if (shorten_wedge(wedge, true) != internal::Wedge_outcome::SHORTENED)
         return false;
       way = outer_side(wedge, bend.is_on_left);
@@ -431,7 +438,7 @@ private:
       ++report_.steps;
       return true;
     }
-    const internal::Wedge wedge = left_wedge(y, x);
+    const internal::Wedge wedge = wedge_between(y, x, true);
     if (is_fenced(wedge))
       return false;
     const internal::Bounded_double_double length_before = precise_length(p);

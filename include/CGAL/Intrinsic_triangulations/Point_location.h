@@ -17,11 +17,9 @@
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
-#include <CGAL/Intrinsic_triangulations/internal/positions/Chord_search.h>
-#include <CGAL/Intrinsic_triangulations/internal/positions/Exact_side.h>
-#include <CGAL/Intrinsic_triangulations/internal/positions/Piece_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/affine_image.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
+#include <CGAL/Intrinsic_triangulations/internal/positions/overlay_search.h>
 
 #include <CGAL/number_utils.h>
 
@@ -60,11 +58,7 @@ public:
   ///
   /// \param subdivision the common subdivision, which must outlive the map and stay where it is
   explicit Point_location(const Common_subdivision& subdivision)
-    : input_{subdivision.input(), subdivision.overlay(), subdivision.positions()}, intrinsic_{subdivision.intrinsic(),
-                                                                                              subdivision.overlay(),
-                                                                                              subdivision.positions()},
-      exact_side_(internal::engine(subdivision), subdivision.overlay()),
-      correspondence_(internal::engine(subdivision).correspondence())
+    : input_(subdivision), intrinsic_(subdivision), correspondence_(input_.engine.correspondence())
   {
     if (correspondence_.number_of_inserted_vertices() != 0)
       note_inserted_vertices();
@@ -87,26 +81,21 @@ public:
     const Surface_point p = checked(input_.complex, point);
     if (!has_inserted_.empty() && p.dimension() > 0 && has_inserted_[input_.complex.face(p.halfedge).idx()])
       return beside_inserted_vertices(p);
-    return map(input_, intrinsic_, p, [this](Overlay::Halfedge chord, Halfedge_index, const Surface_point& p) {
-      return exact_side_.of_intrinsic_chord(chord, p);
-    });
+    return map(input_, intrinsic_, p);
   }
 
   /// \brief returns the position of a point of the intrinsic triangulation in the input; as
   /// `input_to_intrinsic()`, but in the other direction.
   Surface_point intrinsic_to_input(const Surface_point& point) const
   {
-    return map(intrinsic_, input_, checked(intrinsic_.complex, point),
-               [this](Overlay::Halfedge chord, Halfedge_index side, const Surface_point& p) {
-                 return exact_side_.of_input_chord(chord, side, p);
-               });
+    return map(intrinsic_, input_, checked(intrinsic_.complex, point));
   }
 
 private:
   using Coordinates = internal::Coordinates;
 
-  template <class From, class To, class ExactSide>
-  Surface_point map(const From& from, const To& to, const Surface_point& point, const ExactSide& exact_side) const
+  template <class From, class To>
+  static Surface_point map(const From& from, const To& to, const Surface_point& point)
   {
     if (point.dimension() == 0)
       return at_vertex(from, to, point);
@@ -115,7 +104,7 @@ private:
       if (from.overlay.label(from.overlay.segment(part)) == Segment_label::BOTH)
         return on_common_edge(from, to, part, point);
     }
-    const auto found = internal::Chord_search<From, ExactSide>(from, exact_side, point)();
+    const auto found = internal::Chord_search<From>(from, point)();
     return found.is_on_chord ? on_chord(from, to, found.part, point)
                              : in_face(from, to, from.overlay.face(found.part), point);
   }
@@ -146,7 +135,7 @@ private:
       if (input_.overlay.label(input_.overlay.segment(place.part)) == Segment_label::BOTH)
         return on_common_edge(input_, intrinsic_, place.part, point);
     }
-    const auto found = internal::Piece_walk(input_, exact_side_)(point);
+    const auto found = internal::Piece_walk(input_)(point);
     const auto& before = found.before_chords;
     for (std::size_t i = 0; before.size() > 1 && i < before.size(); ++i) {
       const Overlay::Halfedge chord = input_.overlay.next(before[i]);
@@ -257,7 +246,7 @@ private:
     const Halfedge_index h = to.halfedge(chord);
     const double t = internal::fraction_between(internal::corner_coordinates(from, part, point.halfedge),
                                                 internal::corner_coordinates(from, chord, point.halfedge),
-                                                normalized(point.coordinates));
+                                                internal::with_sum_one(point.coordinates));
     const auto [begin, end] = to.ends(chord);
     const Coordinates result = internal::between({1 - begin, begin, 0}, {1 - end, end, 0}, t);
     return on_edge(to.complex, h, result[0], result[1]);
@@ -267,8 +256,8 @@ private:
   static Surface_point in_face(const From& from, const To& to, Overlay::Face f, const Surface_point& point)
   {
     const Halfedge_index h = to.complex.halfedge(to.face(f));
-    Coordinates result =
-      internal::affine_image(internal::corners_in_both(from, point.halfedge, to, h, f), normalized(point.coordinates));
+    Coordinates result = internal::affine_image(internal::corners_in_both(from, point.halfedge, to, h, f),
+                                                internal::with_sum_one(point.coordinates));
     for (double& x : result)
       x = positive(x);
     return {h, result};
@@ -284,15 +273,8 @@ private:
   // A coordinate that is known to be positive: rounding may have lost it.
   static double positive(double x) { return x > 0 ? x : 0x1p-60; }
 
-  static Coordinates normalized(const Coordinates& b)
-  {
-    const double sum = b[0] + b[1] + b[2];
-    return {b[0] / sum, b[1] / sum, b[2] / sum};
-  }
-
   internal::Input_layer input_;
   internal::Intrinsic_layer intrinsic_;
-  internal::Exact_side exact_side_;
   const internal::Correspondence& correspondence_;
   std::vector<bool> has_inserted_; // for each input face, if there are inserted vertices
 };

@@ -64,11 +64,8 @@ std::vector<Halfedge_index> shortest_edge_path(const Intrinsic_triangulation<Tra
     const auto position = [&correspondence, &points](Vertex_index v) {
       if (!correspondence.is_inserted(v))
         return points[v.idx()];
-      Surface_point p = correspondence.location(v);
-      const double sum = p.coordinates[0] + p.coordinates[1] + p.coordinates[2];
-      for (double& c : p.coordinates)
-        c /= sum;
-      return point_in_space(correspondence.input(), points, p);
+      const auto& [h, coordinates] = correspondence.location(v);
+      return point_in_space(correspondence.input(), points, {h, internal::with_sum_one(coordinates)});
     };
     distance_in_space = [position, end = position(target),
                          unit = triangulation.unit_exponent() - shapes.exponent()](Vertex_index v) {

@@ -253,8 +253,8 @@ auto overlay_to_surface_mesh(const Common_subdivision& subdivision, const PointR
   const Surface_point none{Halfedge_index(), {0, 0, 0}};
   auto input_point = mesh.template add_property_map<Halfedge, Surface_point>("h:input_point", none).first;
   auto intrinsic_point = mesh.template add_property_map<Halfedge, Surface_point>("h:intrinsic_point", none).first;
-  const internal::Input_layer input_layer{subdivision.input(), overlay, subdivision.positions()};
-  const internal::Intrinsic_layer intrinsic_layer{subdivision.intrinsic(), overlay, subdivision.positions()};
+  const internal::Input_layer input_layer(subdivision);
+  const internal::Intrinsic_layer intrinsic_layer(subdivision);
   for (Overlay::Halfedge h : overlay.halfedges())
     if (!overlay.is_border(h)) {
       input_point[Halfedge(h.idx())] = internal::corner(input_layer, h);

@@ -14,10 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 
-#include <CGAL/number_utils.h>
-
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -169,25 +166,6 @@ std::vector<Overlay::Segment> geodesic_segments(const Overlay& overlay, const De
     if (h != complex.halfedge(complex.edge(h)))
       std::reverse(result.begin() + first, result.end());
   }
-  return result;
-}
-
-/// \brief returns the point in space of a point of the input.
-///
-/// \param input the input, as returned by `Intrinsic_triangulation::input()`
-/// \param points a random access range of the points of the vertices, each with three coordinates
-/// \param p a point whose coordinates sum to 1
-/// \return its coordinates, each within a few units in the last place of the largest at the corners of the face
-template <class PointRange>
-std::array<double, 3> point_in_space(const Delta_complex& input, const PointRange& points, const Surface_point& p)
-{
-  const Halfedge_index h = p.halfedge;
-  const Vertex_index corners[] = {input.source(h), input.target(h), input.target(input.next(h))};
-  std::array<double, 3> result{0, 0, 0};
-  for (int c = 0; c < 3; ++c)
-    if (p.coordinates[c] != 0)
-      for (int i = 0; i < 3; ++i)
-        result[i] += p.coordinates[c] * CGAL::to_double(points[corners[c].idx()][i]);
   return result;
 }
 

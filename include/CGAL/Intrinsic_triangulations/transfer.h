@@ -76,8 +76,8 @@ struct Areas_in_both
 template <class Visit>
 void for_each_overlay_fan(const Common_subdivision& subdivision, const Areas_in_both& areas, const Visit& visit)
 {
-  const Input_layer input{subdivision.input(), subdivision.overlay(), subdivision.positions()};
-  const Intrinsic_layer intrinsic{subdivision.intrinsic(), subdivision.overlay(), subdivision.positions()};
+  const Input_layer input(subdivision);
+  const Intrinsic_layer intrinsic(subdivision);
   for (Overlay::Face f : subdivision.overlay().faces()) {
     const Face_index in_input = input.face(f), in_intrinsic = intrinsic.face(f);
     visit(f, Overlay_fan{corners_in_both(input, input.complex.halfedge(in_input), intrinsic,
@@ -131,13 +131,12 @@ struct Interpolated
 template <class Range>
 using Value_of = typename Interpolated<Range>::Value;
 
-// `edge_of` and `position_of` say where a crossing lies in `complex`; the vertices before, where those that are none of
-// `complex` lie.
-template <class VertexValues, class EdgeOf, class PositionOf>
-auto interpolate_at_crossings(const Common_subdivision& subdivision, const Delta_complex& complex,
-                              const VertexValues& values, const EdgeOf& edge_of, const PositionOf& position_of)
+// The values at the vertices of the overlay, by those at the vertices of a layer.
+template <class Layer, class VertexValues>
+auto interpolate_in_layer(const Layer& layer, const VertexValues& values)
 {
-  const Overlay& overlay = subdivision.overlay();
+  const Overlay& overlay = layer.overlay;
+  const Delta_complex& complex = layer.complex;
   CGAL_precondition(values.size() == complex.number_of_vertices());
   using Value = Value_of<VertexValues>;
   std::vector<Value> result;
@@ -145,10 +144,10 @@ auto interpolate_at_crossings(const Common_subdivision& subdivision, const Delta
   for (Vertex_index v : complex.vertices())
     result.push_back(values[v.idx()]);
   for (Overlay::size_type v = complex.number_of_vertices(); v < overlay.number_of_original_vertices(); ++v)
-    result.push_back(interpolate(complex, values, subdivision.positions().location(Overlay::Vertex(v))));
+    result.push_back(interpolate(complex, values, layer.positions.location(Overlay::Vertex(v))));
   for (Overlay::Vertex x : overlay.crossings()) {
-    const Halfedge_index h = complex.halfedge(edge_of(x));
-    const double t = position_of(x);
+    const Halfedge_index h = complex.halfedge(layer.edge(x));
+    const double t = layer.on_edge(x);
     result.push_back(Value((1 - t) * values[complex.source(h).idx()] + t * values[complex.target(h).idx()]));
   }
   return result;
@@ -173,9 +172,7 @@ auto interpolate_at_crossings(const Common_subdivision& subdivision, const Delta
 template <class VertexValues>
 auto interpolate_input_values(const Common_subdivision& subdivision, const VertexValues& values)
 {
-  return internal::interpolate_at_crossings(
-    subdivision, subdivision.input(), values, [&](Overlay::Vertex x) { return subdivision.overlay().input_edge(x); },
-    [&](Overlay::Vertex x) { return subdivision.positions().on_input_edge(x); });
+  return internal::interpolate_in_layer(internal::Input_layer(subdivision), values);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
@@ -188,10 +185,7 @@ auto interpolate_input_values(const Common_subdivision& subdivision, const Verte
 template <class VertexValues>
 auto interpolate_intrinsic_values(const Common_subdivision& subdivision, const VertexValues& values)
 {
-  return internal::interpolate_at_crossings(
-    subdivision, subdivision.intrinsic(), values,
-    [&](Overlay::Vertex x) { return subdivision.overlay().intrinsic_edge(x); },
-    [&](Overlay::Vertex x) { return subdivision.positions().on_intrinsic_edge(x); });
+  return internal::interpolate_in_layer(internal::Intrinsic_layer(subdivision), values);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
@@ -216,7 +210,7 @@ auto interpolate_input_corner_values(const Common_subdivision& subdivision, cons
   CGAL_precondition(values.size() == input.number_of_halfedges());
   using Value = internal::Value_of<CornerValues>;
   std::vector<Value> result(overlay.number_of_halfedges());
-  const internal::Input_layer layer{input, overlay, subdivision.positions()};
+  const internal::Input_layer layer(subdivision);
   for (Overlay::Halfedge h : overlay.halfedges()) {
     if (overlay.is_border(h))
       continue;

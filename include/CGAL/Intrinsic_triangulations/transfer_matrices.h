@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
 
 #include <CGAL/assertions.h>
@@ -33,17 +34,17 @@ namespace internal {
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-template <class EdgeOf, class PositionOf>
-Eigen::SparseMatrix<double> interpolation_matrix(const Common_subdivision& subdivision, const Delta_complex& complex,
-                                                 const EdgeOf& edge_of, const PositionOf& position_of)
+template <class Layer>
+Eigen::SparseMatrix<double> interpolation_matrix(const Layer& layer)
 {
-  const Overlay& overlay = subdivision.overlay();
+  const Overlay& overlay = layer.overlay;
+  const Delta_complex& complex = layer.complex;
   Triplets entries;
   entries.reserve(overlay.number_of_vertices() + overlay.number_of_crossings());
   for (Vertex_index v : complex.vertices())
     entries.emplace_back(int(v.idx()), int(v.idx()), 1.);
   for (Overlay::size_type v = complex.number_of_vertices(); v < overlay.number_of_original_vertices(); ++v) {
-    const auto& [side, weights] = subdivision.positions().location(Overlay::Vertex(v));
+    const auto& [side, weights] = layer.positions.location(Overlay::Vertex(v));
     Halfedge_index h = side;
     for (double weight : weights) {
       entries.emplace_back(int(v), int(complex.source(h).idx()), weight);
@@ -51,8 +52,8 @@ Eigen::SparseMatrix<double> interpolation_matrix(const Common_subdivision& subdi
     }
   }
   for (Overlay::Vertex x : overlay.crossings()) {
-    const Halfedge_index h = complex.halfedge(edge_of(x));
-    const double t = position_of(x);
+    const Halfedge_index h = complex.halfedge(layer.edge(x));
+    const double t = layer.on_edge(x);
     entries.emplace_back(int(x.idx()), int(complex.source(h).idx()), 1 - t);
     entries.emplace_back(int(x.idx()), int(complex.target(h).idx()), t);
   }
@@ -75,9 +76,7 @@ inline std::array<int, 3> corner_vertices(const Delta_complex& complex, Face_ind
 /// \param subdivision the common subdivision. O(size of the overlay).
 inline Eigen::SparseMatrix<double> input_interpolation_matrix(const Common_subdivision& subdivision)
 {
-  return internal::interpolation_matrix(
-    subdivision, subdivision.input(), [&](Overlay::Vertex x) { return subdivision.overlay().input_edge(x); },
-    [&](Overlay::Vertex x) { return subdivision.positions().on_input_edge(x); });
+  return internal::interpolation_matrix(internal::Input_layer(subdivision));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer
@@ -85,9 +84,7 @@ inline Eigen::SparseMatrix<double> input_interpolation_matrix(const Common_subdi
 /// \param subdivision the common subdivision. O(size of the overlay).
 inline Eigen::SparseMatrix<double> intrinsic_interpolation_matrix(const Common_subdivision& subdivision)
 {
-  return internal::interpolation_matrix(
-    subdivision, subdivision.intrinsic(), [&](Overlay::Vertex x) { return subdivision.overlay().intrinsic_edge(x); },
-    [&](Overlay::Vertex x) { return subdivision.positions().on_intrinsic_edge(x); });
+  return internal::interpolation_matrix(internal::Intrinsic_layer(subdivision));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTransfer

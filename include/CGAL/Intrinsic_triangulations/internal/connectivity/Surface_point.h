@@ -16,6 +16,7 @@
 #include <CGAL/assertions.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_type_basic.h>
+#include <CGAL/number_utils.h>
 
 #include <array>
 #include <cmath>
@@ -87,6 +88,14 @@ struct Triangle_piece
   Halfedge_index side; // a halfedge of the triangle
   std::int64_t gap;    // from 0 to the number of crossings of its edge
 };
+
+// Barycentric coordinates, divided by their sum.
+inline std::array<double, 3> with_sum_one(const std::array<double, 3>& coordinates)
+{
+  const auto& [a, b, c] = coordinates;
+  const double sum = a + b + c;
+  return {a / sum, b / sum, c / sum};
+}
 
 // The side of its face that a point on an edge lies on.
 inline Halfedge_index side_of(const Delta_complex& complex, const Surface_point& point)
@@ -167,6 +176,26 @@ auto interpolate(const Delta_complex& complex, const VertexValues& values, const
   using Value = std::decay_t<decltype(values[0])>;
   return Value(a * values[complex.source(h).idx()] + b * values[complex.target(h).idx()] +
                c * values[complex.target(complex.next(h)).idx()]);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsGeodesics
+/// \brief returns the point in space of a point of the input.
+///
+/// \param input the input, as returned by `Intrinsic_triangulation::input()`
+/// \param points a random access range of the points of the vertices, each with three coordinates
+/// \param p a point whose coordinates sum to 1
+/// \return its coordinates, each within a few units in the last place of the largest at the corners of the face
+template <class PointRange>
+std::array<double, 3> point_in_space(const Delta_complex& input, const PointRange& points, const Surface_point& p)
+{
+  const Halfedge_index h = p.halfedge;
+  const Vertex_index corners[] = {input.source(h), input.target(h), input.target(input.next(h))};
+  std::array<double, 3> result{0, 0, 0};
+  for (int c = 0; c < 3; ++c)
+    if (p.coordinates[c] != 0)
+      for (int i = 0; i < 3; ++i)
+        result[i] += p.coordinates[c] * CGAL::to_double(points[corners[c].idx()][i]);
+  return result;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

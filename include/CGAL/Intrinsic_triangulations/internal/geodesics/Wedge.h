@@ -15,6 +15,7 @@
 #include <CGAL/enum.h>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -42,23 +43,16 @@ public:
   // What was changed, and can be undone.
   Undoable_flips<Traits>& flips() { return flips_; }
 
-  // Compares the angle with π: LARGER where the border lies between. `angle` is set to an estimate if it is below π.
-  Comparison_result compare_with_pi(const Wedge& wedge, double* angle = nullptr)
+  // An estimate of the angle if it is below π: nothing where the border lies between.
+  std::optional<double> angle_below_pi(const Wedge& wedge)
   {
     corners_.clear();
     for (Halfedge_index h = wedge.first; h != wedge.last; h = complex().next_around_source(h)) {
       if (complex().is_border(h))
-        return LARGER;
+        return std::nullopt;
       corners_.push_back({complex().next(h), {}});
     }
-    return compare_corners_with_pi(angle);
-  }
-
-  // Compares the sum of the angles at the target of h on both sides of it with π. \pre h is not on the border
-  Comparison_result compare_end_with_pi(Halfedge_index h)
-  {
-    corners_ = {{complex().prev(h), {}}, {complex().next(complex().opposite(h)), {}}};
-    return compare_corners_with_pi(nullptr);
+    return sum_below_pi();
   }
 
   // Flips edges inside of the wedge until its outer side is straight or turns towards the vertex everywhere. With an
@@ -103,7 +97,7 @@ public:
     // As the angle is below π, an edge that was not convex is so at its end.
     for (Halfedge_index h = complex().next_around_source(wedge.first); is_doubtful && h != wedge.last;
          h = complex().next_around_source(h))
-      is_blocked = is_blocked || compare_end_with_pi(h) == SMALLER;
+      is_blocked = is_blocked || is_end_below_pi(h);
     return is_blocked ? Wedge_outcome::BLOCKED : Wedge_outcome::SHORTENED;
   }
 
@@ -112,8 +106,15 @@ private:
 
   Halfedge_index clockwise(Halfedge_index h) const { return complex().next(complex().opposite(h)); }
 
-  // By stored numbers, by better ones, or exactly.
-  Comparison_result compare_corners_with_pi(double* angle)
+  // Whether the angles at the target of h on both sides of it sum to less than π. \pre h is not on the border
+  bool is_end_below_pi(Halfedge_index h)
+  {
+    corners_ = {{complex().prev(h), {}}, {complex().next(complex().opposite(h)), {}}};
+    return sum_below_pi().has_value();
+  }
+
+  // The sum of the corners if it is below π: by stored numbers, by better ones, or exactly.
+  std::optional<double> sum_below_pi()
   {
     Bounded_angle sum = estimate();
     // The corners with the largest errors become accurate first: seldom do others have to.
@@ -127,11 +128,10 @@ private:
       if (is_better)
         sum = estimate();
     }
-    if (angle)
-      *angle = sum.value;
-    return sum.is_below_pi()   ? SMALLER
-           : sum.is_above_pi() ? LARGER
-                               : compare_angle_sum_with_pi(engine(flips_.triangulation()), corners_);
+    if (sum.is_below_pi() ||
+        (!sum.is_above_pi() && compare_angle_sum_with_pi(engine(flips_.triangulation()), corners_) == SMALLER))
+      return sum.value;
+    return std::nullopt;
   }
 
   Bounded_angle estimate()

@@ -129,8 +129,7 @@ private:
   {
     if constexpr (!Faces::has_divisors) {
       const auto& b = start_.point.coordinates;
-      const double sum = b[0] + b[1] + b[2];
-      before_ = {start_.point.halfedge, {b[0] / sum, b[1] / sum, b[2] / sum}};
+      before_ = {start_.point.halfedge, with_sum_one(b)};
       for (int i = 0; i < 3; ++i)
         is_start_[i] = b[(i + 1) % 3] == 0 && b[(i + 2) % 3] == 0;
     } else if (faces_.begins_at_input_vertex()) {
@@ -425,10 +424,7 @@ inline Surface_point source_on_input(const Delta_complex& complex, const Corresp
     const auto [at_source, at_target] = coordinates_on_edge(input, p, side);
     p = {side, {at_source, at_target, 0}};
   }
-  const double sum = p.coordinates[0] + p.coordinates[1] + p.coordinates[2];
-  for (double& x : p.coordinates)
-    x /= sum;
-  return p;
+  return {p.halfedge, with_sum_one(p.coordinates)};
 }
 
 // The input edges that h crosses, from the integers alone.

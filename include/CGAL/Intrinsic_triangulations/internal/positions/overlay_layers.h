@@ -12,10 +12,13 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
+
+#include <CGAL/enum.h>
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -48,17 +51,17 @@ Halfedge_index side_at_target(const Delta_complex& complex, const Overlay& overl
   return side.is_valid() ? side : search();
 }
 
-// The side of the input face on which the target of h lies: `Overlay::input_side()`.
-inline Halfedge_index input_side(const Delta_complex& input, const Overlay& overlay, Overlay::Halfedge h)
-{
-  return side_at_target(input, overlay, overlay.input_face(overlay.face(h)), h, [&] { return overlay.input_side(h); });
-}
-
+// \pre the subdivision outlives it
 struct Input_layer
 {
+  const Exact_engine& engine;
   const Delta_complex& complex;
   const Overlay& overlay;
   const Overlay_positions& positions;
+
+  explicit Input_layer(const Common_subdivision& s)
+    : engine(internal::engine(s)), complex(s.input()), overlay(s.overlay()), positions(s.positions())
+  {}
 
   std::int64_t number_of_crossings(Edge_index e) const { return std::int64_t(overlay.number_of_input_segments(e)) - 1; }
   // The part of h at a position from its source, in the direction of h.
@@ -71,17 +74,34 @@ struct Input_layer
   }
   Halfedge_index halfedge(Overlay::Halfedge h) const { return overlay.input_halfedge(h); }
   Face_index face(Overlay::Face f) const { return overlay.input_face(f); }
-  Halfedge_index side(Overlay::Halfedge h) const { return input_side(complex, overlay, h); }
+  Edge_index edge(Overlay::Vertex crossing) const { return overlay.input_edge(crossing); }
+  double on_edge(Overlay::Vertex crossing) const { return positions.on_input_edge(crossing); }
+  // The side of the face on which the target of h lies.
+  Halfedge_index side(Overlay::Halfedge h) const
+  {
+    return side_at_target(complex, overlay, face(overlay.face(h)), h, [&] { return overlay.input_side(h); });
+  }
   double on_side(Overlay::Halfedge h) const { return positions.on_input_side(overlay, h); }
   std::pair<double, double> ends(Overlay::Halfedge h) const { return positions.ends_on_input_halfedge(overlay, h); }
   bool is_inside(Overlay::Vertex v) const { return overlay.is_inserted(v) && positions.location(v).dimension() == 2; }
+
+  // On which side of the chord after `before` a point of the face lies, exactly. A chord is a segment of the overlay
+  // that crosses a face of the layer and is part of an edge of the other one. Both are laid out over the input triangles
+  // that the intrinsic edge crosses. In a face of zero area there may be no side: if the edge runs along the face, all
+  // its points lie on one line.
+  std::optional<Sign> side_of_chord(Overlay::Halfedge before, const Surface_point& point) const;
 };
 
 struct Intrinsic_layer
 {
+  const Exact_engine& engine;
   const Delta_complex& complex;
   const Overlay& overlay;
   const Overlay_positions& positions;
+
+  explicit Intrinsic_layer(const Common_subdivision& s)
+    : engine(internal::engine(s)), complex(s.intrinsic()), overlay(s.overlay()), positions(s.positions())
+  {}
 
   std::int64_t number_of_crossings(Edge_index e) const
   {
@@ -97,6 +117,8 @@ struct Intrinsic_layer
   }
   Halfedge_index halfedge(Overlay::Halfedge h) const { return overlay.intrinsic_halfedge(h); }
   Face_index face(Overlay::Face f) const { return overlay.intrinsic_face(f); }
+  Edge_index edge(Overlay::Vertex crossing) const { return overlay.intrinsic_edge(crossing); }
+  double on_edge(Overlay::Vertex crossing) const { return positions.on_intrinsic_edge(crossing); }
   Halfedge_index side(Overlay::Halfedge h) const
   {
     return side_at_target(complex, overlay, face(overlay.face(h)), h, [&] { return overlay.intrinsic_side(h); });
@@ -104,15 +126,11 @@ struct Intrinsic_layer
   double on_side(Overlay::Halfedge h) const { return positions.on_intrinsic_side(overlay, h); }
   std::pair<double, double> ends(Overlay::Halfedge h) const { return positions.ends_on_intrinsic_halfedge(overlay, h); }
   bool is_inside(Overlay::Vertex) const { return false; }
+  // \pre the chord begins at a crossing, on the side that `before` is part of
+  std::optional<Sign> side_of_chord(Overlay::Halfedge before, const Surface_point& point) const;
 };
 
 using Coordinates = std::array<double, 3>;
-
-// The number of h among the sides of its face from `first`.
-inline std::size_t side_number(const Delta_complex& complex, Halfedge_index first, Halfedge_index h)
-{
-  return h == first ? 0 : h == complex.next(first) ? 1 : 2;
-}
 
 // The target of h in the face of the layer that contains the face of h.
 template <class Layer>
@@ -132,5 +150,9 @@ Coordinates corner_coordinates(const Layer& layer, Overlay::Halfedge h, Halfedge
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
+#include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers_impl.h>
+#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_OVERLAY_LAYERS_H

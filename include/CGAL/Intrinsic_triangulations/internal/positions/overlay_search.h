@@ -5,19 +5,24 @@
 //
 // Finds the face of the overlay that contains a point of one of the triangulations.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_CHORD_SEARCH_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_CHORD_SEARCH_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_OVERLAY_SEARCH_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_OVERLAY_SEARCH_H
 
-#include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/enum.h>
 
-#include <cstddef>
+#include <boost/container/static_vector.hpp>
+
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <unordered_set>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -25,7 +30,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // chords join which sides follows from the numbers of crossings alone, as for normal
 // coordinates; the chords that cross one side are ordered along it, and a point lies to the
 // right of all of them up to some place. So nothing needs to be stored to search by bisection.
-template <class Layer, class ExactSide>
+template <class Layer>
 class Chord_search
 {
 public:
@@ -37,11 +42,7 @@ public:
     bool is_on_chord;
   };
 
-  // `exact_side(chord, side, point)` gives the side of the point of a chord that begins on `side`,
-  // or nothing if the face has no area and there is none.
-  Chord_search(const Layer& layer, const ExactSide& exact_side, const Surface_point& point)
-    : layer_(layer), exact_side_(exact_side), point_(point)
-  {}
+  Chord_search(const Layer& layer, const Surface_point& point) : layer_(layer), point_(point) {}
 
   Result operator()() const
   {
@@ -92,12 +93,9 @@ private:
   // The side of the point of the chord that begins where `part` ends, on side ij.
   Sign side_of_chord(Halfedge_index ij, Overlay::Halfedge part) const
   {
-    const Overlay::Halfedge chord = layer_.overlay.next(part);
-    const std::size_t i = side_number(layer_.complex, point_.halfedge, ij);
-    const double p_0 = point_.coordinates[i], p_1 = point_.coordinates[(i + 1) % 3],
-                 p_2 = point_.coordinates[(i + 2) % 3];
+    const auto [p_0, p_1, p_2] = coordinates_from(layer_.complex, point_, ij);
     const double a = layer_.on_side(part);
-    const Coordinates y = corner_coordinates(layer_, chord, ij);
+    const Coordinates y = corner_coordinates(layer_, layer_.overlay.next(part), ij);
     // The determinant of the ends (1 − a, a, 0) and y of the chord and of the point.
     const double sum = p_0 * (a * y[2]) - p_1 * ((1 - a) * y[2]) + p_2 * ((1 - a) * y[1] - a * y[0]);
     // Positions are good to 2^-52 of their edge, and so are their distances from 1. An error of
@@ -108,15 +106,81 @@ private:
       return POSITIVE;
     if (sum < -error)
       return NEGATIVE;
-    const std::optional<Sign> exact = exact_side_(chord, ij, point_);
+    const std::optional<Sign> exact = layer_.side_of_chord(part, point_);
     return exact ? *exact : sum >= 0 ? POSITIVE : NEGATIVE;
   }
 
   const Layer& layer_;
-  const ExactSide& exact_side_;
   const Surface_point& point_;
+};
+
+// In an input face with inserted vertices the chords begin and end anywhere, so that there is no order to search by. The walk goes from piece to
+// piece across chords that have the point on their other side, and to each piece once: where such a walk would run in
+// circles, it becomes a search through all of them.
+class Piece_walk
+{
+public:
+  struct Result
+  {
+    Overlay::Face face;
+    // Its sides before chords that the point lies on: none, one, or two that meet at an inserted vertex.
+    boost::container::static_vector<Overlay::Halfedge, 6> before_chords;
+  };
+
+  explicit Piece_walk(const Input_layer& layer) : layer_(layer) {}
+
+  Result operator()(const Surface_point& point) const
+  {
+    const Overlay& overlay = layer_.overlay;
+    std::vector<Overlay::Face> next{overlay.face(layer_.part(point.halfedge, 0))}, others;
+    std::unordered_set<Overlay::Face> seen;
+    for (;;) {
+      std::vector<Overlay::Face>& candidates = next.empty() ? others : next;
+      CGAL_assertion(!candidates.empty());
+      Result here{candidates.back(), {}};
+      candidates.pop_back();
+      if (!seen.insert(here.face).second)
+        continue;
+      bool is_here = true;
+      const Overlay::Halfedge first = overlay.halfedge(here.face);
+      Overlay::Halfedge before = first;
+      do {
+        const Overlay::Halfedge side = overlay.next(before);
+        if (!overlay.input_halfedge(side).is_valid()) {
+          const Sign sign = side_of_chord(before, point);
+          (sign == NEGATIVE ? next : others).push_back(overlay.face(overlay.opposite(side)));
+          is_here = is_here && sign != NEGATIVE;
+          if (sign == ZERO)
+            here.before_chords.push_back(before);
+        }
+        before = side;
+      } while (before != first);
+      if (is_here)
+        return here;
+    }
+  }
+
+private:
+  // The side of a point of the chord after a side. In a face without area all points are on the left.
+  Sign side_of_chord(Overlay::Halfedge before, const Surface_point& point) const
+  {
+    const Coordinates x = corner_coordinates(layer_, before, point.halfedge),
+                      y = corner_coordinates(layer_, layer_.overlay.next(before), point.halfedge);
+    const Coordinates& p = point.coordinates;
+    const double sum =
+      p[0] * (x[1] * y[2] - x[2] * y[1]) + p[1] * (x[2] * y[0] - x[0] * y[2]) + p[2] * (x[0] * y[1] - x[1] * y[0]);
+    // Coordinates are good to 2^-51, so that each product of two is good to 2^-50 and their difference to 2^-49.
+    const double error = 0x1p-48 * (p[0] + p[1] + p[2]);
+    if (sum > error)
+      return POSITIVE;
+    if (sum < -error)
+      return NEGATIVE;
+    return layer_.side_of_chord(before, point).value_or(POSITIVE);
+  }
+
+  const Input_layer& layer_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_CHORD_SEARCH_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_OVERLAY_SEARCH_H
