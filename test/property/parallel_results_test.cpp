@@ -457,8 +457,8 @@ TEST(Parallel_results, can_be_cancelled)
     };
     EXPECT_THROW(IT::Overlay(t, CGAL::parameters::visitor(progress), Parallel_tag()), IT::Cancelled_error);
   }
-  EXPECT_THROW(IT::Overlay_positions(IT::internal::engine(t), overlay, CGAL::parameters::visitor([] { return false; }),
-                                     Parallel_tag()),
+  EXPECT_THROW(IT::Overlay_positions(
+                 IT::internal::engine(t), overlay, [](double) { return false; }, Parallel_tag()),
                IT::Cancelled_error);
 }
 

@@ -61,7 +61,7 @@ TEST(Progress, overlay)
   expect_progress([&](const IT::Progress_function& progress) { IT::Overlay(t, CGAL::parameters::visitor(progress)); },
                   8);
   const auto find_positions = [&](const IT::Progress_function& progress) {
-    IT::Overlay_positions(IT::internal::engine(t), overlay, CGAL::parameters::visitor(progress));
+    IT::Overlay_positions(IT::internal::engine(t), overlay, progress);
   };
   expect_progress(find_positions, 3);
   expect_progress(

@@ -51,12 +51,12 @@ class Overlay_positions
 {
 public:
   /// \cond SKIP_IN_MANUAL
-  // Computes all positions, in O(size of the overlay) arithmetic operations. With threads, the visitor is asked only at
-  // the beginning. Throws Undecided_error if an edge is not a straight line over the input triangles, as an inexact
-  // number type has flipped a hinge that is not convex, and Cancelled_error if the visitor asks for it.
-  template <class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>
+  // Computes all positions, in O(size of the overlay) arithmetic operations. With threads, only the beginning is
+  // reported. Throws Undecided_error if an edge is not a straight line over the input triangles, as an inexact
+  // number type has flipped a hinge that is not convex, and Cancelled_error if the function asks for it.
+  template <class ConcurrencyTag = Sequential_tag>
   Overlay_positions(const internal::Exact_engine& engine, const Overlay& overlay,
-                    const NamedParameters& np = parameters::default_values(), ConcurrencyTag = ConcurrencyTag())
+                    const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
     : number_of_input_vertices_(overlay.number_of_input_vertices()),
       number_of_original_vertices_(overlay.number_of_original_vertices()),
       on_intrinsic_edge_(overlay.number_of_crossings(), internal::default_init),
@@ -64,7 +64,6 @@ public:
   {
     const internal::Standard_arithmetic arithmetic;
     static constexpr const char* what = "the search for the places of the crossings";
-    const Progress_function progress = internal::progress_function_of(np);
     const Delta_complex &intrinsic = engine.connectivity(), &input = engine.correspondence().input();
     for (size_type v = input.number_of_vertices(); v < intrinsic.number_of_vertices(); ++v)
       locations_.push_back(normalized(input, engine.correspondence().location(Vertex_index(v))));
@@ -309,15 +308,10 @@ private:
   friend struct internal::Engine_access;
   /// \endcond
 
-  static auto visitor(const Progress_function& progress, double begin, double end)
-  {
-    return parameters::visitor(internal::part_of_progress(progress, begin, end));
-  }
-
   template <class ConcurrencyTag>
   Common_subdivision(internal::Released_engine released, const Progress_function& progress, ConcurrencyTag)
     : engine_(std::move(released.engine)), overlay_(build_overlay<ConcurrencyTag>(released.go_further, progress)),
-      positions_(engine_, overlay_, visitor(progress, part_of_graph, 1), ConcurrencyTag())
+      positions_(engine_, overlay_, internal::part_of_progress(progress, part_of_graph, 1), ConcurrencyTag())
   {
     engine_.decisions().interruption.exchange({});
   }
@@ -327,8 +321,8 @@ private:
   {
     engine_.decisions().interruption.exchange(go_further);
     engine_.prepare<ConcurrencyTag>();
-    return Overlay(engine_.connectivity(), engine_.correspondence(), visitor(progress, 0, part_of_graph),
-                   ConcurrencyTag());
+    return Overlay(engine_.connectivity(), engine_.correspondence(),
+                   parameters::visitor(internal::part_of_progress(progress, 0, part_of_graph)), ConcurrencyTag());
   }
 
   internal::Exact_engine engine_;

@@ -272,11 +272,10 @@ public:
   /// Source: N. Sharp, Y. Soliman, K. Crane, "The vector heat method", 2019, section 4.
   std::vector<double> extend(const std::vector<std::pair<Vertex_index, double>>& values, double elsewhere = 0) const
   {
-    internal::Pins sources;
     std::vector<std::pair<std::uint32_t, double>> of_rows;
     for (const auto& [v, value] : values)
-      of_rows.emplace_back(sources.insert({row_of(v), 0}).first->first, value);
-    const std::vector<bool> is_reachable = reachable(sources);
+      of_rows.emplace_back(row_of(v), value);
+    const std::vector<bool> is_reachable = surface_->connected_with(of_rows);
     const std::vector<double> quotients = diffusion_->extend(of_rows, is_reachable);
     std::vector<double> result(surface_->size(), elsewhere);
     for (std::size_t v = 0; v < result.size(); ++v)
@@ -330,15 +329,6 @@ private:
 
   Eigen::VectorXd zero_heat() const { return Eigen::VectorXd::Zero(Eigen::Index(surface_->size())); }
 
-  // The rows in the components of the sources.
-  std::vector<bool> reachable(const internal::Pins& sources) const
-  {
-    std::vector<std::uint32_t> rows;
-    for (const auto& source : sources)
-      rows.push_back(source.first);
-    return surface_->connected_with(rows);
-  }
-
   // The distances of the sources: zero, and for points those of the corners of their faces.
   internal::Pins find_pins() const
   {
@@ -364,7 +354,7 @@ private:
       if (!poisson_)
         poisson_ = std::make_unique<Poisson>(surface_->stiffness, surface_->component,
                                              "the stiffness matrix with a fixed vertex in each part", *interruption_);
-      is_reachable = reachable(pins);
+      is_reachable = surface_->connected_with(pins);
       phi = poisson_->solve(flux(pins, is_reachable), pins).cwiseMax(0.);
       for (const auto& [row, distance] : pins)
         phi[row] = distance;

@@ -221,28 +221,28 @@ public:
   {
     Eigen::VectorXcd directions = Eigen::VectorXcd::Zero(rows());
     Eigen::VectorXd heat = Eigen::VectorXd::Zero(rows()), lengths = heat;
-    std::vector<std::uint32_t> from;
+    std::vector<std::pair<std::uint32_t, double>> from; // rows, and the lengths of the vectors there
     for (const auto& [v, vector] : sources) {
       internal::require_vertex(v, number_of_vertices_);
       const Complex z(vector.x(), vector.y());
       if (!std::isfinite(z.real()) || !std::isfinite(z.imag()))
         throw Invalid_argument_error("the vector at vertex " + std::to_string(v.idx()) + " is not finite");
-      from.push_back(std::uint32_t(v.idx()));
       const double length = std::hypot(z.real(), z.imag());
-      heat[from.back()] += 1;
-      lengths[from.back()] += length;
+      from.emplace_back(v.idx(), length);
+      heat[v.idx()] += 1;
+      lengths[v.idx()] += length;
       if (length > 0)
-        directions[from.back()] += Complex(z.real() / length, z.imag() / length);
+        directions[v.idx()] += Complex(z.real() / length, z.imag() / length);
     }
     const std::vector<bool> is_reachable = surface_->connected_with(from);
     const internal::Layered_heat spread = scalars_->spread(heat, is_reachable);
     const std::vector<Eigen::VectorXcd> vectors = vectors_->spread_likewise(directions, spread);
     // Where all have the same length, as a single one does, there is no mean to find.
     const bool are_equal =
-      std::all_of(from.begin(), from.end(), [&](std::uint32_t v) { return lengths[v] == lengths[from.front()]; });
+      std::all_of(from.begin(), from.end(), [&](const auto& f) { return f.second == from.front().second; });
     const std::vector<double> length =
-      are_equal ? std::vector<double>(std::size_t(rows()), from.empty() ? 0 : lengths[from.front()])
-                : scalars_->quotients(spread, lengths, is_reachable);
+      are_equal ? std::vector<double>(std::size_t(rows()), from.empty() ? 0 : from.front().second)
+                : scalars_->quotients(spread, lengths);
     std::vector<Vector> result;
     result.reserve(number_of_vertices_);
     for (std::size_t v = 0; v < number_of_vertices_; ++v) {
@@ -262,14 +262,12 @@ public:
   /// of these; 0 where none of them can be reached. \exception as `transport_tangent_vectors()`
   std::vector<double> extend(const std::vector<std::pair<Vertex_index, double>>& values) const
   {
-    std::vector<std::uint32_t> from;
     std::vector<std::pair<std::uint32_t, double>> of_rows;
     for (const auto& [v, value] : values) {
       internal::require_vertex(v, number_of_vertices_);
-      from.push_back(std::uint32_t(v.idx()));
-      of_rows.emplace_back(from.back(), value);
+      of_rows.emplace_back(v.idx(), value);
     }
-    std::vector<double> result = scalars_->extend(of_rows, surface_->connected_with(from));
+    std::vector<double> result = scalars_->extend(of_rows, surface_->connected_with(of_rows));
     for (const auto& [v, value] : values)
       result[v.idx()] = value;
     result.resize(number_of_vertices_);
@@ -292,7 +290,7 @@ public:
   {
     internal::require_vertex(source, number_of_vertices_);
     const auto row = std::uint32_t(source.idx());
-    const std::vector<bool> is_reachable = surface_->connected_with(std::vector<std::uint32_t>{row});
+    const std::vector<bool> is_reachable = surface_->connected_with(internal::Pins{{row, 0}});
     Eigen::VectorXcd direction = Eigen::VectorXcd::Zero(rows());
     Eigen::VectorXd heat = Eigen::VectorXd::Zero(rows());
     direction[row] = 1;

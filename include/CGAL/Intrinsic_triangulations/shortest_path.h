@@ -79,13 +79,13 @@ Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& t
   Geodesic_distances result;
   result.is_complete = windows.run(sources, number_of_ways(np, triangulation.connectivity()), interruption);
   result.number_of_ways = windows.number_of_steps();
-  std::vector<double> distances = windows.distances();
+  result.distances = windows.distances();
   std::map<std::uint32_t, double> pins;
   for (std::uint32_t source : sources)
     pins[source] = 0;
-  Distance_bounds(by_place ? *by_place : triangulation, row).apply(distances, pins);
-  for (double d : distances)
-    result.distances.push_back(std::ldexp(d, faces.exponent()));
+  Distance_bounds(by_place ? *by_place : triangulation, row).apply(result.distances, pins);
+  for (double& d : result.distances)
+    d = std::ldexp(d, faces.exponent());
   return result;
 }
 

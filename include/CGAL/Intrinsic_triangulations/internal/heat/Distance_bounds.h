@@ -8,7 +8,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_DISTANCE_BOUNDS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_DISTANCE_BOUNDS_H
 
-#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/numbers/Accurate_shapes.h>
@@ -159,11 +158,10 @@ private:
   static bool is_input_edge(const Intrinsic_triangulation<Traits>& triangulation, Edge_index e)
   {
     if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry) {
-      const Correspondence& correspondence = engine(triangulation).correspondence();
       const Delta_complex& complex = triangulation.connectivity();
       const Halfedge_index h = complex.halfedge(e);
-      return correspondence.coordinates().is_original(e) && !correspondence.is_inserted(complex.source(h)) &&
-             !correspondence.is_inserted(complex.target(h));
+      return triangulation.is_input_edge(e) && !triangulation.is_inserted(complex.source(h)) &&
+             !triangulation.is_inserted(complex.target(h));
     }
     return false;
   }

@@ -170,13 +170,12 @@ public:
   }
 
   // Other heat divided by the first, at each row; 0 where there is none.
-  std::vector<double> quotients(const Layered_heat& heat, const Vector& other,
-                                const std::vector<bool>& is_reachable) const
+  std::vector<double> quotients(const Layered_heat& heat, const Vector& other) const
   {
     const std::vector<Vector> layers = spread_likewise(other, heat, [](Vector&, std::size_t) {});
-    std::vector<double> result(is_reachable.size(), 0);
+    std::vector<double> result(heat.layer_of.size(), 0);
     for (std::size_t row = 0; row < result.size(); ++row)
-      if (is_reachable[row] && heat[row] != 0)
+      if (heat[row] != 0)
         result[row] = layers[heat.layer_of[row]][Eigen::Index(row)] / heat[row];
     return result;
   }
@@ -190,7 +189,7 @@ public:
       heat[row] += 1;
       weighted[row] += value;
     }
-    return quotients(spread(heat, is_reachable), weighted, is_reachable);
+    return quotients(spread(heat, is_reachable), weighted);
   }
 
   std::size_t number_of_factorizations() const { return system_.number_of_factorizations(); }

@@ -79,11 +79,13 @@ struct Heat_surface
   }
 
   // Which rows are in the components of these.
-  std::vector<bool> connected_with(const std::vector<std::uint32_t>& rows) const
+  // \tparam Values a range of pairs of a row and something else
+  template <class Values>
+  std::vector<bool> connected_with(const Values& values) const
   {
     std::vector<bool> components(size()), result(size());
-    for (std::uint32_t row : rows)
-      components[component[row]] = true;
+    for (const auto& value : values)
+      components[component[value.first]] = true;
     for (std::size_t v = 0; v < size(); ++v)
       result[v] = components[component[v]];
     return result;

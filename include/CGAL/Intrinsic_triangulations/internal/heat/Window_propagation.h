@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <queue>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -73,9 +74,8 @@ public:
         return false;
       if (number_of_steps_ % 4096 == 0)
         interruption.check();
-      std::pop_heap(queue_.begin(), queue_.end(), Comes_later{*this});
-      const auto [distance, slot] = queue_.back();
-      queue_.pop_back();
+      const auto [distance, slot] = queue_.top();
+      queue_.pop();
       if (goal != none && distance > distances_[goal])
         break;
       const Window window = windows_[slot];
@@ -127,13 +127,14 @@ private:
     double distance(double b) const { return sigma + length_of(b - x, y); }
   };
 
-  // An order of the queue. Of windows at the same distance, those at the first side come first, whatever numbers it and
-  // they have.
+  // A window in the queue: its distance, and where it is stored.
+  using Place = std::pair<double, std::uint32_t>;
+  // Of windows at the same distance, those at the first side come first, whatever numbers it and they have.
   struct Comes_later
   {
     const Window_propagation& windows;
 
-    bool operator()(const std::pair<double, std::uint32_t>& a, const std::pair<double, std::uint32_t>& b) const
+    bool operator()(const Place& a, const Place& b) const
     {
       if (a.first != b.first)
         return a.first > b.first;
@@ -147,19 +148,6 @@ private:
   {
     double distance = infinity, crossing = 0;
   };
-
-  std::uint32_t add(const Window& window, double distance)
-  {
-    const std::uint32_t slot = store(window);
-    push(distance, slot);
-    return slot;
-  }
-
-  void push(double distance, std::uint32_t slot)
-  {
-    queue_.push_back({distance, slot});
-    std::push_heap(queue_.begin(), queue_.end(), Comes_later{*this});
-  }
 
   // At the same side. \pre if both are the same in all numbers, it does not matter which is the first
   static bool is_before(const Window& u, const Window& v)
@@ -190,19 +178,25 @@ private:
     *place = windows_[slot].next;
   }
 
-  // A window at a side, together with those beside it if all can be one.
   void wait(Window w)
   {
-    const std::uint32_t side = w.side;
-    if (tolerance_ > 0) {
-      // Of the sides of a face without obtuse angle, those where a front comes in have the nearer middles.
-      w.next = waiting_[side];
-      waiting_[side] = store(w);
-      if (w.next == none)
-        push(w.distance(surface_.side(side).length / 2), waiting_[side]);
-      return;
-    }
-    for (std::uint32_t slot = waiting_[side]; slot != none;) {
+    if (tolerance_ == 0)
+      unite_with_waiting(w);
+    std::uint32_t& first = waiting_[w.side];
+    w.next = first;
+    first = store(w);
+    // At the distance of its nearest point: what comes of a window is not nearer, so that ways go on from a vertex only
+    // when the shortest one to it is known.
+    if (tolerance_ == 0)
+      queue_.push({w.distance((std::min)((std::max)(w.x, w.b0), w.b1)), first});
+    else if (w.next == none) // of the sides of a face without obtuse angle, a front comes in where middles are nearer
+      queue_.push({w.distance(surface_.side(w.side).length / 2), first});
+  }
+
+  // Makes one of a window and those beside it that wait, if that is possible.
+  void unite_with_waiting(Window& w)
+  {
+    for (std::uint32_t slot = waiting_[w.side]; slot != none;) {
       const Window& other = windows_[slot];
       const bool is_united = other.b0 < w.b0 ? unite(other, w, w) : unite(w, other, w);
       if (!is_united) {
@@ -211,12 +205,8 @@ private:
       }
       remove(slot);
       windows_[slot].next = taken;
-      slot = waiting_[side];
+      slot = waiting_[w.side];
     }
-    // At the distance of its nearest point: what comes of a window is not nearer, so that ways go on from a vertex only
-    // when the shortest one to it is known.
-    w.next = waiting_[side];
-    waiting_[side] = add(w, w.distance((std::min)((std::max)(w.x, w.b0), w.b1)));
   }
 
   static bool come_from_same_point(const Window& u, const Window& v)
@@ -324,7 +314,7 @@ private:
       return;
     known = distance;
     arrivals_[surface_.side(side).row] = {side, angle};
-    add({0, 0, angle, 0, -1, side}, distance);
+    queue_.push({distance, store({0, 0, angle, 0, -1, side})});
   }
 
   // Whether ways over an end of the side are shorter for all points of the window.
@@ -504,10 +494,10 @@ private:
   std::vector<Arrival> arrivals_; // likewise
   std::vector<Split> splits_;     // of the sides
   std::vector<Window> windows_;
-  std::vector<Window> meeting_;                         // at one side
-  std::vector<std::uint32_t> free_;                     // places for windows
-  std::vector<std::uint32_t> waiting_;                  // at each side, the first window
-  std::vector<std::pair<double, std::uint32_t>> queue_; // a heap of places
+  std::vector<Window> meeting_;        // at one side
+  std::vector<std::uint32_t> free_;    // places for windows
+  std::vector<std::uint32_t> waiting_; // at each side, the first window
+  std::priority_queue<Place, std::vector<Place>, Comes_later> queue_{Comes_later{*this}};
   std::uint64_t number_of_steps_ = 0;
 };
 
