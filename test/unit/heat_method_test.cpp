@@ -272,7 +272,9 @@ TEST(Heat_method, lines_of_sources)
 TEST(Heat_method, pinned_values_solve_the_system)
 {
   const Grid grid(10, 10);
-  const IT::internal::Heat_surface surface = IT::internal::make_heat_surface(Delaunay(grid.points, grid.triangles));
+  const auto triangulation = Delaunay(grid.points, grid.triangles);
+  const IT::internal::Heat_surface surface =
+    IT::internal::make_heat_surface(triangulation, IT::internal::Row_of_vertex(triangulation.connectivity()));
   const IT::internal::Interruption never;
   using System = IT::internal::Pinned_system<IT::internal::Sparse_Cholesky<>>;
   for (std::uint32_t number : {1, 2, 20, 32, 33, 70}) {

@@ -27,6 +27,7 @@
 #include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/numbers/Accurate_shapes.h>
+#include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 
 #include <Eigen/SparseCore>
 
@@ -190,8 +191,7 @@ public:
   template <class Traits, class NamedParameters = parameters::Default_named_parameters>
   explicit Heat_method(const Intrinsic_triangulation<Traits>& triangulation,
                        const NamedParameters& np = parameters::default_values())
-    : Heat_method(internal::heat_options_of(np), triangulation, internal::Row_of_vertex(triangulation.connectivity()),
-                  [](Face_index) { return 1.; })
+    : Heat_method(internal::heat_options_of(np), triangulation, internal::Row_of_vertex(triangulation.connectivity()))
   {}
 
   /// \brief as above, for any triangles. The vertices are those of the input; merged vertices have the same distance.
@@ -200,8 +200,7 @@ public:
   /// \pre the cover was made Delaunay by `flip_to_Delaunay(cover.triangulation)`
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Heat_method(const Tufted_cover& cover, const NamedParameters& np = parameters::default_values())
-    : Heat_method(internal::heat_options_of(np), cover.triangulation, internal::Row_of_cover_vertex(cover),
-                  [&cover](Face_index f) { return internal::share(cover, f); })
+    : Heat_method(internal::heat_options_of(np), cover.triangulation, internal::Row_of_cover_vertex(cover))
   {
     representative_ = cover.representative;
   }
@@ -304,15 +303,13 @@ private:
   using Diffusion = internal::Heat_diffusion<LinearSolver>;
   using Poisson = internal::Pinned_system<LinearSolver>;
 
-  // \param share gives what a face counts
-  template <class Traits, class Row, class Share>
-  Heat_method(internal::Heat_options options, const Intrinsic_triangulation<Traits>& triangulation, const Row& row,
-              const Share& share)
+  template <class Traits, class Row>
+  Heat_method(internal::Heat_options options, const Intrinsic_triangulation<Traits>& triangulation, const Row& row)
     : options_(std::move(options)), interruption_(std::make_unique<internal::Interruption>(options_.go_further))
   {
     const auto by_place = internal::with_ties_by_place(triangulation, row, *interruption_);
     const Intrinsic_triangulation<Traits>& chosen = by_place ? *by_place : triangulation;
-    surface_ = std::make_unique<internal::Heat_surface>(internal::make_heat_surface(chosen, row, share));
+    surface_ = std::make_unique<internal::Heat_surface>(internal::make_heat_surface(chosen, row));
     diffusion_ = std::make_unique<Diffusion>(*surface_, options_.time_coefficient, *interruption_);
     bounds_.emplace(chosen, row);
   }

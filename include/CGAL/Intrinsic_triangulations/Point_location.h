@@ -29,6 +29,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -281,63 +282,38 @@ private:
 
 namespace internal {
 
-// The point of a triangle that is nearest to the origin.
-class Nearest_in_triangle
+// The point of a triangle that is nearest to the origin, and its squared distance.
+inline std::pair<Coordinates, double> nearest_to_origin(const std::array<std::array<double, 3>, 3>& corners)
 {
-  using Vector = std::array<double, 3>;
-
-public:
-  std::array<double, 3> coordinates{0, 0, 0};
-  double squared_distance = std::numeric_limits<double>::infinity();
-
-  explicit Nearest_in_triangle(const std::array<Vector, 3>& corners) : corners_(corners)
-  {
-    const Vector normal = cross_product(difference(1, 0), difference(2, 0));
-    std::array<double, 3> inside;
-    for (std::size_t i = 0; i < 3; ++i)
-      inside[i] = scalar_product(normal, cross_product(corners[(i + 1) % 3], corners[(i + 2) % 3]));
-    const double sum = inside[0] + inside[1] + inside[2];
-    if (inside[0] > 0 && inside[1] > 0 && inside[2] > 0) {
-      consider({inside[0] / sum, inside[1] / sum, inside[2] / sum});
-      return;
-    }
-    for (std::size_t i = 0; i < 3; ++i)
-      consider_side(i, (i + 1) % 3);
+  const auto &p = corners[0], &q = corners[1], &r = corners[2];
+  const auto squared_distance = [&](const Coordinates& b) {
+    std::array<double, 3> x;
+    for (std::size_t k = 0; k < 3; ++k)
+      x[k] = b[0] * p[k] + b[1] * q[k] + b[2] * r[k];
+    return scalar_product(x, x);
+  };
+  const auto normal =
+    cross_product<double>({q[0] - p[0], q[1] - p[1], q[2] - p[2]}, {r[0] - p[0], r[1] - p[1], r[2] - p[2]});
+  Coordinates inside;
+  for (std::size_t i = 0; i < 3; ++i)
+    inside[i] = scalar_product(normal, cross_product(corners[(i + 1) % 3], corners[(i + 2) % 3]));
+  if (inside[0] > 0 && inside[1] > 0 && inside[2] > 0) {
+    inside = with_sum_one(inside);
+    return {inside, squared_distance(inside)};
   }
-
-private:
-  Vector difference(std::size_t i, std::size_t j) const
-  {
-    return {corners_[i][0] - corners_[j][0], corners_[i][1] - corners_[j][1], corners_[i][2] - corners_[j][2]};
+  std::pair<Coordinates, double> result{{}, std::numeric_limits<double>::infinity()};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    const double t = fraction_between(corners[i], corners[j], {0, 0, 0});
+    Coordinates on_side{0, 0, 0};
+    on_side[i] = 1 - t;
+    on_side[j] = t;
+    const double squared = squared_distance(on_side);
+    if (squared < result.second)
+      result = {on_side, squared};
   }
-
-  void consider_side(std::size_t i, std::size_t j)
-  {
-    const Vector along = difference(j, i);
-    const double squared_length = scalar_product(along, along);
-    const double t =
-      squared_length > 0 ? (std::min)((std::max)(-scalar_product(corners_[i], along) / squared_length, 0.), 1.) : 0;
-    std::array<double, 3> point{0, 0, 0};
-    point[i] = 1 - t;
-    point[j] = t;
-    consider(point);
-  }
-
-  void consider(const std::array<double, 3>& point)
-  {
-    double squared = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double x = point[0] * corners_[0][k] + point[1] * corners_[1][k] + point[2] * corners_[2][k];
-      squared += x * x;
-    }
-    if (squared < squared_distance) {
-      squared_distance = squared;
-      coordinates = point;
-    }
-  }
-
-  const std::array<Vector, 3>& corners_;
-};
+  return result;
+}
 
 } // namespace internal
 
@@ -375,12 +351,11 @@ Surface_point locate(const Delta_complex& complex, const PointRange& points, con
   double squared_distance = std::numeric_limits<double>::infinity();
   for (Face_index f : complex.faces()) {
     const Halfedge_index h = complex.halfedge(f);
-    const std::array<std::array<double, 3>, 3> corners{relative(complex.source(h)), relative(complex.target(h)),
-                                                       relative(complex.target(complex.next(h)))};
-    const internal::Nearest_in_triangle found(corners);
-    if (found.squared_distance < squared_distance) {
-      squared_distance = found.squared_distance;
-      nearest = {h, found.coordinates};
+    const auto [coordinates, squared] = internal::nearest_to_origin(
+      {relative(complex.source(h)), relative(complex.target(h)), relative(complex.target(complex.next(h)))});
+    if (squared < squared_distance) {
+      squared_distance = squared;
+      nearest = {h, coordinates};
     }
   }
   return nearest;

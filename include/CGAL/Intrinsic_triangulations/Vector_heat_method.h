@@ -344,7 +344,8 @@ private:
   template <class Traits>
   void build(const Intrinsic_triangulation<Traits>& triangulation, const std::optional<double>& time_coefficient)
   {
-    internal::Heat_surface surface = internal::make_heat_surface(triangulation);
+    internal::Heat_surface surface =
+      internal::make_heat_surface(triangulation, internal::Row_of_vertex(triangulation.connectivity()));
     surface.lengthen_units(square_roots_of_times(surface.component, time_coefficient));
     surface_ = std::make_unique<internal::Heat_surface>(std::move(surface));
     scalars_ = std::make_unique<internal::Heat_diffusion<internal::Sparse_Cholesky<>>>(*surface_, 1, *interruption_);

@@ -27,7 +27,6 @@
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Distance_bounds.h>
-#include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 
 #include <CGAL/number_utils.h>
@@ -65,10 +64,19 @@ std::uint64_t number_of_ways(const NamedParameters& np, const Delta_complex& com
                                       1000000 + 500 * std::uint64_t(complex.number_of_faces()));
 }
 
+// \param sources vertices: for a cover, those of its input, as in the result
+// \tparam Row gives the row of a vertex, as Row_of_vertex
 template <class Traits, class Row, class NamedParameters>
 Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& triangulation, const Row& row,
-                                        const std::vector<std::uint32_t>& sources, const NamedParameters& np)
+                                        const std::vector<Vertex_index>& sources, const NamedParameters& np)
 {
+  std::vector<std::uint32_t> rows;
+  std::map<std::uint32_t, double> pins;
+  for (Vertex_index v : sources) {
+    require_vertex(v, row.number_of_rows());
+    rows.push_back(row.of_input(v));
+    pins[rows.back()] = 0;
+  }
   const double tolerance = value_of<Parameter::TOLERANCE>(np, 0.001);
   if (!(tolerance >= 0 && tolerance < 1))
     throw Invalid_argument_error("the tolerance of distances has to be at least 0 and less than 1");
@@ -77,15 +85,14 @@ Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& t
   const Laid_out_faces faces(by_place ? *by_place : triangulation, row);
   Window_propagation windows(faces, tolerance);
   Geodesic_distances result;
-  result.is_complete = windows.run(sources, number_of_ways(np, triangulation.connectivity()), interruption);
+  result.is_complete = windows.run(rows, number_of_ways(np, triangulation.connectivity()), interruption);
   result.number_of_ways = windows.number_of_steps();
   result.distances = windows.distances();
-  std::map<std::uint32_t, double> pins;
-  for (std::uint32_t source : sources)
-    pins[source] = 0;
   Distance_bounds(by_place ? *by_place : triangulation, row).apply(result.distances, pins);
   for (double& d : result.distances)
     d = std::ldexp(d, faces.exponent());
+  for (std::size_t v = 0; v < result.distances.size(); ++v)
+    result.distances[v] = result.distances[row.of_input(Vertex_index(Vertex_index::size_type(v)))];
   return result;
 }
 
@@ -137,13 +144,8 @@ Geodesic_distances geodesic_distances(const Intrinsic_triangulation<Traits>& tri
                                       const std::vector<Vertex_index>& sources,
                                       const NamedParameters& np = parameters::default_values())
 {
-  const internal::Row_of_vertex row(triangulation.connectivity());
-  std::vector<std::uint32_t> rows;
-  for (Vertex_index v : sources) {
-    internal::require_vertex(v, row.number_of_rows());
-    rows.push_back(std::uint32_t(v.idx()));
-  }
-  return internal::distances_by_windows(triangulation, row, rows, np);
+  return internal::distances_by_windows(triangulation, internal::Row_of_vertex(triangulation.connectivity()), sources,
+                                        np);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
@@ -157,17 +159,7 @@ template <class NamedParameters = parameters::Default_named_parameters>
 Geodesic_distances geodesic_distances(const Tufted_cover& cover, const std::vector<Vertex_index>& sources,
                                       const NamedParameters& np = parameters::default_values())
 {
-  const internal::Row_of_cover_vertex row(cover);
-  std::vector<std::uint32_t> rows;
-  for (Vertex_index v : sources) {
-    internal::require_vertex(v, row.number_of_rows());
-    rows.push_back(cover.representative[v.idx()]);
-  }
-  Geodesic_distances result = internal::distances_by_windows(cover.triangulation, row, rows, np);
-  for (std::size_t v = 0; v < cover.representative.size(); ++v)
-    if (cover.representative[v] != v)
-      result.distances[v] = result.distances[cover.representative[v]];
-  return result;
+  return internal::distances_by_windows(cover.triangulation, internal::Row_of_cover_vertex(cover), sources, np);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsHeat

@@ -60,25 +60,28 @@ public:
   explicit Row_of_cover_vertex(const Tufted_cover& cover) : cover_(cover) {}
   std::size_t number_of_rows() const { return cover_.representative.size(); }
   std::uint32_t operator()(Vertex_index v) const { return cover_.vertex_of[v.idx()]; }
+  // The row of a vertex of the input.
+  std::uint32_t of_input(Vertex_index v) const { return cover_.representative[v.idx()]; }
+  // What a face counts, or each at an edge: half if it has a second copy.
+  double share(Face_index f) const { return cover_.is_half[f.idx()] ? 0.5 : 1; }
+  double share(Edge_index e) const
+  {
+    const Delta_complex& complex = cover_.triangulation.connectivity();
+    const Halfedge_index h = complex.halfedge(e);
+    return share(complex.face(complex.is_border(h) ? complex.opposite(h) : h));
+  }
 
 private:
   const Tufted_cover& cover_;
 };
 
-inline double share(const Tufted_cover& cover, Face_index f) { return cover.is_half[f.idx()] ? 0.5 : 1; }
-inline double share(const Tufted_cover& cover, Edge_index e)
-{
-  const Delta_complex& complex = cover.triangulation.connectivity();
-  const Halfedge_index h = complex.halfedge(e);
-  return share(cover, complex.face(complex.is_border(h) ? complex.opposite(h) : h));
-}
-
 // The areas of the faces, as they count.
 inline std::vector<double> shares_of_area(const Tufted_cover& cover)
 {
+  const Row_of_cover_vertex row(cover);
   std::vector<double> areas = face_areas(cover.triangulation);
   for (Face_index f : cover.triangulation.connectivity().faces())
-    areas[f.idx()] *= share(cover, f);
+    areas[f.idx()] *= row.share(f);
   return areas;
 }
 
@@ -98,13 +101,14 @@ inline std::vector<double> shares_of_area(const Tufted_cover& cover)
 inline Eigen::SparseMatrix<double> stiffness_matrix(const Tufted_cover& cover, double* minimum_weight = nullptr)
 {
   const internal::Cotangent_weight<Filtered_edge_length_traits> weight(cover.triangulation);
+  const internal::Row_of_cover_vertex row(cover);
   double minimum = std::numeric_limits<double>::infinity();
   Eigen::SparseMatrix<double> result = internal::assemble_symmetric_matrix(
-    cover.triangulation.connectivity(), internal::Row_of_cover_vertex(cover),
+    cover.triangulation.connectivity(), row,
     [&](Edge_index e) {
       const double w = weight(e);
       minimum = (std::min)(minimum, w);
-      return -0.5 * internal::share(cover, e) * w;
+      return -0.5 * row.share(e) * w;
     },
     [](int, double sum_of_others) { return 0 - sum_of_others; });
   if (minimum_weight)

@@ -59,7 +59,6 @@ public:
         engine_.decisions().interruption.check();
       if (i >= maximum_number_) {
         result_.status = Trace_status::BUDGET_EXHAUSTED;
-        result_.length = length_;
         break;
       }
       goes_on = is_at_source_ ? leave_source() : cross_face();
@@ -243,10 +242,10 @@ private:
     const double of_left = (std::max)(right / (left + right), smallest),
                  of_right = (std::max)(left / (left + right), smallest);
     const Surface_point exit{h, {of_right, of_left, 0}};
-    const double at = (std::max)(length_, layout_.crossing().hi() * speed_);
+    const double at = (std::max)(result_.length, layout_.crossing().hi() * speed_);
     if (!(at < wanted_))
       return end_between(exit, at);
-    length_ = at;
+    result_.length = at;
     if (is_at_border)
       return end(Trace_status::AT_BORDER, exit);
     before_ = {layout_.entered(), {of_left, of_right, 0}};
@@ -258,10 +257,10 @@ private:
   {
     Surface_point corner{layout_.entered(), {0, 0, 0}};
     corner.coordinates[std::size_t(i)] = 1;
-    const double at = (std::max)(length_, layout_.along(i).hi() * speed_);
+    const double at = (std::max)(result_.length, layout_.along(i).hi() * speed_);
     if (wanted_ < at)
       return end_between(corner, at);
-    length_ = at;
+    result_.length = at;
     const Vertex_index v = complex_.source(side(i));
     if (!faces_.is_flat_at(v)) {
       result_.vertex = v;
@@ -280,21 +279,20 @@ private:
   // side.
   bool end_between(const Surface_point& exit, double at)
   {
-    const double t = at > length_ ? (wanted_ - length_) / (at - length_) : 1;
+    const double t = at > result_.length ? (wanted_ - result_.length) / (at - result_.length) : 1;
     std::size_t shift = 0;
     for (Halfedge_index h = exit.halfedge; h != before_.halfedge; h = complex_.next(h))
       ++shift;
     Surface_point point = before_;
     for (std::size_t i = 0; i < 3; ++i)
       point.coordinates[i] = (1 - t) * before_.coordinates[i] + t * exit.coordinates[(i + shift) % 3];
-    length_ = wanted_;
+    result_.length = wanted_;
     return end(Trace_status::AT_LENGTH, point);
   }
 
   bool end(Trace_status status, const Surface_point& point)
   {
     result_.status = status;
-    result_.length = length_;
     result_.points.push_back(point);
     return false;
   }
@@ -310,8 +308,7 @@ private:
   Line_layout<Faces, Double_double_metric> layout_;
   double wanted_;
   std::size_t maximum_number_;
-  double speed_ = 0; // the length of the displacement, in the unit of the input
-  double length_ = 0;
+  double speed_ = 0;               // the length of the displacement, in the unit of the input
   Surface_point before_{};         // where the line entered the current face
   std::array<bool, 3> is_start_{}; // which corner of the first face
   bool is_at_source_ = false;      // whether it did so in the first corner
@@ -376,17 +373,14 @@ Surface_direction direction_at_vertex(const Exact_engine& engine, Halfedge_index
     Halfedge_index halfedge;
     double angle, ratio; // ratio of the sides' lengths
   };
-  const auto corner = [&](Halfedge_index g) -> Fan_corner {
-    const Double_double_disk z = frame.ratios(g).at_source;
-    return {g, std::atan2(z.y().hi(), z.x().hi()), std::hypot(z.x().hi(), z.y().hi())};
-  };
   std::vector<Fan_corner> fan;
   double sum = 0;
   Halfedge_index g = h;
   do {
     if (input.is_border(g))
       break;
-    fan.push_back(corner(g));
+    const Double_double_disk z = frame.ratios(g).at_source;
+    fan.push_back({g, std::atan2(z.y().hi(), z.x().hi()), std::hypot(z.x().hi(), z.y().hi())});
     sum += fan.back().angle;
     g = input.next_around_source(g);
   } while (g != h);
@@ -427,18 +421,6 @@ inline Surface_point source_on_input(const Delta_complex& complex, const Corresp
   return {p.halfedge, with_sum_one(p.coordinates)};
 }
 
-// The input edges that h crosses, from the integers alone.
-// \pre `engine.prepare()` was called, and h crosses some
-inline Crossed_edges find_crossed_edges(const Exact_engine& engine, Halfedge_index h)
-{
-  const Delta_complex& complex = engine.connectivity();
-  const Crossed_halfedges sequence(complex, engine.correspondence(), h, engine.decisions().interruption);
-  Crossed_edges crossed(engine.correspondence().input());
-  for (std::size_t i = 0; i < sequence.size(); ++i)
-    crossed.push_back(sequence[i]);
-  return crossed;
-}
-
 // An edge along an input edge, or a part of one.
 inline void append_along_input_edge(const Delta_complex& complex, const Correspondence& correspondence,
                                     Halfedge_index h, std::vector<Surface_point>& points)
@@ -472,11 +454,15 @@ void append_input_points(const Exact_engine& engine, Halfedge_index h, std::vect
   if (correspondence.coordinates().number_of_crossings(complex.edge(h)) > 0) {
     // Positions are those of the edge, in the direction of its own halfedge, which the overlay has as well.
     const bool is_backward = !is_in_own_direction(h);
-    const Crossed_edges crossed = find_crossed_edges(engine, is_backward ? complex.opposite(h) : h);
+    const Crossed_halfedges sequence(complex, correspondence, is_backward ? complex.opposite(h) : h,
+                                     engine.decisions().interruption);
+    const std::size_t n = sequence.size();
+    Crossed_edges crossed(input);
+    for (std::size_t i = 0; i < n; ++i)
+      crossed.push_back(sequence[i]);
     const Surface_lease surface = engine.input_surface();
     Crossing_locator locator(complex, correspondence, *surface);
     const std::vector<Position_on_edges>& positions = locator(complex.edge(h), crossed);
-    const std::size_t n = crossed.size();
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t j = is_backward ? n - 1 - i : i;
       // The halfedge on the way, which has the face that is entered to its left.

@@ -15,7 +15,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/numbers/Accurate_shapes.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
-#include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 
 #include <Eigen/SparseCore>
 
@@ -111,22 +110,20 @@ bool has_obtuse_border(const Intrinsic_triangulation<Traits>& triangulation)
   return false;
 }
 
-// \tparam Row gives the row of a vertex, as Row_of_vertex
+// \tparam Row gives the row of a vertex, and what a face counts, as Row_of_vertex
 template <class Traits, class Row>
 class Heat_surface_builder
 {
 public:
-  // \param share gives what a face counts
-  template <class Share>
-  Heat_surface_builder(const Intrinsic_triangulation<Traits>& triangulation, const Row& row, const Share& share)
+  Heat_surface_builder(const Intrinsic_triangulation<Traits>& triangulation, const Row& row)
     : triangulation_(triangulation), complex_(triangulation.connectivity()), shapes_(triangulation), row_(row)
   {
     measure_edges();
     find_components();
     choose_units();
-    lay_out_faces(share);
+    lay_out_faces();
     sum_up_masses();
-    assemble(share);
+    assemble();
   }
 
   Heat_surface take() { return std::move(result_); }
@@ -182,8 +179,7 @@ private:
   double length(Halfedge_index h) const { return lengths_[complex_.edge(h).idx()]; }
 
   // What has no area is a piece of the edge beside it, and left out.
-  template <class Share>
-  void lay_out_faces(const Share& share)
+  void lay_out_faces()
   {
     result_.faces.reserve(complex_.number_of_faces());
     for (Face_index f : complex_.faces()) {
@@ -197,7 +193,7 @@ private:
       const double x = apex[0] * length(base), height = apex[1] * length(base);
       if (height < least_height * length(base))
         thicken(base, x);
-      result_.faces.push_back({{row(base), row(next), row(prev)}, float(share(f)), length(base), x, height});
+      result_.faces.push_back({{row(base), row(next), row(prev)}, float(row_.share(f)), length(base), x, height});
     }
   }
 
@@ -227,8 +223,7 @@ private:
 
   bool has_area(Halfedge_index h) const { return !complex_.is_border(h) && has_area_[complex_.face(h).idx()]; }
 
-  template <class Share>
-  void assemble(const Share& share)
+  void assemble()
   {
     const Cotangent_weight<Traits> weight(triangulation_); // its sign is right
     result_.is_border.resize(row_.number_of_rows());
@@ -238,12 +233,12 @@ private:
       const bool is_left = has_area(h), is_right = has_area(g);
       double cotangents = 0;
       if (is_left && is_right)
-        cotangents = share(complex_.face(h)) *
+        cotangents = row_.share(complex_.face(h)) *
                      (cotangents_.count(h) + cotangents_.count(g) > 0 ? cotangent(h) + cotangent(g) : weight(e));
       else if (is_left || is_right) {
         const Halfedge_index side = is_left ? h : g;
         result_.is_border[row_(complex_.source(h))] = result_.is_border[row_(complex_.target(h))] = true;
-        cotangents = share(complex_.face(side)) * cotangent(side);
+        cotangents = row_.share(complex_.face(side)) * cotangent(side);
       }
       result_.weights.push_back(cotangents / 2);
     }
@@ -264,17 +259,10 @@ private:
   Heat_surface result_;
 };
 
-// \param share gives what a face counts
-template <class Traits, class Row, class Share>
-Heat_surface make_heat_surface(const Intrinsic_triangulation<Traits>& triangulation, const Row& row, const Share& share)
+template <class Traits, class Row>
+Heat_surface make_heat_surface(const Intrinsic_triangulation<Traits>& triangulation, const Row& row)
 {
-  return Heat_surface_builder<Traits, Row>(triangulation, row, share).take();
-}
-
-template <class Traits>
-Heat_surface make_heat_surface(const Intrinsic_triangulation<Traits>& triangulation)
-{
-  return make_heat_surface(triangulation, Row_of_vertex(triangulation.connectivity()), [](Face_index) { return 1.; });
+  return Heat_surface_builder<Traits, Row>(triangulation, row).take();
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -196,13 +196,15 @@ private:
   // Makes one of a window and those beside it that wait, if that is possible.
   void unite_with_waiting(Window& w)
   {
+    const double least_gap = least_width * surface_.side(w.side).length;
     for (std::uint32_t slot = waiting_[w.side]; slot != none;) {
       const Window& other = windows_[slot];
-      const bool is_united = other.b0 < w.b0 ? unite(other, w, w) : unite(w, other, w);
-      if (!is_united) {
+      const Window &u = other.b0 < w.b0 ? other : w, &v = other.b0 < w.b0 ? w : other;
+      if (v.b0 > u.b1 + least_gap || !come_from_same_point(u, v)) {
         slot = other.next;
         continue;
       }
+      w = both(u, v);
       remove(slot);
       windows_[slot].next = taken;
       slot = waiting_[w.side];
@@ -221,15 +223,6 @@ private:
     result.b0 = u.b0;
     result.b1 = (std::max)(u.b1, v.b1);
     return result;
-  }
-
-  // \param u begins before v
-  bool unite(const Window& u, const Window& v, Window& united) const
-  {
-    if (v.b0 > u.b1 + least_width * surface_.side(u.side).length || !come_from_same_point(u, v))
-      return false;
-    united = both(u, v);
-    return true;
   }
 
   // All windows that wait at a side, as few as the tolerance allows.
@@ -318,11 +311,11 @@ private:
   }
 
   // Whether ways over an end of the side are shorter for all points of the window.
-  bool is_useless(const Window& w, double to_b0, double to_b1) const
+  bool is_useless(const Window& w) const
   {
     const Side& s = surface_.side(w.side);
-    return distances_[s.row] + w.b1 <= to_b1 * shorter ||
-           distances_[surface_.side(surface_.next(w.side)).row] + (s.length - w.b0) <= to_b0 * shorter;
+    return distances_[s.row] + w.b1 <= w.distance(w.b1) * shorter ||
+           distances_[surface_.side(surface_.next(w.side)).row] + (s.length - w.b0) <= w.distance(w.b0) * shorter;
   }
 
   // A window leaves a face over a side of it. It is given as seen from across.
@@ -335,11 +328,8 @@ private:
     w.b0 = (std::max)(w.b0, 0.);
     w.b1 = (std::min)(w.b1, length);
     w.y = (std::max)(w.y, 0.);
-    if (!(w.b1 - w.b0 > least_width * length))
-      return;
-    if (is_useless(w, w.sigma + length_of(w.b0 - w.x, w.y), w.sigma + length_of(w.b1 - w.x, w.y)))
-      return;
-    wait(w);
+    if (w.b1 - w.b0 > least_width * length && !is_useless(w))
+      wait(w);
   }
 
   // By how much lengths over a side may be wrong where they are compared. A window that is dropped for one which only
@@ -429,15 +419,14 @@ private:
   void send_on(const Window& w)
   {
     const Side& s = surface_.side(w.side);
-    const double to_b0 = w.sigma + length_of(w.b0 - w.x, w.y), to_b1 = w.sigma + length_of(w.b1 - w.x, w.y);
-    if (is_useless(w, to_b0, to_b1)) // by now
+    if (is_useless(w)) // by now
       return;
     const std::uint32_t next = surface_.next(w.side), prev = surface_.next(next);
     const double cx = s.apex_x, cy = s.apex_y, crossing = w.x + (cx - w.x) * (w.y / (w.y + cy));
     bool goes_left = w.b0<crossing, goes_right = w.b1> crossing;
     // To the corner, straight or over the end of the window that is nearest to the straight way.
     const double at = (std::min)((std::max)(crossing, w.b0), w.b1);
-    const double to_corner = w.sigma + length_of(at - w.x, w.y) + length_of(cx - at, cy);
+    const double to_corner = w.distance(at) + length_of(cx - at, cy);
     if (to_corner < distances_[surface_.side(prev).row] * shorter) // else the angle is not needed
       reach(prev, std::atan2(cy * at, cx * (cx - at) + cy * cy), to_corner);
     if (goes_left && goes_right) {
@@ -472,7 +461,7 @@ private:
   // \param x, y from the corner to that end
   bool is_shorter_over(std::uint32_t row, double x, double y, const Window& child, double b, double slack) const
   {
-    return distances_[row] + length_of(x, y) + slack <= (child.sigma + length_of(b - child.x, child.y)) * shorter;
+    return distances_[row] + length_of(x, y) + slack <= child.distance(b) * shorter;
   }
 
   // Where the way over a point of the side meets the side from its beginning to the corner, as a part of that.

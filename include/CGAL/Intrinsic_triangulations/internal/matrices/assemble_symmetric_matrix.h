@@ -29,13 +29,15 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The rows of a matrix by vertices: here each has its own.
+// The rows of a matrix by vertices, here each has its own, and what faces count.
 class Row_of_vertex
 {
 public:
   explicit Row_of_vertex(const Delta_complex& complex) : number_of_rows_(complex.number_of_vertices()) {}
   std::size_t number_of_rows() const { return number_of_rows_; }
   Vertex_index::size_type operator()(Vertex_index v) const { return v.idx(); }
+  Vertex_index::size_type of_input(Vertex_index v) const { return v.idx(); }
+  double share(Face_index) const { return 1; }
 
 private:
   std::size_t number_of_rows_;

@@ -133,10 +133,7 @@ private:
 
   bool is_flat(const Crossed_edges& crossed)
   {
-    for (Halfedge_index h : crossed)
-      if (!surface_.is_flat(h))
-        return false;
-    return true;
+    return std::all_of(crossed.begin(), crossed.end(), [this](Halfedge_index h) { return surface_.is_flat(h); });
   }
 
   // By numbers that know their errors, with more and more digits.

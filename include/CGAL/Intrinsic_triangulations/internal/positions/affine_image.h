@@ -8,6 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_AFFINE_IMAGE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_AFFINE_IMAGE_H
 
+#include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
 
 #include <boost/container/static_vector.hpp>
@@ -54,11 +55,10 @@ inline double determinant(double a, double b, double c, double d)
 // The fraction of the way from a to b at which p is nearest, in [0, 1].
 inline double fraction_between(const Coordinates& a, const Coordinates& b, const Coordinates& p)
 {
-  double along = 0, square = 0;
-  for (int i = 0; i < 3; ++i) {
+  const double square = squared_distance_3(a, b);
+  double along = 0;
+  for (int i = 0; i < 3; ++i)
     along += (p[i] - a[i]) * (b[i] - a[i]);
-    square += (b[i] - a[i]) * (b[i] - a[i]);
-  }
   return square > 0 ? (std::min)(1., (std::max)(0., along / square)) : 0;
 }
 
@@ -92,9 +92,7 @@ inline Coordinates affine_image(const Corners_in_both& corners, const Coordinate
     const Corner_in_both &a = corners[i], &b = corners[(i + 1) % corners.size()];
     const double t = fraction_between(a.from, b.from, p);
     const Coordinates nearest = between(a.from, b.from, t);
-    double distance = 0;
-    for (int k = 0; k < 3; ++k)
-      distance += (nearest[k] - p[k]) * (nearest[k] - p[k]);
+    const double distance = squared_distance_3(nearest, p);
     if (distance < smallest) {
       smallest = distance;
       result = between(a.to, b.to, t);
