@@ -285,7 +285,7 @@ TEST(Heat_method, pinned_values_solve_the_system)
     for (int i = 0; i < 121; ++i)
       b[i] = i - 60;
     System with_kernel(surface.stiffness, surface.component, "L", never),
-      without(IT::internal::heat_matrix(surface, 1), std::vector<bool>(), "M + L", never);
+      without(IT::internal::with_masses(surface.stiffness, surface), std::vector<bool>(), "M + L", never);
     for (System* system : {&with_kernel, &without}) {
       const Eigen::VectorXd x = system->solve(b, pins), residual = system->matrix() * x - b;
       for (int v = 0; v < 121; ++v) {

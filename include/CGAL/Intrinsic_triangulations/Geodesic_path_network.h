@@ -351,7 +351,7 @@ private:
     return !is_stopped_;
   }
 
-  internal::Wedge_outcome shorten_wedge(const internal::Wedge& wedge, bool is_below_pi)
+  bool shorten_wedge(const internal::Wedge& wedge, bool is_below_pi)
   {
     return geometry_.shorten(
       wedge, is_below_pi, [&](Edge_index e) { return !paths_.is_used(e) && !is_constrained(e); },
@@ -413,7 +413,7 @@ private:
     std::vector<Halfedge_index> way;
     if (complex().opposite(a) != b) {
       const internal::Wedge wedge = wedge_between(a, b, bend.is_on_left);
-      if (shorten_wedge(wedge, true) != internal::Wedge_outcome::SHORTENED)
+      if (!shorten_wedge(wedge, true))
         return false;
       way = outer_side(wedge, bend.is_on_left);
     }
@@ -469,9 +469,9 @@ private:
   bool leads_round(Segment_index s, const internal::Wedge& wedge, bool is_on_left)
   {
     paths_.remove(s);
-    const internal::Wedge_outcome outcome = shorten_wedge(wedge, false);
+    const bool is_shortened = shorten_wedge(wedge, false);
     paths_.revive(s);
-    if (outcome != internal::Wedge_outcome::SHORTENED)
+    if (!is_shortened)
       return false;
     Queue queue;
     replace(s, s, outer_side(wedge, is_on_left), is_on_left, queue);

@@ -86,7 +86,10 @@ public:
   // \param interruption is asked before the factorization and each solution; has to live as long
   Vector_diffusion(const Delta_complex& complex, const std::vector<Planar_vector<double>>& vectors,
                    const Heat_surface& surface, const Interruption& interruption)
-    : interruption_(interruption), matrix_(heat_matrix(complex, vectors, surface)),
+    : interruption_(interruption),
+      matrix_(with_masses(assemble_connection_Laplacian(
+                            complex, vectors, [&](Edge_index e) { return (std::max)(surface.weights[e.idx()], 0.); }),
+                          surface)),
       solver_(after(interruption_, matrix_), "the matrix of tangent vectors")
   {
     for (Edge_index e : complex.edges()) {
@@ -114,16 +117,6 @@ public:
   const std::vector<Heat_edge>& edges() const { return edges_; }
 
 private:
-  static Matrix heat_matrix(const Delta_complex& complex, const std::vector<Planar_vector<double>>& vectors,
-                            const Heat_surface& surface)
-  {
-    Matrix result = assemble_connection_Laplacian(
-      complex, vectors, [&](Edge_index e) { return (std::max)(surface.weights[e.idx()], 0.); });
-    for (Eigen::Index v = 0; v < result.rows(); ++v) // a vertex without faces keeps its vector
-      result.coeffRef(v, v) += surface.mass[v] > 0 ? surface.mass[v] : 1;
-    return result;
-  }
-
   const Interruption& interruption_;
   Matrix matrix_;
   Sparse_Cholesky<Scalar> solver_;
@@ -190,13 +183,10 @@ public:
   {
     static_assert(Intrinsic_triangulation<Traits>::uses_exact_geometry,
                   "Vector_heat_method needs traits with exact geometry, as Filtered_edge_length_traits");
-    using Time = internal::Parameter_tag<internal::Parameter::TIME_COEFFICIENT>;
-    std::optional<double> time_coefficient;
-    if constexpr (!parameters::is_default_parameter<NamedParameters, Time>::value) {
-      time_coefficient = parameters::get_parameter(np, Time());
-      if (time_coefficient)
-        internal::require_time_coefficient(*time_coefficient);
-    }
+    const auto time_coefficient =
+      internal::value_of<internal::Parameter::TIME_COEFFICIENT>(np, std::optional<double>());
+    if (time_coefficient)
+      internal::require_time_coefficient(*time_coefficient);
     const auto by_place = internal::with_ties_by_place(
       triangulation, internal::Row_of_vertex(triangulation.connectivity()), *interruption_);
     const Intrinsic_triangulation<Traits>& chosen = by_place ? *by_place : triangulation;

@@ -76,17 +76,12 @@ template <class Given>
 class Observer
 {
   template <class T>
-  static T& unwrapped(T& visitor)
+  static auto& unwrapped(T& visitor)
   {
-    return visitor;
+    return boost::unwrap_ref(visitor);
   }
   template <class T>
   static T& unwrapped(std::reference_wrapper<T>& visitor)
-  {
-    return visitor.get();
-  }
-  template <class T>
-  static T& unwrapped(boost::reference_wrapper<T>& visitor)
   {
     return visitor.get();
   }

@@ -26,12 +26,6 @@ struct Wedge
   Halfedge_index first, last;
 };
 
-enum class Wedge_outcome {
-  SHORTENED, // the outer side is shorter than the two halfedges
-  BLOCKED,   // an edge inside must not be flipped, or cannot be
-  STOPPED    // the visitor or the budget ended it
-};
-
 template <class Traits>
 class Wedge_geometry
 {
@@ -61,24 +55,23 @@ public:
   // \param may_flip says for an edge whether it may be flipped
   // \param goes_on is called before each attempt; if it returns `false`, the work ends
   // \param after_flip is called after each flip
+  // \return whether that was done: not if an edge inside must not be flipped, or cannot be, or the work ended
   template <class May_flip, class Go_on, class After_flip>
-  Wedge_outcome shorten(const Wedge& wedge, bool is_below_pi, const May_flip& may_flip, const Go_on& goes_on,
-                        const After_flip& after_flip)
+  bool shorten(const Wedge& wedge, bool is_below_pi, const May_flip& may_flip, const Go_on& goes_on,
+               const After_flip& after_flip)
   {
     // Where edges are loops at this very vertex, a flip can bring new edges into the wedge.
     const auto is_loop = [this](Halfedge_index h) { return complex().source(h) == complex().target(h); };
     std::size_t rest = 64;
-    bool is_doubtful = !is_below_pi || is_loop(wedge.last), is_blocked = false;
+    bool is_doubtful = !is_below_pi || is_loop(wedge.last);
     for (Halfedge_index h = wedge.first; h != wedge.last; h = complex().next_around_source(h)) {
       rest += 4;
       is_doubtful = is_doubtful || is_loop(h);
     }
     for (Halfedge_index h = complex().next_around_source(wedge.first); h != wedge.last;) {
       const Edge_index e = complex().edge(h);
-      if (!may_flip(e))
-        return Wedge_outcome::BLOCKED;
-      if (!goes_on())
-        return Wedge_outcome::STOPPED;
+      if (!may_flip(e) || !goes_on())
+        return false;
       Halfedge_index before = clockwise(h);
       if (before == wedge.first) // it is tested again unless it is a side
         before = Halfedge_index();
@@ -86,7 +79,7 @@ public:
       if (is_flippable && flips_.flip(e)) {
         after_flip(e);
         if (rest-- == 0)
-          return Wedge_outcome::BLOCKED;
+          return false;
         // The edge before may have been this one, from its other end.
         h = before.is_valid() && complex().edge(before) != e ? before : complex().next_around_source(wedge.first);
         continue;
@@ -97,8 +90,9 @@ public:
     // As the angle is below π, an edge that was not convex is so at its end.
     for (Halfedge_index h = complex().next_around_source(wedge.first); is_doubtful && h != wedge.last;
          h = complex().next_around_source(h))
-      is_blocked = is_blocked || is_end_below_pi(h);
-    return is_blocked ? Wedge_outcome::BLOCKED : Wedge_outcome::SHORTENED;
+      if (is_end_below_pi(h))
+        return false;
+    return true;
   }
 
 private:

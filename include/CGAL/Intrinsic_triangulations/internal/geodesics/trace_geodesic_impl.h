@@ -403,6 +403,13 @@ Surface_direction direction_at_vertex(const Exact_engine& engine, Halfedge_index
   return {{fan[i].halfedge, {1, 0, 0}}, {std::sin(fan[i].angle - t), std::sin(t) / fan[i].ratio}};
 }
 
+// A point on an edge, relative to a halfedge of that.
+inline Surface_point point_on_side(const Delta_complex& input, const Surface_point& p, Halfedge_index side)
+{
+  const auto [at_source, at_target] = coordinates_on_edge(input, p, side);
+  return {side, with_sum_one({at_source, at_target, 0})};
+}
+
 // The source of h in the input face into which h leaves it. \pre h runs along no input edge
 inline Surface_point source_on_input(const Delta_complex& complex, const Correspondence& correspondence,
                                      Halfedge_index h)
@@ -412,12 +419,9 @@ inline Surface_point source_on_input(const Delta_complex& complex, const Corresp
   const Halfedge_index roundabout = correspondence.input_halfedge(h);
   if (!correspondence.is_inserted(v))
     return {input.next(input.opposite(roundabout)), {1, 0, 0}};
-  Surface_point p = correspondence.location(v);
-  if (roundabout.is_valid()) { // on an input edge
-    const Halfedge_index side = input.opposite(roundabout);
-    const auto [at_source, at_target] = coordinates_on_edge(input, p, side);
-    p = {side, {at_source, at_target, 0}};
-  }
+  const Surface_point& p = correspondence.location(v);
+  if (roundabout.is_valid()) // on an input edge
+    return point_on_side(input, p, input.opposite(roundabout));
   return {p.halfedge, with_sum_one(p.coordinates)};
 }
 
@@ -429,17 +433,12 @@ inline void append_along_input_edge(const Delta_complex& complex, const Correspo
   const Halfedge_index along = correspondence.input_halfedge(h);
   const bool is_turned = input.is_border(along);
   const Halfedge_index side = is_turned ? input.opposite(along) : along;
-  const auto append = [&](Vertex_index v, bool is_source) {
-    double at_source = is_source == is_turned ? 0 : 1, at_target = 1 - at_source;
-    if (correspondence.is_inserted(v)) {
-      const auto [a, b] = coordinates_on_edge(input, correspondence.location(v), side);
-      at_source = a / (a + b);
-      at_target = b / (a + b);
-    }
-    points.push_back({side, {at_source, at_target, 0}});
+  const auto append = [&](Vertex_index v, double at_source) {
+    points.push_back(correspondence.is_inserted(v) ? point_on_side(input, correspondence.location(v), side)
+                                                   : Surface_point{side, {at_source, 1 - at_source, 0}});
   };
-  append(complex.source(h), true);
-  append(complex.target(h), false);
+  append(complex.source(h), is_turned ? 0 : 1);
+  append(complex.target(h), is_turned ? 1 : 0);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE

@@ -120,12 +120,13 @@ inline Eigen::VectorXd flux_of_unit_gradient(const Heat_surface& surface, const 
   return sums;
 }
 
-inline Eigen::SparseMatrix<double> heat_matrix(const Heat_surface& surface, double time)
+// M + L for a matrix L. A vertex without faces keeps its heat.
+template <class Matrix>
+Matrix with_masses(Matrix matrix, const Heat_surface& surface)
 {
-  Eigen::SparseMatrix<double> result = time * surface.stiffness;
-  for (Eigen::Index v = 0; v < result.rows(); ++v) // a vertex without faces keeps its heat
-    result.coeffRef(v, v) += surface.mass[v] > 0 ? surface.mass[v] : 1;
-  return result;
+  for (Eigen::Index v = 0; v < matrix.rows(); ++v)
+    matrix.coeffRef(v, v) += surface.mass[v] > 0 ? surface.mass[v] : 1;
+  return matrix;
 }
 
 // Heat after a short time t: (M + t L) u = 0 except at its sources. At each edge it decreases by a constant factor, so
@@ -144,7 +145,8 @@ public:
   // \param interruption as for Pinned_system
   Heat_diffusion(const Heat_surface& surface, double time, const Interruption& interruption,
                  std::vector<bool> cold = {})
-    : system_(heat_matrix(surface, time), std::move(cold), "the matrix of the heat", interruption)
+    : system_(with_masses<Eigen::SparseMatrix<double>>(time * surface.stiffness, surface), std::move(cold),
+              "the matrix of the heat", interruption)
   {}
 
   // \param sources the heat that these rows have
