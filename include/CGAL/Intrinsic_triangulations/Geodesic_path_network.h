@@ -310,13 +310,8 @@ private:
 
   void push_path(std::size_t p, Queue& queue)
   {
-    const Segment_index first = paths_.first(p);
-    for (Segment_index s = first; s != Linked_paths::none;) {
+    for (Segment_index s = paths_.first(p); s != Linked_paths::none; s = paths_.following(s))
       push(s, queue);
-      s = paths_[s].next;
-      if (s == first)
-        break;
-    }
   }
 
   // Puts both sides of the vertex after a segment on the queue where the path bends there.

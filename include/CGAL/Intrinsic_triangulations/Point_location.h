@@ -115,10 +115,8 @@ private:
   {
     const Delta_complex& input = input_.complex;
     has_inserted_.resize(input.number_of_faces(), false);
-    for (Vertex_index v : intrinsic_.complex.vertices()) {
-      if (!correspondence_.is_inserted(v))
-        continue;
-      const Surface_point& location = correspondence_.location(v);
+    for (auto v = input.number_of_vertices(); v < intrinsic_.complex.number_of_vertices(); ++v) {
+      const Surface_point& location = correspondence_.location(Vertex_index(v));
       const Halfedge_index side = location.dimension() == 1 ? internal::side_of(input, location) : location.halfedge;
       has_inserted_[input.face(side).idx()] = true;
       if (location.dimension() == 1 && !input.is_border(input.opposite(side)))

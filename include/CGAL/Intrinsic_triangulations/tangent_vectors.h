@@ -91,10 +91,10 @@ std::pair<Halfedge_index, double> halfedge_with_direction(const Intrinsic_triang
                                                           Vertex_index v)
 {
   const Delta_complex& complex = triangulation.connectivity();
-  const Halfedge_index first = complex.opposite(complex.halfedge(v));
   if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry) {
     const internal::Exact_engine& engine = internal::engine(triangulation);
     const internal::Correspondence& correspondence = engine.correspondence();
+    const Halfedge_index first = complex.opposite(complex.halfedge(v));
     if (complex.is_border(complex.halfedge(v)) && !correspondence.is_inserted(v))
       return {first, 0};
     Halfedge_index best = first; // that with the fewest crossings: -1 means that it lies on an edge of the input
@@ -102,8 +102,7 @@ std::pair<Halfedge_index, double> halfedge_with_direction(const Intrinsic_triang
     for_each_halfedge_from(complex, v, [&](Halfedge_index h) { best = crossings(h) < crossings(best) ? h : best; });
     return {best, direction_on_input(engine, best)};
   } else {
-    const Halfedge_index axis = first_axis(complex, v);
-    return {axis, 0};
+    return {first_axis(complex, v), 0};
   }
 }
 

@@ -52,6 +52,12 @@ public:
   // The first segment of a path: none after a curve was shrunk to a point.
   Segment_index first(std::size_t p) const { return paths_[p].first; }
   const Segment& operator[](Segment_index s) const { return segments_[s]; }
+  // The next segment; none after the last one, also in a closed path.
+  Segment_index following(Segment_index s) const
+  {
+    const Segment_index next = segments_[s].next;
+    return next == paths_[segments_[s].path].first ? none : next;
+  }
   std::array<bool, 2>& is_straight(Segment_index s) { return segments_[s].is_straight; }
 
   bool are_consecutive(Segment_index a, Segment_index b) const
@@ -63,12 +69,8 @@ public:
   std::vector<Halfedge_index> halfedges(std::size_t p) const
   {
     std::vector<Halfedge_index> result;
-    for (Segment_index s = paths_[p].first; s != none;) {
+    for (Segment_index s = first(p); s != none; s = following(s))
       result.push_back(segments_[s].halfedge);
-      s = segments_[s].next;
-      if (s == paths_[p].first)
-        break;
-    }
     return result;
   }
 

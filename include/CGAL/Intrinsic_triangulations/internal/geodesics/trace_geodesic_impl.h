@@ -209,8 +209,8 @@ private:
     const Halfedge_index begin = layout_.entered();
     while (!leads_into_face()) { // counterclockwise
       if (is_border(2))
-        return side_of_direction(0) == POSITIVE && side_of_direction(2) == ZERO ? true
-                                                                                : turn_clockwise(); // along the border
+        return (side_of_direction(0) == POSITIVE && side_of_direction(2) == ZERO) || // along the border
+               turn_clockwise();
       move(2, true);
       if (layout_.entered() == begin) // all faces have zero area
         return false;
