@@ -19,6 +19,8 @@
 
 #include <CGAL/assertions.h>
 
+#include <boost/type_traits/is_detected.hpp>
+
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -111,21 +113,16 @@ inline std::vector<double> face_areas(const Common_subdivision& subdivision)
 
 namespace internal {
 
-template <class Value, class = void>
-struct Is_linear : std::false_type
-{};
 template <class Value>
-struct Is_linear<Value,
-                 std::void_t<decltype(Value(0.5 * std::declval<const Value&>() + 0.5 * std::declval<const Value&>()))>>
-  : std::true_type
-{};
+using Mean = decltype(Value(0.5 * std::declval<const Value&>() + 0.5 * std::declval<const Value&>()));
 
 // The type of values between which it is possible to interpolate.
 template <class Range>
 struct Interpolated
 {
   using Value = std::decay_t<decltype(std::declval<const Range&>()[0])>;
-  static_assert(Is_linear<Value>::value, "values have to be added and, from the left, multiplied by a double");
+  static_assert(boost::is_detected<Mean, Value>::value,
+                "values have to be added and, from the left, multiplied by a double");
   static_assert(!std::is_integral<Value>::value, "interpolation between integers would cut off");
 };
 template <class Range>
