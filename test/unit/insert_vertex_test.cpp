@@ -14,10 +14,13 @@
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
+#include <CGAL/property_map.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -199,6 +202,34 @@ TEST(Insert_vertex, faces_without_area)
   for (const auto& [v, w] : {std::pair(0u, 2u), std::pair(4u, 2u), std::pair(4u, 1u)})
     EXPECT_THROW(IT::insert_vertex(test.triangulation, side_between(v, w)), IT::Invalid_point_error);
   test.expect_consistent(true);
+}
+
+// Walks to a point can run in circles there.
+TEST(Insert_vertex, where_the_triangulation_is_far_from_Delaunay)
+{
+  const std::vector<std::array<double, 3>> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.3, -0.4, 0.9}};
+  const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
+  const auto keeps_all =
+    CGAL::parameters::edge_is_constrained_map(CGAL::Static_boolean_property_map<IT::Edge_index, true>());
+  for (unsigned seed = 0; seed < 130; ++seed) {
+    Triangulation t(IT::make_Delta_complex_from_triangles(4, triangles), points);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> weight(0.01, 1);
+    const IT::Halfedge_index h = t.input().halfedge(IT::Face_index(0));
+    for (int i = 0; i < 60; ++i) {
+      const auto begin = std::chrono::steady_clock::now();
+      t.set_interruption([&] { return std::chrono::steady_clock::now() - begin < std::chrono::seconds(10); });
+      ASSERT_NO_THROW(IT::insert_vertex(t, {h, {weight(random), weight(random), weight(random)}}, keeps_all)) << seed;
+      for (int k = 0; k < 20; ++k) {
+        const IT::Edge_index e(random() % t.connectivity().number_of_edges());
+        if (!t.is_input_edge(e) && t.connectivity().is_flippable(e))
+          t.flip(e);
+      }
+    }
+    const IT::internal::Exact_engine& engine = IT::internal::engine(t);
+    for (IT::Face_index f : t.connectivity().faces())
+      ASSERT_EQ(engine.sign_of_area(f), CGAL::POSITIVE) << seed;
+  }
 }
 
 TEST(Insert_vertex, refuses_what_is_no_new_point)

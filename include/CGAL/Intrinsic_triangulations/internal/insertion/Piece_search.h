@@ -15,40 +15,71 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/enum.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // The piece that contains a point which lies strictly inside an input face; one of two if an edge runs through it.
 //
-// Intrinsic edges cut an input face into pieces by chords that do not meet. So the search walks from piece to piece,
-// each time across a chord that has the point on its other side, and comes to an end: the pieces and their
-// chords form a tree.
+// Intrinsic edges cut an input face into convex pieces by chords that do not cross. The search walks from piece to piece,
+// each time across a chord that has the point on its other side. Around inserted vertices such a walk may come back, if
+// the triangulation is not Delaunay. So no piece is entered twice: where no chord is left, another one of a piece before
+// is taken. All pieces on a straight line to the point can be reached, so that the search comes to an end there.
 // \param start a piece of the same input face
-inline Triangle_piece piece_of_point(const Exact_engine& engine, Triangle_piece start, const Surface_point& point)
+inline Triangle_piece piece_of_point(const Exact_engine& engine, const Triangle_piece& start,
+                                     const Surface_point& point)
 {
   const Delta_complex& complex = engine.connectivity();
   const Normal_coordinates& coordinates = engine.correspondence().coordinates();
-  for (std::size_t step = 0;; ++step) {
-    if (step % 1024 == 1023)
+  struct Step
+  {
+    std::array<Triangle_piece, 3> names;
+    std::size_t next_name;
+    bool has_left; // across another name
+  };
+  std::vector<Step> way;
+  std::set<std::pair<Halfedge_index, std::int64_t>> entered; // each piece by the first of its names
+  const auto enter = [&](const Triangle_piece& piece, std::size_t first_name) {
+    const auto names = coordinates.names(complex, piece);
+    std::pair<Halfedge_index, std::int64_t> first(piece.side, piece.gap);
+    for (const Triangle_piece& name : names)
+      if (name.side.is_valid())
+        first = (std::min)(first, {name.side, name.gap});
+    if (entered.insert(first).second)
+      way.push_back({names, first_name, false});
+  };
+  enter(start, 0);
+  for (std::size_t number = 1;; ++number) {
+    if (number % 1024 == 0)
       engine.decisions().interruption.check();
-    std::optional<Triangle_piece> next;
-    const auto names = coordinates.names(complex, start);
-    for (std::size_t i = step == 0 ? 0 : 1; i < names.size() && !next; ++i) { // not back across the first
-      const Triangle_piece& name = names[i];
+    CGAL_assertion(!way.empty());
+    Step& here = way.back();
+    std::optional<Triangle_piece> across;
+    while (here.next_name < here.names.size() && !across) {
+      const Triangle_piece& name = here.names[here.next_name++];
       // A side that coincides with an input edge has the whole input face on one side.
-      if (!name.side.is_valid() || coordinates.is_original(complex.edge(name.side)))
-        continue;
-      if (engine.side_of(name.side, name.gap, point) == NEGATIVE)
-        next = Triangle_piece{complex.opposite(name.side),
-                              coordinates.number_of_crossings(complex.edge(name.side)) - name.gap};
+      if (name.side.is_valid() && !coordinates.is_original(complex.edge(name.side)) &&
+          engine.side_of(name.side, name.gap, point) == NEGATIVE)
+        across = {complex.opposite(name.side), coordinates.number_of_crossings(complex.edge(name.side)) - name.gap};
     }
-    if (!next)
-      return start;
-    start = *next;
+    if (across) {
+      here.has_left = true;
+      enter(*across, 1); // not back
+    } else if (here.has_left) {
+      way.pop_back();
+    } else {
+      return here.names[0];
+    }
   }
 }
 
