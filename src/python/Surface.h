@@ -7,12 +7,15 @@
 #define INTRINSIC_TRIANGULATIONS_PYTHON_SURFACE_H
 
 #include "python/Signal_watch.h"
+#include "python/arrays.h"
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <mutex>
 #include <utility>
 #include <vector>
@@ -64,12 +67,34 @@ private:
   mutable std::mutex mutex_;
 };
 
-// The corners of a face: the sources of its three sides.
-inline void append_corners(const IT::Delta_complex& complex, IT::Face_index f, std::vector<std::int64_t>& corners)
+// Points of a surface as arrays: the number of a face, and three coordinates for its corners in order.
+class Point_table
 {
-  IT::Halfedge_index h = complex.halfedge(f);
-  for (int i = 0; i < 3; ++i, h = complex.next(h))
-    corners.push_back(complex.source(h).idx());
+public:
+  // \param first_side the side of the face that begins at its first corner
+  void append(const IT::Delta_complex& complex, const IT::Surface_point& point, IT::Halfedge_index first_side)
+  {
+    faces_.push_back(complex.face(first_side).idx());
+    coordinates_.push_back(IT::coordinates_from(complex, point, first_side));
+  }
+
+  py::tuple to_arrays() { return py::make_tuple(to_array(std::move(faces_)), to_array(std::move(coordinates_))); }
+
+private:
+  std::vector<std::int64_t> faces_;
+  std::vector<std::array<double, 3>> coordinates_;
+};
+
+// Values at vertices, as the heat methods take them.
+inline std::vector<std::pair<IT::Vertex_index, double>> values_at(const Indices& vertices, const Doubles& values)
+{
+  const auto v = copied(vertices);
+  const auto x = copied(values);
+  require(v.size() == x.size(), "there are not as many values as vertices");
+  std::vector<std::pair<IT::Vertex_index, double>> result;
+  for (std::size_t i = 0; i < v.size(); ++i)
+    result.emplace_back(IT::Vertex_index(v[i]), x[i]);
+  return result;
 }
 
 } // namespace idt_python

@@ -142,14 +142,29 @@ py::array_t<T> to_array(std::vector<T>&& values)
   return py::array_t<T>(py::ssize_t(size), kept->data(), owner);
 }
 
-// As a matrix with this many columns.
-template <class T>
-py::array_t<T> to_array(std::vector<T>&& values, std::size_t number_of_columns)
+// As a matrix.
+template <class T, std::size_t n>
+py::array_t<T> to_array(std::vector<std::array<T, n>>&& rows)
 {
-  const std::vector<py::ssize_t> shape = {py::ssize_t(values.size() / number_of_columns),
-                                          py::ssize_t(number_of_columns)};
-  auto [kept, owner] = handed_over(std::move(values));
-  return py::array_t<T>(shape, kept->data(), owner);
+  const std::vector<py::ssize_t> shape = {py::ssize_t(rows.size()), py::ssize_t(n)};
+  auto [kept, owner] = handed_over(std::move(rows));
+  return py::array_t<T>(shape, kept->empty() ? nullptr : kept->front().data(), owner);
+}
+
+// The numbers of elements have this type in Python.
+template <class Range>
+py::array_t<std::int64_t> to_numbers(const Range& range)
+{
+  return to_array(std::vector<std::int64_t>(range.begin(), range.end()));
+}
+template <class T>
+py::array_t<std::int64_t> to_numbers(const std::vector<std::array<T, 3>>& triangles)
+{
+  std::vector<std::array<std::int64_t, 3>> result;
+  result.reserve(triangles.size());
+  for (const auto& [a, b, c] : triangles)
+    result.push_back({std::int64_t(a), std::int64_t(b), std::int64_t(c)});
+  return to_array(std::move(result));
 }
 
 // Data, row indices, beginnings of columns, and shape: what SciPy makes a csc_matrix of.

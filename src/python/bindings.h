@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The parts of the extension module, one for each source.
+// The parts of the extension modules, one for each source.
 
 #ifndef INTRINSIC_TRIANGULATIONS_PYTHON_BINDINGS_H
 #define INTRINSIC_TRIANGULATIONS_PYTHON_BINDINGS_H
@@ -9,6 +9,9 @@
 #include <pybind11/pybind11.h>
 
 namespace idt_python {
+
+// The exceptions of the library as those of the Python package, for the extension module that calls it.
+void register_errors();
 
 void add_Laplacian(pybind11::module_& module);
 void add_files(pybind11::module_& module);

@@ -4,11 +4,9 @@
 // The exceptions of the library as those of the Python package: the classes are defined in Python, where their
 // documentation is.
 
-#include "python/errors.h"
+#include "python/bindings.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
-
-#include <pybind11/pybind11.h>
 
 #include <exception>
 #include <string>

@@ -27,16 +27,11 @@ py::tuple read_mesh(const std::string& file_name)
 {
   IT::Polygon_soup soup =
     without_lock([&] { return IT::read_polygon_soup(file_name, [](double) { return Signal_watch::goes_on(); }); });
-  std::vector<double> coordinates;
-  coordinates.reserve(3 * soup.points.size());
-  for (const auto& p : soup.points)
-    coordinates.insert(coordinates.end(), p.begin(), p.end());
   std::vector<std::int64_t> corners;
   for (std::size_t f = 0; f < soup.number_of_faces(); ++f)
     corners.insert(corners.end(), soup.polygon(f).begin(), soup.polygon(f).end());
-  std::vector<std::int64_t> first_corner(soup.first_corner.begin(), soup.first_corner.end());
-  return py::make_tuple(to_array(std::move(coordinates), 3), to_array(std::move(corners)),
-                        to_array(std::move(first_corner)), py::cast(soup.warnings));
+  return py::make_tuple(to_array(std::move(soup.points)), to_array(std::move(corners)), to_numbers(soup.first_corner),
+                        py::cast(soup.warnings));
 }
 
 // Which triangles are turned so that they agree.
@@ -44,10 +39,7 @@ py::array turned_faces(const Doubles& points, const Indices& triangles)
 {
   const auto rows = copied_rows(points);
   const auto faces = copied_rows(triangles);
-  return to_array(without_lock([&] {
-    const std::vector<std::size_t> turned = IT::turned_triangles(rows, faces);
-    return std::vector<std::int64_t>(turned.begin(), turned.end());
-  }));
+  return to_numbers(without_lock([&] { return IT::turned_triangles(rows, faces); }));
 }
 
 } // namespace

@@ -6,7 +6,6 @@
 #include "python/Surface.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
-#include "python/surface_points.h"
 #include "python/tangent_direction.h"
 
 #include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
@@ -38,7 +37,7 @@ using Points = Tangent_directions::Points;
 // A path, as long as nothing of Python may be touched.
 struct Path
 {
-  std::vector<double> positions;
+  Points positions;
   Point_table points;
   double initial_length = 0, length = 0;
   bool is_geodesic = false;
@@ -58,8 +57,8 @@ struct Stop
 
 py::tuple to_tuple(Path&& path)
 {
-  return py::make_tuple(to_array(std::move(path.positions), 3), path.points.to_arrays(), path.length,
-                        path.initial_length, path.is_geodesic, path.status, path.flips, path.distance);
+  return py::make_tuple(to_array(std::move(path.positions)), path.points.to_arrays(), path.length, path.initial_length,
+                        path.is_geodesic, path.status, path.flips, path.distance);
 }
 
 const char* name_of(IT::Geodesic_status status)
@@ -125,11 +124,13 @@ public:
 
   // Cut open along a path that is given by faces and coordinates: points, triangles, their faces, and where new
   // vertices lie.
-  py::tuple cut_along_path(const std::vector<std::uint32_t>& faces,
-                           const std::vector<std::array<double, 3>>& coordinates)
+  py::tuple cut_along_path(const Indices& path_faces, const Doubles& path_coordinates)
   {
+    const auto faces = copied(path_faces);
+    const auto coordinates = copied_rows(path_coordinates);
+    require(faces.size() == coordinates.size(), "there are not as many coordinates as faces");
     Point_table locations;
-    const IT::Cut_surface cut = surface_.use([&](const Triangulation& t) {
+    IT::Cut_surface cut = surface_.use([&](const Triangulation& t) {
       std::vector<IT::Surface_point> path;
       for (std::size_t i = 0; i < faces.size(); ++i)
         path.push_back({surface_.input_sides()[faces[i]], coordinates[i]});
@@ -138,21 +139,14 @@ public:
         append(t, p, locations);
       return result;
     });
-    std::vector<double> points;
-    std::vector<std::int64_t> corners;
-    for (const auto& p : cut.points)
-      points.insert(points.end(), p.begin(), p.end());
-    for (const auto& triangle : cut.triangles)
-      corners.insert(corners.end(), triangle.begin(), triangle.end());
-    return py::make_tuple(to_array(std::move(points), 3), to_array(std::move(corners), 3),
-                          to_array(std::vector<std::int64_t>(cut.input_faces.begin(), cut.input_faces.end())),
+    return py::make_tuple(to_array(std::move(cut.points)), to_numbers(cut.triangles), to_numbers(cut.input_faces),
                           locations.to_arrays());
   }
 
-  Path trace_from_vertex(std::uint32_t v, const std::array<double, 3>& vector,
-                         const std::optional<std::uint64_t>& maximum_number)
+  py::tuple trace_from_vertex(std::uint32_t v, const std::array<double, 3>& vector,
+                              const std::optional<std::uint64_t>& maximum_number)
   {
-    return surface_.use([&](const Triangulation& t) {
+    return to_tuple(surface_.use([&](const Triangulation& t) {
       const IT::Delta_complex& complex = t.connectivity();
       if (v >= complex.number_of_vertices() || !complex.halfedge(IT::Vertex_index(v)).is_valid())
         throw IT::Invalid_argument_error("there is no vertex " + std::to_string(v) + " with faces: there are " +
@@ -160,13 +154,13 @@ public:
       return trace(t,
                    Tangent_directions(complex, points_).at_vertex(IT::Vertex_index(v), Eigen::Vector3d(vector.data())),
                    maximum_number);
-    });
+    }));
   }
 
-  Path trace_from_face(std::uint32_t f, const std::array<double, 3>& coordinates, const std::array<double, 3>& vector,
-                       const std::optional<std::uint64_t>& maximum_number)
+  py::tuple trace_from_face(std::uint32_t f, const std::array<double, 3>& coordinates,
+                            const std::array<double, 3>& vector, const std::optional<std::uint64_t>& maximum_number)
   {
-    return surface_.use([&](const Triangulation& t) {
+    return to_tuple(surface_.use([&](const Triangulation& t) {
       const IT::Delta_complex& complex = t.connectivity();
       if (f >= complex.number_of_faces())
         throw IT::Invalid_argument_error("there is no face " + std::to_string(f) + ": there are " +
@@ -174,7 +168,7 @@ public:
       const IT::Surface_point start = {complex.halfedge(IT::Face_index(f)), coordinates};
       return trace(t, Tangent_directions(complex, points_).in_face(start, Eigen::Vector3d(vector.data())),
                    maximum_number);
-    });
+    }));
   }
 
 private:
@@ -187,7 +181,7 @@ private:
 
   // Where the path begins, along edges. Stops that are no vertices are inserted.
   std::vector<IT::Halfedge_index> first_path(Triangulation& t, const std::vector<Stop>& stops, bool is_closed,
-                                             bool is_shortest, Path& result) const
+                                             bool is_shortest, Path& path) const
   {
     std::vector<IT::Vertex_index> vertices;
     for (const Stop& stop : stops)
@@ -195,7 +189,25 @@ private:
                                                         : IT::vertex_at_point(t, nearest(t, stop.point)));
     if (is_closed)
       vertices.push_back(vertices.front());
-    return is_shortest ? shortest_path(t, vertices, result) : edge_path(t, vertices);
+    if (is_shortest) {
+      IT::flip_to_Delaunay(t, CGAL::parameters::visitor(Signal_visitor()));
+      Signal_watch::check();
+      path.distance = 0;
+    }
+    std::vector<IT::Halfedge_index> result;
+    for (std::size_t i = 0; i + 1 < vertices.size(); ++i) {
+      std::vector<IT::Halfedge_index> part;
+      if (is_shortest) {
+        IT::Shortest_path found =
+          IT::shortest_path(t, vertices[i], vertices[i + 1], CGAL::parameters::visitor(&Signal_watch::goes_on));
+        *path.distance += found.distance;
+        part = std::move(found.halfedges);
+      } else {
+        part = IT::shortest_edge_path(t, vertices[i], vertices[i + 1]);
+      }
+      result.insert(result.end(), part.begin(), part.end());
+    }
+    return result;
   }
 
   void shorten(const Triangulation& t, Network& network, const std::vector<IT::Halfedge_index>& start, bool is_closed,
@@ -214,32 +226,6 @@ private:
       append(t, at_input_vertex(t, network.contraction(p)), result);
     for (const IT::Surface_point& point : IT::geodesic_points(t, network.halfedges(p)))
       append(t, point, result);
-  }
-
-  static std::vector<IT::Halfedge_index> edge_path(const Triangulation& t, const std::vector<IT::Vertex_index>& stops)
-  {
-    std::vector<IT::Halfedge_index> result;
-    for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
-      const auto part = IT::shortest_edge_path(t, stops[i], stops[i + 1]);
-      result.insert(result.end(), part.begin(), part.end());
-    }
-    return result;
-  }
-
-  static std::vector<IT::Halfedge_index> shortest_path(Triangulation& t, const std::vector<IT::Vertex_index>& stops,
-                                                       Path& path)
-  {
-    IT::flip_to_Delaunay(t, CGAL::parameters::visitor(Signal_visitor()));
-    Signal_watch::check();
-    path.distance = 0;
-    std::vector<IT::Halfedge_index> result;
-    for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
-      const IT::Shortest_path part =
-        IT::shortest_path(t, stops[i], stops[i + 1], CGAL::parameters::visitor(&Signal_watch::goes_on));
-      *path.distance += part.distance;
-      result.insert(result.end(), part.halfedges.begin(), part.halfedges.end());
-    }
-    return result;
   }
 
   IT::Surface_point nearest(const Triangulation& t, const std::array<double, 3>& p) const
@@ -278,9 +264,7 @@ private:
 
   void append(const Triangulation& t, const IT::Surface_point& point, Path& path) const
   {
-    const IT::Delta_complex& input = t.input();
-    for (double x : IT::point_in_space(input, points_, point))
-      path.positions.push_back(x);
+    path.positions.push_back(IT::point_in_space(t.input(), points_, point));
     append(t, point, path.points);
   }
   void append(const Triangulation& t, const IT::Surface_point& point, Point_table& table) const
@@ -327,23 +311,9 @@ void add_geodesics(py::module_& module)
       py::arg("vertices").noconvert(), py::arg("points").noconvert(), py::arg("is_closed"), py::arg("is_shortest"),
       py::arg("maximum_number"))
     .def("locate", &Surface_in_space::locate)
-    .def("cut_along_path",
-         [](Surface_in_space& s, const Indices& faces, const Doubles& coordinates) {
-           const auto f = copied(faces);
-           const auto c = copied_rows(coordinates);
-           require(f.size() == c.size(), "there are not as many coordinates as faces");
-           return s.cut_along_path(f, c);
-         })
-    .def("trace_from_vertex",
-         [](Surface_in_space& s, std::uint32_t v, const std::array<double, 3>& vector,
-            const std::optional<std::uint64_t>& maximum_number) {
-           return to_tuple(s.trace_from_vertex(v, vector, maximum_number));
-         })
-    .def("trace_from_face",
-         [](Surface_in_space& s, std::uint32_t f, const std::array<double, 3>& coordinates,
-            const std::array<double, 3>& vector, const std::optional<std::uint64_t>& maximum_number) {
-           return to_tuple(s.trace_from_face(f, coordinates, vector, maximum_number));
-         });
+    .def("cut_along_path", &Surface_in_space::cut_along_path)
+    .def("trace_from_vertex", &Surface_in_space::trace_from_vertex)
+    .def("trace_from_face", &Surface_in_space::trace_from_face);
 }
 
 } // namespace idt_python

@@ -97,12 +97,7 @@ py::array geodesic_distances(const Doubles& points, const Indices& triangles, co
 
 py::array extend(Heat& heat, const Indices& vertices, const Doubles& values, double elsewhere)
 {
-  const auto v = copied(vertices);
-  const auto x = copied(values);
-  require(v.size() == x.size(), "there are not as many values as vertices");
-  std::vector<std::pair<IT::Vertex_index, double>> pairs;
-  for (std::size_t i = 0; i < v.size(); ++i)
-    pairs.emplace_back(IT::Vertex_index(v[i]), x[i]);
+  const auto pairs = values_at(vertices, values);
   return to_array(without_lock([&] { return heat.extend(pairs, elsewhere); }));
 }
 

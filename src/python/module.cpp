@@ -5,7 +5,6 @@
 // LGPL headers only.
 
 #include "python/bindings.h"
-#include "python/errors.h"
 
 PYBIND11_MODULE(_core, module)
 {

@@ -5,7 +5,7 @@
 
 #include "python/Signal_watch.h"
 #include "python/arrays.h"
-#include "python/errors.h"
+#include "python/bindings.h"
 
 #include <CGAL/Intrinsic_triangulations/point_cloud_Laplacian.h>
 

@@ -5,7 +5,7 @@
 
 #include "python/Signal_watch.h"
 #include "python/arrays.h"
-#include "python/errors.h"
+#include "python/bindings.h"
 
 #include <CGAL/Intrinsic_triangulations/repair_polygons.h>
 
@@ -34,19 +34,11 @@ py::tuple repair(const Doubles& points, const Indices& corners, const std::vecto
   }
   IT::Repaired_polygons repaired =
     without_lock([&] { return IT::repair_polygons(rows, polygons, [](double) { return Signal_watch::goes_on(); }); });
-  std::vector<double> coordinates;
-  for (const auto& p : repaired.points)
-    coordinates.insert(coordinates.end(), p.begin(), p.end());
-  std::vector<std::int64_t> faces;
-  for (const auto& t : repaired.triangles)
-    faces.insert(faces.end(), t.begin(), t.end());
   py::list repairs;
   for (const IT::Repair& r : repaired.repairs)
     repairs.append(py::make_tuple(IT::name(r.kind), r.count, r.elements, IT::message(r)));
-  return py::make_tuple(
-    to_array(std::move(coordinates), 3), to_array(std::move(faces), 3),
-    to_array(std::vector<std::int64_t>(repaired.input_vertices.begin(), repaired.input_vertices.end())),
-    to_array(std::vector<std::int64_t>(repaired.input_faces.begin(), repaired.input_faces.end())), repairs);
+  return py::make_tuple(to_array(std::move(repaired.points)), to_numbers(repaired.triangles),
+                        to_numbers(repaired.input_vertices), to_numbers(repaired.input_faces), repairs);
 }
 
 } // namespace

@@ -7,7 +7,6 @@
 #include "python/arrays.h"
 #include "python/bindings.h"
 #include "python/saved_state.h"
-#include "python/surface_points.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Point_location.h>
@@ -89,16 +88,13 @@ std::unique_ptr<Subdivision> subdivision_of_state(const py::bytes& state)
 py::tuple polygons(const Subdivision& s)
 {
   auto [offsets, corners] = without_lock([&] {
-    Numbers offsets = {0}, corners;
-    for (IT::Overlay::Face f : s.overlay().faces()) {
-      const IT::Overlay::Halfedge first = s.overlay().halfedge(f);
-      IT::Overlay::Halfedge h = first;
-      do {
-        corners.push_back(s.overlay().target(h).idx());
-        h = s.overlay().next(h);
-      } while (h != first);
-      offsets.push_back(std::int64_t(corners.size()));
-    }
+    Numbers offsets, corners;
+    s.for_each_corner([&](IT::Overlay::Halfedge h) {
+      if (h == s.overlay().halfedge(s.overlay().face(h)))
+        offsets.push_back(std::int64_t(corners.size()));
+      corners.push_back(s.overlay().target(h).idx());
+    });
+    offsets.push_back(std::int64_t(corners.size()));
     return std::make_pair(std::move(offsets), std::move(corners));
   });
   return py::make_tuple(to_array(std::move(offsets)), to_array(std::move(corners)));
@@ -118,15 +114,15 @@ std::int64_t edge_or_none(IT::Halfedge_index h) { return h.is_valid() ? std::int
 
 py::tuple segments(const Subdivision& s)
 {
-  Numbers ends, input, intrinsic;
+  std::vector<std::array<std::int64_t, 2>> ends;
+  Numbers input, intrinsic;
   for (IT::Overlay::Segment segment : s.overlay().segments()) {
     const IT::Overlay::Halfedge h = s.overlay().halfedge(segment);
-    ends.push_back(s.overlay().source(h).idx());
-    ends.push_back(s.overlay().target(h).idx());
+    ends.push_back({s.overlay().source(h).idx(), s.overlay().target(h).idx()});
     input.push_back(edge_or_none(s.overlay().input_halfedge(h)));
     intrinsic.push_back(edge_or_none(s.overlay().intrinsic_halfedge(h)));
   }
-  return py::make_tuple(to_array(std::move(ends), 2), to_array(std::move(input)), to_array(std::move(intrinsic)));
+  return py::make_tuple(to_array(std::move(ends)), to_array(std::move(input)), to_array(std::move(intrinsic)));
 }
 
 // ------------------------------------------------------------------- values

@@ -7,7 +7,6 @@
 #include "python/arrays.h"
 #include "python/bindings.h"
 #include "python/saved_state.h"
-#include "python/surface_points.h"
 
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 #include <CGAL/Intrinsic_triangulations/element_numbers.h>
@@ -18,6 +17,8 @@
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <CGAL/Named_function_parameters.h>
+
+#include <boost/property_map/function_property_map.hpp>
 
 #include <pybind11/stl.h>
 
@@ -130,122 +131,75 @@ std::unique_ptr<Surface> load(const std::string& path)
   });
 }
 
+// ------------------------------------------------------------------ numbers
+
 // The points of the input, or none if it is given by lengths.
-py::array input_points(Surface& surface)
+std::vector<std::array<double, 3>> input_points(const Triangulation& t)
 {
-  return to_array(surface.use([](const Triangulation& t) {
-    std::vector<double> result;
-    for (const auto& p : t.input_metric().points())
-      for (double x : p)
-        result.push_back(std::ldexp(x, t.input_metric().unit_exponent()));
-    return result;
-  }),
-                  3);
+  const int unit = t.input_metric().unit_exponent();
+  std::vector<std::array<double, 3>> result;
+  for (const auto& p : t.input_metric().points())
+    result.push_back({std::ldexp(p[0], unit), std::ldexp(p[1], unit), std::ldexp(p[2], unit)});
+  return result;
 }
 
-// ------------------------------------------------------------- connectivity
-
-py::array faces(Surface& surface)
+// A row for each face: what `of_side(h)` says of its three sides.
+template <class Of_side>
+auto rows_of_faces(const IT::Delta_complex& complex, const Of_side& of_side)
 {
-  return to_array(surface.use([](const Triangulation& t) {
-    Numbers result;
-    result.reserve(3 * std::size_t(t.connectivity().number_of_faces()));
-    for (IT::Face_index f : t.connectivity().faces())
-      append_corners(t.connectivity(), f, result);
-    return result;
-  }),
-                  3);
+  std::vector<std::array<decltype(of_side(IT::Halfedge_index())), 3>> result;
+  result.reserve(complex.number_of_faces());
+  for (IT::Face_index f : complex.faces()) {
+    const IT::Halfedge_index h = complex.halfedge(f);
+    result.push_back({of_side(h), of_side(complex.next(h)), of_side(complex.prev(h))});
+  }
+  return result;
 }
 
-py::array edges_of_faces(Surface& surface)
+auto faces(const Triangulation& t)
 {
-  return to_array(surface.use([](const Triangulation& t) {
-    const IT::Delta_complex& complex = t.connectivity();
-    Numbers result;
-    for (IT::Face_index f : complex.faces()) {
-      IT::Halfedge_index h = complex.halfedge(f);
-      for (int i = 0; i < 3; ++i, h = complex.next(h))
-        result.push_back(complex.edge(h).idx());
-    }
-    return result;
-  }),
-                  3);
+  const IT::Delta_complex& complex = t.connectivity();
+  return rows_of_faces(complex, [&](IT::Halfedge_index h) { return std::int64_t(complex.source(h).idx()); });
 }
 
-py::array edges(Surface& surface)
+auto edges_of_faces(const Triangulation& t)
 {
-  return to_array(surface.use([](const Triangulation& t) {
-    const IT::Delta_complex& complex = t.connectivity();
-    Numbers result;
-    for (IT::Edge_index e : complex.edges()) {
-      result.push_back(complex.source(complex.halfedge(e)).idx());
-      result.push_back(complex.target(complex.halfedge(e)).idx());
-    }
-    return result;
-  }),
-                  2);
+  const IT::Delta_complex& complex = t.connectivity();
+  return rows_of_faces(complex, [&](IT::Halfedge_index h) { return std::int64_t(complex.edge(h).idx()); });
 }
 
-// ------------------------------------------------------------------- metric
-
-py::array lengths(Surface& surface)
+auto corner_angles(const Triangulation& t)
 {
-  return to_array(surface.use([](const Triangulation& t) { return IT::edge_lengths(t); }));
+  const IT::Delta_complex& complex = t.connectivity();
+  const std::vector<double> angles = IT::opposite_angles(t);
+  return rows_of_faces(complex, [&](IT::Halfedge_index h) { return angles[complex.next(h).idx()]; });
 }
 
-py::array weights(Surface& surface)
+std::vector<std::array<std::int64_t, 2>> edges(const Triangulation& t)
 {
-  return to_array(surface.use([](const Triangulation& t) {
-    std::vector<double> result = IT::cotangent_weights(t);
-    for (double& w : result)
-      w /= 2;
-    return result;
-  }));
+  const IT::Delta_complex& complex = t.connectivity();
+  std::vector<std::array<std::int64_t, 2>> result;
+  for (IT::Edge_index e : complex.edges())
+    result.push_back({complex.source(complex.halfedge(e)).idx(), complex.target(complex.halfedge(e)).idx()});
+  return result;
 }
 
-py::array areas(Surface& surface)
+std::vector<double> weights(const Triangulation& t)
 {
-  return to_array(surface.use([](const Triangulation& t) { return IT::face_areas(t); }));
-}
-
-py::array corner_angles(Surface& surface)
-{
-  return to_array(surface.use([](const Triangulation& t) {
-    const IT::Delta_complex& complex = t.connectivity();
-    const std::vector<double> angles = IT::opposite_angles(t);
-    std::vector<double> result;
-    result.reserve(angles.size());
-    for (IT::Face_index f : complex.faces()) {
-      IT::Halfedge_index h = complex.halfedge(f);
-      for (int i = 0; i < 3; ++i, h = complex.next(h))
-        result.push_back(angles[complex.next(h).idx()]);
-    }
-    return result;
-  }),
-                  3);
+  std::vector<double> result = IT::cotangent_weights(t);
+  for (double& w : result)
+    w /= 2;
+  return result;
 }
 
 // --------------------------------------------------------------- algorithms
 
-// Which edges stay, as a property map.
-class Constrained_edges
+// Which edges stay, as a property map. \param is_constrained a value for each edge, or none; has to live as long
+auto constrained_edges(const std::vector<bool>& is_constrained)
 {
-public:
-  using key_type = IT::Edge_index;
-  using value_type = bool;
-  using reference = bool;
-  using category = boost::readable_property_map_tag;
-
-  // \param is_constrained a value for each edge, or none
-  explicit Constrained_edges(const std::vector<bool>& is_constrained) : is_constrained_(&is_constrained) {}
-  friend bool get(const Constrained_edges& map, IT::Edge_index e)
-  {
-    return !map.is_constrained_->empty() && (*map.is_constrained_)[e.idx()];
-  }
-
-private:
-  const std::vector<bool>* is_constrained_;
-};
+  return boost::make_function_property_map<IT::Edge_index, bool>(
+    [&](IT::Edge_index e) { return !is_constrained.empty() && is_constrained[e.idx()]; });
+}
 
 std::vector<bool> copied_marks(const std::optional<Booleans>& marks)
 {
@@ -273,7 +227,7 @@ py::tuple flip_to_Delaunay(Surface& surface, const std::optional<Booleans>& cons
   const std::vector<bool> is_constrained = copied_marks(constrained);
   const IT::Flip_report report = surface.use([&](Triangulation& t) {
     check_marks(t, is_constrained);
-    return IT::flip_to_Delaunay(t, parameters::edge_is_constrained_map(Constrained_edges(is_constrained))
+    return IT::flip_to_Delaunay(t, parameters::edge_is_constrained_map(constrained_edges(is_constrained))
                                      .visitor(Signal_visitor())
                                      .maximum_number(maximum_number));
   });
@@ -285,7 +239,7 @@ py::tuple verify(Surface& surface, const std::optional<Booleans>& constrained)
   const std::vector<bool> is_constrained = copied_marks(constrained);
   const IT::Delaunay_verification found = surface.use([&](const Triangulation& t) {
     check_marks(t, is_constrained);
-    return IT::verify_Delaunay(t, parameters::edge_is_constrained_map(Constrained_edges(is_constrained)));
+    return IT::verify_Delaunay(t, parameters::edge_is_constrained_map(constrained_edges(is_constrained)));
   });
   Numbers not_Delaunay, inverted;
   for (IT::Edge_index e : found.not_Delaunay)
@@ -321,7 +275,7 @@ py::tuple refine(Surface& surface, double minimum_angle, double maximum_circumra
            .maximum_circumradius(maximum_circumradius)
            .maximum_edge_length(maximum_edge_length)
            .minimum_size(minimum_size)
-           .edge_is_constrained_map(Constrained_edges(is_constrained))
+           .edge_is_constrained_map(constrained_edges(is_constrained))
            .visitor(Signal_visitor())
            .maximum_number(maximum_number ? *maximum_number
                                           : 10 * std::uint64_t(t.connectivity().number_of_vertices()) + 1000000));
@@ -350,11 +304,6 @@ py::array sharp_edges(Surface& surface, const Doubles& points, double degrees, d
 }
 
 // ----------------------------------------------------------------- matrices
-
-py::tuple stiffness(Surface& surface)
-{
-  return to_sparse(surface.use([](const Triangulation& t) { return IT::stiffness_matrix(t); }));
-}
 
 py::tuple mass(Surface& surface, bool is_lumped)
 {
@@ -389,6 +338,12 @@ auto count(const Count& of_complex)
   };
 }
 
+template <class Function>
+auto array_of(const Function& function)
+{
+  return [function](Surface& surface) { return to_array(surface.use(function)); };
+}
+
 } // namespace
 
 void add_triangulation(py::module_& module)
@@ -401,26 +356,29 @@ void add_triangulation(py::module_& module)
                 py::arg("lengths").noconvert())
     .def_static("load", &load, py::arg("path"))
     .def("save", &save, py::arg("path"))
-    .def("input_points", &input_points)
+    .def("input_points", array_of(&input_points))
     .def(py::pickle(&state_of_surface, &surface_of_bytes))
     .def("copy",
          [](const Surface& surface) { return without_lock([&] { return std::make_unique<Surface>(surface); }); })
     .def("number_of_vertices", count(&IT::Delta_complex::number_of_vertices))
     .def("number_of_edges", count(&IT::Delta_complex::number_of_edges))
     .def("number_of_faces", count(&IT::Delta_complex::number_of_faces))
-    .def("faces", &faces)
-    .def("edges_of_faces", &edges_of_faces)
-    .def("edges", &edges)
-    .def("lengths", &lengths)
-    .def("weights", &weights)
-    .def("areas", &areas)
-    .def("corner_angles", &corner_angles)
+    .def("faces", array_of(&faces))
+    .def("edges_of_faces", array_of(&edges_of_faces))
+    .def("edges", array_of(&edges))
+    .def("lengths", array_of([](const Triangulation& t) { return IT::edge_lengths(t); }))
+    .def("weights", array_of(&weights))
+    .def("areas", array_of([](const Triangulation& t) { return IT::face_areas(t); }))
+    .def("corner_angles", array_of(&corner_angles))
     .def("flip_to_delaunay", &flip_to_Delaunay, py::arg("constrained").noconvert(), py::arg("maximum_number"))
     .def("verify", &verify, py::arg("constrained").noconvert())
     .def("refine", &refine, py::arg("minimum_angle"), py::arg("maximum_circumradius"), py::arg("maximum_edge_length"),
          py::arg("constrained").noconvert(), py::arg("maximum_number"), py::arg("minimum_size"))
     .def("sharp_edges", &sharp_edges, py::arg("points").noconvert(), py::arg("degrees"), py::arg("minimum_size"))
-    .def("stiffness", &stiffness)
+    .def("stiffness",
+         [](Surface& surface) {
+           return to_sparse(surface.use([](const Triangulation& t) { return IT::stiffness_matrix(t); }));
+         })
     .def("mass", &mass, py::arg("is_lumped"))
     .def("inserted_vertices", &inserted_vertices);
 }

@@ -34,12 +34,10 @@ std::unique_ptr<Vector_heat> vector_heat(Surface& surface, const std::optional<d
 
 py::array to_rows(const std::vector<Vector_heat::Vector>& vectors)
 {
-  std::vector<double> result;
-  for (const Vector_heat::Vector& v : vectors) {
-    result.push_back(v.x());
-    result.push_back(v.y());
-  }
-  return to_array(std::move(result), 2);
+  std::vector<std::array<double, 2>> result;
+  for (const Vector_heat::Vector& v : vectors)
+    result.push_back({v.x(), v.y()});
+  return to_array(std::move(result));
 }
 
 py::array transport(const Vector_heat& heat, const Indices& vertices, const Doubles& x, const Doubles& y)
@@ -60,12 +58,7 @@ py::array log_map(const Vector_heat& heat, std::uint32_t v)
 
 py::array extend_by_vector_heat(const Vector_heat& heat, const Indices& vertices, const Doubles& values)
 {
-  const auto v = copied(vertices);
-  const auto x = copied(values);
-  require(v.size() == x.size(), "there are not as many values as vertices");
-  std::vector<std::pair<IT::Vertex_index, double>> pairs;
-  for (std::size_t i = 0; i < v.size(); ++i)
-    pairs.emplace_back(IT::Vertex_index(v[i]), x[i]);
+  const auto pairs = values_at(vertices, values);
   return to_array(without_lock([&] { return heat.extend(pairs); }));
 }
 
@@ -78,13 +71,13 @@ py::tuple frames(Surface& surface, const Doubles& points)
       throw IT::Invalid_argument_error("there is not a point for each vertex");
     return IT::vertex_frames(t, p);
   });
-  std::vector<double> x, y, normal;
+  std::vector<std::array<double, 3>> x, y, normal;
   for (const IT::Vertex_frame& f : found) {
-    x.insert(x.end(), f.x.begin(), f.x.end());
-    y.insert(y.end(), f.y.begin(), f.y.end());
-    normal.insert(normal.end(), f.normal.begin(), f.normal.end());
+    x.push_back(f.x);
+    y.push_back(f.y);
+    normal.push_back(f.normal);
   }
-  return py::make_tuple(to_array(std::move(x), 3), to_array(std::move(y), 3), to_array(std::move(normal), 3));
+  return py::make_tuple(to_array(std::move(x)), to_array(std::move(y)), to_array(std::move(normal)));
 }
 
 py::tuple connection_Laplacian(Surface& surface)

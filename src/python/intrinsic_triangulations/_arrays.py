@@ -7,6 +7,7 @@
 
 from __future__ import annotations
 
+import math
 import operator
 from typing import Any, Optional, Sequence, Tuple
 
@@ -161,6 +162,13 @@ def number(value: Any, name: str) -> float:
         return float(value)
     except (TypeError, ValueError, OverflowError):
         raise ValueError(f"{name} has to be a number, not {type(value).__name__}") from None
+
+
+def positive(value: Any, name: str) -> float:
+    result = number(value, name)
+    if not (result > 0 and math.isfinite(result)):
+        raise ValueError(f"{name} has to be positive and finite, not {value!r}")
+    return result
 
 
 def choice(value: Any, name: str, choices: Sequence[str]) -> int:

@@ -63,7 +63,7 @@ class CutSurface(NamedTuple):
 
 
 class _Lines(Rebuilt):
-    def __init__(self, V: ArrayLike, F: ArrayLike) -> None:
+    def __init__(self, V: ArrayLike, F: ArrayLike, t_coef: float = 1.0) -> None:
         points, faces = _arrays.points_and_faces(V, F)
         self._remember(_Lines.__init__, points.copy(), faces.copy())
         self._number_of_vertices = len(points)
@@ -143,9 +143,6 @@ class EdgeFlipGeodesicSolver(_Lines):
     InvalidSurfaceError
         As `Triangulation`.
     """
-
-    def __init__(self, V: ArrayLike, F: ArrayLike, t_coef: float = 1.0) -> None:
-        super().__init__(V, F)
 
     def find_geodesic_path(self, v_start: int, v_end: int, max_iterations: Optional[int] = None,
                            max_relative_length_decrease: Optional[float] = None) -> numpy.ndarray:
@@ -317,9 +314,6 @@ class GeodesicTracer(_Lines):
     InvalidSurfaceError
         As `Triangulation`.
     """
-
-    def __init__(self, V: ArrayLike, F: ArrayLike, t_coef: float = 1.0) -> None:
-        super().__init__(V, F)
 
     def trace_geodesic_from_vertex(self, start_vert: int, direction_xyz: ArrayLike, max_iterations: Optional[int] = None) -> numpy.ndarray:
         """Trace a line from a vertex.

@@ -7,7 +7,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy
@@ -186,7 +185,4 @@ def compute_distance_multisource(V: ArrayLike, F: ArrayLike, v_inds: ArrayLike) 
 
 
 def _options(t_coef: Any, boundary: Any, keeps_ridges: Any) -> tuple:
-    time = _arrays.number(t_coef, "t_coef")
-    if not (time > 0 and math.isfinite(time)):
-        raise ValueError(f"t_coef has to be positive and finite, not {t_coef!r}")
-    return time, _arrays.choice(boundary, "boundary", BOUNDARIES), bool(keeps_ridges)
+    return _arrays.positive(t_coef, "t_coef"), _arrays.choice(boundary, "boundary", BOUNDARIES), bool(keeps_ridges)

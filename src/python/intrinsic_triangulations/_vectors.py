@@ -7,7 +7,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any, Optional, Tuple
 
 import numpy
@@ -51,9 +50,7 @@ class MeshVectorHeatSolver(Rebuilt):
     def __init__(self, V: ArrayLike, F: ArrayLike, t_coef: Optional[float] = None, use_intrinsic_delaunay: bool = True) -> None:
         if not use_intrinsic_delaunay:
             raise ValueError("use_intrinsic_delaunay has to be True: on other triangulations, the method has no guarantees")
-        time = None if t_coef is None else _arrays.number(t_coef, "t_coef")
-        if time is not None and not (time > 0 and math.isfinite(time)):
-            raise ValueError(f"t_coef has to be positive and finite, not {t_coef!r}")
+        time = None if t_coef is None else _arrays.positive(t_coef, "t_coef")
         points, faces = _arrays.points_and_faces(V, F)
         self._remember(MeshVectorHeatSolver.__init__, points.copy(), faces.copy(), t_coef)
         surface = _core.Surface.from_points(points, faces)
