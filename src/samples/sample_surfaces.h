@@ -19,26 +19,19 @@
 
 namespace samples {
 
-// The name of a sample surface and a one-line description.
-struct Sample
-{
-  std::string name;        ///< the argument of `make_sample()`
-  std::string description; ///< one line
-};
-
 using Sample_surface = std::variant<Indexed_triangles, Glued_triangles>;
 
-struct Named_sample
+struct Sample
 {
-  const char* name;
-  const char* description;
-  Sample_surface (*make)();
+  std::string name;         ///< the argument of `make_sample()`
+  std::string description;  ///< one line
+  Sample_surface (*make)(); ///< with the default arguments of its generator
 };
 
-// The one list behind both public functions.
-inline const std::vector<Named_sample>& named_samples()
+// returns the samples that `make_sample()` knows.
+inline const std::vector<Sample>& sample_names()
 {
-  static const std::vector<Named_sample> samples = {
+  static const std::vector<Sample> samples = {
     {"bumpy-sphere", "a sphere with smooth bumps and many needles and obtuse triangles",
      []() -> Sample_surface { return bumpy_sphere(); }},
     {"disk-with-spike", "a round disk with a tall thin spike in the middle",
@@ -69,25 +62,15 @@ inline const std::vector<Named_sample>& named_samples()
   return samples;
 }
 
-// returns the names that `make_sample()` accepts, with descriptions.
-inline std::vector<Sample> sample_names()
-{
-  std::vector<Sample> samples;
-  for (const Named_sample& sample : named_samples())
-    samples.push_back({sample.name, sample.description});
-  return samples;
-}
-
 // returns the sample surface with this name, made with the default arguments of its generator.
 // \throws std::invalid_argument with a list of the valid names, if `name` is not one of them
-inline std::variant<Indexed_triangles, Glued_triangles> make_sample(const std::string& name)
+inline Sample_surface make_sample(const std::string& name)
 {
   std::string known;
-  for (const Named_sample& sample : named_samples()) {
+  for (const Sample& sample : sample_names()) {
     if (name == sample.name)
       return sample.make();
-    known += known.empty() ? "" : ", ";
-    known += sample.name;
+    known += (known.empty() ? "" : ", ") + sample.name;
   }
   throw std::invalid_argument("unknown sample surface \"" + name + "\"; known are " + known);
 }
