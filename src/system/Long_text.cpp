@@ -3,8 +3,6 @@
 
 #include "system/Long_text.h"
 
-#include "system/for_each_block.h"
-
 #include <algorithm>
 #include <deque>
 #include <future>

@@ -79,6 +79,8 @@ private:
   std::string text_;
 };
 
+constexpr std::size_t elements_of_block = std::size_t(1) << 14;
+
 // Writes what belongs to the elements from 0 to n, in their order. Several threads work on it; until it is written, no
 // more than a few blocks of elements are in memory.
 // \param format is called as format(text, first, last) for blocks of elements, by any thread, and adds them to an empty

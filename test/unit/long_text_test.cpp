@@ -4,7 +4,6 @@
 // Long texts, which several threads put together: the same bytes as from a stream, in order.
 
 #include "system/Long_text.h"
-#include "system/for_each_block.h"
 #include "system/text.h"
 
 #include <gtest/gtest.h>
@@ -94,23 +93,6 @@ TEST(Long_text, ends_where_the_disk_is_full_or_an_element_fails)
       throw std::runtime_error("as wanted");
   };
   EXPECT_THROW(idt::write_elements(good, 9 * idt::elements_of_block, fail), std::runtime_error);
-}
-
-TEST(For_each_block, covers_each_element_once)
-{
-  for (const std::size_t n : {std::size_t(0), std::size_t(5), 5 * idt::elements_of_block + 7}) {
-    std::vector<int> counts(n);
-    idt::for_each_block(n, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i)
-        ++counts[i];
-    });
-    EXPECT_EQ(std::size_t(std::count(counts.begin(), counts.end(), 1)), n);
-  }
-  const auto fail = [](std::size_t first, std::size_t) {
-    if (first == 2 * idt::elements_of_block)
-      throw std::runtime_error("as wanted");
-  };
-  EXPECT_THROW(idt::for_each_block(9 * idt::elements_of_block, fail), std::runtime_error);
 }
 
 } // namespace
