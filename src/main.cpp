@@ -51,12 +51,11 @@ int main(int argc, char** argv)
       if (command->get_name() != "sample" && command->get_name() != "describe")
         command->add_flag("-q,--quiet", is_quiet,
                           "print no report and no progress, only what is wrong or was repaired");
-    }
-    // An empty argument is more likely a variable that is not set than a wish.
-    for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+      // An empty argument is more likely a variable that is not set than a wish.
       for (CLI::Option* option : command->get_options())
         option->check(
           [](const std::string& value) { return value.empty() ? std::string("must not be empty") : std::string(); });
+    }
     try {
       idt::check_values(app, std::vector<std::string>(argv + (argc > 0), argv + argc));
       idt::parse(app, argc, argv);

@@ -8,6 +8,7 @@
 #include "system/child_process.h"
 #include "number_types/run.h"
 #include "input/repair.h"
+#include "output/write_json.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
@@ -17,7 +18,6 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
-#include <type_traits>
 #include <utility>
 
 namespace idt {
@@ -110,6 +110,14 @@ double largest_length_error(const Outcome& outcome)
   return result;
 }
 
+// Reorders them. \pre there is one
+double median(std::vector<double>& numbers)
+{
+  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
+  std::nth_element(numbers.begin(), middle, numbers.end());
+  return *middle;
+}
+
 Run_options make_run_options(const Compared_type& type, const Requested_results& wanted)
 {
   Run_options options;
@@ -143,7 +151,7 @@ private:
   // What all results are compared with.
   void find_exact_result()
   {
-    Requested_results wanted = Requested_results::nothing();
+    Requested_results wanted;
     wanted.crossings = wanted.tessellation = wanted.exact_lengths = true;
     const auto goes_on = [](std::uint64_t, std::uint64_t) { return !is_interrupted(); };
     const Outcome exact =
@@ -189,7 +197,7 @@ private:
     Comparison_row row;
     row.type = type;
     try {
-      const Outcome outcome = flip(type, Requested_results::nothing());
+      const Outcome outcome = flip(type, {});
       row.status = outcome.are_flips_cancelled ? "time limit" : status_text(outcome.report.status);
       row.flips = outcome.report.flips;
       row.tests = outcome.report.tests;
@@ -205,7 +213,7 @@ private:
     if (!row.has_ended())
       return;
 
-    Requested_results wanted = Requested_results::nothing();
+    Requested_results wanted;
     wanted.lengths = wanted.crossings = wanted.verification = wanted.exact_lengths = true;
     const Outcome outcome = flip(type, wanted);
     // More flips than the time limit allowed for now, or more crossings than can be counted.
@@ -219,7 +227,7 @@ private:
 
     if (!counts_wrong_decisions_)
       return;
-    wanted = Requested_results::nothing();
+    wanted = {};
     wanted.wrong_decisions = true;
     const Outcome counted = flip(type, wanted);
     if (counted.report.tests == row.tests) {
@@ -230,20 +238,15 @@ private:
 
   static void take_over(const Json& json, Comparison_row& row)
   {
-    const auto get = [&](const char* key, auto& value) {
-      using T = typename std::decay_t<decltype(value)>::value_type;
-      if (!json.at(key).is_null())
-        value = json.at(key).template get<T>();
-    };
-    row.status = json.at("status").get<std::string>();
-    get("flips", row.flips);
-    get("tests", row.tests);
-    get("wrong_decisions", row.wrong_decisions);
-    get("not_delaunay", row.not_Delaunay);
-    get("inverted_faces", row.inverted_faces);
-    get("missing_edges", row.missing_edges);
-    get("length_error", row.length_error);
-    get("seconds", row.seconds);
+    json.at("status").get_to(row.status);
+    json.at("flips").get_to(row.flips);
+    json.at("tests").get_to(row.tests);
+    json.at("wrong_decisions").get_to(row.wrong_decisions);
+    json.at("not_delaunay").get_to(row.not_Delaunay);
+    json.at("inverted_faces").get_to(row.inverted_faces);
+    json.at("missing_edges").get_to(row.missing_edges);
+    json.at("length_error").get_to(row.length_error);
+    json.at("seconds").get_to(row.seconds);
   }
 
   // The number types take turns, so that whatever else the machine does hits all alike.
@@ -263,17 +266,14 @@ private:
                              row.type.number_type == Number_type::HALF_ANGLE_CORE || spent[i] > options_.time_limit;
         if (!row.has_ended() || is_slow)
           continue;
-        const Outcome outcome = flip(row.type, Requested_results::nothing());
+        const Outcome outcome = flip(row.type, {});
         times[i].push_back(outcome.build_seconds + outcome.flip_seconds);
         spent[i] += times[i].back();
       }
     }
     for (std::size_t i = 0; i < times.size(); ++i)
-      if (!times[i].empty()) {
-        const auto middle = times[i].begin() + static_cast<std::ptrdiff_t>(times[i].size() / 2);
-        std::nth_element(times[i].begin(), middle, times[i].end());
-        result_.rows[i].seconds = *middle;
-      }
+      if (!times[i].empty())
+        result_.rows[i].seconds = median(times[i]);
     for (const Comparison_row& base : result_.rows)
       if (base.type.number_type == Number_type::DOUBLE && base.seconds.value_or(0) > 0)
         for (Comparison_row& row : result_.rows)
@@ -314,7 +314,7 @@ bool Comparison_row::is_wrong() const
 
 Surface_comparison compare(const std::string& path, const Comparison_options& options)
 {
-  Surface surface = load_surface(path, {std::nullopt, options.is_repaired});
+  Surface surface = load_surface(path, options.is_repaired);
   surface.saved.reset(); // all number types start from the same input
   return Surface_comparer(surface, options).run();
 }
@@ -343,14 +343,56 @@ std::vector<Comparison_total> totals(const std::vector<Surface_comparison>& comp
       if (row.ratio_to_double)
         ratios.push_back(*row.ratio_to_double);
     }
-    if (!ratios.empty()) {
-      const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-      std::nth_element(ratios.begin(), middle, ratios.end());
-      total.ratio_to_double = *middle;
-    }
+    if (!ratios.empty())
+      total.ratio_to_double = median(ratios);
     result.push_back(total);
   }
   return result;
+}
+
+Json to_json_value(const Comparison_row& row)
+{
+  return {{"number_type", name(row.type.number_type)},
+          {"precision", row.type.precision},
+          {"status", row.status},
+          {"ended", row.has_ended()},
+          {"flips", row.flips},
+          {"tests", row.tests},
+          {"wrong_decisions", row.wrong_decisions},
+          {"not_delaunay", row.not_Delaunay},
+          {"inverted_faces", row.inverted_faces},
+          {"missing_edges", row.missing_edges},
+          {"length_error", row.length_error},
+          {"seconds", row.seconds},
+          {"ratio_to_double", row.ratio_to_double}};
+}
+
+Json to_json_value(const Surface_comparison& comparison)
+{
+  Json rows = Json::array();
+  for (const Comparison_row& row : comparison.rows)
+    rows.push_back(to_json_value(row));
+  return {{"surface", comparison.path},       {"vertices", comparison.counts.vertices},
+          {"edges", comparison.counts.edges}, {"faces", comparison.counts.faces},
+          {"ties", comparison.ties},          {"repair", to_json_value(comparison.repairs)},
+          {"warnings", comparison.warnings},  {"number_types", std::move(rows)}};
+}
+
+Json to_json_value(const Comparison_total& total)
+{
+  return {{"number_type", name(total.type.number_type)},
+          {"precision", total.type.precision},
+          {"surfaces", total.surfaces},
+          {"refused", total.refused},
+          {"not_ended", total.not_ended},
+          {"wrong", total.wrong},
+          {"unnoticed", total.unnoticed},
+          {"wrong_decisions", total.wrong_decisions},
+          {"not_delaunay", total.not_Delaunay},
+          {"inverted_faces", total.inverted_faces},
+          {"missing_edges", total.missing_edges},
+          {"length_error", total.length_error},
+          {"ratio_to_double", total.ratio_to_double}};
 }
 
 } // namespace idt

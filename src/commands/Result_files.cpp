@@ -8,6 +8,7 @@
 #include "input/flat_vertices.h"
 #include "input/repair.h"
 #include "input/saved_triangulation.h"
+#include "input/standard_input.h"
 #include "output/Output_file.h"
 #include "output/write_json.h"
 #include "output/write_overlay.h"
@@ -27,30 +28,20 @@ void Result_files::add_options(CLI::App& command, CLI::Option* repair)
 {
   command.add_flag("--verbose", is_verbose,
                    "also report how edges were decided, where the input lies in the result, and the time of each step");
-  command.add_option("--stats", stats, "write the verbose report as a JSON object")->type_name("F.json");
-  command
-    .add_option("--edges", edges,
-                "write the intrinsic edges as CSV: source,target,length,cotan_weight,crossings,original; the weight is "
-                "empty where it is infinite, beside a face of zero area")
-    ->type_name("F.csv");
-  command
-    .add_option("--laplacian", Laplacian,
-                "write the Laplace-Beltrami operator as a Matrix Market file: positive "
-                "semidefinite, entries -(cot + cot)/2, natural boundary conditions")
-    ->type_name("F.mtx");
-  command.add_option("--mass", mass, "write the lumped mass matrix: a third of the area around each vertex")
-    ->type_name("F.mtx");
-  command
-    .add_option("--crossings", crossings,
-                "write the crossings of each intrinsic edge, in order, as CSV: "
-                "source,target,edge,position,input_source,input_target,t,u")
-    ->type_name("F.csv");
-  CLI::Option* const overlay_option =
-    command
-      .add_option(
-        "--overlay", overlay,
-        "write the overlay of input and result as a mesh of polygons; with --overlay-triangles, also as F.stl or F.ts")
-      ->type_name("F.(ply|off|obj|vtp)");
+  add_option(command, "--stats", stats, "F.json", "write the verbose report as a JSON object");
+  add_option(command, "--edges", edges, "F.csv",
+             "write the intrinsic edges as CSV: source,target,length,cotan_weight,crossings,original; the weight is "
+             "empty where it is infinite, beside a face of zero area");
+  add_option(command, "--laplacian", Laplacian, "F.mtx",
+             "write the Laplace-Beltrami operator as a Matrix Market file: positive "
+             "semidefinite, entries -(cot + cot)/2, natural boundary conditions");
+  add_option(command, "--mass", mass, "F.mtx", "write the lumped mass matrix: a third of the area around each vertex");
+  add_option(command, "--crossings", crossings, "F.csv",
+             "write the crossings of each intrinsic edge, in order, as CSV: "
+             "source,target,edge,position,input_source,input_target,t,u");
+  CLI::Option* const overlay_option = add_option(
+    command, "--overlay", overlay, "F.(ply|off|obj|vtp)",
+    "write the overlay of input and result as a mesh of polygons; with --overlay-triangles, also as F.stl or F.ts");
   command
     .add_flag("--overlay-triangles", has_overlay_triangles,
               "cut the polygons of --overlay into triangles, for programs that accept only triangles")
@@ -61,16 +52,12 @@ void Result_files::add_options(CLI::App& command, CLI::Option* repair)
     ->capture_default_str()
     ->needs(overlay_option);
   add_view_option(command, view);
-  command
-    .add_option("--save", save,
-                "write the triangulation itself, with its input and where that lies: a file that each subcommand takes "
-                "as INPUT, to go on from there")
-    ->type_name("F.idt");
-  command
-    .add_option("--repair-map", repair_map,
-                "write where the vertices and faces of the repaired surface come from, as CSV: "
-                "element,index,input")
-    ->type_name("F.csv")
+  add_option(command, "--save", save, "F.idt",
+             "write the triangulation itself, with its input and where that lies: a file that each subcommand takes "
+             "as INPUT, to go on from there");
+  add_option(command, "--repair-map", repair_map, "F.csv",
+             "write where the vertices and faces of the repaired surface come from, as CSV: "
+             "element,index,input")
     ->needs(repair);
 }
 
@@ -91,19 +78,17 @@ void Result_files::check_paths(const std::vector<std::string>& inputs) const
 
 void Result_files::check_surface(const Surface& surface) const
 {
-  using CGAL::Intrinsic_triangulations::Invalid_surface_error;
   check_view(view, surface.connectivity.number_of_faces());
   if (!(overlay.empty() && view.empty()) && !surface.has_points())
-    throw Invalid_surface_error(Invalid_surface_error::Defect::UNREADABLE, 0, 1,
-                                surface.path + (overlay.empty() ? ": a page" : ": --overlay") +
-                                  " needs a surface in space, but this one has only edge lengths" +
-                                  (surface.mollification ? ", because --mollify changed them" : ""));
+    refuse_file(surface.path, (overlay.empty() ? "a page" : "--overlay") +
+                                std::string(" needs a surface in space, but this one has only edge lengths") +
+                                (surface.mollification ? ", because --mollify changed them" : ""));
 }
 
 void Result_files::add_to(Requested_results& wanted) const
 {
+  wanted.weights = wanted.crossings = true;
   wanted.saved = !save.empty();
-  wanted.lengths = !edges.empty() || !view.empty();
   wanted.numbers = !edges.empty() || !Laplacian.empty() || !mass.empty() || !view.empty();
   wanted.input_numbers = !view.empty();
   wanted.overlay = !crossings.empty() || !overlay.empty() || !view.empty();

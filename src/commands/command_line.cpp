@@ -5,6 +5,8 @@
 
 #include "system/Exit_status.h"
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
@@ -155,18 +157,16 @@ bool writes_to_standard_output(const CLI::App& command)
 
 CLI::Option* set_words(CLI::Option* option, const std::vector<std::string>& words, bool are_listed)
 {
-  std::string list;
-  for (const std::string& word : words)
-    list += (list.empty() ? "{" : ",") + word;
+  const std::string list = '{' + boost::join(words, ",") + '}';
   all_words()[option] = words;
   return option->check(CLI::Validator(
     [words, list](const std::string& value) {
       if (std::find(words.begin(), words.end(), value) != words.end())
         return std::string();
       const std::string near = suggestion(value, words);
-      return "there is no \"" + value + '"' + (near.empty() ? ", but " + list + '}' : near);
+      return "there is no \"" + value + '"' + (near.empty() ? ", but " + list : near);
     },
-    are_listed ? list + '}' : std::string()));
+    are_listed ? list : std::string()));
 }
 
 std::vector<std::string> words_of(const CLI::Option& option)

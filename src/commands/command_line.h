@@ -27,6 +27,14 @@ void parse(CLI::App& app, int argc, const char* const* argv);
 // Whether a result goes to the standard output: an option of the command that was parsed has the value "-".
 bool writes_to_standard_output(const CLI::App& command);
 
+// Declares an option with a value, which --help calls `type`.
+template <class Value>
+CLI::Option* add_option(CLI::App& command, const std::string& names, Value& value, const std::string& type,
+                        const std::string& text)
+{
+  return command.add_option(names, value, text)->type_name(type);
+}
+
 // Lets an option have one of these words alone; a message names the nearest. --help lists them if `are_listed`,
 // completion always.
 CLI::Option* set_words(CLI::Option* option, const std::vector<std::string>& words, bool are_listed = true);

@@ -3,6 +3,7 @@
 
 #include "commands/commands.h"
 
+#include "commands/command_line.h"
 #include "input/standard_input.h"
 #include "system/Interruption.h"
 
@@ -33,8 +34,7 @@ CLI::Option* add_repair_option(CLI::App& command, bool& is_repaired)
 
 void add_view_option(CLI::App& command, std::string& path)
 {
-  command.add_option("--view", path, "write a page that shows the result in a browser, as `idt view` does")
-    ->type_name("F.html");
+  add_option(command, "--view", path, "F.html", "write a page that shows the result in a browser, as `idt view` does");
 }
 
 Exit_status report_current_exception(const std::string& input)

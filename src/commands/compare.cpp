@@ -48,14 +48,6 @@ std::vector<Compared_type> compared_types(const Compare_options& options)
   return types;
 }
 
-template <class T>
-std::string cell(const std::optional<T>& number)
-{
-  return number ? std::to_string(*number) : "-";
-}
-
-std::string cell(const std::optional<double>& number) { return number ? in_short(*number) : "-"; }
-
 void write(std::ostream& os, const Surface_comparison& comparison)
 {
   os << comparison.path << '\n'
@@ -160,22 +152,17 @@ void add_compare_command(CLI::App& app, Selected_command& selected)
     ->delimiter(',')
     ->allow_extra_args(false)
     ->capture_default_str();
-  command.add_option("--precisions", options->precisions, "minimum precision in bits, for each run of mpfr")
-    ->type_name("BITS,BITS,...")
+  add_option(command, "--precisions", options->precisions, "BITS,BITS,...",
+             "minimum precision in bits, for each run of mpfr")
     ->delimiter(',')
     ->allow_extra_args(false)
     ->check(CLI::Range(2, 1000000))
     ->capture_default_str();
-  command
-    .add_option(
-      "--time-limit", options->comparison.time_limit,
-      "time limit in seconds for a number type on a surface; each exact check of its result has the same limit")
-    ->type_name("S")
+  add_option(command, "--time-limit", options->comparison.time_limit, "S",
+             "time limit in seconds for a number type on a surface; each exact check of its result has the same limit")
     ->capture_default_str();
-  command
-    .add_option("--repetitions", options->comparison.repetitions,
-                "minimum number of runs, whose median time is reported")
-    ->type_name("N")
+  add_option(command, "--repetitions", options->comparison.repetitions, "N",
+             "minimum number of runs, whose median time is reported")
     ->check(CLI::Range(1, 1000))
     ->capture_default_str();
   add_repair_option(command, options->comparison.is_repaired);
@@ -183,7 +170,7 @@ void add_compare_command(CLI::App& app, Selected_command& selected)
     command.add_flag("--count-decisions", options->counts_decisions, "count wrong tests for large surfaces too");
   command.add_flag("--no-count-decisions", options->leaves_decisions, "do not count wrong tests, whatever the size")
     ->excludes(count);
-  command.add_option("--json", options->json_path, "write the tables as a JSON object")->type_name("F.json");
+  add_option(command, "--json", options->json_path, "F.json", "write the tables as a JSON object");
   command.callback([options, &selected] { selected = [options] { return run_compare(*options); }; });
 }
 

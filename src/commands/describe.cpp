@@ -7,6 +7,8 @@
 #include "commands/command_line.h"
 #include "commands/commands.h"
 
+#include <boost/algorithm/string/join.hpp>
+
 #include <memory>
 
 namespace idt {
@@ -82,21 +84,13 @@ void write_manual_page(std::ostream& os, const CLI::App& app)
   os << ".SH EXIT STATUS\n" << escaped(app.get_footer());
 }
 
-std::string joined(const std::vector<std::string>& words)
-{
-  std::string text;
-  for (const std::string& word : words)
-    text += (text.empty() ? "" : " ") + word;
-  return text;
-}
-
 std::string long_names(const CLI::App& app)
 {
   std::vector<std::string> names;
   for (const CLI::Option* option : options(app, false))
     for (const std::string& name : option->get_lnames())
       names.push_back("--" + name);
-  return joined(names);
+  return boost::join(names, " ");
 }
 
 // Where an option or an argument has one of a few values, those; after other options that take a value, and for inputs,
@@ -115,7 +109,7 @@ void write_bash_completion(std::ostream& os, const CLI::App& app)
      << "    case \"${COMP_WORDS[1]} ${COMP_WORDS[COMP_CWORD-1]}\" in\n";
   for (const CLI::App* command : subcommands(app))
     for (const CLI::Option* option : command->get_options())
-      if (const std::string values = joined(words_of(*option)); !values.empty())
+      if (const std::string values = boost::join(words_of(*option), " "); !values.empty())
         os << "      \"" << command->get_name() << ' '
            << (option->nonpositional() ? "--" + option->get_lnames().front() : command->get_name()) << "\") words=\""
            << values << "\" ;;\n";

@@ -3,7 +3,6 @@
 //
 // `idt distance`
 
-#include "commands/Flip_watch.h"
 #include "commands/command_line.h"
 #include "commands/commands.h"
 #include "input/Surface.h"
@@ -14,10 +13,10 @@
 #include "input/standard_input.h"
 #include "number_types/make_triangulation.h"
 #include "output/Output_file.h"
-#include "output/write_distances.h"
 #include "output/write_json.h"
 #include "output/write_overlay.h"
 #include "system/Interruption.h"
+#include "system/Long_text.h"
 #include "system/Progress.h"
 #include "system/Stopwatch.h"
 #include "system/text.h"
@@ -42,7 +41,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
+#include <functional>
 #include <iostream>
 #include <limits>
 #include <map>
@@ -79,7 +78,11 @@ struct Distance_options
 
 struct Distance_result
 {
-  Surface_with_distances surface;
+  std::size_t number_of_vertices = 0;
+  std::vector<std::array<double, 3>> points; // empty if the surface is given by lengths
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<double> distances;     // infinite where no source is connected
+  std::vector<Named_values> vectors; // what else there is at each vertex
   std::uint64_t flips = 0;
   std::size_t number_of_inserted_vertices = 0;
   std::optional<double> mean_edge_length; // by heat
@@ -94,16 +97,15 @@ struct Distance_result
 
   std::size_t number_of_unreachable_vertices() const
   {
-    const auto& d = surface.distances;
-    return std::size_t(std::count(d.begin(), d.end(), std::numeric_limits<double>::infinity()));
+    return std::size_t(std::count(distances.begin(), distances.end(), std::numeric_limits<double>::infinity()));
   }
   // Whether heat gave more than a few distances that none can be. Beside the sources there are always some.
-  bool is_far_from_right() const { return number_of_bounded_distances > 3 + surface.number_of_vertices / 100; }
+  bool is_far_from_right() const { return number_of_bounded_distances > 3 + number_of_vertices / 100; }
   // Of those that can be reached.
   double largest_distance() const
   {
     double result = 0;
-    for (double d : surface.distances)
+    for (double d : distances)
       if (std::isfinite(d))
         result = (std::max)(result, d);
     return result;
@@ -135,7 +137,7 @@ void check(const Distance_options& options)
   if (options.time_coefficient && !(*options.time_coefficient > 0 && std::isfinite(*options.time_coefficient)))
     throw Usage_error("--time: T is a positive number");
   const std::string& path = options.output_path;
-  const std::string type = std::filesystem::path(name_with_format(path, options.format)).extension().string();
+  const std::string type = extension_with_format(path, options.format);
   if (!path.empty() && type != ".csv" && type != ".ply" && type != ".vtp")
     throw Usage_error(path + ": distances are written as a file whose name ends in .csv, .ply or .vtp");
   check_output_paths({path, options.overlay_path, options.stats_path, options.view_path}, {options.input});
@@ -171,7 +173,7 @@ void set_number_of_vertices(const Distance_options& options, std::size_t n, Dist
     if (v >= n)
       throw Usage_error("--source: there is no vertex " + std::to_string(v) + ": the input has " + std::to_string(n) +
                         ", counted from 0");
-  result.surface.number_of_vertices = n;
+  result.number_of_vertices = n;
 }
 
 // The mean and the largest error, as parts of the exact distance.
@@ -194,7 +196,7 @@ template <class Any_surface>
 void find_distances(const Distance_options& options, const Any_surface& surface, Progress& progress,
                     Distance_result& result)
 {
-  const std::size_t n = result.surface.number_of_vertices;
+  const std::size_t n = result.number_of_vertices;
   std::vector<IT::Vertex_index> sources;
   for (std::uint64_t v : options.sources)
     sources.push_back(IT::Vertex_index(IT::Vertex_index::size_type(v)));
@@ -208,24 +210,24 @@ void find_distances(const Distance_options& options, const Any_surface& surface,
     for (IT::Vertex_index v : sources)
       heat.add_source(v);
     result.mean_edge_length = heat.mean_edge_length();
-    result.surface.distances = heat.distances();
+    result.distances = heat.distances();
     result.number_of_bounded_distances = heat.number_of_bounded_distances();
   } else {
     progress.begin("following straight ways");
     IT::Geodesic_distances found =
       IT::geodesic_distances(surface, sources, geodesic_options(options.method == "exact" ? 0 : 0.001));
     result.is_complete = found.is_complete;
-    result.surface.distances = std::move(found.distances);
+    result.distances = std::move(found.distances);
   }
   if (options.is_compared) {
     progress.begin("following all straight ways");
     const IT::Geodesic_distances exact = IT::geodesic_distances(surface, sources, geodesic_options(0));
     result.is_complete = result.is_complete && exact.is_complete;
-    result.errors = compare(result.surface.distances, exact.distances);
+    result.errors = compare(result.distances, exact.distances);
   }
   if (result.subdivision)
-    result.overlay_distances.values = IT::interpolate_intrinsic_values(*result.subdivision, result.surface.distances);
-  result.surface.distances.resize(n); // without the vertices that a refinement inserted
+    result.overlay_distances.values = IT::interpolate_intrinsic_values(*result.subdivision, result.distances);
+  result.distances.resize(n); // without the vertices that a refinement inserted
 }
 
 // The first axis of the tangent plane of each source, carried to the vertices that are nearest to it; and for one
@@ -233,7 +235,7 @@ void find_distances(const Distance_options& options, const Any_surface& surface,
 void find_vectors(const Distance_options& options, const Triangulation& triangulation,
                   const std::vector<std::array<double, 3>>& points, Distance_result& result)
 {
-  const std::size_t n = result.surface.number_of_vertices;
+  const std::size_t n = result.number_of_vertices;
   const IT::Vector_heat_method heat(triangulation, CGAL::parameters::visitor([] { return !is_interrupted(); }));
   std::vector<std::pair<IT::Vertex_index, IT::Planar_vector<double>>> axes;
   for (std::uint64_t v : std::set<std::uint64_t>(options.sources.begin(), options.sources.end()))
@@ -247,22 +249,20 @@ void find_vectors(const Distance_options& options, const Triangulation& triangul
       points.empty() ? std::array<double, 3>{z.x(), z.y(), 0} : frames[v].in_space(z);
     axis.values.insert(axis.values.end(), vector.begin(), vector.begin() + std::ptrdiff_t(axis.components));
   }
-  result.surface.vectors.push_back(std::move(axis));
+  result.vectors.push_back(std::move(axis));
   if (axes.size() > 1)
     return;
   Named_values log{"log", {}, 2};
   const auto map = heat.log_map(axes.front().first);
   for (std::size_t v = 0; v < n; ++v)
     log.values.insert(log.values.end(), {map[v].x(), map[v].y()});
-  result.surface.vectors.push_back(std::move(log));
+  result.vectors.push_back(std::move(log));
 }
 
 void find_on_cover(const Distance_options& options, IT::Tufted_cover cover, Progress& progress, Stopwatch& stopwatch,
                    Distance_result& result)
 {
-  const IT::Flip_report report =
-    IT::flip_to_Delaunay(cover.triangulation, CGAL::parameters::visitor(Flip_watch{progress}));
-  result.flips = report.flips;
+  result.flips = IT::flip_to_Delaunay(cover.triangulation, CGAL::parameters::visitor(std::ref(progress))).flips;
   result.triangulation_seconds = stopwatch.restart();
   find_distances(options, cover, progress, result);
 }
@@ -272,17 +272,12 @@ void find_on_cover(const Distance_options& options, Distance_result& result)
 {
   Stopwatch stopwatch;
   if (is_gluing_file(options.input)) {
-    IT::Delta_complex complex;
-    std::vector<double> lengths;
     Progress progress(options.input, "reading");
-    read_gluing_file(options.input, complex, lengths, [&progress](double fraction) {
-      progress.show("reading", fraction);
-      return !is_interrupted();
-    });
-    set_number_of_vertices(options, complex.number_of_vertices(), result);
+    const IT::Exact_gluing gluing = read_gluing_file(options.input, std::ref(progress));
+    set_number_of_vertices(options, gluing.complex.number_of_vertices(), result);
     result.read_seconds = stopwatch.restart();
     progress.begin("covering");
-    find_on_cover(options, IT::make_tufted_cover(complex, lengths), progress, stopwatch, result);
+    find_on_cover(options, IT::make_tufted_cover(gluing.complex, gluing.lengths), progress, stopwatch, result);
   } else {
     Triangle_soup soup = read_triangle_soup(options.input);
     check_view(options.view_path, soup.triangles.size());
@@ -290,8 +285,8 @@ void find_on_cover(const Distance_options& options, Distance_result& result)
     result.read_seconds = stopwatch.restart();
     Progress progress(options.input, "covering");
     find_on_cover(options, IT::make_tufted_cover(soup.points, soup.triangles), progress, stopwatch, result);
-    result.surface.points = std::move(soup.points);
-    result.surface.triangles = std::move(soup.triangles);
+    result.points = std::move(soup.points);
+    result.triangles = std::move(soup.triangles);
     result.warnings = std::move(soup.warnings);
   }
   result.distance_seconds = stopwatch.seconds();
@@ -301,7 +296,7 @@ void find_on_cover(const Distance_options& options, Distance_result& result)
 void find_on_surface(const Distance_options& options, Distance_result& result)
 {
   Stopwatch stopwatch;
-  Surface surface = load_surface(options.input, {std::nullopt, options.is_repaired});
+  Surface surface = load_surface(options.input, options.is_repaired);
   const IT::Delta_complex& complex = surface.connectivity;
   set_number_of_vertices(options, complex.number_of_vertices(), result);
   result.read_seconds = stopwatch.restart();
@@ -313,8 +308,7 @@ void find_on_surface(const Distance_options& options, Distance_result& result)
     result.input_numbers = surface.saved ? IT::element_numbers(make_triangulation<Triangulation::Traits>(surface))
                                          : IT::element_numbers(triangulation);
   }
-  const IT::Flip_report report = IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(Flip_watch{progress}));
-  result.flips = report.flips;
+  result.flips = IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(std::ref(progress))).flips;
   if (options.is_refined) {
     triangulation.set_interruption([] { return !is_interrupted(); }); // a single decision can take long
     const IT::Refinement_report refinement =
@@ -337,17 +331,17 @@ void find_on_surface(const Distance_options& options, Distance_result& result)
   result.distance_seconds = stopwatch.seconds();
   for (IT::Face_index f : complex.faces()) {
     const IT::Halfedge_index h = complex.halfedge(f);
-    result.surface.triangles.push_back(
+    result.triangles.push_back(
       {complex.source(h).idx(), complex.target(h).idx(), complex.target(complex.next(h)).idx()});
   }
-  result.surface.points = std::move(surface.points);
+  result.points = std::move(surface.points);
   result.warnings = std::move(surface.warnings);
 }
 
 Json statistics(const Distance_options& options, const Distance_result& result)
 {
   Json json = {{"input", options.input},
-               {"vertices", result.surface.number_of_vertices},
+               {"vertices", result.number_of_vertices},
                {"sources", options.sources},
                {"inserted", result.number_of_inserted_vertices},
                {"flips", result.flips},
@@ -389,7 +383,7 @@ std::string accuracy(const Distance_options& options, const Distance_result& res
 
 void write_report(std::ostream& os, const Distance_options& options, const Distance_result& result)
 {
-  os << options.input << "\n  input             " << counted(result.surface.number_of_vertices, "vertex", "vertices");
+  os << options.input << "\n  input             " << counted(result.number_of_vertices, "vertex", "vertices");
   if (result.number_of_inserted_vertices > 0)
     os << "\n  inserted          " << counted(result.number_of_inserted_vertices, "vertex", "vertices");
   os << "\n  flips             " << with_separators(result.flips) << "\n  largest distance  "
@@ -399,18 +393,32 @@ void write_report(std::ostream& os, const Distance_options& options, const Dista
   os << "\n  time              " << seconds_text(result.triangulation_seconds + result.distance_seconds) << '\n';
 }
 
+// A row `vertex,distance` for each vertex, and a column for each coordinate of the vectors: `NAME_x` and so on; `inf`
+// where a number is infinite.
+void write_csv(std::ostream& os, std::size_t number_of_vertices, const std::vector<Named_values>& values)
+{
+  os << "vertex";
+  for (const std::string& name : coordinate_names(values))
+    os << ',' << name;
+  os << '\n';
+  write_elements(os, number_of_vertices, [&values](Long_text& text, std::size_t v) {
+    text << v;
+    for_each_coordinate(values, v, [&text](double x) { text << ',' << x; });
+    text << '\n';
+  });
+}
+
 View view_of(const Distance_options& options, const Distance_result& result)
 {
-  const Surface_with_distances& surface = result.surface;
   View view =
     result.subdivision
       ? make_view(options.input, options.is_refined ? "refined triangulation" : "intrinsic Delaunay triangulation",
-                  *result.subdivision, surface.points, result.input_numbers, result.numbers)
-      : make_view(options.input, surface.points, surface.triangles);
+                  *result.subdivision, result.points, result.input_numbers, result.numbers)
+      : make_view(options.input, result.points, result.triangles);
   view.fields.push_back({"distance",
                          "in the unit of the input",
                          false,
-                         {result.subdivision ? result.overlay_distances.values : surface.distances}});
+                         {result.subdivision ? result.overlay_distances.values : result.distances}});
   return view;
 }
 
@@ -430,29 +438,29 @@ Exit_status run_distance(const Distance_options& options)
     }
     if (result.is_far_from_right()) {
       result.warnings.push_back("heat gave " + std::to_string(result.number_of_bounded_distances) + " of " +
-                                std::to_string(result.surface.number_of_vertices) +
+                                std::to_string(result.number_of_vertices) +
                                 " distances which are shorter than straight lines or longer than paths along edges, by "
                                 "more than 5 %: others are inaccurate, too; omit --method heat");
       std::cerr << "idt: " << path << ": " << result.warnings.back() << std::endl;
     }
     const std::string& output = options.output_path;
-    const std::string type = std::filesystem::path(name_with_format(output, options.format)).extension().string();
-    if (result.surface.points.empty() && result.surface.number_of_vertices > 0 && !type.empty() && type != ".csv")
+    const std::string type = extension_with_format(output, options.format);
+    if (result.points.empty() && result.number_of_vertices > 0 && !type.empty() && type != ".csv")
       throw Usage_error(output + ": " + path + " has only lengths, no points: write a .csv file");
-    if (result.surface.points.empty() && !(options.overlay_path.empty() && options.view_path.empty()))
+    if (result.points.empty() && !(options.overlay_path.empty() && options.view_path.empty()))
       throw Usage_error(path + " has only lengths, no points: omit " +
                         (options.overlay_path.empty() ? "--view" : "--overlay"));
     write_file(options.overlay_path, [&](std::ostream& os) {
-      write_overlay(os, *result.subdivision, result.surface.points, *options.overlay_format(), false,
+      write_overlay(os, *result.subdivision, result.points, *options.overlay_format(), false,
                     {result.overlay_distances});
     });
     write_file(output, [&](std::ostream& os) {
+      std::vector<Named_values> values{{"distance", result.distances}};
+      values.insert(values.end(), result.vectors.begin(), result.vectors.end());
       if (type == ".csv")
-        write_distances_csv(os, result.surface);
-      else if (type == ".ply")
-        write_distances_ply(os, result.surface);
+        write_csv(os, result.number_of_vertices, values);
       else
-        write_distances_vtp(os, result.surface);
+        write_mesh(os, result.points, result.triangles, *find_mesh_format(type), values);
     });
     if (!options.view_path.empty())
       write_view(options.view_path, view_of(options, result));
@@ -476,21 +484,16 @@ void add_distance_command(CLI::App& app, Selected_command& selected)
   command
     .add_option("INPUT", options->input, "a mesh, or a .gluing file of triangles with lengths; - is the standard input")
     ->required();
-  command.add_option("--source", options->sources, "the vertices with distance zero")
-    ->type_name("V[,V...]")
+  add_option(command, "--source", options->sources, "V[,V...]", "the vertices with distance zero")
     ->delimiter(',')
     ->allow_extra_args(false)
     ->transform(whole_number())
     ->required();
-  command
-    .add_option("-o,--output", options->output_path,
-                "write the distances: as a table, or as the mesh with a value at each vertex")
-    ->type_name("F.(csv|ply|vtp)");
-  command
-    .add_option("--overlay", options->overlay_path,
-                "write the overlay of input and triangulation, as `idt triangulate` does, with the distance at each of "
-                "its vertices")
-    ->type_name("F.(ply|vtp)");
+  add_option(command, "-o,--output", options->output_path, "F.(csv|ply|vtp)",
+             "write the distances: as a table, or as the mesh with a value at each vertex");
+  add_option(command, "--overlay", options->overlay_path, "F.(ply|vtp)",
+             "write the overlay of input and triangulation, as `idt triangulate` does, with the distance at each of "
+             "its vertices");
   set_words(command.add_option("--format", options->format, "the format of -o - or --overlay - on the standard output"),
             {"csv", "ply", "vtp"})
     ->type_name("EXT")
@@ -513,16 +516,14 @@ void add_distance_command(CLI::App& app, Selected_command& selected)
       "heat at the border: neumann, none leaves (default); dirichlet, the border is cold; average, the mean of both"),
     {"neumann", "dirichlet", "average"});
   command.add_flag("--refine", options->is_refined, "first insert vertices until no angle is below 25 degrees");
-  command
-    .add_option("--time", options->time_coefficient,
-                "how long heat spreads, in units of the squared mean edge length: larger is smoother; 1 by default")
-    ->type_name("T");
+  add_option(command, "--time", options->time_coefficient, "T",
+             "how long heat spreads, in units of the squared mean edge length: larger is smoother; 1 by default");
   command.add_flag("--vectors", options->has_vectors,
                    "also write the first axis of the source, parallel-transported to each vertex, and for one source "
                    "its logarithmic map");
   add_view_option(command, options->view_path);
   add_repair_option(command, options->is_repaired);
-  command.add_option("--stats", options->stats_path, "write the report as a JSON object")->type_name("F.json");
+  add_option(command, "--stats", options->stats_path, "F.json", "write the report as a JSON object");
   command.callback([options, &selected] { selected = [options] { return run_distance(*options); }; });
 }
 

@@ -34,7 +34,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -60,12 +59,6 @@ struct Geodesic_options
   std::uint64_t maximum_number_of_faces = 1000000;
   std::string output_path, cut_path, stats_path, view_path, format = "csv";
   bool is_repaired = false;
-
-  // What tells the format of the curve.
-  std::string extension() const
-  {
-    return std::filesystem::path(name_with_format(output_path, format)).extension().string();
-  }
 };
 
 // A vertex, or a point in space.
@@ -132,7 +125,7 @@ void check(const Geodesic_options& options)
     throw Usage_error(
       options.cut_path +
       ": the surface that is cut open is written as a file whose name ends in .off, .obj, .ply, .ts or .vtp");
-  const std::string type = options.extension();
+  const std::string type = extension_with_format(options.output_path, options.format);
   if (!options.output_path.empty() && type != ".obj" && type != ".csv" && type != ".ply" && type != ".vtp")
     throw Usage_error(options.output_path +
                       ": a curve is written as a file whose name ends in .obj, .csv, .ply or .vtp");
@@ -237,13 +230,11 @@ IT::Halfedge_index reference(const IT::Delta_complex& complex, IT::Vertex_index 
   const IT::Halfedge_index first = complex.halfedge(v);
   if (!first.is_valid())
     throw IT::Invalid_argument_error("vertex " + std::to_string(v.idx()) + " belongs to no face: choose one that does");
-  IT::Halfedge_index best = first, h = first;
+  IT::Halfedge_index best = first;
   if (!complex.is_border(first))
-    do {
+    for (IT::Halfedge_index h : IT::internal::Halfedges_around(complex, v))
       if (complex.source(h) < complex.source(best))
         best = h;
-      h = complex.next_around_target(h);
-    } while (h != first);
   return complex.opposite(best);
 }
 
@@ -351,7 +342,7 @@ Json json_value(const Geodesic_options& options, const Surface& surface, const C
   json["status"] = curve.status;
   json["is_geodesic"] = curve.is_geodesic;
   json["length"] = curve.length;
-  json["initial_length"] = curve.initial_length ? Json(*curve.initial_length) : Json(nullptr);
+  json["initial_length"] = curve.initial_length;
   if (curve.distance) {
     json["distance"] = *curve.distance;
     json["is_shortest"] = curve.is_shortest();
@@ -383,14 +374,12 @@ Exit_status run_geodesic(const Geodesic_options& options)
 {
   check(options);
   return for_each_input({options.input}, [&](const std::string& path) {
-    const Surface surface = load_surface(path, {std::nullopt, options.is_repaired});
-    const std::string type = options.extension();
+    const Surface surface = load_surface(path, options.is_repaired);
+    const std::string type = extension_with_format(options.output_path, options.format);
     if (!surface.has_points() && !type.empty() && type != ".csv")
       throw Usage_error(options.output_path + ": " + path + " has only lengths, no points: write a .csv file");
-    if (!surface.has_points() && !options.cut_path.empty())
-      throw Usage_error(path + " has only lengths, no points: omit --cut");
-    if (!surface.has_points() && !options.view_path.empty())
-      throw Usage_error(path + " has only lengths, no points: omit --view");
+    if (!surface.has_points() && !(options.cut_path.empty() && options.view_path.empty()))
+      throw Usage_error(path + " has only lengths, no points: omit " + (options.cut_path.empty() ? "--view" : "--cut"));
     check_view(options.view_path, surface.connectivity.number_of_faces());
     const Stopwatch stopwatch;
     std::optional<View> view;
@@ -453,16 +442,13 @@ void add_geodesic_command(CLI::App& app, Selected_command& selected)
     "zero. The exit status is 4 if a curve could not be made locally shortest, or shortest with --shortest, or a\n"
     "line reached --maximum-faces.\n");
   command.add_option("INPUT", options->input, "as for `idt triangulate`")->required();
-  command
-    .add_option("--from", options->from, "the start: a vertex, or the point of the surface nearest to a point in space")
-    ->type_name("V|X,Y,Z")
+  add_option(command, "--from", options->from, "V|X,Y,Z",
+             "the start: a vertex, or the point of the surface nearest to a point in space")
     ->required();
-  command.add_option("--to", options->to, "the end of a path")->type_name("V|X,Y,Z");
-  command
-    .add_option("--via", options->via,
-                "a vertex or point in between; can be repeated. A path keeps passing through it, a closed curve only "
-                "begins there")
-    ->type_name("V|X,Y,Z")
+  add_option(command, "--to", options->to, "V|X,Y,Z", "the end of a path");
+  add_option(command, "--via", options->via, "V|X,Y,Z",
+             "a vertex or point in between; can be repeated. A path keeps passing through it, a closed curve only "
+             "begins there")
     ->expected(1)
     ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command.add_flag("--closed", options->is_closed, "a closed curve: from the last vertex back to the first");
@@ -472,21 +458,18 @@ void add_geodesic_command(CLI::App& app, Selected_command& selected)
                      "a line instead, in this direction: an angle on the surface in radians, counterclockwise from the "
                      "neighbour with the smallest number, or from the border");
   command.add_option("--length", options->length, "the length of the line");
-  command.add_option("--maximum-faces", options->maximum_number_of_faces, "end the line after N faces")
-    ->type_name("N")
+  add_option(command, "--maximum-faces", options->maximum_number_of_faces, "N", "end the line after N faces")
     ->transform(whole_number())
     ->capture_default_str();
-  command
-    .add_option("-o,--output", options->output_path,
-                "write the curve: as a polyline, or its points with input face and barycentric coordinates (CSV)")
-    ->type_name("F.(obj|csv|ply|vtp)");
-  command.add_option("--cut", options->cut_path, "write the surface, cut open along the curve")
-    ->type_name("F.(off|obj|ply|ts|vtp)");
+  add_option(command, "-o,--output", options->output_path, "F.(obj|csv|ply|vtp)",
+             "write the curve: as a polyline, or its points with input face and barycentric coordinates (CSV)");
+  add_option(command, "--cut", options->cut_path, "F.(off|obj|ply|ts|vtp)",
+             "write the surface, cut open along the curve");
   set_words(command.add_option("--format", options->format, "the format of -o - on the standard output"),
             {"csv", "obj", "ply", "vtp"})
     ->type_name("EXT")
     ->capture_default_str();
-  command.add_option("--stats", options->stats_path, "write the report as a JSON object")->type_name("F.json");
+  add_option(command, "--stats", options->stats_path, "F.json", "write the report as a JSON object");
   add_view_option(command, options->view_path);
   add_repair_option(command, options->is_repaired);
   command.callback([options, &selected] { selected = [options] { return run_geodesic(*options); }; });

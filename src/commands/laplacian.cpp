@@ -3,7 +3,6 @@
 //
 // `idt laplacian`
 
-#include "commands/Flip_watch.h"
 #include "commands/command_line.h"
 #include "commands/commands.h"
 
@@ -14,8 +13,7 @@
 #include "input/standard_input.h"
 #include "output/Output_file.h"
 #include "output/write_json.h"
-#include "output/write_symmetric_matrix.h"
-#include "system/Interruption.h"
+#include "output/write_matrices.h"
 #include "system/Progress.h"
 #include "system/Stopwatch.h"
 #include "system/text.h"
@@ -30,6 +28,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -52,8 +51,6 @@ struct Laplacian_options
   bool is_welded = false;
   double mollification = 0;
   std::size_t number_of_eigenvalues = 0;
-
-  std::vector<std::string> output_paths() const { return {stiffness_path, mass_path, stats_path, view_path}; }
 };
 
 struct Laplacian_result
@@ -69,8 +66,7 @@ struct Laplacian_result
   std::size_t dropped_faces() const { return small_faces + Laplacian.report.dropped_faces(); }
 };
 
-template <class Visitor>
-auto library_options(const Laplacian_options& options, const Visitor& visitor)
+auto library_options(const Laplacian_options& options, Progress& progress)
 {
   const std::map<std::string, IT::Coincident_vertices> policies = {{"error", IT::Coincident_vertices::ERROR},
                                                                    {"merge", IT::Coincident_vertices::MERGE},
@@ -80,7 +76,7 @@ auto library_options(const Laplacian_options& options, const Visitor& visitor)
     .coincident_vertices(policies.at(options.coincident_vertices))
     .is_welded(options.is_welded)
     .mollification(options.mollification)
-    .visitor(visitor);
+    .visitor(std::ref(progress));
 }
 
 // Of a triangulation that was saved, as it is.
@@ -109,19 +105,12 @@ void find_operator(const Laplacian_options& options, Laplacian_result& result)
     return find_operator_of_saved(options, result);
   Stopwatch stopwatch;
   if (is_gluing_file(options.input)) {
-    IT::Delta_complex complex;
-    std::vector<double> lengths;
-    {
-      Progress progress(options.input, "reading");
-      read_gluing_file(options.input, complex, lengths, [&progress](double fraction) {
-        progress.show("reading", fraction);
-        return !is_interrupted();
-      });
-    }
-    result.number_of_faces = complex.number_of_faces();
+    Progress progress(options.input, "reading");
+    const IT::Exact_gluing gluing = read_gluing_file(options.input, std::ref(progress));
+    result.number_of_faces = gluing.complex.number_of_faces();
     result.read_seconds = stopwatch.restart();
-    Progress progress(options.input, "building matrices");
-    result.Laplacian = IT::tufted_Laplacian(complex, lengths, library_options(options, Flip_watch{progress}));
+    progress.begin("building matrices");
+    result.Laplacian = IT::tufted_Laplacian(gluing.complex, gluing.lengths, library_options(options, progress));
   } else {
     Triangle_soup soup = read_triangle_soup(options.input);
     check_view(options.view_path, soup.triangles.size());
@@ -131,8 +120,7 @@ void find_operator(const Laplacian_options& options, Laplacian_result& result)
     result.warnings = soup.warnings;
     result.read_seconds = stopwatch.restart();
     Progress progress(options.input, "building matrices");
-    result.Laplacian =
-      IT::tufted_Laplacian(soup.points, soup.triangles, library_options(options, Flip_watch{progress}));
+    result.Laplacian = IT::tufted_Laplacian(soup.points, soup.triangles, library_options(options, progress));
     if (!options.view_path.empty())
       result.soup = std::move(soup);
   }
@@ -231,7 +219,8 @@ Exit_status run_Laplacian(const Laplacian_options& options)
 {
   if (!(options.mollification >= 0 && options.mollification <= 1e6))
     throw Usage_error("--mollify: D is between 0 and 1e6");
-  check_output_paths(options.output_paths(), {options.input});
+  check_output_paths({options.stiffness_path, options.mass_path, options.stats_path, options.view_path},
+                     {options.input});
   check_view(options.view_path);
   if (!options.view_path.empty() && is_gluing_file(options.input))
     throw Usage_error(options.input + " has only lengths, no points: omit --view");
@@ -242,17 +231,10 @@ Exit_status run_Laplacian(const Laplacian_options& options)
     find_operator(options, result);
     if (options.number_of_eigenvalues > 0)
       find_eigenvalues(options, result);
-    write_file(options.stiffness_path, [&](std::ostream& os) {
-      write_symmetric_matrix(os, "Laplace-Beltrami operator: -(cot + cot)/2 off the diagonal, row sums zero",
-                             result.Laplacian.stiffness);
-    });
-    write_file(options.mass_path, [&](std::ostream& os) {
-      write_symmetric_matrix(os,
-                             options.mass_type == "lumped"
-                               ? "lumped mass: a third of the area of the faces at each vertex"
-                               : "mass of linear finite elements",
-                             result.Laplacian.mass);
-    });
+    write_file(options.stiffness_path,
+               [&](std::ostream& os) { write_stiffness_matrix(os, result.Laplacian.stiffness); });
+    write_file(options.mass_path,
+               [&](std::ostream& os) { write_mass_matrix(os, result.Laplacian.mass, options.mass_type == "lumped"); });
     if (!options.view_path.empty()) {
       View view = make_view(options.input, result.soup.points, result.soup.triangles);
       view.fields = std::move(result.fields);
@@ -280,13 +262,11 @@ void add_Laplacian_command(CLI::App& app, Selected_command& selected)
     .add_option("INPUT", options->input,
                 "a mesh (OFF, OBJ, PLY, STL, TS), or a .gluing file of triangles with lengths; - is the standard input")
     ->required();
-  command
-    .add_option(
-      "--stiffness", options->stiffness_path,
-      "write the operator as a Matrix Market file: positive semidefinite, entries -(cot + cot)/2, rows in the order "
-      "of the vertices")
-    ->type_name("L.mtx");
-  command.add_option("--mass", options->mass_path, "write the mass matrix")->type_name("M.mtx");
+  add_option(
+    command, "--stiffness", options->stiffness_path, "L.mtx",
+    "write the operator as a Matrix Market file: positive semidefinite, entries -(cot + cot)/2, rows in the order "
+    "of the vertices");
+  add_option(command, "--mass", options->mass_path, "M.mtx", "write the mass matrix");
   set_words(command.add_option(
               "--mass-type", options->mass_type,
               "lumped: a third of the area around each vertex; galerkin: the mass matrix of linear finite elements"),
@@ -305,17 +285,13 @@ void add_Laplacian_command(CLI::App& app, Selected_command& selected)
     {"error", "merge", "drop"})
     ->capture_default_str();
   command.add_flag("--weld", options->is_welded, "first merge all vertices at the same place");
-  command
-    .add_option(
-      "--mollify", options->mollification,
-      "lengthen all edges by the same amount, so that each triangle inequality holds with a margin of D times "
-      "the mean length")
-    ->type_name("D");
-  command.add_option("--eigenvalues", options->number_of_eigenvalues, "print the K smallest eigenvalues")
-    ->type_name("K")
+  add_option(command, "--mollify", options->mollification, "D",
+             "lengthen all edges by the same amount, so that each triangle inequality holds with a margin of D times "
+             "the mean length");
+  add_option(command, "--eigenvalues", options->number_of_eigenvalues, "K", "print the K smallest eigenvalues")
     ->check(CLI::Range(1, 10000));
   add_view_option(command, options->view_path);
-  command.add_option("--stats", options->stats_path, "write the report as a JSON object")->type_name("F.json");
+  add_option(command, "--stats", options->stats_path, "F.json", "write the report as a JSON object");
   command.callback([options, &selected] { selected = [options] { return run_Laplacian(*options); }; });
 }
 

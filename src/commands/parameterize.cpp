@@ -3,7 +3,6 @@
 //
 // `idt parameterize`
 
-#include "system/Interruption.h"
 #include "output/Output_file.h"
 #include "output/write_json.h"
 #include "system/Progress.h"
@@ -15,7 +14,7 @@
 #include "input/repair.h"
 #include "system/text.h"
 #include "commands/triangulate.h"
-#include "output/write_textured_mesh.h"
+#include "output/Textured_mesh.h"
 #include "view/View.h"
 
 #include <CGAL/Intrinsic_triangulations/circle_pattern_parameterization.h>
@@ -25,6 +24,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -125,16 +125,13 @@ Quality quality(const IT::Delta_complex& complex, const IT::Element_numbers& num
   return quality;
 }
 
-// JSON has no infinity.
-Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
-
 Json json_value(const Quality& quality)
 {
   return {{"flipped", quality.check.flipped.size()},
           {"collapsed", quality.check.collapsed.size()},
-          {"mean_distortion", number(quality.summary.mean)},
-          {"percentile_99_distortion", number(quality.summary.percentile_99)},
-          {"max_distortion", number(quality.summary.maximum)}};
+          {"mean_distortion", quality.summary.mean},
+          {"percentile_99_distortion", quality.summary.percentile_99},
+          {"max_distortion", quality.summary.maximum}};
 }
 
 Json json_value(const std::optional<IT::Circle_pattern>& pattern)
@@ -150,7 +147,7 @@ Json json_value(const std::optional<IT::Circle_pattern>& pattern)
 Json json_value(const std::optional<IT::Weight_summary>& weights)
 {
   Json json;
-  json["min_weight"] = weights->smallest ? number(*weights->smallest) : Json(nullptr);
+  json["min_weight"] = weights->smallest;
   json["negative_weights"] = weights->negative;
   return json;
 }
@@ -257,11 +254,7 @@ void write_files(const Parameterize_options& options, const Result& result)
     write_textured_mesh(options.uv_path, make_map_over_intrinsic(surface, *outcome.subdivision, result.uv));
   if (!options.uv_input_path.empty())
     write_textured_mesh(options.uv_input_path, make_map_over_input(surface, result.uv));
-  if (!options.distortion_path.empty()) {
-    Output_file file(options.distortion_path);
-    write_distortion(file.stream(), result);
-    file.commit();
-  }
+  write_file(options.distortion_path, [&](std::ostream& os) { write_distortion(os, result); });
   if (!options.view_path.empty()) {
     View view = make_view(surface.path, "intrinsic Delaunay triangulation", *outcome.subdivision, surface.points,
                           outcome.input_numbers, outcome.numbers);
@@ -269,8 +262,7 @@ void write_files(const Parameterize_options& options, const Result& result)
       {"distortion of the map", "", true, {result.on_input.distortion, result.on_intrinsic.distortion}});
     write_view(options.view_path, view);
   }
-  if (!options.json_path.empty())
-    write_json(options.json_path, json_value(options, result));
+  write_json(options.json_path, json_value(options, result));
 }
 
 Exit_status run_parameterize(Parameterize_options options)
@@ -278,13 +270,11 @@ Exit_status run_parameterize(Parameterize_options options)
   check(options);
   Result result;
   Run_options run_options;
-  run_options.wanted = Requested_results::nothing();
-  run_options.wanted.weights = run_options.wanted.lengths = run_options.wanted.numbers =
-    run_options.wanted.input_numbers = true;
+  run_options.wanted.weights = run_options.wanted.numbers = run_options.wanted.input_numbers = true;
   run_options.wanted.crossings = run_options.wanted.overlay =
     !options.uv_path.empty() || !options.distortion_path.empty() || !options.view_path.empty();
-  const Exit_status status = for_each_input({options.input}, [&](const std::string& path) {
-    result.triangulation = triangulate(load_surface(path, {std::nullopt, options.is_repaired}), run_options);
+  return for_each_input({options.input}, [&](const std::string& path) {
+    result.triangulation = triangulate(load_surface(path, options.is_repaired), run_options);
     const Exit_status status = exit_status(result.triangulation.outcome);
     if (status != Exit_status::DONE) {
       std::cerr << "idt: " << path << ": " << describe_status(result.triangulation) << std::endl;
@@ -295,21 +285,12 @@ Exit_status run_parameterize(Parameterize_options options)
     const Stopwatch stopwatch;
     try {
       Progress progress(path, "solving");
-      find_map(options, result, [&progress](double fraction) {
-        progress.show("solving", fraction);
-        return !is_interrupted();
-      });
-    } catch (const IT::Invalid_surface_error& error) {
-      if (std::string(error.what()).find(path) == 0)
-        throw;
-      throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(), path + ": " + error.what());
+      find_map(options, result, std::ref(progress));
     } catch (const IT::Numerical_error& error) {
       const std::string other = alternative(options);
-      throw IT::Numerical_error(
-        path + ": " + error.what() +
-        (other.empty() ? "; cut the surface open along its length, or map a part of it" : "; try " + other));
-    } catch (const IT::Cancelled_error& error) {
-      throw IT::Cancelled_error(path + ": " + error.what());
+      throw IT::Numerical_error(error.what() + (other.empty()
+                                                  ? "; cut the surface open along its length, or map a part of it"
+                                                  : "; try " + other));
     }
     result.seconds = stopwatch.seconds();
     result.on_input = quality(surface.connectivity, outcome.input_numbers, result.uv);
@@ -321,7 +302,6 @@ Exit_status run_parameterize(Parameterize_options options)
     flush_standard_output();
     return status;
   });
-  return status;
 }
 
 } // namespace
@@ -347,20 +327,15 @@ void add_parameterize_command(CLI::App& app, Selected_command& selected)
                                "harmonic, or circle-pattern: discrete conformal, boundary natural"),
             {"harmonic", "circle-pattern"})
     ->capture_default_str();
-  command
-    .add_option("--uv", options->uv_path,
-                "write the surface, as the overlay, with texture coordinates that are linear on the intrinsic "
-                "triangles; and F.mtl and F.png with a checkerboard")
-    ->type_name("F.obj");
-  command.add_option("--uv-input", options->uv_input_path, "the same, linear on the input triangles")
-    ->type_name("F.obj");
-  command
-    .add_option("--distortion", options->distortion_path,
-                "write the distortion of both on each face of the overlay: "
-                "input_face,intrinsic_face,over_input,over_intrinsic")
-    ->type_name("F.csv");
+  add_option(command, "--uv", options->uv_path, "F.obj",
+             "write the surface, as the overlay, with texture coordinates that are linear on the intrinsic "
+             "triangles; and F.mtl and F.png with a checkerboard");
+  add_option(command, "--uv-input", options->uv_input_path, "F.obj", "the same, linear on the input triangles");
+  add_option(command, "--distortion", options->distortion_path, "F.csv",
+             "write the distortion of both on each face of the overlay: "
+             "input_face,intrinsic_face,over_input,over_intrinsic");
   add_view_option(command, options->view_path);
-  command.add_option("--json", options->json_path, "write the report as a JSON object")->type_name("F.json");
+  add_option(command, "--json", options->json_path, "F.json", "write the report as a JSON object");
   add_repair_option(command, options->is_repaired);
   command.callback([options, &selected] { selected = [options] { return run_parameterize(*options); }; });
 }

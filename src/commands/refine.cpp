@@ -4,7 +4,6 @@
 // `idt refine`
 
 #include "commands/Result_files.h"
-#include "commands/Smallest_size.h"
 #include "commands/command_line.h"
 #include "commands/commands.h"
 #include "commands/triangulate.h"
@@ -12,21 +11,32 @@
 #include "input/flat_vertices.h"
 #include "input/mesh_file.h"
 #include "input/saved_triangulation.h"
+#include "input/standard_input.h"
 #include "output/Output_file.h"
+#include "system/Progress.h"
 #include "system/text.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/surface_features.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <iostream>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace idt {
 namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
 
 struct Refine_options
 {
@@ -61,22 +71,110 @@ void check(const Refine_options& options)
   outputs.insert(outputs.end(), {options.kept_edges, options.flattened});
   if (!options.flattened.empty() && !find_mesh_format(options.flattened))
     throw Usage_error("--flatten: " + options.flattened + " does not end in " + mesh_extensions(false));
-  std::vector<std::string> inputs = {options.input};
-  if (!options.constraints.empty())
-    inputs.push_back(options.constraints);
-  check_output_paths(outputs, inputs);
+  check_output_paths(outputs, {options.input, options.constraints});
 }
+
+// As powers of two of the extent: the first is 16 units in the last place of a float as large as that.
+constexpr std::array<int, 3> levels = {-20, -17, -14};
+
+double extent_of(const Surface& surface)
+{
+  if (!surface.has_points())
+    return surface.lengths.empty() ? 0 : *std::max_element(surface.lengths.begin(), surface.lengths.end());
+  double result = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double low = (std::numeric_limits<double>::infinity)(), high = -low;
+    for (IT::Vertex_index v : surface.connectivity.vertices())
+      if (surface.connectivity.halfedge(v).is_valid()) {
+        low = (std::min)(low, surface.points[v.idx()][axis]);
+        high = (std::max)(high, surface.points[v.idx()][axis]);
+      }
+    result = (std::max)(result, high - low);
+  }
+  return (std::min)(result, (std::numeric_limits<double>::max)());
+}
+
+// Below which size no vertex is inserted if nobody says so. Begins with 0. Sides below 2^-14 of the longest side of the
+// box are what CAD programs leave by mistake if they need many vertices: then refinement begins anew with 2^-20 of the
+// box, 2^-17 and 2^-14 in turn. Places that need few vertices are refined, whatever their size.
+class Smallest_size
+{
+public:
+  explicit Smallest_size(const Surface& surface)
+    : extent_(extent_of(surface)), maximum_(10000 + std::uint64_t(surface.connectivity.number_of_vertices()))
+  {}
+
+  double size() const { return size_; }
+  // Whether too many vertices have been inserted for small sides.
+  bool is_exceeded(const IT::Refinement_progress& progress) { return covers(progress.size) && ++number_ > maximum_; }
+  // Whether sides as short as that are below a larger size that may still be chosen.
+  bool covers(double side) const
+  {
+    const double largest = std::ldexp(extent_, levels.back());
+    return side < largest && size_ < largest;
+  }
+  // Chooses the next size.
+  void increase()
+  {
+    size_ = std::ldexp(extent_, *std::find_if(levels.begin(), levels.end(),
+                                              [this](int level) { return std::ldexp(extent_, level) > size_; }));
+    number_ = 0;
+  }
+  // For the report.
+  std::string text() const
+  {
+    if (size_ == 0)
+      return "0: no place needs one";
+    return in_short(size_) + ", chosen as 2^" + std::to_string(std::ilogb(size_ / extent_)) +
+           " of the box: smaller sides need more than " + with_separators(maximum_) +
+           " new vertices, which --minimum-size 0 allows";
+  }
+
+private:
+  double extent_; // of the box, or the longest edge of a surface that has no points
+  std::uint64_t maximum_, number_ = 0;
+  double size_ = 0;
+};
+
+// Writes once to the standard error that the budget will not suffice, as soon as two estimates in a row say so: the
+// first one takes the thin faces around a vertex for a strip that has to be filled evenly.
+class Budget_warning
+{
+public:
+  Budget_warning(std::string path, std::uint64_t budget) : path_(std::move(path)), budget_(budget) {}
+
+  void look(const IT::Refinement_progress& progress, const std::function<Short_side()>& where)
+  {
+    if (is_written_ || progress.estimated_points == estimate_)
+      return;
+    estimate_ = progress.estimated_points;
+    if (progress.points + estimate_ <= budget_) {
+      was_exceeded_ = false;
+      return;
+    }
+    if (!std::exchange(was_exceeded_, true))
+      return;
+    is_written_ = true;
+    std::cerr << erased_progress() << "idt: " << path_ << ": after " << with_separators(progress.points)
+              << " new vertices, about " << with_separators(estimate_) << " more are needed, now for sides of "
+              << text(where()) << ": the budget of " << with_separators(budget_)
+              << " may not suffice; then try a larger --minimum-size, --maximum-edge-length or --maximum-points"
+              << std::endl;
+  }
+
+private:
+  std::string path_;
+  std::uint64_t budget_, estimate_ = 0;
+  bool was_exceeded_ = false, is_written_ = false;
+};
 
 // \exception Invalid_surface_error if the surface has no dihedral angles
 void constrain_sharp_edges(const Surface& surface, double degrees, Refinement_options& refinement)
 {
-  using CGAL::Intrinsic_triangulations::Invalid_surface_error;
   if (!surface.has_points())
-    throw Invalid_surface_error(Invalid_surface_error::Defect::UNREADABLE, 0, 1,
-                                surface.path +
-                                  ": --constrain-angle needs a surface in space, but this one has only edge lengths");
-  const std::vector<bool> is_sharp = CGAL::Intrinsic_triangulations::sharp_edges(
-    surface.connectivity, surface.points, degrees, refinement.criteria.minimum_size);
+    refuse_file(surface.path, "--constrain-angle needs a surface in space, but this one has only edge lengths");
+  const std::vector<bool> is_sharp =
+    IT::sharp_edges(surface.connectivity, surface.points, degrees, refinement.criteria.minimum_size);
   refinement.is_constrained.resize(is_sharp.size());
   for (std::size_t e = 0; e < is_sharp.size(); ++e)
     if (is_sharp[e])
@@ -105,8 +203,7 @@ Triangulation_result refine_surface(Surface surface, Run_options run_options, co
     is_constrained.resize(read.size());
     std::transform(read.begin(), read.end(), is_constrained.begin(), is_constrained.begin(), std::logical_or<>());
   }
-  refinement.gives_up = [&](const CGAL::Intrinsic_triangulations::Refinement_progress& progress,
-                            const std::function<Short_side()>& where) {
+  refinement.gives_up = [&](const IT::Refinement_progress& progress, const std::function<Short_side()>& where) {
     if (options.minimum_size || !chosen.covers(progress.size)) {
       warning.look(progress, where);
       return false;
@@ -130,7 +227,7 @@ Triangulation_result refine_surface(Surface surface, Run_options run_options, co
 
 Exit_status refine_file(const std::string& path, const Refine_options& options)
 {
-  Surface surface = load_surface(path, {std::nullopt, options.is_repaired});
+  Surface surface = load_surface(path, options.is_repaired);
   const double deviation = options.removes_flat_vertices ? remove_flat_vertices(surface, options.flat_tolerance) : 0;
   options.files.check_surface(surface);
   if (!options.flattened.empty() && !surface.has_points())
@@ -177,73 +274,49 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
                  "unrepresentable, doubles are too coarse for the point; too small, below --minimum-size;\n"
                  "budget, time or the number of points ran out. The status is 4 only for the last of these.\n");
   command.add_option("INPUT", options->input, "as for `idt triangulate`")->required();
-  command
-    .add_option("--minimum-angle", options->refinement.criteria.minimum_angle,
-                "the smallest angle allowed, in degrees; at most 30")
-    ->type_name("A")
+  add_option(command, "--minimum-angle", options->refinement.criteria.minimum_angle, "A",
+             "the smallest angle allowed, in degrees; at most 30")
     ->capture_default_str();
-  command
-    .add_option("--maximum-circumradius", options->refinement.criteria.maximum_circumradius,
-                "the largest circumradius allowed (default: unlimited)")
-    ->type_name("R");
-  command
-    .add_option("--maximum-edge-length", options->refinement.criteria.maximum_edge_length,
-                "the largest edge length allowed (default: unlimited)")
-    ->type_name("L");
-  command
-    .add_option("--minimum-size", options->minimum_size,
-                "insert no vertex for a face with a side shorter than S, so that refinement ends early at irrelevantly "
-                "thin sheets and slivers (default: 0, or up to 2^-14 of the box if smaller sides need many vertices)")
-    ->type_name("S");
-  command
-    .add_option("--maximum-points", options->refinement.maximum_number_of_points,
-                "give up after this many new vertices (default: 1,000,000 and 10 for each vertex)")
-    ->type_name("N")
+  add_option(command, "--maximum-circumradius", options->refinement.criteria.maximum_circumradius, "R",
+             "the largest circumradius allowed (default: unlimited)");
+  add_option(command, "--maximum-edge-length", options->refinement.criteria.maximum_edge_length, "L",
+             "the largest edge length allowed (default: unlimited)");
+  add_option(command, "--minimum-size", options->minimum_size, "S",
+             "insert no vertex for a face with a side shorter than S, so that refinement ends early at irrelevantly "
+             "thin sheets and slivers (default: 0, or up to 2^-14 of the box if smaller sides need many vertices)");
+  add_option(command, "--maximum-points", options->refinement.maximum_number_of_points, "N",
+             "give up after this many new vertices (default: 1,000,000 and 10 for each vertex)")
     ->transform(whole_number());
-  command
-    .add_option("--constrain-angle", options->constrained_angle,
-                "keep the edges whose two faces have normals that differ by more than D degrees: they may be split, "
-                "but not flipped")
-    ->type_name("D");
+  add_option(command, "--constrain-angle", options->constrained_angle, "D",
+             "keep the edges whose two faces have normals that differ by more than D degrees: they may be split, "
+             "but not flipped");
   CLI::Option* const constraints =
-    command
-      .add_option("--constraints", options->constraints,
-                  "also keep these edges: pairs of vertices, one pair per line, or a CSV file of `idt geodesic` with a "
-                  "line on the surface, along which faces are cut first")
-      ->type_name("F.csv");
-  command
-    .add_option("--kept-edges", options->kept_edges,
-                "write the edges of --constrain-angle and --constraints: pairs of vertices, which --constraints reads, "
-                "or lines in space")
-    ->type_name("F.(csv|vtp)");
+    add_option(command, "--constraints", options->constraints, "F.csv",
+               "also keep these edges: pairs of vertices, one pair per line, or a CSV file of `idt geodesic` with a "
+               "line on the surface, along which faces are cut first");
+  add_option(command, "--kept-edges", options->kept_edges, "F.(csv|vtp)",
+             "write the edges of --constrain-angle and --constraints: pairs of vertices, which --constraints reads, "
+             "or lines in space");
   CLI::Option* const flat = command.add_flag("--remove-flat-vertices", options->removes_flat_vertices,
                                              "first remove the vertices in flat sides and on straight edges, exactly: "
                                              "the surface stays the same, but its vertices and faces are renumbered");
-  command
-    .add_option("--flat-tolerance", options->flat_tolerance,
-                "also remove vertices that are slightly off, such as those of a rotated part: no point of the surface "
-                "moves by more than D")
-    ->type_name("D")
+  add_option(command, "--flat-tolerance", options->flat_tolerance, "D",
+             "also remove vertices that are slightly off, such as those of a rotated part: no point of the surface "
+             "moves by more than D")
     ->needs(flat);
-  command
-    .add_option("--vertex-map", options->files.vertex_map,
-                "write which vertices of the input remain, as CSV: vertex,input")
-    ->type_name("F.csv")
+  add_option(command, "--vertex-map", options->files.vertex_map, "F.csv",
+             "write which vertices of the input remain, as CSV: vertex,input")
     ->needs(flat);
   CLI::Option* const repair = add_repair_option(command, options->is_repaired);
   command.add_flag("--verify", options->is_verified,
                    "afterwards decide every interior edge that is not constrained again, exactly and from the input "
                    "alone; status 4 if one is not Delaunay");
-  command
-    .add_option("--points", options->files.points,
-                "write the positions of the new vertices as CSV: vertex,input_face,b0,b1,b2,x,y,z; the barycentric "
-                "coordinates are exact once they are divided by their sum, the position in space is rounded")
-    ->type_name("F.csv");
-  command
-    .add_option("--flatten", options->flattened,
-                "write the result as a mesh of straight triangles, for other solvers: that is another surface, and the "
-                "report gives its distance; --overlay and --laplacian keep the surface")
-    ->type_name("F.(vtp|ply|off|obj|stl|ts)");
+  add_option(command, "--points", options->files.points, "F.csv",
+             "write the positions of the new vertices as CSV: vertex,input_face,b0,b1,b2,x,y,z; the barycentric "
+             "coordinates are exact once they are divided by their sum, the position in space is rounded");
+  add_option(command, "--flatten", options->flattened, "F.(vtp|ply|off|obj|stl|ts)",
+             "write the result as a mesh of straight triangles, for other solvers: that is another surface, and the "
+             "report gives its distance; --overlay and --laplacian keep the surface");
   options->files.add_options(command, repair);
   command.get_option("--repair-map")->excludes(flat);
   constraints->excludes(flat);

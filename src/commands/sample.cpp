@@ -88,9 +88,7 @@ Exit_status run_sample(const Sample_options& options)
     [&](const auto& surface) {
       const bool is_printed = options.path.empty() || options.path == "-";
       const std::string path = is_printed ? "-" : path_with_extension(options, extension(surface));
-      Output_file file(path);
-      write_surface(file.stream(), surface, find_mesh_format(path));
-      file.commit();
+      write_file(path, [&](std::ostream& os) { write_surface(os, surface, find_mesh_format(path)); });
       if (!is_printed)
         std::cout << path << '\n';
     },

@@ -5,8 +5,8 @@
 
 #include "output/write_json.h"
 #include "commands/commands.h"
+#include "commands/command_line.h"
 #include "output/finite_weights.h"
-#include "commands/paper_table.h"
 #include "input/repair.h"
 #include "system/Progress.h"
 #include "system/text.h"
@@ -37,6 +37,38 @@ struct Table_options
   bool without_condition = false;
   bool is_repaired = false;
 };
+
+// A row of Table 1 in Fisher, Springborn, Schroeder, Bobenko (2006).
+struct Paper_row
+{
+  const char* model;
+  std::uint64_t vertices;
+  std::uint64_t flips;
+  std::uint64_t simple;
+  std::uint64_t longest;
+  double condition_ratio;
+  std::optional<std::uint64_t> crossings; // the paper does not give all
+};
+
+// The row of a model, which is known by its name and its number of vertices, or none.
+const Paper_row* find_paper_row(const std::string& model, std::uint64_t vertices)
+{
+  static const Paper_row rows[] = {
+    {"cathead", 131, 45, 40, 3, 0.8114, {}},
+    {"bunnyhead", 741, 380, 275, 6, 0.6139, {}},
+    {"beautiful_freak", 1042, 560, 364, 12, 0.1841, {}},
+    {"hygeia", 8268, 4017, 2861, 6, 0.1053, {}},
+    {"planck", 25445, 6417, 5584, 5, 0.7746, 7167},
+    {"bunny", 34834, 2365, 2283, 4, 0.0758, 2434},
+    {"camel", 40240, 17074, 12618, 22, 0.7218, 25043},
+    {"horse", 48485, 3581, 3127, 7, 0.6734, 4027},
+    {"feline", 49864, 12178, 10767, 7, 0.5746, 13317},
+  };
+  for (const Paper_row& row : rows)
+    if (row.model == model && row.vertices == vertices)
+      return &row;
+  return nullptr;
+}
 
 struct Operator_summary
 {
@@ -72,30 +104,11 @@ std::optional<double> condition_ratio(const Row& row)
   return row.after->eigenvalues.condition_number() / row.before->eigenvalues.condition_number();
 }
 
-std::string table_cell(const std::optional<std::uint64_t>& number) { return number ? std::to_string(*number) : "-"; }
-
-std::string table_cell(const std::optional<double>& number) { return number ? in_short(*number) : "-"; }
-
-Json json_value(const Operator_summary& summary);
-Json json_value(std::uint64_t value) { return value; }
-Json json_value(double value) { return value; }
-template <class T>
-Json json_value(const std::optional<T>& value)
-{
-  return value ? json_value(*value) : Json(nullptr);
-}
-
 Line line(const Row& row)
 {
-  return {row.model,
-          table_cell(row.vertices),
-          table_cell(row.flips),
-          table_cell(row.simple),
-          table_cell(row.longest),
-          table_cell(condition_ratio(row)),
-          table_cell(row.crossings),
-          table_cell(row.minimum_angle),
-          table_cell(row.seconds)};
+  return {row.model,           cell(row.vertices),      cell(row.flips),
+          cell(row.simple),    cell(row.longest),       cell(condition_ratio(row)),
+          cell(row.crossings), cell(row.minimum_angle), cell(row.seconds)};
 }
 
 // The figures of the paper, under those of the same model.
@@ -107,7 +120,7 @@ Line line(const Paper_row& row)
           std::to_string(row.simple),
           std::to_string(row.longest),
           in_short(row.condition_ratio),
-          table_cell(row.crossings),
+          cell(row.crossings),
           "",
           ""};
 }
@@ -120,35 +133,37 @@ Json json_value(const Paper_row* row)
           {"simple", row->simple},
           {"longest", row->longest},
           {"condition_ratio", row->condition_ratio},
-          {"crossings", json_value(row->crossings)}};
+          {"crossings", row->crossings}};
 }
 
-Json json_value(const Operator_summary& summary)
+Json json_value(const std::optional<Operator_summary>& summary)
 {
-  return {{"smallest_eigenvalue", summary.eigenvalues.smallest},
-          {"largest_eigenvalue", summary.eigenvalues.largest},
-          {"condition_number", summary.eigenvalues.condition_number()},
-          {"min_weight", json_value(summary.weights.smallest)},
-          {"negative_weights", summary.weights.negative},
+  if (!summary)
+    return nullptr;
+  return {{"smallest_eigenvalue", summary->eigenvalues.smallest},
+          {"largest_eigenvalue", summary->eigenvalues.largest},
+          {"condition_number", summary->eigenvalues.condition_number()},
+          {"min_weight", summary->weights.smallest},
+          {"negative_weights", summary->weights.negative},
           {"weight_histogram",
-           {{"low", summary.histogram.low},
-            {"high", summary.histogram.high},
-            {"counts", summary.histogram.counts},
-            {"below", summary.histogram.below},
-            {"above", summary.histogram.above}}}};
+           {{"low", summary->histogram.low},
+            {"high", summary->histogram.high},
+            {"counts", summary->histogram.counts},
+            {"below", summary->histogram.below},
+            {"above", summary->histogram.above}}}};
 }
 
 Json json_row(const Row& row)
 {
   return {{"model", row.model},
-          {"vertices", json_value(row.vertices)},
-          {"flips", json_value(row.flips)},
-          {"simple", json_value(row.simple)},
-          {"longest", json_value(row.longest)},
-          {"condition_ratio", json_value(condition_ratio(row))},
-          {"crossings", json_value(row.crossings)},
-          {"minimum_angle_degrees", json_value(row.minimum_angle)},
-          {"seconds", json_value(row.seconds)},
+          {"vertices", row.vertices},
+          {"flips", row.flips},
+          {"simple", row.simple},
+          {"longest", row.longest},
+          {"condition_ratio", condition_ratio(row)},
+          {"crossings", row.crossings},
+          {"minimum_angle_degrees", row.minimum_angle},
+          {"seconds", row.seconds},
           {"repair", to_json_value(row.repairs)},
           {"warnings", row.warnings},
           {"paper", json_value(row.paper)},
@@ -196,7 +211,6 @@ Exit_status run_table(const Table_options& options)
 {
   check_output_paths({options.json_path}, options.inputs);
   Run_options run_options;
-  run_options.wanted = Requested_results::nothing();
   run_options.wanted.crossings = run_options.wanted.shapes = true;
   run_options.wanted.weights = run_options.wanted.numbers = run_options.wanted.input_numbers =
     !options.without_condition;
@@ -204,8 +218,7 @@ Exit_status run_table(const Table_options& options)
   const Exit_status status = for_each_input(options.inputs, [&](const std::string& path) {
     rows.emplace_back();
     rows.back().model = std::filesystem::path(path).stem().string();
-    const Triangulation_result result =
-      triangulate(load_surface(path, {std::nullopt, options.is_repaired}), run_options);
+    const Triangulation_result result = triangulate(load_surface(path, options.is_repaired), run_options);
     Row& row = rows.back();
     row.vertices = result.counts.vertices;
     row.flips = result.outcome.report.flips;
@@ -230,12 +243,10 @@ Exit_status run_table(const Table_options& options)
 
   write_table(std::cout, rows);
   flush_standard_output();
-  if (!options.json_path.empty()) {
-    Json json = Json::array();
-    for (const Row& row : rows)
-      json.push_back(json_row(row));
-    write_json(options.json_path, json);
-  }
+  Json json = Json::array();
+  for (const Row& row : rows)
+    json.push_back(json_row(row));
+  write_json(options.json_path, json);
   return status;
 }
 
@@ -257,7 +268,7 @@ void add_table_command(CLI::App& app, Selected_command& selected)
   add_repair_option(command, options->is_repaired);
   command.add_flag("--without-condition", options->without_condition,
                    "omit the condition numbers, which take longer than everything else");
-  command.add_option("--json", options->json_path, "write the rows as a JSON array of objects")->type_name("F.json");
+  add_option(command, "--json", options->json_path, "F.json", "write the rows as a JSON array of objects");
   command.callback([options, &selected] { selected = [options] { return run_table(*options); }; });
 }
 

@@ -70,9 +70,12 @@ void check(const Triangulate_options& options)
 }
 
 Exit_status triangulate_file(const std::string& path, const Triangulate_options& options,
-                             const Run_options& run_options, const Load_options& load, bool& is_first)
+                             const Run_options& run_options, bool& is_first)
 {
-  Surface surface = load_surface(path, load);
+  std::optional<Mollification_options> mollification;
+  if (options.mollification)
+    mollification = {*options.mollification, options.is_mollification_local};
+  Surface surface = load_surface(path, options.is_repaired, mollification);
   options.files.check_surface(surface);
   if (options.is_fast)
     untwist(surface);
@@ -118,14 +121,9 @@ Exit_status run_triangulate(const Triangulate_options& options)
 {
   check(options);
   const Run_options run_options = make_run_options(options);
-  Load_options load;
-  load.is_repaired = options.is_repaired;
-  if (options.mollification)
-    load.mollification = Mollification_options{*options.mollification, options.is_mollification_local};
-
   bool is_first = true;
   return for_each_input(options.inputs, [&](const std::string& path) {
-    const auto triangulate_input = [&] { return triangulate_file(path, options, run_options, load, is_first); };
+    const auto triangulate_input = [&] { return triangulate_file(path, options, run_options, is_first); };
     return may_end_the_process(run_options.number_type)
              ? run_in_subprocess(path, run_options, triangulate_input, is_first)
              : triangulate_input();
@@ -136,11 +134,9 @@ std::string number_type_help()
 {
   std::ostringstream text;
   text << "Number types:\n";
-  for (Number_type number_type : number_types()) {
-    const std::string title = name(number_type);
-    text << "  " << std::left << std::setw(19) << title << ' ' << description(number_type)
-         << (number_type == default_number_type ? " (default)" : "") << '\n';
-  }
+  for (const Named_number_type& entry : number_types())
+    text << "  " << std::left << std::setw(19) << entry.name << ' ' << entry.description
+         << (entry.number_type == default_number_type ? " (default)" : "") << '\n';
   return text.str();
 }
 
@@ -210,15 +206,12 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
             number_type_names(), false)
     ->type_name("NT")
     ->capture_default_str();
-  command.add_option("--precision", options->precision, "minimum precision in bits, for mpfr")
-    ->type_name("BITS")
+  add_option(command, "--precision", options->precision, "BITS", "minimum precision in bits, for mpfr")
     ->check(CLI::Range(2, 1000000))
     ->capture_default_str();
-  command
-    .add_option("--maximum-flips", options->maximum_number_of_flips,
-                "give up after this many flips (default: unlimited for an exact number type, else the larger of "
-                "10,000,000 and 100 times the number of edges)")
-    ->type_name("N")
+  add_option(command, "--maximum-flips", options->maximum_number_of_flips, "N",
+             "give up after this many flips (default: unlimited for an exact number type, else the larger of "
+             "10,000,000 and 100 times the number of edges)")
     ->transform(whole_number());
   set_words(command.add_option_function<std::string>(
               "--tie-proof", [options](const std::string& word) { options->are_ties_proven = word == "proven"; },
@@ -226,11 +219,9 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
               "below 2^-128 if a proof would be costly), or proven (a tie without a proof then ends the run)"),
             {"probable", "proven"})
     ->default_str("probable");
-  CLI::Option* const mollify = command
-                                 .add_option("--mollify", options->mollification,
-                                             "first lengthen all edges by the same amount, so that each triangle "
-                                             "inequality holds with a margin of D times the mean length")
-                                 ->type_name("D");
+  CLI::Option* const mollify = add_option(command, "--mollify", options->mollification, "D",
+                                          "first lengthen all edges by the same amount, so that each triangle "
+                                          "inequality holds with a margin of D times the mean length");
   command
     .add_flag("--mollify-local", options->is_mollification_local,
               "lengthen only edges of triangles that lack the margin")

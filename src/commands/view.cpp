@@ -5,6 +5,7 @@
 
 #include "commands/Result_files.h"
 #include "commands/commands.h"
+#include "commands/command_line.h"
 #include "commands/triangulate.h"
 #include "input/vertex_values.h"
 #include "output/Output_file.h"
@@ -29,7 +30,7 @@ struct View_options
 
 Exit_status view_file(const std::string& path, const View_options& options)
 {
-  Surface surface = load_surface(path, {std::nullopt, options.is_repaired});
+  Surface surface = load_surface(path, options.is_repaired);
   options.files.check_surface(surface);
   std::vector<Named_values> columns;
   if (!options.values.empty())
@@ -52,10 +53,7 @@ Exit_status view_file(const std::string& path, const View_options& options)
 
 Exit_status run_view(const View_options& options)
 {
-  std::vector<std::string> inputs{options.input};
-  if (!options.values.empty())
-    inputs.push_back(options.values);
-  options.files.check_paths(inputs);
+  options.files.check_paths({options.input, options.values});
   check_view(options.files.view);
   return for_each_input({options.input}, [&](const std::string& path) { return view_file(path, options); });
 }
@@ -73,11 +71,9 @@ void add_view_command(CLI::App& app, Selected_command& selected)
     "the mouse points at. The option --view of other subcommands writes it with their results.\n");
   command.add_option("INPUT", options->input, "as for `idt triangulate`; a saved triangulation is shown as it is")
     ->required();
-  command.add_option("-o,--output", options->files.view, "the page")->type_name("F.html")->required();
-  command
-    .add_option("--values", options->values,
-                "numbers at the vertices that colour the surface, as CSV: vertex,NAME, and more names if you like")
-    ->type_name("F.csv");
+  add_option(command, "-o,--output", options->files.view, "F.html", "the page")->required();
+  add_option(command, "--values", options->values, "F.csv",
+             "numbers at the vertices that colour the surface, as CSV: vertex,NAME, and more names if you like");
   add_repair_option(command, options->is_repaired);
   command.callback([options, &selected] { selected = [options] { return run_view(*options); }; });
 }

@@ -16,12 +16,13 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/repair_polygons.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <iostream>
+#include <functional>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -37,7 +38,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 {
   const IT::Finding& finding = *report.first_fatal();
   std::optional<std::string> advice;
-  if (!is_repaired && is_repairable(finding))
+  if (!is_repaired && IT::is_repairable(finding.defect))
     advice = "use --repair to fix what can be fixed";
   const std::string text = IT::message(report, path, advice);
   throw IT::Invalid_surface_error(finding.defect, finding.elements.empty() ? 0 : finding.elements.front(),
@@ -50,11 +51,8 @@ void load_mesh(Surface& surface, bool is_repaired)
   Surface_input input = read_and_warn(surface.path);
   surface.warnings = input.warnings;
   surface.read_seconds = stopwatch.restart();
-  if (is_repaired) {
+  if (is_repaired)
     surface.repair = repair(input);
-    for (const std::string& message : messages(surface.repair->repairs))
-      std::cerr << "idt: " << surface.path << ": repaired: " << message << std::endl;
-  }
 
   // What can be built was examined on the way, as far as the faces are concerned. The whole
   // examination is for those who have to be told something.
@@ -88,14 +86,10 @@ void load_gluing(Surface& surface)
 {
   const Stopwatch stopwatch;
   Progress progress(surface.path, "reading");
-  IT::Exact_gluing gluing = read_exact_gluing_file(surface.path, [&progress](double fraction) {
-    progress.show("reading", fraction);
-    return !is_interrupted();
-  });
+  IT::Exact_gluing gluing = read_gluing_file(surface.path, std::ref(progress));
   surface.connectivity = std::move(gluing.complex);
   surface.squared_lengths = std::move(gluing.squared_lengths);
-  surface.lengths =
-    surface.squared_lengths.empty() ? std::move(gluing.lengths) : rounded_lengths(surface.squared_lengths);
+  surface.lengths = std::move(gluing.lengths);
   surface.read_seconds = stopwatch.seconds();
   if (surface.connectivity.number_of_faces() == 0)
     throw IT::Invalid_surface_error(IT::Invalid_surface_error::Defect::EMPTY, 0, 1,
@@ -119,22 +113,22 @@ std::vector<double> lengths_of(const Surface& surface)
 
 } // namespace
 
-Surface load_surface(const std::string& path, const Load_options& options)
+Surface load_surface(const std::string& path, bool is_repaired,
+                     const std::optional<Mollification_options>& mollification)
 {
-  const std::optional<Mollification_options>& mollification = options.mollification;
   Surface surface;
   surface.path = path;
-  if (is_gluing_file(path) && options.is_repaired)
+  if (is_gluing_file(path) && is_repaired)
     throw Usage_error(path + ": --repair is for meshes; there is nothing to repair in a gluing");
   const bool is_saved = is_saved_triangulation(readable_file(path));
-  if (is_saved && (options.is_repaired || mollification))
+  if (is_saved && (is_repaired || mollification))
     throw Usage_error(path + ": --repair and --mollify are for meshes; a saved triangulation has a surface already");
   if (is_saved)
     load_saved_triangulation(surface);
   else if (is_gluing_file(path))
     load_gluing(surface);
   else
-    load_mesh(surface, options.is_repaired);
+    load_mesh(surface, is_repaired);
   if (!mollification)
     return surface;
 
@@ -164,14 +158,10 @@ void untwist(Surface& surface)
   if (surface.saved)
     throw Usage_error(surface.path + ": --fast-forward is for gluings; this triangulation was made of one already");
   const Stopwatch stopwatch;
-  try {
-    if (surface.squared_lengths.empty())
-      surface.squared_lengths = IT::squared_lengths(surface.lengths);
-    surface.untwisting = IT::untwist(surface.connectivity, surface.squared_lengths,
-                                     CGAL::parameters::visitor([] { return !is_interrupted(); }));
-  } catch (const IT::Invalid_surface_error& error) {
-    throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(), surface.path + ": " + error.what());
-  }
+  if (surface.squared_lengths.empty())
+    surface.squared_lengths = IT::squared_lengths(surface.lengths);
+  surface.untwisting = IT::untwist(surface.connectivity, surface.squared_lengths,
+                                   CGAL::parameters::visitor([] { return !is_interrupted(); }));
   surface.lengths = rounded_lengths(surface.squared_lengths);
   surface.untwist_seconds = stopwatch.seconds();
 }

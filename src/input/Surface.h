@@ -37,13 +37,6 @@ struct Mollification_options
   bool is_local = false;
 };
 
-// How a file becomes a surface.
-struct Load_options
-{
-  std::optional<Mollification_options> mollification;
-  bool is_repaired = false;
-};
-
 // What was mended, and where the vertices and faces of the surface come from.
 struct Repair_report
 {
@@ -88,7 +81,8 @@ struct Surface
 // \exception Invalid_surface_error if the surface cannot be used; the message begins
 //            with `path` and names the first element at fault and how many more
 // \exception Cancelled_error if an interruption ends the reading
-Surface load_surface(const std::string& path, const Load_options& options = {});
+Surface load_surface(const std::string& path, bool is_repaired = false,
+                     const std::optional<Mollification_options>& mollification = {});
 
 // Replaces a gluing by what untwist() leaves of it.
 // \exception Usage_error if the surface has points

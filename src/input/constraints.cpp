@@ -4,6 +4,7 @@
 #include "input/constraints.h"
 
 #include "input/formats/vtp.h"
+#include "input/standard_input.h"
 #include "system/text.h"
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
@@ -97,15 +98,9 @@ private:
   // A halfedge from v to w, if there is one.
   std::optional<IT::Halfedge_index> halfedge(IT::Vertex_index v, IT::Vertex_index w) const
   {
-    const IT::Halfedge_index first = complex_.halfedge(v);
-    if (!first.is_valid())
-      return std::nullopt;
-    IT::Halfedge_index h = first;
-    do {
+    for (IT::Halfedge_index h : IT::internal::Halfedges_around(complex_, v))
       if (complex_.source(h) == w)
         return complex_.opposite(h);
-      h = complex_.next_around_target(h);
-    } while (h != first);
     return std::nullopt;
   }
   void constrain(IT::Vertex_index v, IT::Vertex_index w)
@@ -206,9 +201,7 @@ private:
 std::vector<bool> read_constraints(const std::string& path, Surface& surface)
 {
   if (!surface.has_points())
-    throw IT::Invalid_surface_error(IT::Invalid_surface_error::Defect::UNREADABLE, 0, 1,
-                                    surface.path +
-                                      ": --constraints needs a surface in space, but this one has only edge lengths");
+    refuse_file(surface.path, "--constraints needs a surface in space, but this one has only edge lengths");
   return Constraint_reader(path, surface)();
 }
 
@@ -225,8 +218,7 @@ void write_constraints(std::ostream& os, const std::string& path, const Surface&
       const std::uint32_t v = complex.source(complex.halfedge(e)).idx(), w = complex.target(complex.halfedge(e)).idx();
       if (!are_lines)
         os << v << ',' << w << '\n';
-      lines.corners.insert(lines.corners.end(), {v, w});
-      lines.ends.push_back(lines.corners.size());
+      lines.add(std::array<std::uint32_t, 2>{v, w});
     }
   if (are_lines)
     write_vtp(os, surface.points, Flat_polygons(), {}, lines);

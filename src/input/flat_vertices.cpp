@@ -4,13 +4,12 @@
 #include "input/flat_vertices.h"
 
 #include "system/Exit_status.h"
-#include "system/Interruption.h"
 #include "system/Progress.h"
 
-#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/surface_features.h>
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -28,16 +27,8 @@ double remove_flat_vertices(Surface& surface, std::optional<double> tolerance)
                       ": --remove-flat-vertices needs a surface in space, but this one has only edge lengths");
   Progress progress(surface.path, "removing flat vertices");
   const std::size_t number_before = surface.points.size();
-  IT::Flat_vertex_removal removal;
-  try {
-    removal = IT::remove_nearly_flat_vertices(surface.connectivity, surface.points, tolerance.value_or(0),
-                                              [&progress](double fraction) {
-                                                progress.show("removing flat vertices", fraction);
-                                                return !is_interrupted();
-                                              });
-  } catch (const IT::Cancelled_error& error) {
-    throw IT::Cancelled_error(surface.path + ": " + error.what());
-  }
+  const IT::Flat_vertex_removal removal =
+    IT::remove_nearly_flat_vertices(surface.connectivity, surface.points, tolerance.value_or(0), std::ref(progress));
   surface.number_of_removed_vertices = number_before - removal.vertices.size();
   surface.input_vertices.emplace();
   for (IT::Vertex_index v : removal.vertices)

@@ -3,7 +3,6 @@
 
 #include "input/gluing_file.h"
 
-#include "input/formats/Watched_file.h"
 #include "input/standard_input.h"
 
 #include <CGAL/Intrinsic_triangulations/untwist.h>
@@ -12,16 +11,59 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <ios>
 #include <istream>
 #include <new>
-#include <utility>
+#include <string>
+#include <vector>
 
 namespace idt {
 
 namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+// A file that tells how much of it was read, and ends early if nobody wants to go on: a buffer for a std::istream.
+// Each time that it takes a piece of the file it asks `progress` with the part of the file that was taken before.
+class Watched_file : public std::filebuf
+{
+public:
+  // \param size the size of the file in bytes
+  Watched_file(const std::string& path, std::uintmax_t size, const IT::Progress_function& progress)
+    : buffer_(std::size_t(1) << 20), size_(static_cast<double>(size)), progress_(progress)
+  {
+    pubsetbuf(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    open(path, std::ios::in | std::ios::binary);
+  }
+
+  bool is_cancelled() const { return is_cancelled_; }
+
+protected:
+  int_type underflow() override
+  {
+    is_cancelled_ = is_cancelled_ || (progress_ && !progress_(size_ > 0 ? taken_ / size_ : 1));
+    if (is_cancelled_)
+      return traits_type::eof();
+    const int_type result = std::filebuf::underflow();
+    if (result != traits_type::eof())
+      taken_ += static_cast<double>(egptr() - gptr());
+    return result;
+  }
+
+private:
+  std::vector<char> buffer_;
+  double size_;
+  double taken_ = 0;
+  const IT::Progress_function& progress_;
+  bool is_cancelled_ = false;
+};
+
+} // namespace
 
 bool is_gluing_file(const std::string& path)
 {
@@ -31,7 +73,7 @@ bool is_gluing_file(const std::string& path)
   return extension == ".gluing";
 }
 
-IT::Exact_gluing read_exact_gluing_file(const std::string& name, const IT::Progress_function& progress)
+IT::Exact_gluing read_gluing_file(const std::string& name, const IT::Progress_function& progress)
 {
   const std::string path = readable_file(name);
   const std::uintmax_t size = IT::readable_file_size(path);
@@ -49,6 +91,8 @@ IT::Exact_gluing read_exact_gluing_file(const std::string& name, const IT::Progr
     IT::Exact_gluing gluing = IT::read_exact_gluing(in);
     // To whoever reads, a cancelled file is one that ends.
     stop_if_cancelled();
+    if (!gluing.squared_lengths.empty())
+      gluing.lengths = rounded_lengths(gluing.squared_lengths);
     return gluing;
   } catch (const IT::Invalid_surface_error& e) {
     stop_if_cancelled();
@@ -56,14 +100,6 @@ IT::Exact_gluing read_exact_gluing_file(const std::string& name, const IT::Progr
   } catch (const std::bad_alloc&) {
     refuse_file(path, "there is not enough memory for this file");
   }
-}
-
-void read_gluing_file(const std::string& path, IT::Delta_complex& connectivity, std::vector<double>& lengths,
-                      const IT::Progress_function& progress)
-{
-  IT::Exact_gluing gluing = read_exact_gluing_file(path, progress);
-  connectivity = std::move(gluing.complex);
-  lengths = gluing.squared_lengths.empty() ? std::move(gluing.lengths) : rounded_lengths(gluing.squared_lengths);
 }
 
 std::vector<double> rounded_lengths(const std::vector<IT::Rational>& squared_lengths)

@@ -6,12 +6,10 @@
 #ifndef IDT_GLUING_FILE_H
 #define IDT_GLUING_FILE_H
 
-#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/untwist.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -20,17 +18,12 @@ namespace idt {
 // Whether the name ends in `.gluing`, in letters of any case.
 bool is_gluing_file(const std::string& path);
 
-// Reads a file of either version.
+// Reads a file of either version. The lengths are there in any case: of squared lengths, the roots are rounded.
 // \exception Invalid_surface_error if the file cannot be read or is no gluing; the
 //            message begins with `path`
 // \exception CGAL::Intrinsic_triangulations::Cancelled_error if `progress` returns false
 CGAL::Intrinsic_triangulations::Exact_gluing
-read_exact_gluing_file(const std::string& path, const CGAL::Intrinsic_triangulations::Progress_function& progress = {});
-
-// The same for those who can only use lengths that are doubles: of squared lengths, the roots are rounded.
-void read_gluing_file(const std::string& path, CGAL::Intrinsic_triangulations::Delta_complex& connectivity,
-                      std::vector<double>& lengths,
-                      const CGAL::Intrinsic_triangulations::Progress_function& progress = {});
+read_gluing_file(const std::string& path, const CGAL::Intrinsic_triangulations::Progress_function& progress = {});
 
 // The lengths of edges, within a unit in the last place; infinite or zero where that is out of the range.
 std::vector<double> rounded_lengths(const std::vector<CGAL::Intrinsic_triangulations::Rational>& squared_lengths);

@@ -12,59 +12,16 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 namespace idt {
 namespace {
 
-struct Named_format
-{
-  Mesh_format format;
-  const char* extension;
-  bool holds_polygons;
-};
+const std::pair<Mesh_format, const char*> formats[] = {{Mesh_format::PLY, ".ply"}, {Mesh_format::OFF, ".off"},
+                                                       {Mesh_format::OBJ, ".obj"}, {Mesh_format::VTP, ".vtp"},
+                                                       {Mesh_format::STL, ".stl"}, {Mesh_format::TS, ".ts"}};
 
-const Named_format formats[] = {{Mesh_format::PLY, ".ply", true},  {Mesh_format::OFF, ".off", true},
-                                {Mesh_format::OBJ, ".obj", true},  {Mesh_format::VTP, ".vtp", true},
-                                {Mesh_format::STL, ".stl", false}, {Mesh_format::TS, ".ts", false}};
-
-} // namespace
-
-std::optional<Mesh_format> find_mesh_format(const std::string& path)
-{
-  const std::string name = path.substr(path.find_last_of('/') + 1);
-  std::string extension = name.substr((std::min)(name.rfind('.'), name.size()));
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  for (const Named_format& format : formats)
-    if (extension == format.extension)
-      return format.format;
-  return std::nullopt;
-}
-
-bool holds_polygons(Mesh_format format) { return format != Mesh_format::STL && format != Mesh_format::TS; }
-
-std::string mesh_extensions(bool are_polygons)
-{
-  std::vector<std::string> names;
-  for (const Named_format& format : formats)
-    if (format.holds_polygons || !are_polygons)
-      names.push_back(format.extension);
-  std::string text = names.front();
-  for (std::size_t i = 1; i < names.size(); ++i)
-    text += (i + 1 < names.size() ? ", " : " or ") + names[i];
-  return text;
-}
-
-std::vector<std::string> coordinate_names(const std::vector<Named_values>& arrays)
-{
-  std::vector<std::string> result;
-  for (const Named_values& array : arrays)
-    for (std::size_t c = 0; c < array.components; ++c)
-      result.push_back(array.components == 1 ? array.name : array.name + '_' + "xyz"[c]);
-  return result;
-}
-
-// CGAL's writer puts the bytes in the order of the machine, whatever the header says.
+// The lowest bytes first on any machine: CGAL's writer puts them in the order of the machine, whatever the header says.
 void write_ply(std::ostream& os, const std::vector<std::array<double, 3>>& points,
                const std::vector<std::array<std::uint32_t, 3>>& triangles, const std::vector<Named_values>& at_points)
 {
@@ -85,8 +42,46 @@ void write_ply(std::ostream& os, const std::vector<std::array<double, 3>>& point
   });
 }
 
+} // namespace
+
+std::optional<Mesh_format> find_mesh_format(const std::string& path)
+{
+  const std::string name = path.substr(path.find_last_of('/') + 1);
+  std::string extension = name.substr((std::min)(name.rfind('.'), name.size()));
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const auto& [format, of_format] : formats)
+    if (extension == of_format)
+      return format;
+  return std::nullopt;
+}
+
+bool holds_polygons(Mesh_format format) { return format != Mesh_format::STL && format != Mesh_format::TS; }
+
+std::string mesh_extensions(bool are_polygons)
+{
+  std::vector<std::string> names;
+  for (const auto& [format, extension] : formats)
+    if (holds_polygons(format) || !are_polygons)
+      names.push_back(extension);
+  std::string text = names.front();
+  for (std::size_t i = 1; i < names.size(); ++i)
+    text += (i + 1 < names.size() ? ", " : " or ") + names[i];
+  return text;
+}
+
+std::vector<std::string> coordinate_names(const std::vector<Named_values>& arrays)
+{
+  std::vector<std::string> result;
+  for (const Named_values& array : arrays)
+    for (std::size_t c = 0; c < array.components; ++c)
+      result.push_back(array.components == 1 ? array.name : array.name + '_' + "xyz"[c]);
+  return result;
+}
+
 void write_mesh(std::ostream& os, const std::vector<std::array<double, 3>>& points,
-                const std::vector<std::array<std::uint32_t, 3>>& triangles, Mesh_format format)
+                const std::vector<std::array<std::uint32_t, 3>>& triangles, Mesh_format format,
+                const std::vector<Named_values>& at_points)
 {
   using Point = CGAL::Simple_cartesian<double>::Point_3;
   std::vector<Point> places;
@@ -100,7 +95,7 @@ void write_mesh(std::ostream& os, const std::vector<std::array<double, 3>>& poin
   const auto all_digits = CGAL::parameters::stream_precision(17);
   switch (format) {
   case Mesh_format::PLY:
-    write_ply(os, points, triangles);
+    write_ply(os, points, triangles, at_points);
     return;
   case Mesh_format::OFF:
     CGAL::IO::write_OFF(os, places, faces, all_digits);
@@ -125,11 +120,9 @@ void write_mesh(std::ostream& os, const std::vector<std::array<double, 3>>& poin
     return;
   case Mesh_format::VTP:
     Flat_polygons polygons;
-    for (const auto& triangle : triangles) {
-      polygons.corners.insert(polygons.corners.end(), triangle.begin(), triangle.end());
-      polygons.ends.push_back(polygons.corners.size());
-    }
-    write_vtp(os, points, polygons);
+    for (const auto& triangle : triangles)
+      polygons.add(triangle);
+    write_vtp(os, points, polygons, at_points);
     return;
   }
 }

@@ -55,15 +55,12 @@ void for_each_coordinate(const std::vector<Named_values>& arrays, std::size_t el
       visit(array.values[element * array.components + c]);
 }
 
-// Writes bytes, the lowest first on any machine, with a property of type double for each coordinate of the values.
-void write_ply(std::ostream& os, const std::vector<std::array<double, 3>>& points,
-               const std::vector<std::array<std::uint32_t, 3>>& triangles,
-               const std::vector<Named_values>& at_points = {});
-
 // Writes triangles, coordinates with all their digits: PLY is binary, with doubles, and STL
 // is text, whose binary form has floats alone.
+// \param at_points values that PLY and VTP hold; PLY has a property for each of their coordinates
 void write_mesh(std::ostream& os, const std::vector<std::array<double, 3>>& points,
-                const std::vector<std::array<std::uint32_t, 3>>& triangles, Mesh_format format);
+                const std::vector<std::array<std::uint32_t, 3>>& triangles, Mesh_format format,
+                const std::vector<Named_values>& at_points = {});
 
 } // namespace idt
 

@@ -8,12 +8,12 @@
 #endif
 #include "input/mesh_file.h"
 #include "input/standard_input.h"
-#include "system/Interruption.h"
 #include "system/Progress.h"
 #include "system/text.h"
 
 #include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
+#include <functional>
 #include <iostream>
 #include <utility>
 
@@ -68,10 +68,7 @@ Surface_input read_and_warn(const std::string& path)
   Surface_input input;
   {
     Progress progress(path, "reading");
-    input = read_surface(path, [&progress](double fraction) {
-      progress.show("reading", fraction);
-      return !is_interrupted();
-    });
+    input = read_surface(path, std::ref(progress));
   }
   for (const std::string& warning : input.warnings)
     std::cerr << "idt: " << path << ": warning: " << warning << std::endl;

@@ -3,7 +3,6 @@
 
 #include "input/repair.h"
 
-#include "system/Interruption.h"
 #include "system/Progress.h"
 
 #include <CGAL/Intrinsic_triangulations/repair_polygons.h>
@@ -11,6 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
+#include <functional>
+#include <iostream>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -24,15 +25,14 @@ Repair_report repair(Surface_input& input)
   IT::Repaired_polygons repaired;
   try {
     Progress progress(input.path, "repairing");
-    repaired = IT::repair_polygons(input.points, input.polygons(), [&progress](double fraction) {
-      progress.show("repairing", fraction);
-      return !is_interrupted();
-    });
+    repaired = IT::repair_polygons(input.points, input.polygons(), std::ref(progress));
   } catch (const IT::Cancelled_error&) {
     throw IT::Cancelled_error(input.path + ": cancelled while it was repaired");
   } catch (const IT::Invalid_surface_error& error) {
     throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(), input.path + ": " + error.what());
   }
+  for (const IT::Repair& repair : repaired.repairs)
+    std::cerr << "idt: " << input.path << ": repaired: " << IT::message(repair) << std::endl;
   input.points = std::move(repaired.points);
   input.first_corner.clear();
   input.corners.clear();
@@ -43,16 +43,6 @@ Repair_report repair(Surface_input& input)
       {{static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)}});
   return {std::make_shared<const std::vector<IT::Repair>>(std::move(repaired.repairs)),
           std::move(repaired.input_vertices), std::move(repaired.input_faces)};
-}
-
-bool is_repairable(const IT::Finding& finding) { return IT::is_repairable(finding.defect); }
-
-std::vector<std::string> messages(const Repairs& repairs)
-{
-  std::vector<std::string> result;
-  for (const IT::Repair& repair : *repairs)
-    result.push_back(IT::message(repair));
-  return result;
 }
 
 nlohmann::ordered_json to_json_value(const Repairs& repairs)

@@ -7,26 +7,16 @@
 #include "input/Surface.h"
 #include "input/read_surface.h"
 
-#include <CGAL/Intrinsic_triangulations/validate_triangles.h>
-
 #include <nlohmann/json_fwd.hpp>
 
 #include <ostream>
-#include <string>
-#include <vector>
 
 namespace idt {
 
-// Makes a surface of what was read, as far as possible, and says what was done.
+// Makes a surface of what was read, as far as possible, and says on the standard error what was done.
 // \exception Invalid_surface_error if the input cannot be repaired; the message begins with its path
 // \exception Cancelled_error if an interruption ends the repair
 Repair_report repair(Surface_input& input);
-
-// Whether that mends what was found.
-bool is_repairable(const CGAL::Intrinsic_triangulations::Finding& finding);
-
-// What was done, a sentence for each kind of repair.
-std::vector<std::string> messages(const Repairs& repairs);
 
 // What was done to a surface.
 inline Repairs repairs(const Surface& surface) { return surface.repair ? surface.repair->repairs : nullptr; }

@@ -7,6 +7,8 @@
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
+#include <boost/algorithm/string/split.hpp>
+
 #include <cstdlib>
 #include <fstream>
 #include <limits>
@@ -18,12 +20,8 @@ std::vector<std::string> cells_of(std::string line)
 {
   if (!line.empty() && line.back() == '\r')
     line.pop_back();
-  std::vector<std::string> cells(1);
-  for (char c : line)
-    if (c == ',')
-      cells.emplace_back();
-    else
-      cells.back() += c;
+  std::vector<std::string> cells;
+  boost::split(cells, line, [](char c) { return c == ','; });
   return cells;
 }
 

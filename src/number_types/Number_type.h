@@ -27,16 +27,20 @@ enum class Number_type {
 
 constexpr Number_type default_number_type = Number_type::FILTERED;
 
-// The name as it stands on the command line and in reports.
-const char* name(Number_type number_type);
+struct Named_number_type
+{
+  Number_type number_type;
+  const char* name;        // as it stands on the command line and in reports
+  const char* description; // a line
+};
 
-// What it is, in a line.
-const char* description(Number_type number_type);
+// All of them, in the order of the enumeration.
+const std::vector<Named_number_type>& number_types();
+
+const char* name(Number_type number_type);
 
 // The number type of that name, if there is one.
 std::optional<Number_type> find_number_type(const std::string& name);
-
-const std::vector<Number_type>& number_types();
 
 std::vector<std::string> number_type_names();
 

@@ -107,7 +107,7 @@ IT::Flip_report flip_with(IT::Intrinsic_triangulation<Traits>& triangulation, co
   if constexpr (Traits::Uses_exact_geometry::value)
     if (job.options.refinement) {
       const std::vector<bool> is_constrained = first_constraints(triangulation, job);
-      return IT::flip_to_Delaunay(triangulation, parameters.edge_is_constrained_map(Edge_flags{&is_constrained}));
+      return IT::flip_to_Delaunay(triangulation, parameters.edge_is_constrained_map(edge_flags(is_constrained)));
     }
   return IT::flip_to_Delaunay(triangulation, parameters);
 }

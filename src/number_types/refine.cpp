@@ -140,7 +140,7 @@ void refine(Filtered_triangulation& triangulation, const Job& job, Outcome& outc
                             .maximum_circumradius(options.criteria.maximum_circumradius)
                             .maximum_edge_length(options.criteria.maximum_edge_length)
                             .minimum_size(options.criteria.minimum_size)
-                            .edge_is_constrained_map(Edge_flags{&is_constrained})
+                            .edge_is_constrained_map(edge_flags(is_constrained))
                             .visitor(std::ref(visitor));
   try {
     summary.report =
@@ -195,12 +195,8 @@ std::vector<bool> first_constraints(const Filtered_triangulation& triangulation,
   std::vector<std::int64_t> missing_parts(is_constrained.begin(), is_constrained.end());
   for (const IT::Surface_point& point : inserted_points(triangulation))
     if (point.dimension() == 1) {
-      IT::Halfedge_index side = point.halfedge; // opposite to the corner with the coordinate zero
-      if (point.coordinates[0] == 0)
-        side = input.next(side);
-      else if (point.coordinates[1] == 0)
-        side = input.prev(side);
-      missing_parts[input.edge(side).idx()] += is_constrained[input.edge(side).idx()];
+      const IT::Edge_index e = input.edge(IT::internal::side_of(input, point));
+      missing_parts[e.idx()] += is_constrained[e.idx()];
     }
   for (IT::Edge_index e : complex.edges())
     if (result[e.idx()])

@@ -12,7 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 
-#include <CGAL/property_map.h>
+#include <boost/property_map/function_property_map.hpp>
 
 #include <vector>
 
@@ -22,15 +22,13 @@ using Filtered_triangulation =
   CGAL::Intrinsic_triangulations::Intrinsic_triangulation<CGAL::Intrinsic_triangulations::Filtered_edge_length_traits>;
 
 // A flag for each edge as a property map; edges that came later have none set.
-struct Edge_flags
+// \param flags have to live as long
+inline auto edge_flags(const std::vector<bool>& flags)
 {
-  using key_type = CGAL::Intrinsic_triangulations::Edge_index;
-  using value_type = bool;
-  using reference = bool;
-  using category = boost::readable_property_map_tag;
-  friend bool get(const Edge_flags& map, key_type e) { return e.idx() < map.flags->size() && (*map.flags)[e.idx()]; }
-  const std::vector<bool>* flags;
-};
+  using CGAL::Intrinsic_triangulations::Edge_index;
+  return boost::make_function_property_map<Edge_index, bool>(
+    [&flags](Edge_index e) { return e.idx() < flags.size() && flags[e.idx()]; });
+}
 
 // Flips are done; refines if they found a Delaunay triangulation.
 void refine(Filtered_triangulation& triangulation, const Job& job, Outcome& outcome);

@@ -33,11 +33,11 @@ namespace idt {
 // What a run is to find out beside the flips; what nobody asked for costs nothing.
 struct Requested_results
 {
-  bool weights = true;          // their summaries, before and after
-  bool lengths = true;          // of the result
-  bool numbers = true;          // weights and areas of the result
+  bool weights = false;         // their summaries, before and after
+  bool lengths = false;         // of the result
+  bool numbers = false;         // lengths, weights and areas of the result
   bool input_numbers = false;   // lengths, weights and areas of the input
-  bool crossings = true;        // where the input lies in the result
+  bool crossings = false;       // where the input lies in the result
   bool tessellation = false;    // ties and cells, of a result that is Delaunay
   bool verification = false;    // the exact check of each edge
   bool exact_lengths = false;   // of the edges of the result, whatever made it
@@ -46,12 +46,6 @@ struct Requested_results
   bool shapes = false;          // of the faces of the result
   bool saved = false;           // the triangulation as a file, with FILTERED alone
 
-  static Requested_results nothing()
-  {
-    Requested_results wanted;
-    wanted.weights = wanted.lengths = wanted.numbers = wanted.crossings = false;
-    return wanted;
-  }
   bool needs_input() const
   {
     return crossings || tessellation || verification || exact_lengths || wrong_decisions || overlay || shapes || saved;

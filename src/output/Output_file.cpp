@@ -183,7 +183,7 @@ void check_output_paths(const std::vector<std::string>& outputs, const std::vect
                             ? "two results cannot both go to the standard output"
                             : outputs[i] + ": two results cannot go to the same file: choose another name");
     for (const std::string& input : inputs)
-      if (input != "-" && is_same_file(outputs[i], input))
+      if (!input.empty() && input != "-" && is_same_file(outputs[i], input))
         throw Usage_error(outputs[i] + ": a result would replace an input: choose another name");
   }
 }

@@ -9,6 +9,7 @@
 #include "system/Exit_status.h"
 #include "system/Interruption.h"
 
+#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <ostream>
@@ -65,11 +66,17 @@ inline std::string name_with_format(const std::string& path, const std::string& 
   return path == "-" ? "-." + format : path;
 }
 
+// The extension of that name.
+inline std::string extension_with_format(const std::string& path, const std::string& format)
+{
+  return std::filesystem::path(name_with_format(path, format)).extension().string();
+}
+
 // From now on, what is written to std::cout goes nowhere, or to the standard error if the standard output is taken by a
 // result.
 void route_reports(bool is_quiet, bool is_output_taken);
 
-// Refuses output files that would replace each other or an input.
+// Refuses output files that would replace each other or an input. Empty names stand for none.
 // \exception Usage_error
 void check_output_paths(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 

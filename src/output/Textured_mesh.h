@@ -8,13 +8,13 @@
 #define IDT_TEXTURED_MESH_H
 
 #include "input/Surface.h"
-#include "number_types/run.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace idt {
@@ -36,6 +36,13 @@ Textured_mesh make_map_over_input(const Surface& surface, const CGAL::Intrinsic_
 Textured_mesh make_map_over_intrinsic(const Surface& surface,
                                       const CGAL::Intrinsic_triangulations::Common_subdivision& subdivision,
                                       const CGAL::Intrinsic_triangulations::Planar_points& uv);
+
+// The files that go with an OBJ file: itself, its material and the image of that.
+std::vector<std::string> textured_mesh_paths(const std::string& obj_path);
+
+// Writes a mesh with texture coordinates, and a checkerboard to put on it. The coordinates are
+// moved and scaled into the unit square.
+void write_textured_mesh(const std::string& obj_path, const Textured_mesh& mesh);
 
 } // namespace idt
 

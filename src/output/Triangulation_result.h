@@ -14,7 +14,6 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -81,9 +80,6 @@ nlohmann::ordered_json statistics(const Triangulation_result& result);
 // The intrinsic edges as comma-separated values:
 // `source,target,length,cotan_weight,crossings,original`.
 void write_edges(std::ostream& os, const Triangulation_result& result);
-
-// Where a point of a surface lies in space. \pre the surface has points
-std::array<double, 3> place(const Surface& surface, const CGAL::Intrinsic_triangulations::Surface_point& point);
 
 // The vertices that refinement has inserted as comma-separated values:
 // `vertex,input_face,b0,b1,b2,x,y,z`, with barycentric coordinates in the order of the corners of the face.

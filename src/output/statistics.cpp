@@ -5,11 +5,11 @@
 
 #include "system/system_calls.h"
 #include "input/repair.h"
+#include "output/write_json.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace idt {
@@ -18,19 +18,14 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using Json = nlohmann::ordered_json;
 
-// JSON has no infinity.
-Json number(double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); }
-
-Json number(const std::optional<double>& x) { return x ? number(*x) : Json(nullptr); }
-
 Json mollification(const Surface& surface)
 {
   if (!surface.mollification)
     return 0;
-  return {{"delta", number(surface.mollification->delta)},
-          {"epsilon", number(surface.mollification->epsilon)},
+  return {{"delta", surface.mollification->delta},
+          {"epsilon", surface.mollification->epsilon},
           {"changed_edges", surface.mollification->number_of_changed_edges},
-          {"largest_relative_change", number(surface.mollification->largest_relative_change)}};
+          {"largest_relative_change", surface.mollification->largest_relative_change}};
 }
 
 Json stages(const Outcome& outcome)
@@ -117,7 +112,7 @@ Json shortest_left(const Refinement_summary& refinement)
   if (!refinement.smallest_left)
     return nullptr;
   const Short_side& side = *refinement.smallest_left;
-  return {{"length", side.length}, {"place", side.place ? Json(*side.place) : Json(nullptr)}};
+  return {{"length", side.length}, {"place", side.place}};
 }
 
 std::vector<std::string> warnings(const Triangulation_result& result)
@@ -143,12 +138,11 @@ Json refinement_statistics(const Triangulation_result& result)
   json["flips"] = outcome.report.flips + report.flips;
   const std::vector<bool>& is_constrained = result.options.refinement->is_constrained;
   json["kept_edges"] = std::count(is_constrained.begin(), is_constrained.end(), true);
-  json["minimum_size"] = number(result.options.refinement->criteria.minimum_size);
+  json["minimum_size"] = result.options.refinement->criteria.minimum_size;
   json["shortest_left"] = outcome.refinement ? shortest_left(*outcome.refinement) : Json(nullptr);
   json["minimum_angle_degrees"] = member(outcome.shapes, &Shape_summary::minimum_angle);
-  json["minimum_angle_degrees_of_refined_faces"] =
-    outcome.shapes ? number(outcome.shapes->minimum_refined_angle) : Json(nullptr);
-  json["maximum_circumradius"] = outcome.shapes ? number(outcome.shapes->maximum_circumradius) : Json(nullptr);
+  json["minimum_angle_degrees_of_refined_faces"] = member(outcome.shapes, &Shape_summary::minimum_refined_angle);
+  json["maximum_circumradius"] = member(outcome.shapes, &Shape_summary::maximum_circumradius);
   json["unrefined"] = Json::object();
   for (const auto& [reason, faces] : unrefined_faces(outcome))
     json["unrefined"][reason] = faces;
@@ -199,8 +193,8 @@ nlohmann::ordered_json statistics(const Triangulation_result& result)
   json["crossings"] = member(crossings, &Crossing_summary::crossings);
   json["loops"] = counts.loops;
   json["multiple_edges"] = counts.multiple_edges;
-  json["min_weight_before"] = before ? number(before->smallest) : Json(nullptr);
-  json["min_weight_after"] = after ? number(after->smallest) : Json(nullptr);
+  json["min_weight_before"] = member(before, &IT::Weight_summary::smallest);
+  json["min_weight_after"] = member(after, &IT::Weight_summary::smallest);
   json["negative_weights_before"] = member(before, &IT::Weight_summary::negative);
   json["negative_weights_after"] = member(after, &IT::Weight_summary::negative);
   json["infinite_weights_before"] = member(before, &IT::Weight_summary::infinite);

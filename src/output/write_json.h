@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A JSON file.
+// JSON files.
 
 #ifndef IDT_WRITE_JSON_H
 #define IDT_WRITE_JSON_H
@@ -10,8 +10,23 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
 #include <ostream>
 #include <string>
+
+// What is not known is null. (So are infinite numbers, once they are written.)
+template <class T>
+struct nlohmann::adl_serializer<std::optional<T>>
+{
+  static void to_json(nlohmann::ordered_json& json, const std::optional<T>& value)
+  {
+    json = value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+  }
+  static void from_json(const nlohmann::ordered_json& json, std::optional<T>& value)
+  {
+    value = json.is_null() ? std::nullopt : std::optional<T>(json.get<T>());
+  }
+};
 
 namespace idt {
 

@@ -1,29 +1,62 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "output/Triangulation_result.h"
+#include "output/write_matrices.h"
 
+#include "output/Triangulation_result.h"
 #include "output/finite_weights.h"
-#include "output/write_symmetric_matrix.h"
+#include "system/Long_text.h"
 
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 
+#include <cstddef>
+
 namespace idt {
+namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
+
+// Eigen's own writer takes a file name, and writes both triangles of a symmetric matrix.
+// \param what a comment that says what the matrix is
+void write_symmetric_matrix(std::ostream& os, const char* what, const Eigen::SparseMatrix<double>& matrix)
+{
+  std::size_t entries = 0;
+  for (int c = 0; c < matrix.outerSize(); ++c)
+    for (Eigen::SparseMatrix<double>::InnerIterator i(matrix, c); i; ++i)
+      entries += i.row() >= i.col();
+  os << "%%MatrixMarket matrix coordinate real symmetric\n% " << what << '\n'
+     << matrix.rows() << ' ' << matrix.cols() << ' ' << entries << '\n';
+  write_elements(os, static_cast<std::size_t>(matrix.outerSize()), [&matrix](Long_text& text, std::size_t c) {
+    for (Eigen::SparseMatrix<double>::InnerIterator i(matrix, static_cast<int>(c)); i; ++i)
+      if (i.row() >= i.col())
+        text << i.row() + 1 << ' ' << i.col() + 1 << ' ' << i.value() << '\n';
+  });
+}
+
+} // namespace
+
+void write_stiffness_matrix(std::ostream& os, const Eigen::SparseMatrix<double>& matrix)
+{
+  write_symmetric_matrix(os, "Laplace-Beltrami operator: -(cot + cot)/2 off the diagonal, row sums zero", matrix);
+}
+
+void write_mass_matrix(std::ostream& os, const Eigen::SparseMatrix<double>& matrix, bool is_lumped)
+{
+  write_symmetric_matrix(
+    os, is_lumped ? "lumped mass: a third of the area of the faces at each vertex" : "mass of linear finite elements",
+    matrix);
+}
 
 void write_Laplacian(std::ostream& os, const Triangulation_result& result)
 {
   const Outcome& outcome = result.outcome;
   require_finite_weights(result.surface, outcome.connectivity, outcome.numbers);
-  write_symmetric_matrix(os, "Laplace-Beltrami operator: -(cot + cot)/2 off the diagonal, row sums zero",
-                         IT::stiffness_matrix(outcome.connectivity, outcome.numbers.cotangent_weights));
+  write_stiffness_matrix(os, IT::stiffness_matrix(outcome.connectivity, outcome.numbers.cotangent_weights));
 }
 
 void write_mass(std::ostream& os, const Triangulation_result& result)
 {
-  write_symmetric_matrix(os, "lumped mass: a third of the area of the faces at each vertex",
-                         IT::lumped_mass_matrix(result.outcome.connectivity, result.outcome.numbers.areas));
+  write_mass_matrix(os, IT::lumped_mass_matrix(result.outcome.connectivity, result.outcome.numbers.areas), true);
 }
 
 } // namespace idt

@@ -146,17 +146,15 @@ public:
     };
     for (IT::Overlay::Segment s : overlay_.segments()) {
       const IT::Overlay::Halfedge h = overlay_.halfedge(s);
-      lines.corners.insert(lines.corners.end(), {overlay_.source(h).idx(), overlay_.target(h).idx()});
-      lines.ends.push_back(lines.corners.size());
+      lines.add(std::array<std::uint32_t, 2>{overlay_.source(h).idx(), overlay_.target(h).idx()});
       add_cell(double(overlay_.label(s)), -1, -1);
     }
     for (IT::Overlay::Face f : overlay_.faces())
       for_each_piece(f, [&](const Corners& corners) {
-        polygons.corners.insert(polygons.corners.end(), corners.begin(), corners.end());
-        polygons.ends.push_back(polygons.corners.size());
+        polygons.add(corners);
         add_cell(-1, overlay_.input_face(f).idx(), overlay_.intrinsic_face(f).idx());
       });
-    std::vector<Named_values> at_points = finite(values_);
+    std::vector<Named_values> at_points = values_;
     at_points.insert(at_points.end(), {kinds, input_edges, intrinsic_edges});
     idt::write_vtp(os, all_points(), polygons, at_points, lines, {input_faces, intrinsic_faces, labels});
   }

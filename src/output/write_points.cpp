@@ -6,23 +6,13 @@
 #include "system/text.h"
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
+
+#include <cstddef>
 
 namespace idt {
 
 namespace IT = CGAL::Intrinsic_triangulations;
-
-std::array<double, 3> place(const Surface& surface, const IT::Surface_point& point)
-{
-  const IT::Halfedge_index h = point.halfedge;
-  const std::array<IT::Halfedge_index, 3> sides = {h, surface.connectivity.next(h), surface.connectivity.prev(h)};
-  const auto& [a, b, c] = point.coordinates;
-  std::array<double, 3> result{};
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      result[axis] +=
-        point.coordinates[i] / (a + b + c) * surface.points[surface.connectivity.source(sides[i]).idx()][axis];
-  return result;
-}
 
 void write_points(std::ostream& os, const Triangulation_result& result)
 {
@@ -36,11 +26,15 @@ void write_points(std::ostream& os, const Triangulation_result& result)
     os << vertex++ << ',' << f.idx();
     for (double x : IT::coordinates_from(surface.connectivity, point, surface.connectivity.halfedge(f)))
       os << ',' << in_full(x);
-    if (surface.has_points())
-      for (double x : place(surface, point))
+    if (surface.has_points()) {
+      IT::Surface_point normalized = point;
+      for (double& x : normalized.coordinates)
+        x /= point.coordinates[0] + point.coordinates[1] + point.coordinates[2];
+      for (double x : IT::point_in_space(surface.connectivity, surface.points, normalized))
         os << ',' << in_full(x);
-    else
+    } else {
       os << ",,,";
+    }
     os << '\n';
     if (!os)
       return; // the disk is full: the caller finds out

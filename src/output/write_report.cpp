@@ -13,19 +13,10 @@
 namespace idt {
 namespace {
 
-class Report_writer
+void line(std::ostream& os, const char* label, const std::string& text)
 {
-public:
-  explicit Report_writer(std::ostream& os) : os_(os) {}
-
-  void line(const char* label, const std::string& text)
-  {
-    os_ << "  " << std::left << std::setw(16) << label << text << '\n';
-  }
-
-private:
-  std::ostream& os_;
-};
+  os << "  " << std::left << std::setw(16) << label << text << '\n';
+}
 
 std::string stages_text(const CGAL::Intrinsic_triangulations::Stage_counts& counts)
 {
@@ -48,18 +39,19 @@ std::string weights_text(const CGAL::Intrinsic_triangulations::Weight_summary& s
   return text;
 }
 
-void write_refinement(Report_writer& report, const Triangulation_result& result)
+void write_refinement(std::ostream& os, const Triangulation_result& result)
 {
   const Refinement_summary& summary = *result.outcome.refinement;
   const std::vector<bool>& is_constrained = result.options.refinement->is_constrained;
   if (!is_constrained.empty())
-    report.line("kept edges",
-                with_separators(std::uint64_t(std::count(is_constrained.begin(), is_constrained.end(), true))));
+    line(os, "kept edges",
+         with_separators(std::uint64_t(std::count(is_constrained.begin(), is_constrained.end(), true))));
   const std::uint64_t on_edges = summary.report.segment_splits;
-  report.line("new vertices", with_separators(summary.report.insertions + on_edges) + ", " + with_separators(on_edges) +
-                                " of them on edges that are not flipped");
-  report.line("later flips", with_separators(summary.report.flips));
-  report.line("smallest size", result.smallest_size);
+  line(os, "new vertices",
+       with_separators(summary.report.insertions + on_edges) + ", " + with_separators(on_edges) +
+         " of them on edges that are not flipped");
+  line(os, "later flips", with_separators(summary.report.flips));
+  line(os, "smallest size", result.smallest_size);
 }
 
 std::string shapes_text(const Outcome& outcome)
@@ -80,22 +72,23 @@ std::string number_type_text(const Run_options& options)
 }
 
 // How edges were decided, and where the input lies in the result.
-void write_details(Report_writer& report, const Triangulation_result& result)
+void write_details(std::ostream& os, const Triangulation_result& result)
 {
   const Outcome& outcome = result.outcome;
   if (outcome.stages)
-    report.line("decided", stages_text(*outcome.stages));
+    line(os, "decided", stages_text(*outcome.stages));
   if (outcome.tessellation)
-    report.line("ties", with_separators(outcome.tessellation->ties) + ", which leaves " +
-                          counted(outcome.tessellation->cells, "cell", "cells"));
+    line(os, "ties",
+         with_separators(outcome.tessellation->ties) + ", which leaves " +
+           counted(outcome.tessellation->cells, "cell", "cells"));
   if (outcome.crossing_summary) {
-    report.line("changed edges", with_separators(outcome.crossing_summary->changed));
-    report.line("crossings", with_separators(outcome.crossing_summary->crossings));
-    report.line("simple edges", with_separators(outcome.crossing_summary->simple));
-    report.line("longest edge", counted(outcome.crossing_summary->longest, "segment", "segments"));
+    line(os, "changed edges", with_separators(outcome.crossing_summary->changed));
+    line(os, "crossings", with_separators(outcome.crossing_summary->crossings));
+    line(os, "simple edges", with_separators(outcome.crossing_summary->simple));
+    line(os, "longest edge", counted(outcome.crossing_summary->longest, "segment", "segments"));
   }
-  report.line("loops", with_separators(result.counts.loops));
-  report.line("multiple edges", with_separators(result.counts.multiple_edges));
+  line(os, "loops", with_separators(result.counts.loops));
+  line(os, "multiple edges", with_separators(result.counts.multiple_edges));
 }
 
 std::string times_text(const Triangulation_result& result)
@@ -118,33 +111,37 @@ std::string times_text(const Triangulation_result& result)
 }
 
 // What was read, and what was done to it before the flips.
-void write_surface(Report_writer& report, const Triangulation_result& result, bool is_verbose)
+void write_surface(std::ostream& os, const Triangulation_result& result, bool is_verbose)
 {
   const Surface_counts& counts = result.counts;
   const Surface& surface = result.surface;
-  report.line("surface", counted(counts.vertices, "vertex", "vertices") + ", " +
-                           counted(counts.edges, "edge", "edges") + ", " + counted(counts.faces, "face", "faces"));
-  report.line("topology", counted(counts.components, "component", "components") + ", " +
-                            counted(counts.boundary_edges, "boundary edge", "boundary edges") +
-                            ", Euler characteristic " + std::to_string(counts.euler_characteristic));
+  line(os, "surface",
+       counted(counts.vertices, "vertex", "vertices") + ", " + counted(counts.edges, "edge", "edges") + ", " +
+         counted(counts.faces, "face", "faces"));
+  line(os, "topology",
+       counted(counts.components, "component", "components") + ", " +
+         counted(counts.boundary_edges, "boundary edge", "boundary edges") + ", Euler characteristic " +
+         std::to_string(counts.euler_characteristic));
   for (const std::string& note : surface.warnings)
-    report.line("note", note);
+    line(os, "note", note);
   if (surface.mollification)
-    report.line("mollified", counted(surface.mollification->number_of_changed_edges, "edge", "edges") +
-                               " longer by at most " + in_short(surface.mollification->epsilon) + " (" +
-                               in_short(100 * surface.mollification->largest_relative_change) + " %)");
+    line(os, "mollified",
+         counted(surface.mollification->number_of_changed_edges, "edge", "edges") + " longer by at most " +
+           in_short(surface.mollification->epsilon) + " (" +
+           in_short(100 * surface.mollification->largest_relative_change) + " %)");
   if (surface.input_vertices)
-    report.line("flat sides",
-                counted(surface.number_of_removed_vertices, "vertex", "vertices") + " removed" +
-                  (result.flat_tolerance ? "; the surface has moved by at most " + in_short(result.flat_deviation) +
-                                             ", of " + in_short(*result.flat_tolerance) + " allowed"
-                                         : std::string()));
+    line(os, "flat sides",
+         counted(surface.number_of_removed_vertices, "vertex", "vertices") + " removed" +
+           (result.flat_tolerance ? "; the surface has moved by at most " + in_short(result.flat_deviation) + ", of " +
+                                      in_short(*result.flat_tolerance) + " allowed"
+                                  : std::string()));
   if (is_verbose || result.options.number_type != default_number_type)
-    report.line("number type", number_type_text(result.options));
+    line(os, "number type", number_type_text(result.options));
   if (surface.untwisting)
-    report.line("fast forward", surface.untwisting->number_of_flips.str() +
-                                  (surface.untwisting->number_of_flips == 1 ? " flip in " : " flips in ") +
-                                  counted(surface.untwisting->twists.size(), "twist", "twists"));
+    line(os, "fast forward",
+         surface.untwisting->number_of_flips.str() +
+           (surface.untwisting->number_of_flips == 1 ? " flip in " : " flips in ") +
+           counted(surface.untwisting->twists.size(), "twist", "twists"));
 }
 
 // What makes a flattened surface unfit for most solvers.
@@ -159,24 +156,24 @@ std::string gaps_text(const Flattened_surface& surface)
 }
 
 // Flips and new vertices.
-void write_changes(Report_writer& report, const Triangulation_result& result)
+void write_changes(std::ostream& os, const Triangulation_result& result)
 {
   const Outcome& outcome = result.outcome;
-  report.line("flips",
-              with_separators(outcome.report.flips) + " in " + with_separators(outcome.report.tests) + " tests");
+  line(os, "flips", with_separators(outcome.report.flips) + " in " + with_separators(outcome.report.tests) + " tests");
   if (outcome.refinement)
-    write_refinement(report, result);
+    write_refinement(os, result);
   if (outcome.shapes)
-    report.line("shapes", shapes_text(outcome));
+    line(os, "shapes", shapes_text(outcome));
   for (const auto& [reason, faces] : unrefined_faces(outcome))
-    report.line("left", counted(faces, "face", "faces") + ": " + reason);
+    line(os, "left", counted(faces, "face", "faces") + ": " + reason);
   if (outcome.refinement && outcome.refinement->smallest_left)
-    report.line("shortest left", "a side of " + text(*outcome.refinement->smallest_left));
+    line(os, "shortest left", "a side of " + text(*outcome.refinement->smallest_left));
   if (result.flattened)
-    report.line("flattened", "another surface, of " +
-                               counted(result.flattened->triangles.size(), "straight triangle", "straight triangles") +
-                               ", up to " + in_short(result.flattened->deviation) + " away, smallest angle " +
-                               in_short(result.flattened->minimum_angle) + " degrees" + gaps_text(*result.flattened));
+    line(os, "flattened",
+         "another surface, of " +
+           counted(result.flattened->triangles.size(), "straight triangle", "straight triangles") + ", up to " +
+           in_short(result.flattened->deviation) + " away, smallest angle " +
+           in_short(result.flattened->minimum_angle) + " degrees" + gaps_text(*result.flattened));
 }
 
 } // namespace
@@ -185,23 +182,23 @@ void write_report(std::ostream& os, const Triangulation_result& result, bool is_
 {
   const Outcome& outcome = result.outcome;
   os << result.surface.path << '\n';
-  Report_writer report(os);
-  write_surface(report, result, is_verbose);
-  write_changes(report, result);
+  write_surface(os, result, is_verbose);
+  write_changes(os, result);
   if (is_verbose)
-    write_details(report, result);
+    write_details(os, result);
   if (outcome.weights_before)
-    report.line("weights before", weights_text(*outcome.weights_before));
+    line(os, "weights before", weights_text(*outcome.weights_before));
   if (outcome.weights_after)
-    report.line("weights after", weights_text(*outcome.weights_after));
+    line(os, "weights after", weights_text(*outcome.weights_after));
   if (outcome.verification)
-    report.line("verification", describe_verification(outcome));
+    line(os, "verification", describe_verification(outcome));
 
-  report.line("time", (is_verbose ? times_text(result) + "; " : "") + seconds_text(result.surface.stopwatch.seconds()) +
-                        (is_verbose ? " in all" : ""));
+  line(os, "time",
+       (is_verbose ? times_text(result) + "; " : "") + seconds_text(result.surface.stopwatch.seconds()) +
+         (is_verbose ? " in all" : ""));
   if (is_verbose)
-    report.line("peak memory", in_short(double(peak_memory_bytes()) / (1 << 20)) + " MiB");
-  report.line("status", describe_status(result));
+    line(os, "peak memory", in_short(double(peak_memory_bytes()) / (1 << 20)) + " MiB");
+  line(os, "status", describe_status(result));
 }
 
 } // namespace idt

@@ -3,6 +3,7 @@
 
 #include "system/Progress.h"
 
+#include "system/Interruption.h"
 #include "system/system_calls.h"
 #include "system/text.h"
 
@@ -95,6 +96,18 @@ void Progress::show(const char* what, double fraction)
   const std::size_t done = static_cast<std::size_t>(width * percent / 100);
   write(std::string(what) + " [" + std::string(done, '#') + std::string(width - done, ' ') + "] " +
         std::to_string(percent) + " %");
+}
+
+bool Progress::operator()(double fraction)
+{
+  show(phase_, fraction);
+  return !is_interrupted();
+}
+
+bool Progress::operator()(const CGAL::Intrinsic_triangulations::Progress& flips)
+{
+  show_flips(flips.tests, flips.flips);
+  return !is_interrupted();
 }
 
 void Progress::look(std::uint64_t tests, std::uint64_t flips)

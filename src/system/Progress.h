@@ -8,6 +8,8 @@
 
 #include "system/Stopwatch.h"
 
+#include <CGAL/Intrinsic_triangulations/observer.h>
+
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -18,7 +20,7 @@
 namespace idt {
 
 // Writes to the standard error, and only if that is a terminal; the line is erased at
-// the end.
+// the end. A reference to it is what the library can ask whether to go on: until an interruption.
 class Progress
 {
 public:
@@ -44,6 +46,11 @@ public:
   void show_points(std::uint64_t points, std::size_t faces, double size);
   // A bar. \param fraction what is done of it, from 0 to 1
   void show(const char* what, double fraction);
+
+  // Shows how much of the phase is done.
+  bool operator()(double fraction);
+  // Shows how far flips are.
+  bool operator()(const CGAL::Intrinsic_triangulations::Progress& flips);
 
 private:
   void look(std::uint64_t tests, std::uint64_t flips);

@@ -53,6 +53,10 @@ std::string seconds_text(double seconds)
   return buffer;
 }
 
+std::string cell(const std::optional<std::uint64_t>& number) { return number ? std::to_string(*number) : "-"; }
+
+std::string cell(const std::optional<double>& number) { return number ? in_short(*number) : "-"; }
+
 void write_aligned(std::ostream& os, const std::vector<std::vector<std::string>>& lines)
 {
   if (lines.empty())

@@ -7,6 +7,7 @@
 #define IDT_TEXT_H
 
 #include <cstdint>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -30,6 +31,10 @@ std::string in_short(double number);
 
 // "0.012 s"
 std::string seconds_text(double seconds);
+
+// A cell of a table: "-" for what is not known.
+std::string cell(const std::optional<std::uint64_t>& number);
+std::string cell(const std::optional<double>& number);
 
 // A table: the first column begins at the left, the others end at the right. \pre the
 // lines have as many cells as the first

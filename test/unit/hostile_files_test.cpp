@@ -32,10 +32,8 @@ class Hostile_files : public Surface_file_test
 protected:
   void refused_gluing(const std::string& file, const std::string& text) const
   {
-    IT::Delta_complex complex;
-    std::vector<double> lengths;
     try {
-      idt::read_gluing_file(file, complex, lengths);
+      idt::read_gluing_file(file);
       ADD_FAILURE() << file << " was read";
     } catch (const IT::Invalid_surface_error& error) {
       const std::string message = error.what();
@@ -265,7 +263,7 @@ TEST_F(Hostile_files, encodings)
       refused(name, utf16, "the text is in UTF-16");
     for (const std::string& content : {"\xef\xbb\xbf" + text, with_returns}) {
       const std::string file = write(name, content);
-      EXPECT_EQ(is_gluing ? idt::read_exact_gluing_file(file).complex.number_of_faces()
+      EXPECT_EQ(is_gluing ? idt::read_gluing_file(file).complex.number_of_faces()
                           : idt::read_surface(file).triangles.size(),
                 1u);
     }
@@ -328,21 +326,17 @@ TEST_F(Hostile_files, gluings_can_be_watched_and_stopped)
   for (int i = 0; i < 300000; ++i)
     text += "# a comment\n";
   const std::string file = write("a.gluing", text + "1 -1 1\n2 -1 1\n");
-  IT::Delta_complex complex;
-  std::vector<double> lengths, fractions;
+  std::vector<double> fractions;
   const auto watch = [&](double fraction) {
     fractions.push_back(fraction);
     return true;
   };
-  idt::read_gluing_file(file, complex, lengths, watch);
-  EXPECT_EQ(complex.number_of_faces(), 1u);
+  EXPECT_EQ(idt::read_gluing_file(file, watch).complex.number_of_faces(), 1u);
   ASSERT_GT(fractions.size(), 3u);
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   for (std::size_t stop = 1; stop <= fractions.size(); ++stop) {
     std::size_t asked = 0;
-    EXPECT_THROW(idt::read_gluing_file(file, complex, lengths, [&](double) { return ++asked < stop; }),
-                 IT::Cancelled_error)
-      << stop;
+    EXPECT_THROW(idt::read_gluing_file(file, [&](double) { return ++asked < stop; }), IT::Cancelled_error) << stop;
   }
 }
 

@@ -29,12 +29,17 @@ struct Flat_polygons
 {
   std::vector<std::uint32_t> corners;
   std::vector<std::size_t> ends;
+
+  template <class Range>
+  void add(const Range& polygon)
+  {
+    corners.insert(corners.end(), polygon.begin(), polygon.end());
+    ends.push_back(corners.size());
+  }
 };
 
-// The reader of VTK knows no infinite numbers in text: the largest finite one stands for them.
-std::vector<Named_values> finite(std::vector<Named_values> arrays);
-
-// Writes text, coordinates as Float64, all numbers with all their digits.
+// Writes text, coordinates as Float64, all numbers with all their digits. The reader of VTK knows no infinite values in
+// text: the largest finite one stands for them.
 // \param at_cells values of the lines, and behind them those of the polygons
 void write_vtp(std::ostream& os, const std::vector<std::array<double, 3>>& points, const Flat_polygons& polygons,
                const std::vector<Named_values>& at_points = {}, const Flat_polygons& lines = {},

@@ -20,7 +20,8 @@ void write_array(std::ostream& os, const Named_values& array)
     os << " NumberOfComponents=\"" << array.components << '"';
   os << " format=\"ascii\">\n";
   write_elements(os, array.values.size(), [&array](Long_text& text, std::size_t i) {
-    text << array.values[i] << ((i + 1) % array.components == 0 ? '\n' : ' ');
+    text << (std::min)(array.values[i], (std::numeric_limits<double>::max)())
+         << ((i + 1) % array.components == 0 ? '\n' : ' ');
   });
   os << "</DataArray>\n";
 }
@@ -49,14 +50,6 @@ void write_cells(std::ostream& os, const std::string& element, const Flat_polygo
 }
 
 } // namespace
-
-std::vector<Named_values> finite(std::vector<Named_values> arrays)
-{
-  for (Named_values& array : arrays)
-    for (double& x : array.values)
-      x = (std::min)(x, (std::numeric_limits<double>::max)());
-  return arrays;
-}
 
 // CGAL's writer is for triangles alone: it announces three corners for each face, whatever there are.
 void write_vtp(std::ostream& os, const std::vector<std::array<double, 3>>& points, const Flat_polygons& polygons,
