@@ -127,7 +127,7 @@ void expect_most_positions_known(const Triangulation& t)
   for (IT::Edge_index e : t.connectivity().edges()) {
     if (overlay.intrinsic_crossings(e).empty())
       continue;
-    IT::internal::Crossed_edges crossed(input);
+    IT::internal::Crossed_edges crossed;
     IT::internal::find_crossed_edges(overlay, input, overlay.intrinsic_crossings(e), crossed);
     ++asked;
     known += is_known<Frame>(input, IT::internal::engine(t).metric().points(), crossed);
@@ -156,7 +156,7 @@ void expect_nothing_without_area()
   const IT::internal::Points points(flat.points.begin(), flat.points.end());
   for (IT::Halfedge_index h : input.halfedges())
     if (!input.is_border(input.edge(h))) {
-      IT::internal::Crossed_edges crossed(input);
+      IT::internal::Crossed_edges crossed;
       crossed.push_back(h);
       EXPECT_FALSE(is_known<Frame>(input, points, crossed));
     }
@@ -185,7 +185,7 @@ TEST(Strip, ends_in_the_same_place_with_and_without_corners)
       if (overlay.intrinsic_crossings(e).empty() || compared == 200)
         continue;
       ++compared;
-      IT::internal::Crossed_edges crossed(input);
+      IT::internal::Crossed_edges crossed;
       IT::internal::find_crossed_edges(overlay, input, overlay.intrinsic_crossings(e), crossed);
       IT::internal::Strip<Frame> strip(input, Frame(input, metric));
       strip.lay_out(crossed);

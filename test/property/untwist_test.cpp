@@ -266,7 +266,7 @@ TEST(Untwist, leaps_are_flips)
     IT::internal::Normal_coordinates coordinates(complex);
     const auto flip = [&](IT::Delta_complex& c, IT::Crossing_counts& n, Edge_index e) {
       n.flip(c, e);
-      coordinates.flip(c, e);
+      coordinates.flip(c.hinge(e));
       c.flip(e);
       EXPECT_EQ(n.crossings(e), coordinates.crossings(e));
     };

@@ -5,6 +5,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Coplanar_hinge.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Vertex_positions.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 
@@ -63,7 +64,10 @@ void expect_the_sign_of_the_determinant(const std::array<Point_2, 4>& p)
     const IT::internal::Points points = in_space(p, plane);
     const IT::Halfedge_index h = complex.halfedge(e);
     ASSERT_TRUE(IT::internal::is_flat(complex, points, h));
-    EXPECT_EQ(IT::internal::Coplanar_hinge(complex, points, h).sign_of_cotangents(), by_determinant(p));
+    const std::vector<IT::Surface_point> no_locations;
+    const IT::internal::Vertex_positions::Inserted none_inserted;
+    const IT::internal::Vertex_positions positions(complex, points, no_locations, none_inserted);
+    EXPECT_EQ(IT::internal::Coplanar_hinge(complex, positions, h).sign_of_cotangents(), by_determinant(p));
   }
 }
 

@@ -7,10 +7,9 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/corner_signs.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Developed_faces.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Double_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Triangle_corner.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Two_straight_faces.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/ratios_in_space.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <boost/multiprecision/mpfr.hpp>
@@ -125,7 +124,7 @@ TEST(Two_straight_faces, nothing_is_known_without_area)
   EXPECT_EQ(numbers.cotangents[2].hi(), 1);
 }
 
-using Straight_corner = IT::internal::Triangle_corner<Bounded_double_double>;
+using IT::internal::Straight_corner;
 
 // The corner at p, which is returned exactly.
 Corner expect_within(const Point& p, const Point& q, const Point& r, const Straight_corner& found)
@@ -146,7 +145,7 @@ TEST(Straight_corner, bounds_in_doubles_hold)
   for (const Triangle& t : all)
     for (std::size_t c = 0; c < 3; ++c) {
       const Point &i = t[c], &j = t[(c + 1) % 3], &k = t[(c + 2) % 3];
-      const auto found = IT::internal::straight_corner_in_doubles<Straight_corner>(i, j, k);
+      const auto found = IT::internal::straight_corner_in_doubles(i, j, k);
       if (!found)
         continue;
       ++number_of_known;
@@ -155,15 +154,11 @@ TEST(Straight_corner, bounds_in_doubles_hold)
       EXPECT_LE(found->four_areas.error(), Number(0x1p-48 * sqrt(Number(exact.s * exact.s_second))));
     }
   EXPECT_GT(number_of_known, 2 * all.size());
-  EXPECT_FALSE(
-    IT::internal::straight_corner_in_doubles<Straight_corner>(Point{1, 0, 0}, Point{2, 0, 0}, Point{0, 0, 0}));
+  EXPECT_FALSE(IT::internal::straight_corner_in_doubles(Point{1, 0, 0}, Point{2, 0, 0}, Point{0, 0, 0}));
 }
 
 TEST(Developed_faces, bounds_in_doubles_hold)
 {
-  using IT::internal::Developed_faces;
-  using Image_corner = IT::internal::Triangle_corner<IT::internal::Residues>;
-  using Faces = Developed_faces<Bounded_double_double, IT::internal::Double_double_disk, Straight_corner, Image_corner>;
   const IT::Delta_complex complex =
     IT::make_Delta_complex_from_triangles(3, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}});
   const IT::Halfedge_index first = complex.halfedge(IT::Face_index(0));
@@ -172,8 +167,8 @@ TEST(Developed_faces, bounds_in_doubles_hold)
     const auto point = [&](IT::Vertex_index v) { return t[v.idx()]; };
     const Point i = point(complex.source(first)), j = point(complex.target(first)),
                 k = point(complex.target(complex.next(first)));
-    const auto corner = IT::internal::straight_corner<Straight_corner>(i, j, k);
-    Faces faces;
+    const auto corner = IT::internal::straight_corner(i, j, k);
+    IT::internal::Developed_faces faces;
     if (corner)
       faces.insert(complex, {first, *corner, {}});
     if (!faces.contains(first))
@@ -195,7 +190,7 @@ TEST(Straight_corner, bounds_hold)
   for (const Triangle& t : all)
     for (std::size_t c = 0; c < 3; ++c) {
       const Point &i = t[c], &j = t[(c + 1) % 3], &k = t[(c + 2) % 3];
-      const auto found = IT::internal::straight_corner<Straight_corner>(i, j, k);
+      const auto found = IT::internal::straight_corner(i, j, k);
       if (!found)
         continue;
       ++number_of_known;
@@ -206,8 +201,8 @@ TEST(Straight_corner, bounds_hold)
     }
   EXPECT_GT(number_of_known, 2 * all.size());
   // A right angle, which other numbers can prove, and no area
-  EXPECT_FALSE(IT::internal::straight_corner<Straight_corner>(Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 0}));
-  EXPECT_FALSE(IT::internal::straight_corner<Straight_corner>(Point{1, 0, 0}, Point{2, 0, 0}, Point{0, 0, 0}));
+  EXPECT_FALSE(IT::internal::straight_corner(Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 0}));
+  EXPECT_FALSE(IT::internal::straight_corner(Point{1, 0, 0}, Point{2, 0, 0}, Point{0, 0, 0}));
 }
 
 Number value(const Bounded_double_double& x) { return Number(x.hi()) + x.lo(); }

@@ -22,6 +22,7 @@
 #include <boost/container/static_vector.hpp>
 #include <boost/iterator/iterator_facade.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -456,14 +457,10 @@ private:
 
   static bool has_equal_halfedges(const Delta_complex& a, const Delta_complex& b)
   {
-    if (a.halfedges_.size() != b.halfedges_.size())
-      return false;
-    for (std::size_t h = 0; h < a.halfedges_.size(); ++h) {
-      const Halfedge &ra = a.halfedges_[h], &rb = b.halfedges_[h];
-      if (ra.next != rb.next || ra.prev != rb.prev || ra.target != rb.target || ra.face != rb.face)
-        return false;
-    }
-    return true;
+    return std::equal(a.halfedges_.begin(), a.halfedges_.end(), b.halfedges_.begin(), b.halfedges_.end(),
+                      [](const Halfedge& x, const Halfedge& y) {
+                        return x.next == y.next && x.prev == y.prev && x.target == y.target && x.face == y.face;
+                      });
   }
 
   bool has_valid_cycles(std::string& defect) const;

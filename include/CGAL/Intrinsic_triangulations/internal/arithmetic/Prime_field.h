@@ -71,9 +71,11 @@ public:
   // Takes a random prime.
   explicit Prime_field(Random_bits& random)
   {
+    std::uint64_t p;
     do
-      set_modulus((random() >> 2) | (std::uint64_t(1) << 61) | 3);
-    while (!is_prime());
+      p = (random() >> 2) | (std::uint64_t(1) << 61) | 3;
+    while (mpz_probab_prime_p(data(Integer(p)), 30) == 0);
+    set_modulus(p);
     const Number half = (one_ + (one_ % 2 == 0 ? 0 : p_)) / 2;
     Number small = one_, large = power(half, lowest_exponent);
     for (Number& power : small_powers_) {
@@ -139,7 +141,6 @@ public:
   std::uint64_t exponent_of_inverse() const { return p_ - 2; }
 
 private:
-  // For all but powers, p may be any odd number.
   void set_modulus(std::uint64_t p)
   {
     p_ = p;
@@ -152,20 +153,6 @@ private:
     for (int i = 0; i < 64; ++i)
       x = sum(x, x);
     square_of_unit_ = x;
-  }
-  // Below 2^64 no composite number is a strong pseudoprime to all of these bases (J. Sinclair 2011, by the list of J.
-  // Feitsma). As (p - 1)/2 is odd, the test is that this power of each base is 1 or -1.
-  bool is_prime() const
-  {
-    for (std::uint64_t small : {3, 5, 7, 11, 13, 17, 19, 23}) // most composite numbers
-      if (p_ % small == 0)
-        return false;
-    for (std::uint64_t base : {2, 325, 9375, 28178, 450775, 9780504, 1795265022}) {
-      const Number root_of_unity = power(product(base, square_of_unit_), p_ / 2);
-      if (root_of_unity != one_ && root_of_unity != negative(one_))
-        return false;
-    }
-    return true;
   }
 
   // Of n divided by p, not negative.

@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_impl.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Double_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_fallback.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Metric_frame.h>
@@ -50,37 +49,32 @@ std::array<std::complex<double>, N> Engine_numbers::rounded_vectors(Input_surfac
 {
   constexpr long largest_precision = 1 << 14; // more is not needed unless a ratio of lengths leaves the range of double
   std::array<std::complex<double>, N> result;
-  const auto is_narrow = [&](std::size_t i, double width) {
-    return width <= 0x1p-51 * (std::max)(std::abs(result[i]), std::abs(result.back()));
+  std::array<double, N> width{};
+  const auto is_good = [&] {
+    bool are_narrow = true;
+    for (std::size_t i = 0; i < N; ++i)
+      are_narrow = are_narrow && is_narrow(width[i], (std::max)(std::abs(result[i]), std::abs(result.back())));
+    return are_narrow;
   };
-  {
-    Double_double_metric metric(surface);
-    const auto vectors = evaluate(metric);
-    bool is_good = true;
-    for (std::size_t i = 0; i < N; ++i)
-      result[i] = {vectors[i].x().hi(), vectors[i].y().hi()};
-    for (std::size_t i = 0; i < N; ++i)
-      is_good = is_good && is_narrow(i, vectors[i].x().error());
-    if (is_good)
-      return result;
+  Double_double_metric double_doubles(surface);
+  const auto vectors = evaluate(double_doubles);
+  for (std::size_t i = 0; i < N; ++i) {
+    result[i] = {vectors[i].x().hi(), vectors[i].y().hi()};
+    width[i] = vectors[i].x().error();
   }
-  for (long precision = 256;; precision = doubled(precision)) {
+  for (long precision = 256; !is_good() && precision <= largest_precision; precision = doubled(precision)) {
     Mpfr_metric metric(surface, {precision});
-    const auto vectors = evaluate(metric);
-    std::array<double, N> width{};
+    const auto precise_vectors = evaluate(metric);
+    width = {};
     const auto middle = [](const Mpfr_interval& x, double& largest_width) {
       const double low = x.lower_double(), high = x.upper_double();
       largest_width = (std::max)(largest_width, high - low);
       return low + (high - low) / 2;
     };
     for (std::size_t i = 0; i < N; ++i)
-      result[i] = {middle(vectors[i].x(), width[i]), middle(vectors[i].y(), width[i])};
-    bool is_good = true;
-    for (std::size_t i = 0; i < N; ++i)
-      is_good = is_good && is_narrow(i, width[i]);
-    if (is_good || precision >= largest_precision)
-      return result;
+      result[i] = {middle(precise_vectors[i].x(), width[i]), middle(precise_vectors[i].y(), width[i])};
   }
+  return result;
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -258,22 +252,17 @@ struct Engine_numbers::Side_and_corner
   Halfedge_index side;
   Triangle_corner<Real> corner;
 
-  // The cotangents of the angles opposite to the side and to those that follow. \pre the area is positive
-  std::array<Real, 3> cotangents() const
-  {
-    const Real inverse = Real(1) / corner.four_areas;
-    return {corner.p * inverse, (corner.s_first.scaled(2) - corner.p) * inverse,
-            (corner.s_second.scaled(2) - corner.p) * inverse};
-  }
-  // Those opposite to the first halfedge of a face and to those that follow. The errors are infinite where the area is
-  // not known to be positive.
+  // The cotangents of the angles opposite to the first halfedge of a face and to those that follow. The errors are
+  // infinite where the area is not known to be positive.
   void get_cotangents(const Delta_complex& complex, Face_index f, std::array<Real, 3>& result) const
   {
     if (!certainly(corner.four_areas.sign() == POSITIVE)) {
       result.fill(Real() / Real());
       return;
     }
-    const std::array<Real, 3> from_side = cotangents();
+    const Real inverse = Real(1) / corner.four_areas;
+    const std::array<Real, 3> from_side{corner.p * inverse, (corner.s_first.scaled(2) - corner.p) * inverse,
+                                        (corner.s_second.scaled(2) - corner.p) * inverse};
     const Halfedge_index first = complex.halfedge(f);
     const std::size_t turns = side == first ? 0 : side == complex.next(first) ? 1 : 2;
     for (std::size_t i = 0; i < 3; ++i)
@@ -348,22 +337,22 @@ void Engine_numbers::find_numbers(const std::size_t first, const std::size_t las
     if (const std::optional<double> l = rounded(length()))
       numbers.lengths[e.idx()] = std::ldexp(*l, metric_.unit_exponent());
   };
-  const std::array<Real, 3> unknown_cotangents{Real() / Real(), Real() / Real(), Real() / Real()};
-  const auto note_cotangent = [&](Halfedge_index h, const Real& cotangent) {
-    numbers.cotangents[h.idx()] = {cotangent.hi(), cotangent.lo(), cotangent.error()};
+  const auto note_cotangents = [&](Face_index f, const std::array<Real, 3>& cotangents) {
+    Halfedge_index side = complex_.halfedge(f);
+    for (const Real& c : cotangents) {
+      numbers.cotangents[side.idx()] = {c.hi(), c.lo(), c.error()};
+      side = complex_.next(side);
+    }
   };
   const auto find = [&](Face_index f) {
     const Side_and_corner<Real> at = quickest_corner(f, unfolding);
     const Corner& c = at.corner;
-    const Halfedge_index h = at.side, second = complex_.next(h), third = complex_.prev(h);
-    note_length(h, [&] { return sqrt(c.s_opposite); });
-    note_length(second, [&] { return sqrt(c.s_second); });
-    note_length(third, [&] { return sqrt(c.s_first); });
-    const std::array<Real, 3> cotangents =
-      certainly(c.four_areas.sign() == POSITIVE) ? at.cotangents() : unknown_cotangents;
-    note_cotangent(h, cotangents[0]);
-    note_cotangent(second, cotangents[1]);
-    note_cotangent(third, cotangents[2]);
+    note_length(at.side, [&] { return sqrt(c.s_opposite); });
+    note_length(complex_.next(at.side), [&] { return sqrt(c.s_second); });
+    note_length(complex_.prev(at.side), [&] { return sqrt(c.s_first); });
+    std::array<Real, 3> cotangents;
+    at.get_cotangents(complex_, f, cotangents);
+    note_cotangents(f, cotangents);
     if (const std::optional<double> four_areas = rounded(c.four_areas); four_areas && *four_areas >= 0)
       numbers.areas[f.idx()] = *four_areas / 4;
   };
@@ -387,10 +376,9 @@ void Engine_numbers::find_numbers(const std::size_t first, const std::size_t las
         continue;
       }
       Halfedge_index side = complex_.halfedge(f);
-      for (std::size_t c = 0; c < 3; ++c, side = complex_.next(side)) {
+      for (std::size_t c = 0; c < 3; ++c, side = complex_.next(side))
         note_length(side, [&] { return known.lengths[c]; });
-        note_cotangent(side, known.cotangents[c]);
-      }
+      note_cotangents(f, known.cotangents);
       numbers.areas[f.idx()] = *twice_area / 2;
     }
     number_of_straight = 0;

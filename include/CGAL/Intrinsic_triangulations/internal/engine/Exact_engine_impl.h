@@ -46,13 +46,13 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // is forgotten at the latest when they leave one of these journals.
 struct Exact_engine::Memory
 {
-  using Developed_faces = internal::Developed_faces<Bounded_double_double, Double_double_disk, Corner, Image_corner>;
-
   struct Carried_images
   {
-    explicit Carried_images(Input_surface& surface)
-      : rings(surface.prime_fields(0), surface.interruption(), 0), metric(surface, {rings})
+    explicit Carried_images(std::unique_ptr<Input_surface> own_surface)
+      : surface(std::move(own_surface)), rings(surface->prime_fields(0), surface->interruption(), 0),
+        metric(*surface, {rings})
     {}
+    std::unique_ptr<Input_surface> surface;
     Residue_rings rings; // without irrational roots
     Residue_metric metric;
   };
@@ -103,7 +103,6 @@ struct Exact_engine::Memory
   std::vector<bool> is_close_call;                  // a test took more than double since the last flip of the edge
   std::size_t spare_layouts = 0;                    // so many flips may lay out faces
 
-  std::unique_ptr<Input_surface> surface_of_images;
   std::unique_ptr<Carried_images> images; // of the developed faces, from the first tie on
 
   std::unique_ptr<Input_properties> input_properties; // made by the first thread that takes a surface
@@ -151,7 +150,6 @@ Exact_engine::Exact_engine(Exact_engine&& other) noexcept
     return;
   memory_->surfaces.clear();
   memory_->images.reset();
-  memory_->surface_of_images.reset();
   memory_->input_properties.reset();
   memory_->developed_faces = {};
   memory_->split_face.reset();
@@ -253,8 +251,6 @@ bool Exact_engine::is_prepared() const { return memory_->is_prepared.load(std::m
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_engine::prepare(const Block_runner& run) const
 {
-  if (memory_->is_prepared.load(std::memory_order_acquire))
-    return;
   const std::lock_guard<std::mutex> lock(memory_->mutex);
   if (memory_->is_prepared.load(std::memory_order_relaxed))
     return;
@@ -399,17 +395,16 @@ bool Exact_engine::follow(const Hinge_halfedges& around)
   Memory& memory = *memory_;
   const Edge_index e = connectivity_.edge(around.ij);
   const bool is_close_call = !memory.is_close_call.empty() && memory.is_close_call[e.idx()];
-  using Faces = Memory::Developed_faces;
-  if (Faces& faces = memory.developed_faces; !faces.flip_in_plane(around)) {
+  if (Developed_faces& faces = memory.developed_faces; !faces.flip_in_plane(around)) {
     // Where faces are often asked for, to lay one out later, for its successors, would take longer. Images in finite
     // fields are so slow that they are carried for close calls alone.
     const bool lays_out = memory.spare_layouts > 0 && correspondence().is_prepared() && !memory.images &&
                           !(is_straight(connectivity_.face(around.ij)) && is_straight(connectivity_.face(around.ji)));
     memory.spare_layouts -= lays_out;
     if (is_close_call || lays_out || faces.contains(around.ij) || faces.contains(around.ji))
-      faces.flip(connectivity_, around, [&](Halfedge_index h) -> std::optional<Faces::Known_corner> {
+      faces.flip(connectivity_, around, [&](Halfedge_index h) -> std::optional<Known_corner> {
         if (is_straight(connectivity_.face(h)))
-          return Faces::Known_corner{h, straight_corner(h), image_of_straight_corner(h)};
+          return Known_corner{h, straight_corner(h), image_of_straight_corner(h)};
         if (!lays_out)
           return std::nullopt;
         return laid_out(correspondence().coordinates().side_with_most_crossings(connectivity_, connectivity_.face(h)));
@@ -450,7 +445,7 @@ Vertex_index Exact_engine::split_face(const Triangle_piece& piece, const Surface
   connectivity_.make_room_for_vertex();
   const Face_index f = connectivity_.face(piece.side);
   memory_->split_face.reset();
-  std::optional<Memory::Developed_faces::Whole> whole;
+  std::optional<Developed_faces::Whole> whole;
   if (memory_->developed_faces.contains(piece.side))
     whole = memory_->developed_faces.whole(connectivity_, piece.side);
   split_faces({f}, 3, 3, location, [&] { memory_->correspondence.split_face(connectivity_, piece, location); });
@@ -561,17 +556,10 @@ Vertex_positions Exact_engine::positions() const
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-std::optional<Exact_engine::Image_corner> Exact_engine::image_of_straight_corner(Halfedge_index h)
+std::optional<Exact_engine::Image_corner> Exact_engine::image_of_straight_corner(Halfedge_index h) const
 {
   return memory_->image(
     [&] { return internal::image_of_straight_corner(connectivity_, positions(), h, memory_->images->rings); });
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-std::optional<Exact_engine::Image_corner> Exact_engine::image_of_developed_corner(Halfedge_index h) const
-{
-  return memory_->developed_faces.contains(h) ? memory_->developed_faces.image_of_corner(connectivity_, h)
-                                              : std::nullopt;
 }
 
 // A tie seldom comes alone. From the first one on, images of corners in finite fields are carried along by the
@@ -579,8 +567,7 @@ std::optional<Exact_engine::Image_corner> Exact_engine::image_of_developed_corne
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Exact_engine::carry_images()
 {
-  memory_->surface_of_images = new_surface();
-  memory_->images = std::make_unique<Memory::Carried_images>(*memory_->surface_of_images);
+  memory_->images = std::make_unique<Memory::Carried_images>(new_surface());
   memory_->developed_faces = {};
   memory_->split_face.reset();
 }
@@ -602,7 +589,7 @@ Exact_engine::Corner Exact_engine::developed_corner(Halfedge_index h, bool in_do
 
 // The corner opposite to h.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Known_corner<Exact_engine::Corner, Exact_engine::Image_corner> Exact_engine::laid_out(Halfedge_index h)
+Known_corner Exact_engine::laid_out(Halfedge_index h)
 {
   return {
     h, unfolded_corner(h, *input_surface()), memory_->image([&] {
@@ -621,12 +608,6 @@ Exact_engine::Corner Exact_engine::kept_corner(Halfedge_index h)
   memory_->note_question(connectivity_.number_of_edges());
   // To carry a face along, with those that flips join it to, takes longer than to lay out a short strip again.
   return number_of_quantities(h) <= short_strip ? corner(h, *input_surface()) : developed_corner(h);
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Halfedge_index quickest_side(const Exact_engine& engine, Face_index f)
-{
-  return engine.correspondence().coordinates().side_with_most_crossings(engine.connectivity(), f);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -718,33 +699,7 @@ bool Exact_engine::is_straight(Face_index f) const { return (*memory_->straight_
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Exact_engine::Corner Exact_engine::straight_corner(Halfedge_index h, bool in_doubles) const
 {
-  return internal::straight_corner<Corner>(connectivity_, positions(), h, in_doubles);
-}
-
-// ---------------------------------------------------------------- where the input lies
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-const Delta_complex& input(const Correspondence& correspondence) { return correspondence.input(); }
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-std::int64_t crossings(const Correspondence& correspondence, Edge_index e)
-{
-  return correspondence.coordinates().crossings(e);
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Halfedge_index input_halfedge(const Correspondence& correspondence, Halfedge_index h)
-{
-  return correspondence.input_halfedge(h);
-}
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-bool is_inserted(const Correspondence& correspondence, Vertex_index v) { return correspondence.is_inserted(v); }
-
-CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-const Surface_point& location(const Correspondence& correspondence, Vertex_index v)
-{
-  return correspondence.location(v);
+  return internal::straight_corner(connectivity_, positions(), h, in_doubles);
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

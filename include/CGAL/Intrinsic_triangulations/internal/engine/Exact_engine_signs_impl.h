@@ -10,11 +10,9 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Coplanar_hinge.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Double_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_fallback.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Sign_in_plane.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Parallel_folds.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Vertex_positions.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/decide/corner_signs.h>
@@ -54,10 +52,7 @@ Sign Exact_engine::decide(Edge_index e, std::optional<Opposite_corners>& corners
   for (bool in_doubles : {true, false}) // the first suffices for most tests that the filter leaves open
     if (const std::optional<Test> test = test_by_developed_corners(in_doubles))
       return memory.decided(*test);
-  const auto find_image = [&](Halfedge_index side) {
-    return is_straight(connectivity_.face(side)) ? image_of_straight_corner(side) : image_of_developed_corner(side);
-  };
-  if (const std::optional<Sign> tie = sign_by_images(e, *corners, *input_surface(), find_image))
+  if (const std::optional<Sign> tie = sign_by_images(e, *corners, *input_surface(), true))
     return memory.decided({Stage::MODULAR, *tie});
   // Layouts that were carried along are not the best.
   bool is_laid_out_anew = false;
@@ -82,9 +77,7 @@ std::optional<Exact_engine::Test> Exact_engine::test_in_plane(Halfedge_index h, 
   const Vertex_positions all = positions();
   if (!straight_faces.are_coplanar(connectivity_, all, h))
     return std::nullopt;
-  if (all.has_inserted_corner(connectivity_, h) || all.has_inserted_corner(connectivity_, connectivity_.opposite(h)))
-    return Test{Stage::COPLANAR, Sign_in_plane(connectivity_, all, h)()};
-  return Test{Stage::COPLANAR, Coplanar_hinge(connectivity_, metric_.points(), h).sign_of_cotangents()};
+  return Test{Stage::COPLANAR, Coplanar_hinge(connectivity_, all, h).sign_of_cotangents()};
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -154,8 +147,8 @@ std::optional<Bounded_double_double> Exact_engine::weight_by_other_diagonal(Half
     return std::nullopt;
   const Delta_complex& input = correspondence().input();
   const Halfedge_index ji = input.next(correspondence().input_halfedge(connectivity_.next(h)));
-  const Corner k = internal::straight_corner<Corner>(input, positions(), input.opposite(ji)),
-               l = internal::straight_corner<Corner>(input, positions(), ji);
+  const Corner k = internal::straight_corner(input, positions(), input.opposite(ji)),
+               l = internal::straight_corner(input, positions(), ji);
   return -(k.p * l.four_areas + l.p * k.four_areas) / areas;
 }
 
@@ -193,9 +186,7 @@ Exact_engine::Test Exact_engine::test(Edge_index e, Input_surface& surface) cons
   const Opposite_corners corners = known_corners(h, surface);
   if (const std::optional<Test> test = test_by_corners(h, corners))
     return *test;
-  // New images would be computed in rings that all threads share.
-  const auto find_image = [&](Halfedge_index side) { return image_of_developed_corner(side); };
-  if (const std::optional<Sign> tie = sign_by_images(e, corners, surface, find_image))
+  if (const std::optional<Sign> tie = sign_by_images(e, corners, surface, false))
     return {Stage::MODULAR, *tie};
   const auto decision = exact_fallback(surface).sign_of_cotangents(corners_beside(connectivity_, e));
   return {decision.stage, decision.sign};
@@ -203,14 +194,22 @@ Exact_engine::Test Exact_engine::test(Edge_index e, Input_surface& surface) cons
 
 // The sign of the sum of cotangents, if images that were carried along tell that the edge is a tie, or that both
 // faces have no area.
-template <class FindImage>
+// \param makes_images whether images of straight faces may be computed, in rings that all threads share
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 std::optional<Sign> Exact_engine::sign_by_images(Edge_index e, const Opposite_corners& corners, Input_surface& surface,
-                                                 const FindImage& find_image) const
+                                                 bool makes_images) const
 {
   const Memory& memory = *memory_;
   if (!memory.images || !surface.accepts_probable_ties())
     return std::nullopt;
   const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
+  const auto find_image = [&](Halfedge_index side) -> std::optional<Image_corner> {
+    if (makes_images && is_straight(connectivity_.face(side)))
+      return image_of_straight_corner(side);
+    if (memory.developed_faces.contains(side))
+      return memory.developed_faces.image_of_corner(connectivity_, side);
+    return std::nullopt;
+  };
   const auto k = find_image(h), l = k ? find_image(g) : std::nullopt;
   if (!k || !l || !(k->p * l->four_areas + l->p * k->four_areas).is_zero() || !memory.images->rings.is_defined())
     return std::nullopt;

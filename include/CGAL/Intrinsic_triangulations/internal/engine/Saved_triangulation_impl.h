@@ -16,7 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/check_correspondence.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Double_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Metric_frame.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
@@ -127,7 +127,7 @@ private:
   };
 
   void check_line(Edge_index e) const;
-  Line_check check_sides(Halfedge_index h, const Crossed_edges& crossed) const;
+  Line_check check_sides(Halfedge_index h, const Crossed_halfedges& crossed) const;
   Face_index plane(Face_index f) const;
   void find_angles(Face_index f, const Side_and_corner& at, Input_surface& surface, Large_vector<double>& angles) const;
   bool are_sound(Face_index f, const Saved_triangulation& saved, const Side_and_corner& at,
@@ -323,12 +323,9 @@ void Engine_restorer::check_line(Edge_index e) const
     if (!correspondence_.is_inserted(complex_.source(h)) && !correspondence_.is_inserted(complex_.target(h)))
       fail("joins two corners of one input face, and is none of its sides");
   } else {
-    const Crossed_halfedges sequence(complex_, correspondence_, h, engine_.decisions().interruption);
+    const Crossed_halfedges crossed(complex_, correspondence_, h, engine_.decisions().interruption);
     const Delta_complex& input = correspondence_.input();
-    Crossed_edges crossed(input);
-    for (std::size_t i = 0; i < sequence.size(); ++i)
-      crossed.push_back(sequence[i]);
-    if (input.face(input.opposite(sequence.front())) != first || input.face(crossed[crossed.size() - 1]) != last)
+    if (input.face(input.opposite(crossed.front())) != first || input.face(crossed[crossed.size() - 1]) != last)
       fail("does not begin and end in the input faces that its ends lie in");
     const Line_check check = check_sides(h, crossed);
     if (check == Line_check::BENT)
@@ -345,7 +342,7 @@ void Engine_restorer::check_line(Edge_index e) const
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-Engine_restorer::Line_check Engine_restorer::check_sides(Halfedge_index h, const Crossed_edges& crossed) const
+Engine_restorer::Line_check Engine_restorer::check_sides(Halfedge_index h, const Crossed_halfedges& crossed) const
 {
   // Twice the area to an end of a crossed edge: positive if it lies on the right side. Calls visit(area) until that
   // returns `false`.

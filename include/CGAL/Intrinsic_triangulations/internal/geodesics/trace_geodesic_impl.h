@@ -456,7 +456,7 @@ void append_input_points(const Exact_engine& engine, Halfedge_index h, std::vect
     const Crossed_halfedges sequence(complex, correspondence, is_backward ? complex.opposite(h) : h,
                                      engine.decisions().interruption);
     const std::size_t n = sequence.size();
-    Crossed_edges crossed(input);
+    Crossed_edges crossed;
     for (std::size_t i = 0; i < n; ++i)
       crossed.push_back(sequence[i]);
     const Surface_lease surface = engine.input_surface();

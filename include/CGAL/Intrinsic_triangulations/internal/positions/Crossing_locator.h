@@ -18,8 +18,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Metric_frame.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Strip.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Plane_frame.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Space_frame.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Point_frames.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>

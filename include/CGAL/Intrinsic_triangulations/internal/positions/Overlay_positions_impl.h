@@ -22,7 +22,7 @@ void Overlay_positions::find_crossings(const internal::Exact_engine& engine, con
   const internal::Surface_lease surface = engine.input_surface();
   const Delta_complex& input = engine.correspondence().input();
   internal::Crossing_locator locate(intrinsic, engine.correspondence(), *surface);
-  internal::Crossed_edges crossed(input);
+  internal::Crossed_edges crossed;
   for (std::size_t i = first; i < last; ++i) {
     progress.at(i);
     const Edge_index e{size_type(i)};

@@ -43,7 +43,7 @@ std::optional<Sign> Intrinsic_layer::side_of_chord(Overlay::Halfedge before, con
   const Edge_index e = complex.edge(side);
   const bool is_left = side == complex.halfedge(e);
   const Delta_complex& input = engine.correspondence().input();
-  Crossed_edges crossed(input);
+  Crossed_edges crossed;
   find_crossed_edges(overlay, input, overlay.intrinsic_crossings(e), crossed);
   const auto right_of_crossed_edge = [&](auto& metric) {
     using Metric = std::decay_t<decltype(metric)>;

@@ -9,8 +9,10 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_COPLANAR_HINGE_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/corner_signs.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Vertex_positions.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 
 #include <CGAL/Uncertain.h>
@@ -20,54 +22,93 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // With p_k the scalar product of the sides of the corner k and n_k their cross product,
-// cot k = p_k / |n_k|. In one plane n_k and n_l are positive multiples of one normal, so that
+// cot k = p_k / |n_k|. In one plane n_k and n_l are multiples of one normal that are not negative, so that
 // a single component of them, one that is not zero, takes the place of the areas:
 //
-//     sign(cot k + cot l) = sign(p_k n_l + p_l n_k) sign(n_k),
+//     sign(cot k + cot l) = sign(p_k n_l + p_l n_k) sign(n_k + n_l),
 //
-// a polynomial in the coordinates. It is evaluated in double, in double-doubles, and in
-// exact numbers, each with one error bound that is known before: p, n and their products
-// add up at most a few units in the last place of P_k N_l + P_l N_k, where P and N are p and
-// n with absolute values.
+// a polynomial in the coordinates. Between points of the input it is evaluated in double and in double-doubles, each
+// with one error bound that is known before: p, n and their products add up at most a few units in the last place of
+// P_k N_l + P_l N_k, where P and N are p and n with absolute values. Positions of inserted vertices are rounded
+// themselves, so that no error is known before: it is carried along. Exact numbers decide what is left.
+//
+// Vectors may be replaced by positive multiples of them, which multiplies p and n of a corner alike: so weighted means
+// of points need no division.
 class Coplanar_hinge
 {
 public:
-  // The hinge of ij, of which it is known that is_flat().
-  Coplanar_hinge(const Delta_complex& complex, const Points& points, Halfedge_index ij)
-    : points_(points), i_(complex.source(ij)), j_(complex.target(ij)), k_(complex.target(complex.next(ij))),
-      l_(complex.target(complex.next(complex.opposite(ij))))
+  // The hinge of ij, whose two faces lie in one plane.
+  Coplanar_hinge(const Delta_complex& complex, const Vertex_positions& positions, Halfedge_index ij)
+    : positions_(positions), i_(complex.source(ij)), j_(complex.target(ij)), k_(complex.target(complex.next(ij))),
+      l_(complex.target(complex.next(complex.opposite(ij)))),
+      has_inserted_corner_(positions.has_inserted_corner(complex, ij) ||
+                           positions.has_inserted_corner(complex, complex.opposite(ij)))
   {}
 
-  Sign sign_of_cotangents()
+  Sign sign_of_cotangents() const
   {
-    const Sides<double> k = sides<double>(k_, i_, j_), l = sides<double>(l_, j_, i_);
-    if (is_right_along_axes(k) && is_right_along_axes(l))
-      return ZERO;
-    const auto normal = cross_product(k.u, k.v);
-    axis_ = std::abs(normal[0]) > std::abs(normal[1]) ? 0 : 1;
-    axis_ = std::abs(normal[2]) > std::abs(normal[axis_]) ? 2 : axis_;
-    const Corner<double> K = magnitudes(k), L = magnitudes(l);
-    magnitude_of_n_ = K.n;
-    magnitude_ = K.p * L.n + L.p * K.n;
-    Uncertain<Sign> sign = approximate_sign(corner(k, axis_), corner(l, axis_), 0x1p-49);
-    if (!is_certain(sign) && has_short_integers(largest(k, l)))
-      sign = exact_sign<double>();
-    if (!is_certain(sign))
-      sign = approximate_sign(corner(sides<Double_double>(k_, i_, j_), axis_),
-                              corner(sides<Double_double>(l_, j_, i_), axis_), 0x1p-97);
-    return is_certain(sign) ? get_certain(sign) : exact_sign<Exact_ring>();
+    const Uncertain<Sign> sign = has_inserted_corner_ ? sign_with_errors() : sign_of_points();
+    return is_certain(sign) ? get_certain(sign) : exact_sign();
   }
 
 private:
+  using Number = Bounded_double_double;
+
   template <class FT>
   struct Corner
   {
-    FT p, n;
+    FT p;
+    Vector_3<FT> n;
   };
+
+  template <class FT>
+  Corner<FT> corner(Vertex_index apex, Vertex_index from, Vertex_index to) const
+  {
+    const Vector_3<FT> u = positions_.direction<FT>(apex, from), v = positions_.direction<FT>(apex, to);
+    return {scalar_product(u, v), cross_product(u, v)};
+  }
+
+  static std::size_t longest(const Vector_3<Number>& a, const Vector_3<Number>& b)
+  {
+    const auto length = [&](std::size_t c) { return std::abs(a[c].hi()) + std::abs(b[c].hi()); };
+    const std::size_t axis = length(0) > length(1) ? 0 : 1;
+    return length(2) > length(axis) ? 2 : axis;
+  }
+
+  Uncertain<Sign> sign_with_errors() const
+  {
+    const auto k = corner<Number>(k_, i_, j_), l = corner<Number>(l_, j_, i_);
+    const std::size_t axis = longest(k.n, l.n);
+    const Number p_k = k.p, p_l = l.p, n_k = k.n[axis], n_l = l.n[axis];
+    const Uncertain<Sign> sign = (p_k * n_l + p_l * n_k).sign(), side = (n_k + n_l).sign();
+    if (!is_certain(side) || get_certain(side) == ZERO)
+      return Uncertain<Sign>::indeterminate();
+    if (is_certain(sign))
+      return get_certain(sign) * get_certain(side);
+    if (is_exact(p_k) && is_exact(p_l) && is_exact(n_k) && is_exact(n_l)) // only their products are too long
+      return CGAL::sign(Exact_ring(exact(p_k) * exact(n_l) + exact(p_l) * exact(n_k))) * get_certain(side);
+    return Uncertain<Sign>::indeterminate();
+  }
+
+  static bool is_exact(const Number& x) { return x.error() == 0; }
+  static Exact_ring exact(const Number& x) { return Exact_ring(x.hi()) + Exact_ring(x.lo()); }
+
+  Sign exact_sign() const
+  {
+    const auto k = corner<Exact_ring>(k_, i_, j_), l = corner<Exact_ring>(l_, j_, i_);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const Sign side_k = CGAL::sign(k.n[axis]), side_l = CGAL::sign(l.n[axis]);
+      if (side_k != ZERO || side_l != ZERO) // a vertex may lie on the edge
+        return CGAL::sign(Exact_ring(k.p * l.n[axis] + l.p * k.n[axis])) * (side_k != ZERO ? side_k : side_l);
+    }
+    return sign_of_tie(CGAL::sign(k.p), CGAL::sign(l.p));
+  }
 
   // From a corner to the start and to the end of the edge ij or ji.
   template <class FT>
@@ -75,25 +116,48 @@ private:
   {
     Vector_3<FT> u, v;
   };
-
+  // Those of k and of l.
   template <class FT>
-  Sides<FT> sides(Vertex_index apex, Vertex_index from, Vertex_index to) const
+  std::pair<Sides<FT>, Sides<FT>> sides() const
   {
-    return {difference<FT>(points_, apex, from), difference<FT>(points_, apex, to)};
+    const auto side = [this](Vertex_index from, Vertex_index to) {
+      return difference<FT>(positions_.points(), from, to);
+    };
+    return {{side(k_, i_), side(k_, j_)}, {side(l_, j_), side(l_, i_)}};
   }
 
-  template <class FT>
-  static Corner<FT> corner(const Sides<FT>& s, int axis)
+  // \pre no corner was inserted
+  Uncertain<Sign> sign_of_points() const
   {
-    const int x = (axis + 1) % 3, y = (axis + 2) % 3;
-    return {scalar_product(s.u, s.v), s.u[x] * s.v[y] - s.u[y] * s.v[x]};
-  }
-
-  Corner<double> magnitudes(const Sides<double>& s) const
-  {
-    const int x = (axis_ + 1) % 3, y = (axis_ + 2) % 3;
-    return {std::abs(s.u[0] * s.v[0]) + std::abs(s.u[1] * s.v[1]) + std::abs(s.u[2] * s.v[2]),
-            std::abs(s.u[x] * s.v[y]) + std::abs(s.u[y] * s.v[x])};
+    const auto [k, l] = sides<double>();
+    if (is_right_along_axes(k) && is_right_along_axes(l))
+      return ZERO;
+    const auto normal = cross_product(k.u, k.v);
+    std::size_t axis = std::abs(normal[0]) > std::abs(normal[1]) ? 0 : 1;
+    axis = std::abs(normal[2]) > std::abs(normal[axis]) ? 2 : axis;
+    const std::size_t x = (axis + 1) % 3, y = (axis + 2) % 3;
+    const auto p = [](const auto& s) { return scalar_product(s.u, s.v); };
+    const auto n = [&](const auto& s) { return s.u[x] * s.v[y] - s.u[y] * s.v[x]; };
+    const auto magnitude_of_p = [](const Sides<double>& s) {
+      return std::abs(s.u[0] * s.v[0]) + std::abs(s.u[1] * s.v[1]) + std::abs(s.u[2] * s.v[2]);
+    };
+    const auto magnitude_of_n = [&](const Sides<double>& s) {
+      return std::abs(s.u[x] * s.v[y]) + std::abs(s.u[y] * s.v[x]);
+    };
+    const double of_n = magnitude_of_n(k), of_sum = magnitude_of_p(k) * magnitude_of_n(l) + magnitude_of_p(l) * of_n;
+    const auto approximate_sign = [&](const auto& of_k, const auto& of_l, double unit) -> Uncertain<Sign> {
+      constexpr double tiny = 1e-200; // covers underflow; ordinary values are far above
+      const double sum = high(p(of_k) * n(of_l) + p(of_l) * n(of_k)), side = high(n(of_k));
+      if (std::abs(sum) > unit * of_sum + tiny && std::abs(side) > unit * of_n + tiny)
+        return (sum > 0) == (side > 0) ? POSITIVE : NEGATIVE;
+      return Uncertain<Sign>::indeterminate();
+    };
+    if (const Uncertain<Sign> sign = approximate_sign(k, l, 0x1p-49); is_certain(sign))
+      return sign;
+    if (n(k) != 0 && has_short_integers(largest(k, l)))
+      return get_certain((Number(p(k)) * Number(n(l)) + Number(p(l)) * Number(n(k))).sign()) * CGAL::sign(n(k));
+    const auto [precise_k, precise_l] = sides<Double_double>();
+    return approximate_sign(precise_k, precise_l, 0x1p-97);
   }
 
   static bool is_right_along_axes(const Sides<double>& s)
@@ -110,18 +174,6 @@ private:
     return result;
   }
 
-  static double rounded(double x) { return x; }
-  static double rounded(const Double_double& x) { return x.hi; }
-
-  template <class FT>
-  Uncertain<Sign> approximate_sign(const Corner<FT>& k, const Corner<FT>& l, double unit) const
-  {
-    const double value = rounded(k.p * l.n + l.p * k.n), n = rounded(k.n);
-    if (std::abs(value) > unit * magnitude_ + tiny && std::abs(n) > unit * magnitude_of_n_ + tiny)
-      return (value > 0) == (n > 0) ? POSITIVE : NEGATIVE;
-    return Uncertain<Sign>::indeterminate();
-  }
-
   // Whether the differences of coordinates are integers of at most 25 bits in some common unit,
   // as in a grid: then p and n are exact in double.
   bool has_short_integers(double largest_difference) const
@@ -132,9 +184,9 @@ private:
     std::frexp(largest_difference, &exponent);
     const double scale = std::ldexp(1., 25 - exponent);
     constexpr double to_integer = 0x1.8p52;
+    const Points& points = positions_.points();
     for (int c = 0; c < 3; ++c) {
-      const std::array<double, 4> x{points_[i_.idx()][c], points_[j_.idx()][c], points_[k_.idx()][c],
-                                    points_[l_.idx()][c]};
+      const std::array<double, 4> x{points[i_.idx()][c], points[j_.idx()][c], points[k_.idx()][c], points[l_.idx()][c]};
       if (x[0] == x[1] && x[0] == x[2] && x[0] == x[3])
         continue;
       for (double each : x) {
@@ -147,35 +199,9 @@ private:
     return true;
   }
 
-  static Bounded_double_double exact_product(double a, double b)
-  {
-    return Bounded_double_double(a) * Bounded_double_double(b);
-  }
-  static Exact_ring exact_product(const Exact_ring& a, const Exact_ring& b) { return a * b; }
-  static Sign exact_sign_of(const Bounded_double_double& x) { return get_certain(x.sign()); }
-  static Sign exact_sign_of(const Exact_ring& x) { return CGAL::sign(x); }
-
-  // For numbers in which p and n are exact.
-  template <class FT>
-  Sign exact_sign() const
-  {
-    const Sides<FT> of_k = sides<FT>(k_, i_, j_), of_l = sides<FT>(l_, j_, i_);
-    for (int n = 0; n < 3; ++n) { // the axis was found with rounding, which may have missed a zero
-      const int axis = (axis_ + n) % 3;
-      const Corner<FT> k = corner(of_k, axis), l = corner(of_l, axis);
-      if (!CGAL::is_zero(k.n))
-        return exact_sign_of(exact_product(k.p, l.n) + exact_product(l.p, k.n)) * CGAL::sign(k.n);
-    }
-    return ZERO; // only if an edge was flipped though its hinge was not convex
-  }
-
-  // Covers underflow; ordinary values are far above.
-  static constexpr double tiny = 1e-200;
-
-  const Points& points_;
+  const Vertex_positions& positions_;
   Vertex_index i_, j_, k_, l_;
-  int axis_ = 0; // of the component of the normals
-  double magnitude_of_n_ = 0, magnitude_ = 0;
+  bool has_inserted_corner_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

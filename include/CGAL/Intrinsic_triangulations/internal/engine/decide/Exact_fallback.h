@@ -59,10 +59,8 @@ public:
     : complex_(complex), correspondence_(correspondence), surface_(surface)
   {}
 
-  using Decision = Exact_decision;
-
   // The sign of the sum of the cotangents of two corners.
-  Decision sign_of_cotangents(const Two_corners& corners)
+  Exact_decision sign_of_cotangents(const Two_corners& corners)
   {
     const auto sum = [&](auto& metric) {
       const auto c = unfolded_corners(unfolding(metric), corners);
@@ -114,27 +112,13 @@ public:
     }
   }
 
-  // The middle of an interval around evaluate(corner opposite to h) that is narrow enough, as is_narrow(width,
-  // magnitude) says, or as narrow as intervals around subnormal numbers can be. What is too small for a double is
-  // rounded away from zero.
+  // As narrowed() of evaluate(corner opposite to h).
   // \pre the face of h has positive area, or evaluate() does not divide by it
-  // \exception Invalid_surface_error if the number leaves the range of double
   template <class Evaluate, class IsNarrow>
   double number_of_corner(Halfedge_index h, const Evaluate& evaluate, const IsNarrow& is_narrow)
   {
-    for (long precision = 128;; precision = doubled(precision)) {
-      const Mpfr_interval x = evaluate(corner(h, precision));
-      const double low = x.lower_double(), high = x.upper_double();
-      const double magnitude = (std::max)(std::abs(low), std::abs(high));
-      if (is_tiny(x))
-        return int(get_certain(x.sign())) * smallest;
-      // Where the sign is open, the middle could be zero.
-      const bool is_as_narrow_as_can_be = high - low <= 2 * smallest && is_certain(x.sign());
-      if (magnitude < std::numeric_limits<double>::infinity() &&
-          (is_narrow(high - low, magnitude) || is_as_narrow_as_can_be))
-        return low + (high - low) / 2;
-      require_range(x, complex_.face(h));
-    }
+    return narrowed([&](Mpfr_metric& metric) { return evaluate(unfolding(metric).opposite_corner(h)); }, is_narrow,
+                    complex_.face(h), 128);
   }
 
   // \pre the face of h has positive area
@@ -151,7 +135,8 @@ public:
   long scale_of_corner(Halfedge_index h)
   {
     for (long precision = 128;; precision = doubled(precision)) {
-      const auto c = corner(h, precision);
+      Mpfr_metric metric(surface_, {precision});
+      const auto c = unfolding(metric).opposite_corner(h);
       if (!is_certain(c.four_areas.sign()))
         continue;
       long exponent = long(mpfr_get_exp(c.four_areas.upper()));
@@ -166,25 +151,19 @@ public:
   // \pre both faces have positive area, and the sum is not zero
   double sum_of_cotangents(const Two_corners& corners)
   {
-    for (long precision = 256;; precision = doubled(precision)) {
-      Mpfr_metric metric(surface_, {precision});
+    const auto sum = [&](Mpfr_metric& metric) {
       const auto c = unfolded_corners(unfolding(metric), corners);
-      const Mpfr_interval sum = c.k.p / c.k.four_areas + c.l.p / c.l.four_areas;
-      if (!is_certain(sum.sign()))
-        continue;
-      if (is_tiny(sum)) // and not 0
-        return int(get_certain(sum.sign())) * smallest;
-      require_range(sum, complex_.face(corners.opposite_to_k));
-      const double low = sum.lower_double(), high = sum.upper_double();
-      if (high - low <= (std::max)(2 * smallest, 0x1p-50 * (std::max)(std::abs(low), std::abs(high))))
-        return low + (high - low) / 2;
-    }
+      return c.k.p / c.k.four_areas + c.l.p / c.l.four_areas;
+    };
+    return narrowed(
+      sum, [](double width, double magnitude) { return width <= 0x1p-50 * magnitude; },
+      complex_.face(corners.opposite_to_k), 256);
   }
 
 private:
   // Angles that sum to π, unless both areas are zero: then the signs of the scalar products tell
   // which of the angles are π.
-  Decision decided(const Decision& decision, const Two_corners& corners)
+  Exact_decision decided(const Exact_decision& decision, const Two_corners& corners)
   {
     if (decision.sign != ZERO || has_positive_area(corners.opposite_to_k))
       return decision;
@@ -210,6 +189,30 @@ private:
     return is_certain(x.sign()) && x.lower_double() >= -smallest && x.upper_double() <= smallest;
   }
 
+  // The middle of an interval around evaluate(metric) that is narrow enough, as is_narrow(width, magnitude) says, or as
+  // narrow as intervals around subnormal numbers can be. What is too small for a double is rounded away from zero.
+  // \param f the face that the number belongs to
+  // \param precision that of the first attempt
+  // \exception Invalid_surface_error if the number leaves the range of double
+  template <class Evaluate, class IsNarrow>
+  double narrowed(const Evaluate& evaluate, const IsNarrow& is_narrow, Face_index f, long precision)
+  {
+    for (;; precision = doubled(precision)) {
+      Mpfr_metric metric(surface_, {precision});
+      const Mpfr_interval x = evaluate(metric);
+      if (is_tiny(x))
+        return int(get_certain(x.sign())) * smallest;
+      const double low = x.lower_double(), high = x.upper_double();
+      const double magnitude = (std::max)(std::abs(low), std::abs(high));
+      // Where the sign is open, the middle could be zero.
+      const bool is_as_narrow_as_can_be = high - low <= 2 * smallest && is_certain(x.sign());
+      if (magnitude < std::numeric_limits<double>::infinity() &&
+          (is_narrow(high - low, magnitude) || is_as_narrow_as_can_be))
+        return low + (high - low) / 2;
+      require_range(x, f);
+    }
+  }
+
   static void require_range(const Mpfr_interval& x, Face_index f)
   {
     const double largest = (std::numeric_limits<double>::max)();
@@ -218,12 +221,6 @@ private:
                                   "face " + std::to_string(f.idx()) +
                                     " is so thin that a cotangent leaves the range of double: remove it, or mollify "
                                     "the lengths first");
-  }
-
-  Triangle_corner<Mpfr_interval> corner(Halfedge_index h, long precision)
-  {
-    Mpfr_metric metric(surface_, {precision});
-    return unfolding(metric).opposite_corner(h);
   }
 
   template <class Metric>

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/rounded_sqrt.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Triangle_corner.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Vertex_positions.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
@@ -51,9 +52,7 @@ inline std::optional<Sign> side_in_plane(const Delta_complex& complex, const Ver
 {
   const auto value = [&](const auto& convert, bool is_of_face) {
     const auto origin = positions.position(complex.source(h), convert);
-    const auto from_origin = [&](const auto& p) {
-      return std::decay_t<decltype(p)>{p[0] - origin[0], p[1] - origin[1], p[2] - origin[2]};
-    };
+    const auto from_origin = [&](const auto& p) { return minus(p, origin); };
     const auto u = from_origin(positions.position(complex.target(h), convert));
     const auto normal = cross_product(u, from_origin(positions.position(complex.target(complex.next(h)), convert)));
     return scalar_product(normal,
@@ -68,11 +67,12 @@ inline std::optional<Sign> side_in_plane(const Delta_complex& complex, const Ver
   return static_cast<Sign>(Rational(value(rational, false)).sign());
 }
 
+using Straight_corner = Triangle_corner<Bounded_double_double>;
+
 // As straight_corner(), of points of the input: one bound for all errors takes less time than a running one. Nothing where
 // something could underflow, or an exact zero might be missed.
-template <class Corner>
-std::optional<Corner> straight_corner(const std::array<double, 3>& i, const std::array<double, 3>& j,
-                                      const std::array<double, 3>& k)
+inline std::optional<Straight_corner> straight_corner(const std::array<double, 3>& i, const std::array<double, 3>& j,
+                                                      const std::array<double, 3>& k)
 {
   const Split_vector<double> ki = split_vector(k, i), kj = split_vector(k, j), side = split_vector(i, j);
   const Split_double_double<double> p = split_scalar_product(ki, kj), s_first = split_scalar_product(ki, ki),
@@ -87,18 +87,18 @@ std::optional<Corner> straight_corner(const std::array<double, 3>& i, const std:
   const auto bounded = [](const Split_double_double<double>& x, double bound) {
     return Bounded_double_double(x.hi, x.lo, bound);
   };
-  return Corner{bounded(p, error).scaled(2), bounded(square_root(square), error).scaled(2),
-                bounded(s_first, 0x1p-100 * s_first.hi), bounded(s_second, 0x1p-100 * s_second.hi),
-                bounded(s_side, 0x1p-100 * s_side.hi)};
+  return Straight_corner{bounded(p, error).scaled(2), bounded(square_root(square), error).scaled(2),
+                         bounded(s_first, 0x1p-100 * s_first.hi), bounded(s_second, 0x1p-100 * s_second.hi),
+                         bounded(s_side, 0x1p-100 * s_side.hi)};
 }
 
 // In doubles. With u = 2^-53 and sides of lengths m and n, each coordinate of a side is right up to u of itself. So their
 // scalar product is wrong by at most 2.01 u m n for the sides and 3.01 u m n for its rounding, their cross product, the
 // components of which are right up to 4.01 u of both terms, by 4.01 √2 u m n, and its length by 2.51 u m n for its own
 // rounding. In squared lengths, which are stored, what the coordinates have lost is made up for: 4.01 u of themselves.
-template <class Corner>
-std::optional<Corner> straight_corner_in_doubles(const std::array<double, 3>& i, const std::array<double, 3>& j,
-                                                 const std::array<double, 3>& k)
+inline std::optional<Straight_corner> straight_corner_in_doubles(const std::array<double, 3>& i,
+                                                                 const std::array<double, 3>& j,
+                                                                 const std::array<double, 3>& k)
 {
   struct Side
   {
@@ -121,21 +121,21 @@ std::optional<Corner> straight_corner_in_doubles(const std::array<double, 3>& i,
   if (!is_usual(ki.square) || !is_usual(kj.square) || !is_usual(side.square) || !(square > 1e-200))
     return std::nullopt;
   const auto bounded = [](double x, double bound) { return Bounded_double_double(x, 0, bound); };
-  return Corner{bounded(scalar_product(ki.v, kj.v), 5.1 * u * m_n).scaled(2),
-                bounded(rounded_sqrt(square), 8.5 * u * m_n).scaled(2), bounded(ki.square, 4.1 * u * ki.square),
-                bounded(kj.square, 4.1 * u * kj.square), bounded(side.square, 4.1 * u * side.square)};
+  return Straight_corner{bounded(scalar_product(ki.v, kj.v), 5.1 * u * m_n).scaled(2),
+                         bounded(rounded_sqrt(square), 8.5 * u * m_n).scaled(2),
+                         bounded(ki.square, 4.1 * u * ki.square), bounded(kj.square, 4.1 * u * kj.square),
+                         bounded(side.square, 4.1 * u * side.square)};
 }
 
 // Lengths and angles from three points, with half of the digits if that suffices.
-template <class Corner>
-Corner straight_corner(const Delta_complex& complex, const Vertex_positions& positions, Halfedge_index ij,
-                       bool in_doubles = false)
+inline Straight_corner straight_corner(const Delta_complex& complex, const Vertex_positions& positions,
+                                       Halfedge_index ij, bool in_doubles = false)
 {
   using Real = Bounded_double_double;
   const Vertex_index i = complex.source(ij), j = complex.target(ij), k = complex.target(complex.next(ij));
   if (!positions.is_inserted(i) && !positions.is_inserted(j) && !positions.is_inserted(k)) {
     const auto &p = positions.points()[i.idx()], &q = positions.points()[j.idx()], &r = positions.points()[k.idx()];
-    if (const auto corner = in_doubles ? straight_corner_in_doubles<Corner>(p, q, r) : straight_corner<Corner>(p, q, r))
+    if (const auto corner = in_doubles ? straight_corner_in_doubles(p, q, r) : straight_corner(p, q, r))
       return *corner;
   }
   const auto ki = positions.direction<Real>(k, i), kj = positions.direction<Real>(k, j),
@@ -146,14 +146,11 @@ Corner straight_corner(const Delta_complex& complex, const Vertex_positions& pos
 }
 
 // The same in finite fields.
-inline Unfolding<Residue_metric>::Corner image_of_straight_corner(const Delta_complex& complex,
-                                                                  const Vertex_positions& positions, Halfedge_index ij,
-                                                                  Residue_rings& rings)
+inline Triangle_corner<Residues> image_of_straight_corner(const Delta_complex& complex,
+                                                          const Vertex_positions& positions, Halfedge_index ij,
+                                                          Residue_rings& rings)
 {
   const Vertex_index i = complex.source(ij), j = complex.target(ij), k = complex.target(complex.next(ij));
-  const auto minus = [](const auto& p, const auto& q) {
-    return std::decay_t<decltype(p)>{p[0] - q[0], p[1] - q[1], p[2] - q[2]};
-  };
   const auto corners = [&](const auto& convert) {
     return std::array{positions.position(i, convert), positions.position(j, convert), positions.position(k, convert)};
   };

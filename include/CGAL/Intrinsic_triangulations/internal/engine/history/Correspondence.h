@@ -12,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/config.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/history/Flip_journal.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Kept_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Rotation_system.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
@@ -29,6 +28,59 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+// Each flip as the halfedges around the edge before it. In parts, so that it grows without being
+// copied, and takes over what others have noted.
+class Flip_journal
+{
+public:
+  void push_back(const Hinge_halfedges& flip)
+  {
+    if (parts_.empty() || parts_.back().size() == parts_.back().capacity())
+      begin_part();
+    parts_.back().push_back(flip);
+  }
+  // \pre the last flip was noted by push_back()
+  void pop_back() { parts_.back().pop_back(); }
+  // So many calls of append() do not throw then.
+  void make_room(std::size_t number) { parts_.reserve(parts_.size() + number); }
+  void append(std::vector<Hinge_halfedges> flips)
+  {
+    const std::size_t n = size();
+    parts_.push_back(std::move(flips));
+    size_of_full_parts_ = n;
+  }
+  std::size_t size() const { return parts_.empty() ? 0 : size_of_full_parts_ + parts_.back().size(); }
+
+  template <class Function>
+  void for_each(const Function& f) const
+  {
+    for (const std::vector<Hinge_halfedges>& part : parts_)
+      for (const Hinge_halfedges& flip : part)
+        f(flip);
+  }
+  // From the last to the first.
+  template <class Function>
+  void for_each_backwards(const Function& f) const
+  {
+    for (auto part = parts_.rbegin(); part != parts_.rend(); ++part)
+      for (auto flip = part->rbegin(); flip != part->rend(); ++flip)
+        f(*flip);
+  }
+
+private:
+  void begin_part()
+  {
+    constexpr std::size_t size_of_part = 2048;
+    const std::size_t n = size();
+    parts_.emplace_back();
+    size_of_full_parts_ = n;
+    parts_.back().reserve(size_of_part);
+  }
+
+  std::vector<std::vector<Hinge_halfedges>> parts_;
+  std::size_t size_of_full_parts_ = 0; // of all but the last
+};
 
 // Relates a triangulation to the input triangulation from which flips have produced it.
 //
@@ -82,7 +134,7 @@ public:
       const Edge_index e = complex.edge(around.ij);
       crossings_.forget(e, coordinates_.number_of_crossings(e));
       if (coordinates_.flip(around) > longest_walk)
-        shorten_walks(around.ij);
+        turn_around_flipped(complex, around);
       return;
     }
     flip_with_crossings(complex, around);
@@ -183,21 +235,11 @@ private:
   // Walks that stay long, as where memory is short, are right as well. Few are long, so that one thread replaces what
   // all have found: there is one table for that.
   void shorten_walks(const std::vector<Edge_index>& edges, const Block_runner& run);
-  BOOST_NOINLINE void shorten_walks(Halfedge_index h)
-  {
-    for (Halfedge_index side : {h, input_.opposite(h)})
-      if (coordinates_.roundabout(side).steps > longest_walk)
-        shorten_walk(side);
-  }
   void shorten_walk(Halfedge_index h);
 
   void flip_with_crossings(const Delta_complex& complex, const Hinge_halfedges& around);
-  void turn_around_flipped(const Delta_complex& complex, const Hinge_halfedges& around)
+  BOOST_NOINLINE void turn_around_flipped(const Delta_complex& complex, const Hinge_halfedges& around)
   {
-    if (locations_.empty()) {
-      shorten_walks(around.ij);
-      return;
-    }
     turn_around(around.ij, complex.target(around.il));
     turn_around(around.ji, complex.target(around.jk));
   }

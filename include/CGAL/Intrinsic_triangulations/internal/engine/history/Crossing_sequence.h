@@ -272,8 +272,8 @@ public:
   // \pre something is crossed
   Crossed_halfedges(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h,
                     const Interruption& interruption)
-    : input_(correspondence.input())
   {
+    const Delta_complex& input = correspondence.input();
     const auto n = std::size_t(correspondence.coordinates().number_of_crossings(complex.edge(h)));
     CGAL_precondition(n > 0);
     const Kept_crossings& kept = correspondence.kept_crossings();
@@ -282,21 +282,21 @@ public:
       return;
     }
     const bool leaves_corner = !correspondence.is_inserted(complex.source(h));
-    Halfedge_index g = leaves_corner ? input_.opposite(input_.prev(input_.opposite(correspondence.input_halfedge(h))))
+    Halfedge_index g = leaves_corner ? input.opposite(input.prev(input.opposite(correspondence.input_halfedge(h))))
                                      : crossed_input_halfedge(complex, correspondence, h, 0, interruption);
     own_.push_back(g);
     if (n > 1) {
       const Crossing_sequence sequence(complex, correspondence, h, interruption);
       own_.reserve(n);
       for (std::size_t i = 0; i + 1 < n; ++i) {
-        g = input_.opposite(sequence.turns_left(i) ? input_.prev(g) : input_.next(g));
+        g = input.opposite(sequence.turns_left(i) ? input.prev(g) : input.next(g));
         own_.push_back(g);
       }
     }
     crossed_ = Crossed_range(own_.data(), n, false);
     // Around inserted vertices, input edges may have to be followed far.
     if (n > few || correspondence.number_of_inserted_vertices() != 0)
-      kept.keep(complex.number_of_edges(), h, n, crossed_);
+      kept.keep(complex.number_of_edges(), h, crossed_);
   }
   Crossed_halfedges(const Crossed_halfedges&) = delete;
   Crossed_halfedges& operator=(const Crossed_halfedges&) = delete;
@@ -304,14 +304,11 @@ public:
   std::size_t size() const { return crossed_.size(); }
   Halfedge_index operator[](std::size_t i) const { return crossed_[i]; }
   Halfedge_index front() const { return crossed_[0]; }
-  // Whether number i, which is not the first, has its left end in common with that before.
-  bool turns_left(std::size_t i) const { return crossed_[i] == input_.opposite(input_.prev(crossed_[i - 1])); }
 
   // To find so many takes no longer than to look them up.
   static constexpr std::size_t few = 8;
 
 private:
-  const Delta_complex& input_;
   boost::container::small_vector<Halfedge_index, 16> own_;
   Crossed_range crossed_;
 };

@@ -35,6 +35,8 @@ public:
 
   std::size_t size() const { return size_; }
   Halfedge_index operator[](std::size_t i) const { return is_reversed_ ? opposite(first_[size_ - 1 - i]) : first_[i]; }
+  // As the opposite halfedge crosses them.
+  Crossed_range reversed() const { return {first_, size_, !is_reversed_}; }
   Crossed_range prefix(std::size_t n) const { return {is_reversed_ ? first_ + (size_ - n) : first_, n, is_reversed_}; }
 
   static Halfedge_index opposite(Halfedge_index h) { return Halfedge_index(h.idx() ^ 1); }
@@ -100,13 +102,11 @@ public:
     return first ? std::make_optional(Crossed_range(first, n, (h.idx() & 1) != 0)) : std::nullopt;
   }
 
-  // Keeps the n that h crosses; sequence[i] is one of them.
-  template <class Sequence>
-  void keep(std::size_t number_of_edges, Halfedge_index h, std::size_t n, const Sequence& sequence) const
+  // Keeps those that h crosses.
+  void keep(std::size_t number_of_edges, Halfedge_index h, const Crossed_range& crossed) const
   {
-    keep(number_of_edges, Edge_index(h.idx() / 2), n, copied(n, [&](std::size_t i) {
-           return (h.idx() & 1) != 0 ? Crossed_range::opposite(sequence[n - 1 - i]) : sequence[i];
-         }));
+    const Crossed_range of_edge = (h.idx() & 1) != 0 ? crossed.reversed() : crossed;
+    keep(number_of_edges, Edge_index(h.idx() / 2), of_edge.size(), copied(of_edge));
   }
   // Keeps the n that the halfedge of e with the even number crosses, if they are given.
   void keep(std::size_t number_of_edges, Edge_index e, std::size_t n, Array array) const
@@ -135,7 +135,7 @@ public:
     // Segments from il through ij to jk, and from lj to ki.
     const std::int64_t to_jk = (std::max)(std::int64_t(0), below.c_j - above.c_i - above.e_k),
                        to_ki = (std::max)(std::int64_t(0), above.c_i - below.c_j - below.e_k);
-    const auto first = [&](Halfedge_index h, std::int64_t n) { return prefix(coordinates, complex.edge(h), h, n); };
+    const auto first = [&](Halfedge_index h, std::int64_t n) { return prefix(coordinates, h, n); };
     const auto from_l = below.e_j > 0 || to_ki > 0 ? first(around.lj, below.c_k + below.e_j + to_ki)
                                                    : first(complex.opposite(around.il), below.c_k + below.e_i + to_jk);
     const auto from_k = above.e_j > 0 ? first(around.ki, above.c_k + above.e_j)
@@ -174,11 +174,11 @@ public:
     const std::size_t number_of_edges = complex.number_of_edges();
     if (!make_room(number_of_edges, 3))
       return;
-    const Halfedge_index ij = piece.side, jk = complex.next(ij), ki = complex.prev(ij);
+    const Halfedge_index ij = piece.side;
     const std::int64_t n_ij = coordinates.number_of_crossings(complex.edge(ij));
-    append(prefix(coordinates, complex.edge(ij), ij, piece.gap));
-    append(prefix(coordinates, complex.edge(ij), complex.opposite(ij), n_ij - piece.gap));
-    append(from_opposite_corner(complex, coordinates, ij, jk, ki, piece.gap));
+    append(prefix(coordinates, ij, piece.gap));
+    append(prefix(coordinates, complex.opposite(ij), n_ij - piece.gap));
+    append(from_opposite_corner(complex, coordinates, ij, piece.gap));
   }
   // Likewise where an edge is split that coincides with an input edge.
   void split_edge(const Delta_complex& complex, const Normal_coordinates& coordinates, Halfedge_index h)
@@ -189,7 +189,7 @@ public:
     append(Crossed_range());
     for (Halfedge_index ij : {h, complex.opposite(h)})
       if (!complex.is_border(ij))
-        append(from_opposite_corner(complex, coordinates, ij, complex.next(ij), complex.prev(ij), 0));
+        append(from_opposite_corner(complex, coordinates, ij, 0));
   }
   // Before that of the coordinates.
   void remove(const Normal_coordinates& coordinates, const Removed_elements& removed)
@@ -267,32 +267,34 @@ private:
       result[i] = get(i);
     return result;
   }
+  Array copied(const Crossed_range& crossed) const
+  {
+    return copied(crossed.size(), [&](std::size_t i) { return crossed[i]; });
+  }
   // The sequence of the opposite of the halfedge that it is given for, which leads to the new vertex.
   void append(const std::optional<Crossed_range>& to_v)
   {
     Table& table = *table_;
     Array array;
     if (to_v && to_v->size() != 0)
-      array =
-        copied(to_v->size(), [&](std::size_t i) { return Crossed_range::opposite((*to_v)[to_v->size() - 1 - i]); });
+      array = copied(to_v->reversed());
     if (array)
       total_ += to_v->size();
     table.slots[table.size++] = array.release();
   }
 
-  std::optional<Crossed_range> prefix(const Normal_coordinates& coordinates, Edge_index e, Halfedge_index h,
-                                      std::int64_t n) const
+  // The first n that h crosses, if they are known.
+  std::optional<Crossed_range> prefix(const Normal_coordinates& coordinates, Halfedge_index h, std::int64_t n) const
   {
     if (n == 0)
       return Crossed_range();
-    const auto all = find(h, std::size_t(coordinates.number_of_crossings(e)));
+    const auto all = find(h, std::size_t(coordinates.number_of_crossings(Edge_index(h.idx() / 2))));
     return all ? std::make_optional(all->prefix(std::size_t(n))) : std::nullopt;
   }
 
   // What a line crosses from the corner k of a triangle to a point behind so many crossings of ij.
   std::optional<Crossed_range> from_opposite_corner(const Delta_complex& complex, const Normal_coordinates& coordinates,
-                                                    Halfedge_index ij, Halfedge_index jk, Halfedge_index ki,
-                                                    std::int64_t gap) const
+                                                    Halfedge_index ij, std::int64_t gap) const
   {
     const Triangle_crossings t = coordinates.triangle_crossings(complex, ij);
     const std::int64_t from_j = coordinates.number_of_crossings(complex.edge(ij)) - gap;
@@ -301,8 +303,8 @@ private:
       along_ki += t.c_i - gap;
     else if (from_j < t.c_j)
       along_kj += t.c_j - from_j;
-    return along_ki > along_kj ? prefix(coordinates, complex.edge(ki), ki, along_ki)
-                               : prefix(coordinates, complex.edge(jk), complex.opposite(jk), along_kj);
+    return along_ki > along_kj ? prefix(coordinates, complex.prev(ij), along_ki)
+                               : prefix(coordinates, complex.opposite(complex.next(ij)), along_kj);
   }
 
   // A line from a point to another: what it crosses first, an edge between if that is valid, and what it crosses from
@@ -312,9 +314,8 @@ private:
     const std::size_t n = from_source.size(), m = n + (between.is_valid() ? 1 : 0), all = m + from_target.size();
     if (all == 0)
       return nullptr;
-    return copied(all, [&](std::size_t i) {
-      return i < n ? from_source[i] : i < m ? between : Crossed_range::opposite(from_target[all - 1 - i]);
-    });
+    const Crossed_range to_target = from_target.reversed();
+    return copied(all, [&](std::size_t i) { return i < n ? from_source[i] : i < m ? between : to_target[i - m]; });
   }
 
   mutable std::atomic<Table*> table_{nullptr};

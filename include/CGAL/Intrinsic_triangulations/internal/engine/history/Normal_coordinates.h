@@ -171,17 +171,12 @@ public:
   // throws.
   void remove(const Removed_elements& removed);
 
-  // Updates the integers for the flip of `e`; to be called before the flip of the
+  // Updates the integers for the flip of the edge that the halfedges are around; to be called before the flip of the
   // connectivity. O(1).
   //
+  // \return the steps of the longer one of both roundabouts
   // \exception Integer_overflow_error if the count would leave the range of 64 bits;
   //   then nothing is changed
-  void flip(const Delta_complex& complex, Edge_index e)
-  {
-    CGAL_precondition(complex.is_flippable(e));
-    flip(complex.hinge(e));
-  }
-  // As above, for the halfedges around the edge. Returns the steps of the longer one of both roundabouts.
   std::uint64_t flip(const Hinge_halfedges& around)
   {
     const Halfedge_index ki = around.ki, lj = around.lj;

@@ -10,10 +10,13 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Disk.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Planar_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Residues.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/rounded_sqrt.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Triangle_corner.h>
 
 #include <boost/container/small_vector.hpp>
 
@@ -24,19 +27,17 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // The corner opposite to a halfedge in both forms, one of which is not always known.
-template <class Corner, class Image_corner>
 struct Known_corner
 {
   Halfedge_index side;
-  Corner corner;
-  std::optional<Image_corner> image;
+  Triangle_corner<Bounded_double_double> corner;
+  std::optional<Triangle_corner<Residues>> image;
 };
 
 // To lay out a face over the input costs as much as its edges cross input edges. Where tests
@@ -50,13 +51,13 @@ struct Known_corner
 //
 // Only faces of close calls, and those that flips make of them, are kept. Beside the positions, their images
 // in finite fields can be carried along: these have no errors at all, and tell ties at once.
-//
-// \tparam Real, Vector numbers with error bounds, and complex ones
-// \tparam Corner, Image_corner as `Unfolding::Corner`, of `Real` and of `Residues`
-template <class Real, class Vector, class Corner, class Image_corner>
 class Developed_faces
 {
+  using Real = Bounded_double_double;
+  using Vector = Double_double_disk;
+  using Corner = Triangle_corner<Real>;
   using Image = Planar_vector<Residues>;
+  using Image_corner = Triangle_corner<Residues>;
 
   // A corner that was laid out. Two faces that share both points of an edge need not be brought together.
   struct Point
@@ -75,8 +76,6 @@ class Developed_faces
   using Triangle = std::array<std::uint32_t, 3>;
 
 public:
-  using Known_corner = internal::Known_corner<Corner, Image_corner>;
-
   // Whether the face of h is kept.
   bool contains(Halfedge_index h) const { return !sources_.empty() && source(h) != none; }
 
@@ -92,7 +91,7 @@ public:
   std::optional<Image_corner> image_of_corner(const Delta_complex& complex, Halfedge_index h) const
   {
     const Triangle t = triangle(complex, h);
-    if (!has_images(t))
+    if (!points_[t[0]].image || !points_[t[1]].image || !points_[t[2]].image)
       return std::nullopt;
     const Image &i = *points_[t[0]].image, &j = *points_[t[1]].image, &k = *points_[t[2]].image;
     const Image u = i - k, w = j - k, z = times_conjugate(w, u);
@@ -248,8 +247,6 @@ private:
   {
     return rounded_sqrt(square) * Number(1 + 0x1p-45) + Number(1e-150);
   }
-
-  bool has_images(const Triangle& t) const { return points_[t[0]].image && points_[t[1]].image && points_[t[2]].image; }
 
   std::uint32_t add_point(const Vector& position, std::uint32_t plane, std::unique_ptr<const Image> image)
   {

@@ -48,11 +48,11 @@ public:
     return input.prev(input.opposite(first_crossed));
   }
 
-  template <class Path>
-  Strip_start<Vector> start(const Path& path) const
+  template <class Crossed>
+  Strip_start<Vector> start(const Crossed& crossed) const
   {
     const Vector zero(metric_.constant(0), metric_.constant(0)), one(metric_.constant(1), metric_.constant(0));
-    return {{reference(input_, path.front()), zero, one, 1}, one};
+    return {{reference(input_, crossed.front()), zero, one, 1}, one};
   }
 
   auto is_flat(Halfedge_index h) const { return metric_.is_flat(h); }

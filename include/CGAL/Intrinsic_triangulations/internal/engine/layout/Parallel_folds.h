@@ -133,7 +133,7 @@ private:
         return positions.position(complex_.source(at), [](double x) { return Rational(x); });
       };
       const auto p = position(side), q = position(complex_.opposite(side));
-      const Vector_3<Rational> along{q[0] - p[0], q[1] - p[1], q[2] - p[2]}, normal = cross_product(u, along);
+      const Vector_3<Rational> along = minus(q, p), normal = cross_product(u, along);
       if (scalar_product(along, along) == 0 || scalar_product(normal, normal) != 0 ||
           !all_crossed(side, [&](Halfedge_index crossed) { return surface_.is_flat(crossed); }))
         return false;

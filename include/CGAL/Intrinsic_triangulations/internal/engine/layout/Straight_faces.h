@@ -42,7 +42,6 @@ class Straight_faces
   static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
 
 public:
-  Straight_faces() = default;
   Straight_faces(std::size_t number_of_faces, std::size_t number_of_points)
     : plane_(number_of_points != 0 ? number_of_faces : 0, default_init), united_with_(plane_.size(), default_init)
   {

@@ -23,40 +23,14 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The input edges that an edge crosses, in order, as halfedges from the left end to the right end: a list.
-class Crossed_edges
+// The input edges that an edge crosses, in order, as halfedges from the left end to the right end.
+using Crossed_edges = std::vector<Halfedge_index>;
+
+// Whether an edge that is crossed has its left end in common with that before.
+inline bool keeps_left_end(const Delta_complex& input, Halfedge_index before, Halfedge_index crossed)
 {
-public:
-  explicit Crossed_edges(const Delta_complex& input) : input_(&input) {}
-
-  void clear() { halfedges_.clear(); }
-  void push_back(Halfedge_index h) { halfedges_.push_back(h); }
-
-  std::size_t size() const { return halfedges_.size(); }
-  Halfedge_index operator[](std::size_t i) const { return halfedges_[i]; }
-  Halfedge_index front() const { return halfedges_.front(); }
-  std::vector<Halfedge_index>::const_iterator begin() const { return halfedges_.begin(); }
-  std::vector<Halfedge_index>::const_iterator end() const { return halfedges_.end(); }
-
-  // Whether edge i, which is not the first, has its left end in common with that before.
-  bool turns_left(std::size_t i) const { return halfedges_[i] == input_->opposite(input_->prev(halfedges_[i - 1])); }
-  // Edge i, behind another.
-  Halfedge_index behind(Halfedge_index, std::size_t i) const { return halfedges_[i]; }
-  static constexpr bool may_end_inside = false;
-
-private:
-  const Delta_complex* input_;
-  std::vector<Halfedge_index> halfedges_;
-};
-
-// The same for an edge that ends at a point of the triangle behind the last one.
-struct Crossed_edges_to_point : Crossed_edges
-{
-  Crossed_edges_to_point(const Crossed_edges& crossed, const Surface_point& point) : Crossed_edges(crossed), end(&point)
-  {}
-  const Surface_point* end;
-  static constexpr bool may_end_inside = true;
-};
+  return crossed == input.next_around_source(before);
+}
 
 // The third corner of the face of h.
 inline Vertex_index apex(const Delta_complex& complex, Halfedge_index h) { return complex.target(complex.next(h)); }
@@ -93,7 +67,7 @@ auto area_between(const Complex& a, const Complex& b)
 // A number type and what it is computed from make a frame:
 //
 // \tparam Frame with a type `Vector` of complex numbers;
-//   `start(path)`, a `Strip_start`: of the first side of the first triangle, to the right end of the first
+//   `start(crossed)`, a `Strip_start`: of the first side of the first triangle, to the right end of the first
 //     crossed edge;
 //   `is_flat(h)`, whether the triangles of a crossed edge are known to lie in one plane; a `std::true_type` or
 //     `std::false_type` where the answer is always the same, and functions for the other are not needed,
@@ -115,22 +89,22 @@ public:
   Strip(const Delta_complex& input, Frame frame) : input_(input), frame_(std::move(frame)) {}
 
   // Where the edge ends. Inside of flat parts, nothing is computed.
-  // \tparam Path as `Crossed_edges`, but for access by number
-  // \pre something is crossed
-  template <class Path>
-  Vector end(const Path& path)
+  // \tparam Crossed as `Crossed_edges`, but for iterators
+  // \param n so many are crossed, and at least one
+  // \param end in the triangle behind them, or null for its third corner
+  template <class Crossed>
+  Vector end(const Crossed& crossed, std::size_t n, const Surface_point* end)
   {
-    return walk<false>(path);
+    return walk<false>(crossed, n, end);
   }
 
   // Lays out all corners.
-  // \tparam Path as `Crossed_edges`
   // \pre something is crossed
-  template <class Path>
-  void lay_out(const Path& path)
+  template <class Crossed, class End = std::nullptr_t>
+  void lay_out(const Crossed& crossed, End end = nullptr)
   {
     corners_.clear();
-    walk<true>(path);
+    walk<true>(crossed, crossed.size(), end);
   }
   // Lays out the same for an edge that starts within the first triangle.
   void move_source(const Vector& source)
@@ -220,21 +194,21 @@ private:
   }
 
   // Returns the target, or keeps it as the last corner.
-  template <bool keeps_corners, class Path>
-  auto walk(const Path& path)
+  // \tparam End `const Surface_point*`, or `std::nullptr_t` where no point is given
+  template <bool keeps_corners, class Crossed, class End>
+  auto walk(const Crossed& all, std::size_t n, [[maybe_unused]] End end)
   {
-    Strip_start<Vector> first = frame_.start(path);
+    Strip_start<Vector> first = frame_.start(all);
     Run& run = first.run;
     Vector& right = first.right;
     keep<keeps_corners>(right, true);
-    Halfedge_index crossed = path.front();
-    const std::size_t n = path.size();
+    Halfedge_index before, crossed = all.front();
     [[maybe_unused]] bool turned_left_before = false;
     for (std::size_t i = 0;;) {
       if (i % 64 == 63)
         frame_.check_interruption();
       // The first triangle has its corner on the left.
-      const auto turned_left = [&] { return i > 0 && path.turns_left(i); };
+      const auto turned_left = [&] { return i > 0 && keeps_left_end(input_, before, crossed); };
       if (can_be_flat && frame_.is_flat(crossed)) {
         ++run.length;
         if constexpr (can_be_flat && keeps_corners) {
@@ -244,7 +218,7 @@ private:
       } else if constexpr (can_be_bent) {
         const bool turns_left = turned_left();
         if constexpr (!keeps_corners) {
-          if (turns_left != turned_left_before || !cross_fan(path, run, crossed, i, turns_left))
+          if (turns_left != turned_left_before || !cross_fan(all, n, run, crossed, i, turns_left))
             bend(run, right, crossed, i, turns_left);
           turned_left_before = turns_left;
         } else {
@@ -258,12 +232,13 @@ private:
       }
       if (++i == n)
         break;
-      crossed = path.behind(crossed, i);
+      before = crossed;
+      crossed = all[i];
     }
     const auto target = [&] {
-      if constexpr (Path::may_end_inside)
-        if (BOOST_UNLIKELY(path.end != nullptr))
-          return position_in_triangle(run, n, crossed, *path.end);
+      if constexpr (!std::is_same<End, std::nullptr_t>::value)
+        if (BOOST_UNLIKELY(end != nullptr))
+          return position_in_triangle(run, n, crossed, *end);
       if constexpr (can_be_flat)
         if (run.length > 1)
           return frame_.position(run, apex(input_, crossed));
@@ -314,8 +289,8 @@ private:
 
   // Crosses many triangles at once that have an end of the base in common, from edge i to the last one, and returns
   // whether there are so many.
-  template <class Path>
-  bool cross_fan(const Path& path, Run& run, Halfedge_index& crossed, std::size_t& i, bool turns_left)
+  template <class Crossed>
+  bool cross_fan(const Crossed& all, std::size_t n, Run& run, Halfedge_index& crossed, std::size_t& i, bool turns_left)
   {
     if constexpr (std::is_same<decltype(frame_.keeps_fans()), std::false_type>::value) {
       return false;
@@ -324,8 +299,8 @@ private:
         return false;
       Halfedge_index last = crossed;
       std::size_t end = i + 1;
-      while (end < path.size() && last != run.base && path.turns_left(end) == turns_left)
-        last = path.behind(last, end++);
+      while (end < n && last != run.base && keeps_left_end(input_, last, all[end]) == turns_left)
+        last = all[end++];
       if (end - i < Fan_positions::long_fan)
         return false;
       frame_.check_interruption();

@@ -126,13 +126,14 @@ public:
   }
 
   // Lays out the strip of an edge that crosses input edges.
-  template <class Frame>
-  void lay_out(Strip<Frame>& strip, Halfedge_index h, const Crossed_edges& crossed) const
+  // \param crossed as `Crossed_edges`
+  template <class Frame, class Crossed>
+  void lay_out(Strip<Frame>& strip, Halfedge_index h, const Crossed& crossed) const
   {
     const Halfedge_index g = complex_.opposite(h);
     if (is_inserted(complex_.source(g))) {
       const Surface_point end = location_of_source(g);
-      strip.lay_out(Crossed_edges_to_point(crossed, end));
+      strip.lay_out(crossed, &end);
     } else {
       strip.lay_out(crossed);
     }
@@ -209,7 +210,7 @@ private:
   // a point behind that.
   Edge_vector end_of_strip(const Crossed_halfedges& crossed, std::size_t n, const Surface_point* point) const
   {
-    return {Strip<Frame>(input_, Frame(input_, metric_)).end(Path{crossed, n, point}),
+    return {Strip<Frame>(input_, Frame(input_, metric_)).end(crossed, n, point),
             Frame::reference(input_, crossed.front())};
   }
 
@@ -236,13 +237,10 @@ private:
   // Where h begins, from the source of the reference of its vector.
   Vector position_of_source(Halfedge_index h, std::int64_t n, Halfedge_index reference) const
   {
-    const Frame frame(input_, metric_);
-    if (!is_inserted(complex_.source(h))) {
-      if (n > 0 || reference == input_.next(input_.opposite(correspondence_.input_halfedge(h))))
-        return frame.real(metric_.constant(0));
-      return position_in_face(reference, coordinates_of_source(h, reference));
-    }
-    return position_in_face(reference, coordinates_from(input_, location_of_source(h), reference));
+    if (!is_inserted(complex_.source(h)) &&
+        (n > 0 || reference == input_.next(input_.opposite(correspondence_.input_halfedge(h)))))
+      return Frame(input_, metric_).real(metric_.constant(0));
+    return position_in_face(reference, coordinates_of_source(h, reference));
   }
 
   // The coordinates of the source of h relative to a halfedge of the input face into which h leaves it.
@@ -328,20 +326,6 @@ private:
   }
 
   Real reference_length(const Edge_vector& v) const { return metric_.squared_length(input_.edge(v.reference)); }
-
-  // The first input edges that a halfedge crosses.
-  struct Path
-  {
-    const Crossed_halfedges& crossed;
-    std::size_t number;
-    const Surface_point* end; // in the last triangle, if not at its corner
-    static constexpr bool may_end_inside = true;
-
-    std::size_t size() const { return number; }
-    Halfedge_index front() const { return crossed.front(); }
-    bool turns_left(std::size_t i) const { return crossed.turns_left(i); }
-    Halfedge_index behind(Halfedge_index, std::size_t i) const { return crossed[i]; }
-  };
 
   const Delta_complex& complex_;
   const Correspondence& correspondence_;

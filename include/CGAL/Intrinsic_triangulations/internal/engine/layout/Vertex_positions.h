@@ -14,9 +14,16 @@
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
 
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+template <class FT>
+Vector_3<FT> minus(const Vector_3<FT>& p, const Vector_3<FT>& q)
+{
+  return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
+}
 
 // Vertices of the input lie at their points, inserted ones at the weighted means of the corners of an input face, with
 // their barycentric coordinates as weights: exact rational numbers. They are kept in double-doubles with error bounds,
@@ -52,7 +59,26 @@ public:
   {
     if (!is_inserted(from) && !is_inserted(to))
       return difference<FT>(points_, from, to);
-    return Direction<FT>()(*this, from, to);
+    if constexpr (std::is_same<FT, Bounded_double_double>::value) {
+      const auto kept = [&](Vertex_index v) {
+        return is_inserted(v) ? inserted_[v.idx() - points_.size()]
+                              : Vector_3<FT>{points_[v.idx()][0], points_[v.idx()][1], points_[v.idx()][2]};
+      };
+      return minus(kept(to), kept(from));
+    } else {
+      const auto homogeneous = [&](Vertex_index v) {
+        const auto convert = [](double x) { return FT(x); };
+        if (is_inserted(v))
+          return weighted_sum<FT>(locations_[v.idx() - points_.size()], convert);
+        const auto& p = points_[v.idx()];
+        return Weighted_sum<FT>{FT(1), {FT(p[0]), FT(p[1]), FT(p[2])}};
+      };
+      const Weighted_sum<FT> a = homogeneous(from), b = homogeneous(to);
+      if (a.weight == b.weight)
+        return minus(b.sum, a.sum);
+      return {a.weight * b.sum[0] - b.weight * a.sum[0], a.weight * b.sum[1] - b.weight * a.sum[1],
+              a.weight * b.sum[2] - b.weight * a.sum[2]};
+    }
   }
 
   // The position in numbers that can be divided, which `convert` makes of doubles.
@@ -94,30 +120,6 @@ private:
     Vector_3<FT> sum;
   };
 
-  template <class FT>
-  struct Direction
-  {
-    Vector_3<FT> operator()(const Vertex_positions& positions, Vertex_index from, Vertex_index to) const
-    {
-      const auto convert = [](double x) { return FT(x); };
-      const Weighted_sum<FT> a = positions.template homogeneous<FT>(from, convert),
-                             b = positions.template homogeneous<FT>(to, convert);
-      if (a.weight == b.weight)
-        return {b.sum[0] - a.sum[0], b.sum[1] - a.sum[1], b.sum[2] - a.sum[2]};
-      return {a.weight * b.sum[0] - b.weight * a.sum[0], a.weight * b.sum[1] - b.weight * a.sum[1],
-              a.weight * b.sum[2] - b.weight * a.sum[2]};
-    }
-  };
-
-  template <class FT, class Convert>
-  Weighted_sum<FT> homogeneous(Vertex_index v, const Convert& convert) const
-  {
-    if (is_inserted(v))
-      return weighted_sum<FT>(locations_[v.idx() - points_.size()], convert);
-    const auto& p = points_[v.idx()];
-    return {convert(1), {convert(p[0]), convert(p[1]), convert(p[2])}};
-  }
-
   template <class FT, class Convert>
   Weighted_sum<FT> weighted_sum(const Surface_point& location, const Convert& convert) const
   {
@@ -141,26 +143,6 @@ private:
   const Points& points_;
   const std::vector<Surface_point>& locations_;
   const Inserted& inserted_;
-};
-
-template <>
-struct Vertex_positions::Direction<Bounded_double_double>
-{
-  using Real = Bounded_double_double;
-  Vector_3<Real> operator()(const Vertex_positions& positions, Vertex_index from, Vertex_index to) const
-  {
-    const Vector_3<Real> a = at(positions, from), b = at(positions, to);
-    return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-  }
-
-private:
-  static Vector_3<Real> at(const Vertex_positions& positions, Vertex_index v)
-  {
-    if (positions.is_inserted(v))
-      return positions.inserted_[v.idx() - positions.points_.size()];
-    const auto& p = positions.points_[v.idx()];
-    return {p[0], p[1], p[2]};
-  }
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

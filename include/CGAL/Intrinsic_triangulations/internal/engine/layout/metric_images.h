@@ -20,12 +20,13 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Multiquadratic.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Residues.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Square_root_basis.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/ratios_in_space.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/rounded_sqrt.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Direct_mapped_cache.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Scratch_pool.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/memory_access.h>
 
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
@@ -39,6 +40,7 @@
 #include <cstdint>
 #include <deque>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
@@ -128,14 +130,6 @@ public:
 
   BOOST_FORCEINLINE bool is_flat(Halfedge_index h) { return properties_.is_flat(h); }
 
-  // Whether a vector in the plane of the face of h points to the left of h or to the right.
-  Sign side(Halfedge_index h, Vertex_index from, Vertex_index to) const
-  {
-    const Vertex_index i = connectivity_.source(h), j = connectivity_.target(h),
-                       k = connectivity_.target(connectivity_.next(h));
-    return sign_of_normals(metric_.points(), {i, j}, {from, to}, {i, j}, {i, k});
-  }
-
   // Neighbouring edges cross the same triangles.
   template <class Compute>
   const Corner_ratios<Double_double_disk>& remembered(Halfedge_index h, const Compute& compute)
@@ -166,12 +160,29 @@ private:
   Fan_positions fans_;
 };
 
-// An Input_surface that a call has for itself.
-class Surface_lease : public Scratch_pool<Input_surface>::Lease
+// As Metric_frame::ratios(), in half of the time: one bound for all errors instead of a running one. Nothing without
+// points, or where something could underflow, as in faces that are nearly flat.
+inline std::optional<Corner_ratios<Double_double_disk>> ratios_in_space(const Delta_complex& input,
+                                                                        const Points& points, Halfedge_index ij)
 {
-public:
-  Surface_lease(Lease&& lease) : Lease(std::move(lease)) {}
-};
+  if (points.empty())
+    return std::nullopt;
+  const auto &p = points[input.source(ij).idx()], &q = points[input.target(ij).idx()],
+             &r = points[input.target(input.next(ij)).idx()];
+  const Split_vector<double> u = split_vector(p, q), v = split_vector(p, r);
+  const Split_double_double<double> s = split_scalar_product(u, u), square = split_squared_area(u, v);
+  const double s_v = rough_square(v);
+  if (!(s.hi > 1e-100 && s.hi < 1e100 && s_v > 1e-100 && s_v < 1e100 && square.hi > 1e-200))
+    return std::nullopt;
+  const double reciprocal = 1 / s.hi;
+  const Split_double_double<double> x = quotient(split_scalar_product(u, v), s, reciprocal),
+                                    y = quotient(square_root(square), s, reciprocal);
+  // Products of the vectors are good to 2^-102 of those of their lengths, so that x + iy is good to 2^-99 of its
+  // absolute value.
+  const double error = 0x1p-97 * rounded_sqrt(s_v * reciprocal);
+  const Bounded_double_double at_source(x.hi, x.lo, error), height(y.hi, y.lo, error);
+  return Corner_ratios<Double_double_disk>{{at_source, height}, {Bounded_double_double(1) - at_source, -height}};
+}
 
 // In double-doubles with error bounds.
 class Double_double_metric
@@ -212,16 +223,89 @@ public:
     return surface_.remembered(h, from, to, [&]() -> Vector {
       const Delta_complex& c = surface_.connectivity();
       const Points& points = surface_.metric().points();
-      const auto u = difference<Real>(points, c.source(h), c.target(h)), w = difference<Real>(points, from, to);
+      const Vertex_index i = c.source(h), j = c.target(h);
+      const auto u = difference<Real>(points, i, j), w = difference<Real>(points, from, to);
       const auto normal = cross_product(u, w);
       const Real s = scalar_product(u, u);
       const Real height = sqrt(scalar_product(normal, normal)) / s;
-      return {scalar_product(u, w) / s, surface_.side(h, from, to) == NEGATIVE ? -height : height};
+      const Sign side = sign_of_normals(points, {i, j}, {from, to}, {i, j}, {i, apex(c, h)});
+      return {scalar_product(u, w) / s, side == NEGATIVE ? -height : height};
     });
   }
 
 private:
   Input_surface& surface_;
+};
+
+// As ratios_in_space(), in doubles.
+inline std::optional<Corner_ratios<Double_disk>> rounded_ratios_in_space(const Delta_complex& input,
+                                                                         const Points& points, Halfedge_index ij)
+{
+  if (points.empty())
+    return std::nullopt;
+  const Vertex_index i = input.source(ij);
+  const auto u = difference<double>(points, i, input.target(ij)),
+             v = difference<double>(points, i, input.target(input.next(ij))), n = cross_product(u, v);
+  const double s = scalar_product(u, u), s_v = scalar_product(v, v);
+  if (!(s > 1e-100 && s < 1e100 && s_v > 1e-100 && s_v < 1e100))
+    return std::nullopt;
+  const double reciprocal = 1 / s, x = scalar_product(u, v) * reciprocal,
+               y = rounded_sqrt(scalar_product(n, n)) * reciprocal;
+  // In units of 2^-53, s is good to 6 of itself, the scalar product to 6 of |u| |v|, and the area to 10 of that (see
+  // Filtered_edge_length_traits::Construct_face_data), so that x + iy is good to 2^-48 of its absolute value.
+  const Double_disk at_source(x, y, 0x1p-47 * rounded_sqrt(x * x + y * y));
+  return Corner_ratios<Double_disk>{at_source, Double_disk(1, 0, 0) - at_source};
+}
+
+// In doubles with error bounds.
+class Double_metric
+{
+public:
+  using Real = Double_with_bound;
+  using Vector = Double_disk;
+
+  // \param surface with fans of triangles, which are not used without it
+  Double_metric(const Delta_complex& input, const Input_metric& metric, const Interruption& interruption,
+                Input_surface* surface = nullptr)
+    : input_(input), metric_(metric), interruption_(interruption), surface_(surface)
+  {}
+
+  Real constant(double x) const { return Real(x); }
+  Real squared_length(Edge_index e) const
+  {
+    if (metric_.points().empty())
+      return Real(metric_.squared_length_double_double(input_, e));
+    const Halfedge_index h = input_.halfedge(e);
+    const double s =
+      squared_distance_3(metric_.points()[input_.source(h).idx()], metric_.points()[input_.target(h).idx()]);
+    constexpr double of_underflow = 0x1p-1072; // of three squares
+    return {s, 0x1p-49 * s + of_underflow};
+  }
+  Real four_areas(Face_index f) const { return Real(metric_.four_areas_double_double(input_, f)); }
+  // To compute them takes no longer than to look for them.
+  template <class Compute>
+  const Corner_ratios<Vector>& remembered(Halfedge_index h, const Compute& compute)
+  {
+    const auto in_space = rounded_ratios_in_space(input_, metric_.points(), h);
+    ratios_ = in_space ? *in_space : compute();
+    return ratios_;
+  }
+  bool keeps_fans() const { return surface_ != nullptr; }
+  Vector fan_ratio(Halfedge_index from, Halfedge_index to, bool is_counterclockwise)
+  {
+    const Double_double_disk z = Double_double_metric(*surface_).fan_ratio(from, to, is_counterclockwise);
+    return {Real(z.x()), Real(z.y())};
+  }
+  // Triangles in one plane are laid out like others: exact zeros are not asked for.
+  std::false_type is_flat(Halfedge_index) const { return {}; }
+  const Interruption& interruption() const { return interruption_; }
+
+private:
+  const Delta_complex& input_;
+  const Input_metric& metric_;
+  const Interruption& interruption_;
+  Input_surface* surface_;
+  Corner_ratios<Vector> ratios_;
 };
 
 // In a ring that is given by the images of the rationals and of their square roots, and of coordinates, which may

@@ -41,14 +41,6 @@ inline Bounded_double_double rounded(const Rational& x)
   return {hi, lo, error == 0 ? 0 : std::abs(lo) * 0x1p-50 + 1e-300};
 }
 
-inline std::array<Bounded_double_double, 3> difference_double_double(const Input_metric& metric, Vertex_index from,
-                                                                     Vertex_index to)
-{
-  const auto &p = metric.points()[from.idx()], &q = metric.points()[to.idx()];
-  return {Bounded_double_double::difference(q[0], p[0]), Bounded_double_double::difference(q[1], p[1]),
-          Bounded_double_double::difference(q[2], p[2])};
-}
-
 // \pre the metric is given by doubles. Rational numbers would be made canonical after each sum and product.
 inline Exact_ring squared_length_in_ring(const Input_metric& metric, const Delta_complex& input, Edge_index e)
 {
@@ -227,8 +219,8 @@ internal::Bounded_double_double Input_metric::squared_length_double_double(const
     return l * l;
   }
   const Halfedge_index h = input.halfedge(e);
-  const auto d = internal::difference_double_double(*this, input.source(h), input.target(h));
-  return d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
+  const auto d = internal::difference<Double_double>(points_, input.source(h), input.target(h));
+  return internal::scalar_product(d, d);
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -246,10 +238,10 @@ internal::Bounded_double_double Input_metric::four_areas_double_double(const Del
     return sqrt((a + (b + c)) * (c - ab) * (c + ab) * (a + (b - c)));
   }
   const Vertex_index p = input.source(h);
-  const auto u = internal::difference_double_double(*this, p, input.target(h)),
-             v = internal::difference_double_double(*this, p, input.target(input.next(h)));
-  const Double_double x = u[1] * v[2] - u[2] * v[1], y = u[2] * v[0] - u[0] * v[2], z = u[0] * v[1] - u[1] * v[0];
-  return sqrt(x * x + y * y + z * z).scaled(2);
+  const auto u = internal::difference<Double_double>(points_, p, input.target(h)),
+             v = internal::difference<Double_double>(points_, p, input.target(input.next(h))),
+             normal = internal::cross_product(u, v);
+  return sqrt(internal::scalar_product(normal, normal)).scaled(2);
 }
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -5,7 +5,7 @@
 // numbers.
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Sign_in_plane.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Coplanar_hinge.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Vertex_positions.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
@@ -95,7 +95,7 @@ struct Points_of_a_triangle
     const IT::internal::Vertex_positions all = positions();
     for (IT::Halfedge_index h : hinge.halfedges())
       if (hinge.source(h).idx() == v[0] && hinge.target(h).idx() == v[1])
-        return IT::internal::Sign_in_plane(hinge, all, h)();
+        return IT::internal::Coplanar_hinge(hinge, all, h).sign_of_cotangents();
     ADD_FAILURE() << "no such edge";
     return CGAL::ZERO;
   }
@@ -118,7 +118,7 @@ IT::internal::Points turned_right_triangle(std::mt19937& random, int bits)
 }
 
 // Corners of rectangles and points close to them, with weights that are short or long, sum to 1 or not.
-TEST(Sign_in_plane, TiesAndNearTies)
+TEST(Coplanar_hinge_inserted, TiesAndNearTies)
 {
   std::mt19937 random(1);
   std::array<int, 3> signs{};
@@ -146,7 +146,7 @@ TEST(Sign_in_plane, TiesAndNearTies)
 }
 
 // Weights of very different size, also so small that their products underflow.
-TEST(Sign_in_plane, AnyWeights)
+TEST(Coplanar_hinge_inserted, AnyWeights)
 {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> exponent(-60, 0), far_exponent(-1060, 0);
@@ -171,7 +171,7 @@ TEST(Sign_in_plane, AnyWeights)
 }
 
 // A vertex on the edge: the face beside it has no area. The edge is Delaunay unless the vertex lies between its ends.
-TEST(Sign_in_plane, VertexOnTheEdge)
+TEST(Coplanar_hinge_inserted, VertexOnTheEdge)
 {
   std::mt19937 random(3);
   Points_of_a_triangle plane(turned_right_triangle(random, 24));
