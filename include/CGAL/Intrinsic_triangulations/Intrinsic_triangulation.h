@@ -232,18 +232,21 @@ public:
   }
   /// returns the connectivity of the input. It has the original vertices, edges, halfedges and faces; `halfedge(v)` and
   /// `halfedge(f)` may be other halfedges of the vertex and the face.
-  const Delta_complex& input() const { return correspondence().input(); }
+  const Delta_complex& input() const { return internal::input(correspondence()); }
   /// returns how many times input edges cross `e`; 0 if it coincides with one.
-  std::int64_t number_of_crossings(Edge_index e) const { return correspondence().coordinates().number_of_crossings(e); }
+  std::int64_t number_of_crossings(Edge_index e) const
+  {
+    return (std::max)(std::int64_t(0), internal::crossings(correspondence(), e));
+  }
   /// returns whether `e` coincides with an edge of the input, or with a part of one.
-  bool is_input_edge(Edge_index e) const { return correspondence().coordinates().is_original(e); }
+  bool is_input_edge(Edge_index e) const { return internal::crossings(correspondence(), e) < 0; }
   /// returns the halfedge of the input along `h`. \pre `is_input_edge(connectivity().edge(h))`
-  Halfedge_index input_halfedge(Halfedge_index h) const { return correspondence().input_halfedge(h); }
+  Halfedge_index input_halfedge(Halfedge_index h) const { return internal::input_halfedge(correspondence(), h); }
   /// returns whether `v` was inserted, that is, whether it is not a vertex of the input.
-  bool is_inserted(Vertex_index v) const { return correspondence().is_inserted(v); }
+  bool is_inserted(Vertex_index v) const { return internal::is_inserted(correspondence(), v); }
   /// returns where an inserted vertex lies on the input. The coordinates are exact once they are divided by their sum.
   /// \pre `is_inserted(v)`
-  const Surface_point& location(Vertex_index v) const { return correspondence().location(v); }
+  const Surface_point& location(Vertex_index v) const { return internal::location(correspondence(), v); }
   /// @}
 
   /// returns the triangles.
@@ -599,7 +602,7 @@ private:
     const Arithmetic arithmetic;
     CGAL_precondition(keeps_input());
     engine_.prepare();
-    const Halfedge_index h = engine_.correspondence().coordinates().side_with_most_crossings(connectivity(), f);
+    const Halfedge_index h = internal::quickest_side(engine_, f);
     return recompute(h, engine_.kept_corner(h));
   }
 

@@ -10,14 +10,12 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/metric/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/reports.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Triangle_corner.h>
 #include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Scratch_pool.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 
 #include <CGAL/enum.h>
@@ -34,16 +32,15 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+class Correspondence;
 class Input_surface;
+class Surface_lease;
 struct Known_corner;
 class Engine_numbers;
 class Engine_restorer;
 class Exact_fallback;
 class Residues;
 class Vertex_positions;
-
-// The input as the images of its metric see it, a call's own.
-using Surface_lease = Scratch_pool<Input_surface>::Lease;
 
 // The exact engine: a triangulation, the input that it came from, and what exact arithmetic says about both.
 //
@@ -284,6 +281,16 @@ private:
   Input_metric metric_;
   std::unique_ptr<Memory> memory_; // null without an input
 };
+
+// The side of a face whose opposite corner takes the least time. \pre `engine.prepare()` was called
+Halfedge_index quickest_side(const Exact_engine& engine, Face_index f);
+
+// What Intrinsic_triangulation tells of a Correspondence, so that not all who include it include that.
+const Delta_complex& input(const Correspondence& correspondence);
+std::int64_t crossings(const Correspondence& correspondence, Edge_index e);
+Halfedge_index input_halfedge(const Correspondence& correspondence, Halfedge_index h);
+bool is_inserted(const Correspondence& correspondence, Vertex_index v);
+const Surface_point& location(const Correspondence& correspondence, Vertex_index v);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

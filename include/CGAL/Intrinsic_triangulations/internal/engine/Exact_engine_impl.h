@@ -702,6 +702,38 @@ Exact_engine::Corner Exact_engine::straight_corner(Halfedge_index h, bool in_dou
   return internal::straight_corner(connectivity_, positions(), h, in_doubles);
 }
 
+// ---------------------------------------------------------------- where the input lies
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+const Delta_complex& input(const Correspondence& correspondence) { return correspondence.input(); }
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+std::int64_t crossings(const Correspondence& correspondence, Edge_index e)
+{
+  return correspondence.coordinates().crossings(e);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Halfedge_index input_halfedge(const Correspondence& correspondence, Halfedge_index h)
+{
+  return correspondence.input_halfedge(h);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+bool is_inserted(const Correspondence& correspondence, Vertex_index v) { return correspondence.is_inserted(v); }
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+const Surface_point& location(const Correspondence& correspondence, Vertex_index v)
+{
+  return correspondence.location(v);
+}
+
+CGAL_INTRINSIC_TRIANGULATIONS_INLINE
+Halfedge_index quickest_side(const Exact_engine& engine, Face_index f)
+{
+  return engine.correspondence().coordinates().side_with_most_crossings(engine.connectivity(), f);
+}
+
 } // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_IMPL_H

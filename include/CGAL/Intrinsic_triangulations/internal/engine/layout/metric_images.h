@@ -27,6 +27,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Direct_mapped_cache.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Scratch_pool.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/memory_access.h>
 
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
@@ -183,6 +184,13 @@ inline std::optional<Corner_ratios<Double_double_disk>> ratios_in_space(const De
   const Bounded_double_double at_source(x.hi, x.lo, error), height(y.hi, y.lo, error);
   return Corner_ratios<Double_double_disk>{{at_source, height}, {Bounded_double_double(1) - at_source, -height}};
 }
+
+// An Input_surface that a call has for itself.
+class Surface_lease : public Scratch_pool<Input_surface>::Lease
+{
+public:
+  Surface_lease(Lease&& lease) : Lease(std::move(lease)) {}
+};
 
 // In double-doubles with error bounds.
 class Double_double_metric
