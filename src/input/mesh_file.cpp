@@ -84,24 +84,30 @@ void write_mesh(std::ostream& os, const std::vector<std::array<double, 3>>& poin
                 const std::vector<Named_values>& at_points)
 {
   using Point = CGAL::Simple_cartesian<double>::Point_3;
-  std::vector<Point> places;
-  places.reserve(points.size());
-  for (const auto& [x, y, z] : points)
-    places.emplace_back(x, y, z);
-  std::vector<std::vector<std::size_t>> faces;
-  faces.reserve(triangles.size());
-  for (const auto& [a, b, c] : triangles)
-    faces.push_back({a, b, c});
+  const auto places = [&points] {
+    std::vector<Point> result;
+    result.reserve(points.size());
+    for (const auto& [x, y, z] : points)
+      result.emplace_back(x, y, z);
+    return result;
+  };
+  const auto faces = [&triangles] {
+    std::vector<std::vector<std::size_t>> result;
+    result.reserve(triangles.size());
+    for (const auto& [a, b, c] : triangles)
+      result.push_back({a, b, c});
+    return result;
+  };
   const auto all_digits = CGAL::parameters::stream_precision(17);
   switch (format) {
   case Mesh_format::PLY:
     write_ply(os, points, triangles, at_points);
     return;
   case Mesh_format::OFF:
-    CGAL::IO::write_OFF(os, places, faces, all_digits);
+    CGAL::IO::write_OFF(os, places(), faces(), all_digits);
     return;
   case Mesh_format::OBJ:
-    CGAL::IO::write_OBJ(os, places, faces, all_digits);
+    CGAL::IO::write_OBJ(os, places(), faces(), all_digits);
     return;
   case Mesh_format::STL:
     // A normal of zero is to be computed by who reads it. CGAL's writer makes NaN of a small face's.
@@ -116,7 +122,7 @@ void write_mesh(std::ostream& os, const std::vector<std::array<double, 3>>& poin
     os << "endsolid\n";
     return;
   case Mesh_format::TS:
-    CGAL::IO::write_GOCAD(os, places, faces, all_digits);
+    CGAL::IO::write_GOCAD(os, places(), faces(), all_digits);
     return;
   case Mesh_format::VTP:
     Flat_polygons polygons;

@@ -8,6 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Heat_method.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
+#include <CGAL/Intrinsic_triangulations/Vector_heat_method.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
@@ -29,6 +30,7 @@
 #include <set>
 #include <string>
 #include <thread>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -81,6 +83,12 @@ void expect_numbers(const std::vector<double>& distances, const std::string& wha
 {
   for (double d : distances)
     EXPECT_TRUE(d >= 0 && d < infinity) << what << ": " << d;
+}
+
+TEST(Heat_method, is_moved_without_a_copy)
+{
+  EXPECT_TRUE(std::is_nothrow_move_constructible<IT::Heat_method<>>::value);
+  EXPECT_TRUE(std::is_nothrow_move_constructible<IT::Vector_heat_method>::value);
 }
 
 TEST(Heat_method, border_of_a_square_as_source)

@@ -255,9 +255,9 @@ public:
     std::vector<std::pair<std::uint32_t, double>> of_rows;
     for (const auto& [v, value] : values)
       of_rows.emplace_back(row_of(v), value);
-    const std::vector<bool> is_reachable = surface_.connected_with(of_rows);
+    const std::vector<bool> is_reachable = surface_->connected_with(of_rows);
     const std::vector<double> quotients = diffusion_->extend(of_rows, is_reachable);
-    std::vector<double> result(surface_.size(), elsewhere);
+    std::vector<double> result(surface_->size(), elsewhere);
     for (std::size_t v = 0; v < result.size(); ++v)
       if (is_reachable[row_of_input(v)])
         result[v] = quotients[row_of_input(v)];
@@ -278,7 +278,7 @@ public:
   /// If there are more than a few, the heat method is inaccurate on this surface: use `geodesic_distances()`.
   std::size_t number_of_bounded_distances() const { return number_of_bounded_distances_; }
   /// returns the mean length of the edges, in the unit of the input: how fine the triangulation is.
-  double mean_edge_length() const { return std::ldexp(surface_.mean_length, surface_.exponent); }
+  double mean_edge_length() const { return std::ldexp(surface_->mean_length, surface_->exponent); }
 
 private:
   using Diffusion = internal::Heat_diffusion<LinearSolver>;
@@ -294,8 +294,8 @@ private:
     internal::require_time_coefficient(time_coefficient_);
     const auto by_place = internal::with_ties_by_place(triangulation, row, *interruption_);
     const Intrinsic_triangulation<Traits>& chosen = by_place ? *by_place : triangulation;
-    surface_ = internal::make_heat_surface(chosen, row);
-    diffusion_ = std::make_unique<Diffusion>(surface_, time_coefficient_, *interruption_);
+    surface_ = std::make_unique<const internal::Heat_surface>(internal::make_heat_surface(chosen, row));
+    diffusion_ = std::make_unique<Diffusion>(*surface_, time_coefficient_, *interruption_);
     bounds_.emplace(chosen, row);
   }
 
@@ -305,11 +305,11 @@ private:
   }
   std::uint32_t row_of(Vertex_index v) const
   {
-    internal::require_vertex(v, surface_.size());
+    internal::require_vertex(v, surface_->size());
     return row_of_input(v.idx());
   }
 
-  Eigen::VectorXd zero_heat() const { return Eigen::VectorXd::Zero(Eigen::Index(surface_.size())); }
+  Eigen::VectorXd zero_heat() const { return Eigen::VectorXd::Zero(Eigen::Index(surface_->size())); }
 
   // The distances of the sources: zero, and for points those of the corners of their faces.
   internal::Pins find_pins() const
@@ -319,7 +319,7 @@ private:
       result[source.second] = 0;
     for (const auto& corners : point_sources_)
       for (const internal::Source_corner& corner : corners) {
-        const double distance = surface_.from_input_unit(corner.distance, row_of(corner.vertex));
+        const double distance = surface_->from_input_unit(corner.distance, row_of(corner.vertex));
         const auto [pin, is_new] = result.insert({row_of(corner.vertex), distance});
         if (!is_new)
           pin->second = (std::min)(pin->second, distance);
@@ -330,23 +330,23 @@ private:
   void find_distances()
   {
     const internal::Pins pins = find_pins();
-    std::vector<bool> is_reachable(surface_.size());
+    std::vector<bool> is_reachable(surface_->size());
     Eigen::VectorXd phi = zero_heat();
     if (!pins.empty()) {
       if (!poisson_)
-        poisson_ = std::make_unique<Poisson>(surface_.stiffness, surface_.component,
+        poisson_ = std::make_unique<Poisson>(surface_->stiffness, surface_->component,
                                              "the stiffness matrix with a fixed vertex in each part", *interruption_);
-      is_reachable = surface_.connected_with(pins);
+      is_reachable = surface_->connected_with(pins);
       phi = poisson_->solve(flux(pins, is_reachable), pins).cwiseMax(0.);
       for (const auto& [row, distance] : pins)
         phi[row] = distance;
       if (keeps_ridges_)
-        internal::Ridge_keeper(surface_, pins, is_reachable).raise(phi);
+        internal::Ridge_keeper(*surface_, pins, is_reachable).raise(phi);
     }
     const std::vector<double> of_rows = within_bounds(phi, pins);
-    const int half = surface_.exponent / 2;
-    const double one_part = std::ldexp(1., half), other_part = std::ldexp(1., surface_.exponent - half);
-    distances_.resize(surface_.size());
+    const int half = surface_->exponent / 2;
+    const double one_part = std::ldexp(1., half), other_part = std::ldexp(1., surface_->exponent - half);
+    distances_.resize(surface_->size());
     for (std::size_t v = 0; v < distances_.size(); ++v) {
       const std::uint32_t row = row_of_input(v);
       distances_[v] =
@@ -358,10 +358,10 @@ private:
   std::vector<double> within_bounds(const Eigen::VectorXd& phi, internal::Pins pins)
   {
     const Eigen::VectorXd before =
-      phi.cwiseProduct(Eigen::Map<const Eigen::VectorXd>(surface_.units.data(), phi.size()));
+      phi.cwiseProduct(Eigen::Map<const Eigen::VectorXd>(surface_->units.data(), phi.size()));
     std::vector<double> result(before.begin(), before.end());
     for (auto& pin : pins)
-      pin.second *= surface_.units[pin.first];
+      pin.second *= surface_->units[pin.first];
     bounds_->apply(result, pins);
     number_of_bounded_distances_ = 0;
     for (std::size_t row = 0; row < result.size(); ++row)
@@ -390,14 +390,14 @@ private:
   {
     internal::Layered_heat spread = warm_spread(pins, is_reachable);
     if (boundary_ == Heat_boundary::NEUMANN || !has_border())
-      return internal::flux_of_unit_gradient(surface_, spread, spread);
+      return internal::flux_of_unit_gradient(*surface_, spread, spread);
     if (!cold_border_)
-      cold_border_ = std::make_unique<Diffusion>(surface_, time_coefficient_, *interruption_, surface_.is_border);
+      cold_border_ = std::make_unique<Diffusion>(*surface_, time_coefficient_, *interruption_, surface_->is_border);
     const internal::Layered_heat cold = cold_border_->spread(heat_of_sources(pins), is_reachable);
     if (boundary_ == Heat_boundary::DIRICHLET)
-      return internal::flux_of_unit_gradient(surface_, cold, spread);
+      return internal::flux_of_unit_gradient(*surface_, cold, spread);
     spread.average_with(cold);
-    return internal::flux_of_unit_gradient(surface_, spread, spread);
+    return internal::flux_of_unit_gradient(*surface_, spread, spread);
   }
 
   // How much heat a single source has does not matter.
@@ -412,14 +412,14 @@ private:
 
   bool has_border() const
   {
-    return std::find(surface_.is_border.begin(), surface_.is_border.end(), true) != surface_.is_border.end();
+    return std::find(surface_->is_border.begin(), surface_->is_border.end(), true) != surface_->is_border.end();
   }
 
   Heat_boundary boundary_;
   double time_coefficient_;
   bool keeps_ridges_;
   std::unique_ptr<const internal::Interruption> interruption_; // the solvers refer to it
-  internal::Heat_surface surface_;
+  std::unique_ptr<const internal::Heat_surface> surface_;      // a move of a matrix would copy it
   std::unique_ptr<Diffusion> diffusion_;
   std::unique_ptr<Diffusion> cold_border_;
   std::unique_ptr<Poisson> poisson_;

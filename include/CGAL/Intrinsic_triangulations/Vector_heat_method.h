@@ -197,7 +197,7 @@ public:
   }
 
   /// returns how many vertices were inserted on the border of a copy because its opposite angles were obtuse.
-  std::size_t number_of_border_vertices() const { return surface_.size() - number_of_vertices_; }
+  std::size_t number_of_border_vertices() const { return surface_->size() - number_of_vertices_; }
 
   /// \brief returns at each vertex the vector of the nearest source, parallel-transported along the shortest path.
   ///
@@ -224,7 +224,7 @@ public:
       if (length > 0)
         directions[v.idx()] += Complex(z.real() / length, z.imag() / length);
     }
-    const std::vector<bool> is_reachable = surface_.connected_with(from);
+    const std::vector<bool> is_reachable = surface_->connected_with(from);
     const internal::Layered_heat spread = scalars_->spread(heat, is_reachable);
     const std::vector<Eigen::VectorXcd> vectors = vectors_->spread_likewise(directions, spread);
     // Where all have the same length, as a single one does, there is no mean to find.
@@ -257,7 +257,7 @@ public:
       internal::require_vertex(v, number_of_vertices_);
       of_rows.emplace_back(v.idx(), value);
     }
-    std::vector<double> result = scalars_->extend(of_rows, surface_.connected_with(of_rows));
+    std::vector<double> result = scalars_->extend(of_rows, surface_->connected_with(of_rows));
     for (const auto& [v, value] : values)
       result[v.idx()] = value;
     result.resize(number_of_vertices_);
@@ -280,7 +280,7 @@ public:
   {
     internal::require_vertex(source, number_of_vertices_);
     const auto row = std::uint32_t(source.idx());
-    const std::vector<bool> is_reachable = surface_.connected_with(internal::Pins{{row, 0}});
+    const std::vector<bool> is_reachable = surface_->connected_with(internal::Pins{{row, 0}});
     Eigen::VectorXcd direction = Eigen::VectorXcd::Zero(rows());
     Eigen::VectorXd heat = Eigen::VectorXd::Zero(rows());
     direction[row] = 1;
@@ -321,7 +321,7 @@ public:
       const double x = p(Eigen::Index(v), 0) / spread[v], y = p(Eigen::Index(v), 1) / spread[v];
       if (!std::isfinite(x) || !std::isfinite(y))
         throw Numerical_error("at vertex " + std::to_string(v) + ", too little heat arrives: the time is too short");
-      result.push_back({surface_.in_input_unit(x, v), surface_.in_input_unit(y, v)});
+      result.push_back({surface_->in_input_unit(x, v), surface_->in_input_unit(y, v)});
     }
     result[source.idx()] = {0, 0};
     return result;
@@ -334,11 +334,13 @@ private:
   template <class Traits>
   void build(const Intrinsic_triangulation<Traits>& triangulation, const std::optional<double>& time_coefficient)
   {
-    surface_ = internal::make_heat_surface(triangulation, internal::Row_of_vertex(triangulation.connectivity()));
-    surface_.lengthen_units(square_roots_of_times(surface_.component, time_coefficient));
-    scalars_ = std::make_unique<internal::Heat_diffusion<internal::Sparse_Cholesky<>>>(surface_, 1, *interruption_);
+    internal::Heat_surface surface =
+      internal::make_heat_surface(triangulation, internal::Row_of_vertex(triangulation.connectivity()));
+    surface.lengthen_units(square_roots_of_times(surface.component, time_coefficient));
+    surface_ = std::make_unique<const internal::Heat_surface>(std::move(surface));
+    scalars_ = std::make_unique<internal::Heat_diffusion<internal::Sparse_Cholesky<>>>(*surface_, 1, *interruption_);
     vectors_ = std::make_unique<internal::Vector_diffusion>(
-      triangulation.connectivity(), halfedge_vectors_in_vertex(triangulation), surface_, *interruption_);
+      triangulation.connectivity(), halfedge_vectors_in_vertex(triangulation), *surface_, *interruption_);
   }
 
   // Let edges be h long, on a surface of size 1, and t = c h². Heat that spreads over a width of about √√t errs by
@@ -358,11 +360,11 @@ private:
     return result;
   }
 
-  Eigen::Index rows() const { return Eigen::Index(surface_.size()); }
+  Eigen::Index rows() const { return Eigen::Index(surface_->size()); }
 
   std::size_t number_of_vertices_;
   std::unique_ptr<const internal::Interruption> interruption_; // the solvers refer to it
-  internal::Heat_surface surface_;
+  std::unique_ptr<const internal::Heat_surface> surface_;      // a move of a matrix would copy it
   std::unique_ptr<const internal::Heat_diffusion<internal::Sparse_Cholesky<>>> scalars_;
   std::unique_ptr<const internal::Vector_diffusion> vectors_;
 };

@@ -348,18 +348,19 @@ private:
     };
     std::vector<Double_with_bound> bounded(n);
     add_volumes(bounded, [](Index) { return true; });
-    std::map<Index, Exact_ring> exact; // of which the bounds do not tell it
-    std::vector<bool> result(n, false);
+    std::vector<bool> result(n, false), is_open(n, false); // where the bounds do not tell it
     for (Index i = 0; i < n; ++i) {
       const Uncertain<Sign> sign = bounded[i].sign();
       result[i] = certainly(sign == NEGATIVE);
-      if (!is_certain(sign))
-        exact[i] = 0;
+      is_open[i] = !is_certain(sign);
     }
-    if (!exact.empty())
-      add_volumes(exact, [&exact](Index network) { return exact.count(network) != 0; });
-    for (const auto& [network, volume] : exact)
-      result[network] = CGAL::sign(volume) == NEGATIVE;
+    if (std::find(is_open.begin(), is_open.end(), true) == is_open.end())
+      return result;
+    std::vector<Exact_ring> exact(n);
+    add_volumes(exact, [&is_open](Index network) { return is_open[network]; });
+    for (Index i = 0; i < n; ++i)
+      if (is_open[i])
+        result[i] = CGAL::sign(exact[i]) == NEGATIVE;
     return result;
   }
 

@@ -57,6 +57,8 @@ public:
     : surface_(surface), tolerance_(tolerance), distances_(surface.number_of_rows(), infinity),
       arrivals_(surface.number_of_rows()), splits_(surface.sides().size()), waiting_(surface.sides().size(), none)
   {}
+  Window_propagation(const Window_propagation&) = delete; // the queue refers to it
+  Window_propagation& operator=(const Window_propagation&) = delete;
 
   // \param sources rows
   // \param most how many windows may be sent on; the others are lost

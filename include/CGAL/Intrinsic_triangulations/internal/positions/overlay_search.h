@@ -114,9 +114,9 @@ private:
   const Surface_point& point_;
 };
 
-// In an input face with inserted vertices the chords begin and end anywhere, so that there is no order to search by. The walk goes from piece to
-// piece across chords that have the point on their other side, and to each piece once: where such a walk would run in
-// circles, it becomes a search through all of them.
+// In an input face with inserted vertices the chords begin and end anywhere, so that there is no order to search by. The
+// walk goes from piece to piece across chords that have the point on their other side, and to each piece once: where
+// such a walk would run in circles, it becomes a search through all of them.
 class Piece_walk
 {
 public:

@@ -46,7 +46,7 @@ using Go_further = std::function<bool()>;
 // What the traits keep, as `Saved_triangulation` has it, and for each input face the halfedge that is listed first.
 struct Stored_numbers
 {
-  const std::vector<Halfedge_index>& first_sides; // or empty for that of the input
+  const std::vector<Halfedge_index>& first_sides; // has to live as long; or empty for that of the input
   std::function<double(Edge_index)> squared_length;
   std::function<std::array<double, 2>(Face_index)> area;
 };

@@ -260,9 +260,11 @@ private:
   const Go_further& go_further_;
 };
 
-// The complex of halfedges that are not believed. It has the numbers of the halfedges that are given: a halfedge that no face has is on the border.
+// The complex of halfedges that are not believed. It has the numbers of the halfedges that are given: a halfedge that no
+// face has is on the border.
 // \param faces the halfedges of each face in their order, first the one that the face names
-// \param vertices for each vertex a halfedge that points to it, a border halfedge if there is one; null if it has no face
+// \param vertices for each vertex a halfedge that points to it, a border halfedge if there is one; null if it has no
+//   face
 // \exception Invalid_surface_error if they are not those of an oriented surface
 // O(size)
 inline Delta_complex complex_from_halfedges(std::size_t number_of_edges,

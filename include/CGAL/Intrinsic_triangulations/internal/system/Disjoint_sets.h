@@ -40,7 +40,7 @@ public:
     else
       parent_[a] = b;
   }
-  // Numbers the sets in the order of their smallest elements. Returns how many there are
+  // Numbers the sets in the order of their smallest elements. Returns how many sets there are.
   std::size_t number(std::vector<std::size_t>& number_of)
   {
     std::size_t n = 0;
