@@ -61,15 +61,18 @@ TEST(Mpfr_interval, products_are_rounded_outward)
     }
 }
 
-TEST(Mpfr_interval, of_the_whole_line_have_no_sign)
+TEST(Mpfr_interval, without_an_end)
 {
   const Mpfr_interval line = interval(1, 1) / interval(-1, 1);
   EXPECT_EQ(line.lower_double(), -std::numeric_limits<double>::infinity());
   EXPECT_EQ(line.upper_double(), std::numeric_limits<double>::infinity());
-  for (const Mpfr_interval& factor : {interval(0, 0), interval(-1, 1), interval(2, 3), interval(-3, -2)}) {
+  for (const Mpfr_interval& factor : {interval(-1, 1), interval(2, 3), interval(-3, -2), interval(0, 1)}) {
     EXPECT_FALSE(CGAL::is_certain((line * factor).sign()));
     EXPECT_FALSE(CGAL::is_certain((factor * line).sign()));
   }
+  EXPECT_EQ((line * interval(0, 0)).sign(), CGAL::ZERO); // of finite numbers
+  const Mpfr_interval nothing = line - line, unknown = nothing * interval(-2, 1) + interval(5, 6);
+  EXPECT_FALSE(CGAL::is_certain(unknown.sign()));
 }
 
 TEST(Mpfr_interval, can_be_assigned_to_after_a_move)

@@ -101,13 +101,18 @@ public:
   friend Mpfr_interval operator*(const Mpfr_interval& a, const Mpfr_interval& b)
   {
     Mpfr_interval r(common_precision(a, b));
+    if (a.is_nan() || b.is_nan()) {
+      mpfr_set_nan(r.lower_);
+      mpfr_set_nan(r.upper_);
+      return r;
+    }
     // The signs tell which ends the extremes are products of.
     if (a.has_both_signs() && b.has_both_signs()) {
       Mpfr_interval other(r.precision());
-      mpfr_mul(r.lower_, a.lower_, b.upper_, MPFR_RNDD);
-      mpfr_mul(other.lower_, a.upper_, b.lower_, MPFR_RNDD);
-      mpfr_mul(r.upper_, a.lower_, b.lower_, MPFR_RNDU);
-      mpfr_mul(other.upper_, a.upper_, b.upper_, MPFR_RNDU);
+      multiply(r.lower_, a.lower_, b.upper_, MPFR_RNDD);
+      multiply(other.lower_, a.upper_, b.lower_, MPFR_RNDD);
+      multiply(r.upper_, a.lower_, b.lower_, MPFR_RNDU);
+      multiply(other.upper_, a.upper_, b.upper_, MPFR_RNDU);
       mpfr_min(r.lower_, r.lower_, other.lower_, MPFR_RNDD);
       mpfr_max(r.upper_, r.upper_, other.upper_, MPFR_RNDU);
       return r;
@@ -115,8 +120,8 @@ public:
     const auto& [x, signed_one] = b.has_both_signs() ? std::tie(b, a) : std::tie(a, b);
     const bool is_negative = mpfr_sgn(signed_one.lower_) < 0;
     const mpfr_srcptr low = is_negative ? x.upper_ : x.lower_, high = is_negative ? x.lower_ : x.upper_;
-    mpfr_mul(r.lower_, low, mpfr_sgn(low) >= 0 ? signed_one.lower_ : signed_one.upper_, MPFR_RNDD);
-    mpfr_mul(r.upper_, high, mpfr_sgn(high) >= 0 ? signed_one.upper_ : signed_one.lower_, MPFR_RNDU);
+    multiply(r.lower_, low, mpfr_sgn(low) >= 0 ? signed_one.lower_ : signed_one.upper_, MPFR_RNDD);
+    multiply(r.upper_, high, mpfr_sgn(high) >= 0 ? signed_one.upper_ : signed_one.lower_, MPFR_RNDU);
     return r;
   }
   friend Mpfr_interval operator/(const Mpfr_interval& a, const Mpfr_interval& b)
@@ -167,10 +172,10 @@ public:
     return width;
   }
 
-  // NaN, which only an overflow of the exponent range could make, gives no sign.
+  // NaN gives no sign.
   Uncertain<Sign> sign() const
   {
-    if (mpfr_nan_p(lower_) || mpfr_nan_p(upper_))
+    if (is_nan())
       return Uncertain<Sign>::indeterminate();
     const int low = mpfr_sgn(lower_), high = mpfr_sgn(upper_);
     if (low > 0)
@@ -183,6 +188,15 @@ public:
   }
 
 private:
+  // The end of a product. An infinite end stands for finite numbers: times zero it is zero.
+  static void multiply(mpfr_ptr result, mpfr_srcptr x, mpfr_srcptr y, mpfr_rnd_t rounding)
+  {
+    if (mpfr_zero_p(x) || mpfr_zero_p(y))
+      mpfr_set_zero(result, 1);
+    else
+      mpfr_mul(result, x, y, rounding);
+  }
+  bool is_nan() const { return mpfr_nan_p(lower_) || mpfr_nan_p(upper_); }
   bool has_both_signs() const { return mpfr_sgn(lower_) < 0 && mpfr_sgn(upper_) > 0; }
   static mpfr_prec_t common_precision(const Mpfr_interval& a, const Mpfr_interval& b)
   {

@@ -252,17 +252,20 @@ struct Engine_numbers::Side_and_corner
   Halfedge_index side;
   Triangle_corner<Real> corner;
 
-  // The cotangents of the angles opposite to the first halfedge of a face and to those that follow. The errors are
-  // infinite where the area is not known to be positive.
+  // The cotangents of the angles opposite to the side and to those that follow. The errors are infinite where the area
+  // is not known to be positive.
+  std::array<Real, 3> cotangents() const
+  {
+    if (!certainly(corner.four_areas.sign() == POSITIVE))
+      return {Real() / Real(), Real() / Real(), Real() / Real()};
+    const Real inverse = Real(1) / corner.four_areas;
+    return {corner.p * inverse, (corner.s_first.scaled(2) - corner.p) * inverse,
+            (corner.s_second.scaled(2) - corner.p) * inverse};
+  }
+  // Those opposite to the first halfedge of a face and to those that follow.
   void get_cotangents(const Delta_complex& complex, Face_index f, std::array<Real, 3>& result) const
   {
-    if (!certainly(corner.four_areas.sign() == POSITIVE)) {
-      result.fill(Real() / Real());
-      return;
-    }
-    const Real inverse = Real(1) / corner.four_areas;
-    const std::array<Real, 3> from_side{corner.p * inverse, (corner.s_first.scaled(2) - corner.p) * inverse,
-                                        (corner.s_second.scaled(2) - corner.p) * inverse};
+    const std::array<Real, 3> from_side = cotangents();
     const Halfedge_index first = complex.halfedge(f);
     const std::size_t turns = side == first ? 0 : side == complex.next(first) ? 1 : 2;
     for (std::size_t i = 0; i < 3; ++i)
@@ -337,8 +340,7 @@ void Engine_numbers::find_numbers(const std::size_t first, const std::size_t las
     if (const std::optional<double> l = rounded(length()))
       numbers.lengths[e.idx()] = std::ldexp(*l, metric_.unit_exponent());
   };
-  const auto note_cotangents = [&](Face_index f, const std::array<Real, 3>& cotangents) {
-    Halfedge_index side = complex_.halfedge(f);
+  const auto note_cotangents = [&](Halfedge_index side, const std::array<Real, 3>& cotangents) {
     for (const Real& c : cotangents) {
       numbers.cotangents[side.idx()] = {c.hi(), c.lo(), c.error()};
       side = complex_.next(side);
@@ -350,9 +352,7 @@ void Engine_numbers::find_numbers(const std::size_t first, const std::size_t las
     note_length(at.side, [&] { return sqrt(c.s_opposite); });
     note_length(complex_.next(at.side), [&] { return sqrt(c.s_second); });
     note_length(complex_.prev(at.side), [&] { return sqrt(c.s_first); });
-    std::array<Real, 3> cotangents;
-    at.get_cotangents(complex_, f, cotangents);
-    note_cotangents(f, cotangents);
+    note_cotangents(at.side, at.cotangents());
     if (const std::optional<double> four_areas = rounded(c.four_areas); four_areas && *four_areas >= 0)
       numbers.areas[f.idx()] = *four_areas / 4;
   };
@@ -378,7 +378,7 @@ void Engine_numbers::find_numbers(const std::size_t first, const std::size_t las
       Halfedge_index side = complex_.halfedge(f);
       for (std::size_t c = 0; c < 3; ++c, side = complex_.next(side))
         note_length(side, [&] { return known.lengths[c]; });
-      note_cotangents(f, known.cotangents);
+      note_cotangents(side, known.cotangents); // the first one again
       numbers.areas[f.idx()] = *twice_area / 2;
     }
     number_of_straight = 0;

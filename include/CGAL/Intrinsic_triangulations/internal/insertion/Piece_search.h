@@ -9,14 +9,16 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_PIECE_SEARCH_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
-#include <CGAL/assertions.h>
 #include <CGAL/enum.h>
+
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <array>
@@ -25,16 +27,16 @@
 #include <optional>
 #include <set>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // The piece that contains a point which lies strictly inside an input face; one of two if an edge runs through it.
 //
-// Intrinsic edges cut an input face into convex pieces by chords that do not cross. The search walks from piece to piece,
-// each time across a chord that has the point on its other side. Around inserted vertices such a walk may come back, if
-// the triangulation is not Delaunay. So no piece is entered twice: where no chord is left, another one of a piece before
-// is taken. All pieces on a straight line to the point can be reached, so that the search comes to an end there.
+// Intrinsic edges cut an input face into convex pieces by chords that do not cross. The search walks from piece to
+// piece, each time across a chord that has the point on its other side. Around inserted vertices such a walk may come
+// back, if the triangulation is not Delaunay. So after some steps no piece is entered twice: where no chord is left,
+// another one of a piece before is taken. All pieces on a straight line to the point can be reached, so that the search
+// comes to an end there.
 // \param start a piece of the same input face
 inline Triangle_piece piece_of_point(const Exact_engine& engine, const Triangle_piece& start,
                                      const Surface_point& point)
@@ -47,22 +49,22 @@ inline Triangle_piece piece_of_point(const Exact_engine& engine, const Triangle_
     std::size_t next_name;
     bool has_left; // across another name
   };
-  std::vector<Step> way;
+  constexpr std::size_t few_steps = 64;
+  boost::container::small_vector<Step, 4> way;
   std::set<std::pair<Halfedge_index, std::int64_t>> entered; // each piece by the first of its names
+  std::size_t number_of_steps = 0;
   const auto enter = [&](const Triangle_piece& piece, std::size_t first_name) {
     const auto names = coordinates.names(complex, piece);
     std::pair<Halfedge_index, std::int64_t> first(piece.side, piece.gap);
     for (const Triangle_piece& name : names)
       if (name.side.is_valid())
         first = (std::min)(first, {name.side, name.gap});
-    if (entered.insert(first).second)
+    if (number_of_steps < few_steps || entered.insert(first).second)
       way.push_back({names, first_name, false});
   };
-  enter(start, 0);
-  for (std::size_t number = 1;; ++number) {
-    if (number % 1024 == 0)
+  for (enter(start, 0); !way.empty(); ++number_of_steps) {
+    if (number_of_steps % 1024 == 1023)
       engine.decisions().interruption.check();
-    CGAL_assertion(!way.empty());
     Step& here = way.back();
     std::optional<Triangle_piece> across;
     while (here.next_name < here.names.size() && !across) {
@@ -81,6 +83,8 @@ inline Triangle_piece piece_of_point(const Exact_engine& engine, const Triangle_
       return here.names[0];
     }
   }
+  throw Arithmetic_error("no piece of an input face contains a point of it: please report the surface, and how the "
+                         "program was compiled");
 }
 
 // The piece at the source of an input halfedge, to the left of that. O(number of edges around the source).

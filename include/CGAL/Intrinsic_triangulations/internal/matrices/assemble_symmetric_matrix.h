@@ -29,7 +29,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The rows of a matrix by vertices, here each has its own, and what faces count.
+// The row of each vertex, here one of its own, and how much a face counts.
 class Row_of_vertex
 {
 public:

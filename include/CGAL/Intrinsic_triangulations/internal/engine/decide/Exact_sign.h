@@ -145,8 +145,8 @@ private:
 inline bool has_no_other_proof() { return false; }
 
 // The sign, from the first stage on: double-doubles.
-// \param evaluate as above. The number has to be a polynomial of degree at most 8 in each quantity that it asks the
-//   metric for, as the bound of 2^-128 on the error of finite fields assumes (see Residue_rings::certainty): squared
+// \param evaluate as above. The number has to be a polynomial of degree at most 8 in each quantity that is asked of
+//   the metric, as the bound of 2^-128 on the error of finite fields assumes (see Residue_rings::certainty): squared
 //   lengths and the numbers of corners have degree 2, so sums of products of up to four of them are.
 // \param proves_zero as above
 template <class Evaluate, class Describe, class ProvesZero = bool (*)()>

@@ -220,7 +220,7 @@ internal::Bounded_double_double Input_metric::squared_length_double_double(const
   }
   const Halfedge_index h = input.halfedge(e);
   const auto d = internal::difference<Double_double>(points_, input.source(h), input.target(h));
-  return internal::scalar_product(d, d);
+  return d[0] * d[0] + d[1] * d[1] + d[2] * d[2]; // not by a function, which compilers do not put in here
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
@@ -239,9 +239,9 @@ internal::Bounded_double_double Input_metric::four_areas_double_double(const Del
   }
   const Vertex_index p = input.source(h);
   const auto u = internal::difference<Double_double>(points_, p, input.target(h)),
-             v = internal::difference<Double_double>(points_, p, input.target(input.next(h))),
-             normal = internal::cross_product(u, v);
-  return sqrt(internal::scalar_product(normal, normal)).scaled(2);
+             v = internal::difference<Double_double>(points_, p, input.target(input.next(h)));
+  const Double_double x = u[1] * v[2] - u[2] * v[1], y = u[2] * v[0] - u[0] * v[2], z = u[0] * v[1] - u[1] * v[0];
+  return sqrt(x * x + y * y + z * z).scaled(2);
 }
 } // namespace CGAL::Intrinsic_triangulations
 
