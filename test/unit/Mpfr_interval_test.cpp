@@ -71,8 +71,12 @@ TEST(Mpfr_interval, without_an_end)
     EXPECT_FALSE(CGAL::is_certain((factor * line).sign()));
   }
   EXPECT_EQ((line * interval(0, 0)).sign(), CGAL::ZERO); // of finite numbers
-  const Mpfr_interval nothing = line - line, unknown = nothing * interval(-2, 1) + interval(5, 6);
-  EXPECT_FALSE(CGAL::is_certain(unknown.sign()));
+  const IT::internal::Mpfr_disk unknown(line, interval(1, 1));
+  for (const IT::internal::Mpfr_disk& z : {unknown * unknown, unknown + unknown, unknown - unknown}) {
+    EXPECT_FALSE(CGAL::is_certain(z.x().sign()));
+    EXPECT_FALSE(CGAL::is_certain((z.x() * interval(-2, 1)).sign()));
+    EXPECT_FALSE(CGAL::is_certain((z.x() * interval(2, 3) + interval(5, 6)).sign()));
+  }
 }
 
 TEST(Mpfr_interval, can_be_assigned_to_after_a_move)

@@ -101,11 +101,6 @@ public:
   friend Mpfr_interval operator*(const Mpfr_interval& a, const Mpfr_interval& b)
   {
     Mpfr_interval r(common_precision(a, b));
-    if (a.is_nan() || b.is_nan()) {
-      mpfr_set_nan(r.lower_);
-      mpfr_set_nan(r.upper_);
-      return r;
-    }
     // The signs tell which ends the extremes are products of.
     if (a.has_both_signs() && b.has_both_signs()) {
       Mpfr_interval other(r.precision());
@@ -172,10 +167,10 @@ public:
     return width;
   }
 
-  // NaN gives no sign.
+  // NaN, as the centre of a disk becomes where a divisor may be zero, gives no sign.
   Uncertain<Sign> sign() const
   {
-    if (is_nan())
+    if (mpfr_nan_p(lower_) || mpfr_nan_p(upper_))
       return Uncertain<Sign>::indeterminate();
     const int low = mpfr_sgn(lower_), high = mpfr_sgn(upper_);
     if (low > 0)
@@ -196,7 +191,6 @@ private:
     else
       mpfr_mul(result, x, y, rounding);
   }
-  bool is_nan() const { return mpfr_nan_p(lower_) || mpfr_nan_p(upper_); }
   bool has_both_signs() const { return mpfr_sgn(lower_) < 0 && mpfr_sgn(upper_) > 0; }
   static mpfr_prec_t common_precision(const Mpfr_interval& a, const Mpfr_interval& b)
   {

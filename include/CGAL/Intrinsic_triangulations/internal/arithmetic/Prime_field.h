@@ -71,6 +71,9 @@ public:
   // Takes a random prime.
   explicit Prime_field(Random_bits& random)
   {
+    // Below 2^64 this is no guess: since version 6.2, GMP begins with the test of Baillie, Pomerance, Selfridge and
+    // Wagstaff, which no composite number on the list of J. Feitsma passes.
+    static_assert(__GNU_MP_RELEASE >= 60200, "needs GMP 6.2 or later");
     std::uint64_t p;
     do
       p = (random() >> 2) | (std::uint64_t(1) << 61) | 3;

@@ -55,12 +55,15 @@ inline Triangle_piece piece_of_point(const Exact_engine& engine, const Triangle_
   std::size_t number_of_steps = 0;
   const auto enter = [&](const Triangle_piece& piece, std::size_t first_name) {
     const auto names = coordinates.names(complex, piece);
-    std::pair<Halfedge_index, std::int64_t> first(piece.side, piece.gap);
-    for (const Triangle_piece& name : names)
-      if (name.side.is_valid())
-        first = (std::min)(first, {name.side, name.gap});
-    if (number_of_steps < few_steps || entered.insert(first).second)
-      way.push_back({names, first_name, false});
+    if (number_of_steps >= few_steps) {
+      std::pair<Halfedge_index, std::int64_t> first(piece.side, piece.gap);
+      for (const Triangle_piece& name : names)
+        if (name.side.is_valid())
+          first = (std::min)(first, {name.side, name.gap});
+      if (!entered.insert(first).second)
+        return;
+    }
+    way.push_back({names, first_name, false});
   };
   for (enter(start, 0); !way.empty(); ++number_of_steps) {
     if (number_of_steps % 1024 == 1023)

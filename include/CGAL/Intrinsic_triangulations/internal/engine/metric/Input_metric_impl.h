@@ -220,7 +220,7 @@ internal::Bounded_double_double Input_metric::squared_length_double_double(const
   }
   const Halfedge_index h = input.halfedge(e);
   const auto d = internal::difference<Double_double>(points_, input.source(h), input.target(h));
-  return d[0] * d[0] + d[1] * d[1] + d[2] * d[2]; // not by a function, which compilers do not put in here
+  return d[0] * d[0] + d[1] * d[1] + d[2] * d[2]; // GCC would call scalar_product()
 }
 
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
