@@ -28,9 +28,9 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 using Defect = Invalid_surface_error::Defect;
 
-// Throws if descriptors cannot have so many values.
+// Throws if there are more elements than descriptors.
 void check_size(std::size_t number_of_halfedges);
-// Throws unless all faces are triangles: a face graph that was copied may have others.
+// Throws unless all faces are triangles: a copied face graph may have other faces.
 void check_triangles(const Delta_complex& complex);
 
 inline std::uint32_t next_side(std::uint32_t s) { return s % 3 == 2 ? s - 2 : s + 1; }
@@ -46,10 +46,10 @@ struct Side_at_edge
   bool runs_to_smaller_end() const { return (side_and_direction & 1) != 0; }
 };
 
-// The first fan at each vertex keeps the number of the vertex; the others are numbered behind all vertices.
+// The first fan at each vertex keeps the vertex's number; the others are numbered after all vertices.
 // \param corners for each side 3f + i, which runs from corner i of face f to corner i + 1, the vertex where it begins
-// \param glued_to for each side its partner, which runs the other way, or the largest number
-// \return for each fan the vertex that it was at, and for each corner its fan
+// \param glued_to for each side its partner, which runs the other way, or the largest index
+// \return for each fan its original vertex, and for each corner its fan
 inline std::pair<std::vector<std::uint32_t>, Large_vector<std::uint32_t>>
 separate_fans(std::size_t number_of_vertices, const Large_vector<std::uint32_t>& corners,
               const Large_vector<std::uint32_t>& glued_to)
@@ -185,9 +185,9 @@ private:
   using Side_vector = Large_vector<std::uint32_t>;
 
   std::size_t number_of_vertices_ = 0;
-  Side_vector corner_vertex_; // of each side, its source
-  Side_vector bucket_begin_;  // of each vertex, in how many sides it is the smaller end
-  Side_vector glued_to_;      // of each side, its partner
+  Side_vector corner_vertex_; // the source of each side
+  Side_vector bucket_begin_;  // for each vertex, the number of sides of which it is the smaller end
+  Side_vector glued_to_;      // the partner of each side
   std::size_t number_of_glued_pairs_ = 0;
   std::uint32_t first_side_ = 0; // the side that becomes the halfedge of its face
 };

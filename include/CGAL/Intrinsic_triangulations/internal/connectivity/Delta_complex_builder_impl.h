@@ -65,7 +65,7 @@ Delta_complex Delta_complex_builder::from_glued_sides(std::size_t number_of_vert
   return b.assemble();
 }
 
-// The halfedge of a side, and whether the other one of its edge is on the border.
+// The halfedge of a side, and whether the opposite halfedge is on the border.
 struct Delta_complex_builder::Numbered_side
 {
   std::uint32_t halfedge;
@@ -108,9 +108,9 @@ void Delta_complex_builder::throw_bad_corner(const std::array<std::size_t, 3>& c
   }
 }
 
-// Sides are gathered by their smaller end vertex (a counting sort); within such a
-// bucket, which is as large as a vertex degree, partners are found by their larger end
-// through a table over all vertices: an entry counts if it lies in the bucket.
+// Sides are gathered by their smaller end vertex (a counting sort). Within such a bucket, which is about as large as a
+// vertex degree, a table over all vertices finds partners by their larger end: an entry counts if it points into the
+// bucket.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Delta_complex_builder::glue_by_end_vertices()
 {
@@ -143,7 +143,7 @@ void Delta_complex_builder::glue_by_end_vertices()
       if (glued_to_[partner] != null)
         throw_at_edge(Defect::NON_MANIFOLD_EDGE, s, "has more than two faces");
       if (side.runs_to_smaller_end() == sides[position].runs_to_smaller_end()) {
-        // Of three faces two always agree: to turn them does not help.
+        // Two of three faces always agree, so turning one does not help.
         for (std::uint32_t other = i + 1; other < bucket_begin[v + 1]; ++other)
           if (sides[other].larger_end == side.larger_end)
             throw_at_edge(Defect::NON_MANIFOLD_EDGE, sides[other].side(), "has more than two faces");
@@ -166,7 +166,7 @@ void Delta_complex_builder::throw_at_edge(Defect defect, std::uint32_t s, const 
                                 " " + what);
 }
 
-// The corners of a fan have a vertex of their own.
+// Each fan gets a vertex of its own.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Delta_complex_builder::name_vertices()
 {
@@ -180,8 +180,8 @@ void Delta_complex_builder::name_vertices()
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 Delta_complex Delta_complex_builder::assemble()
 {
-  // When the first side of an edge comes, the second is told the number of the edge in place of its
-  // partner's. Sides and edges both have numbers below this bit.
+  // The first side of an edge writes the edge's number to the second side, in place of its partner's. This bit marks
+  // such a number: sides and edges both have numbers below it.
   constexpr std::uint32_t is_edge = std::uint32_t(1) << 31;
   std::uint32_t number_of_edges = 0;
   return assemble(glued_to_.size() - number_of_glued_pairs_, [&](std::uint32_t s) {
@@ -230,8 +230,8 @@ Delta_complex Delta_complex_builder::assemble(std::size_t number_of_edges, const
   return Delta_complex(std::move(records), std::move(vertex_halfedges), std::move(face_halfedges));
 }
 
-// A border halfedge is followed by the one opposite to the last side of the fan around its target.
-// It is the halfedge of its target, as the complex wants it.
+// A border halfedge is followed by the opposite of the last side of the fan around its target. It becomes the halfedge
+// of its target, as the complex requires.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Delta_complex_builder::link_border(const std::vector<std::uint32_t>& border,
                                         Delta_complex::Halfedge_vector& records,
@@ -247,7 +247,7 @@ void Delta_complex_builder::link_border(const std::vector<std::uint32_t>& border
   }
 }
 
-// Sides glued by their end vertices can leave two fans at one vertex. Then one of them is not met.
+// Gluing sides by their end vertices can leave two fans at one vertex; then this walk misses one of them.
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 void Delta_complex_builder::check_fans(const Delta_complex& complex)
 {

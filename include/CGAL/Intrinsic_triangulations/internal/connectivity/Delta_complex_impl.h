@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Definitions of Delta_complex: whether it is what it should be, and how vertices come and go.
+// Definitions of Delta_complex: validity, and how vertices come and go.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_DELTA_COMPLEX_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_DELTA_COMPLEX_IMPL_H
@@ -117,7 +117,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE bool is_simplicial(const Delta_complex& com
         return false;
       met_from = v;
     }
-  // Where no two edges have the same ends, faces with the same corners share all edges.
+  // If no two edges have the same ends, faces with the same corners share all edges.
   for (Face_index f : complex.faces()) {
     const Halfedge_index h = complex.halfedge(f);
     const Face_index g = complex.face(complex.opposite(h));

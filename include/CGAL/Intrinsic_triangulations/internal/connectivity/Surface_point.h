@@ -3,8 +3,8 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// A point of a triangulated surface, a direction there, and the value that vertex data take there. Whether two points
-// are the same.
+// A point of a triangulated surface, a direction there, interpolation of vertex data, and whether two points are the
+// same.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_SURFACE_POINT_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_SURFACE_POINT_H
@@ -81,7 +81,7 @@ namespace internal {
 
 // A piece of a triangle (i, j, k) of the current triangulation, between the input edges that cross it.
 //
-// It is named by a part of a side: what lies behind `gap` crossings of `side`, counted from its source. A piece that
+// It is named by a part of a side: the part after `gap` crossings of `side`, counted from its source. A piece that
 // touches several sides has several names.
 struct Triangle_piece
 {
@@ -97,7 +97,7 @@ inline std::array<double, 3> with_sum_one(const std::array<double, 3>& coordinat
   return {a / sum, b / sum, c / sum};
 }
 
-// The side of its face that a point on an edge lies on.
+// The side on which a point on an edge lies.
 inline Halfedge_index side_of(const Delta_complex& complex, const Surface_point& point)
 {
   const auto& [a, b, c] = point.coordinates;
@@ -120,7 +120,7 @@ inline std::pair<double, double> coordinates_on_edge(const Delta_complex& comple
   return {};
 }
 
-// The sign of a b − c d for finite numbers that are not negative; nothing over- or underflows.
+// The sign of a b − c d for finite nonnegative numbers; nothing over- or underflows.
 inline Sign compare_products(double a, double b, double c, double d)
 {
   struct Product
@@ -145,7 +145,7 @@ inline Sign compare_products(double a, double b, double c, double d)
     return shift < 0 ? NEGATIVE : POSITIVE;
   p.high = std::ldexp(p.high, shift);
   p.low = std::ldexp(p.low, shift);
-  // The high parts are the rounded products: where they differ, so do these, in the same way.
+  // The high parts are the rounded products: if they differ, the products differ in the same direction.
   return p.high != q.high ? CGAL::sign(p.high - q.high) : CGAL::sign(p.low - q.low);
 }
 

@@ -34,7 +34,7 @@ class Surface_mesh;
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Whether a graph is known to be numbered in the order of its ranges, without a look at its elements.
+// Whether a graph is known, without looking at its elements, to number them in the order of its ranges.
 template <class FaceGraph>
 bool has_no_garbage(const FaceGraph&)
 {
@@ -46,8 +46,8 @@ bool has_no_garbage(const Surface_mesh<Point>& mesh)
   return !mesh.has_garbage();
 }
 
-// In three steps, so that faces can be measured as soon as they are copied, when their records are still in
-// the processor's cache: `copy_vertices()`, `copy_faces()` until all are copied, and `finish()`.
+// Works in three steps, so that faces can be measured while their records are still in the processor's cache:
+// `copy_vertices()`, `copy_faces()` until all are copied, and `finish()`.
 template <class FaceGraph>
 class Face_graph_copier
 {
@@ -71,8 +71,7 @@ public:
     number_of_vertices_ = num_vertices(graph_);
     number_of_edges_ = num_edges(graph_);
     number_of_faces_ = num_faces(graph_);
-    // Where the graph's own indices are the numbers already, as in a Surface_mesh without
-    // garbage, no table is needed.
+    // If the graph's own indices are these numbers, as in a Surface_mesh without garbage, no table is needed.
     const bool is_in_order = is_numbered_in_order<ConcurrencyTag>();
     if (!is_in_order)
       make_tables();
@@ -81,7 +80,7 @@ public:
     Delta_complex::Halfedge_vector records(2 * number_of_edges_, default_init);
     Delta_complex::Descriptor_vector vertex_halfedges(number_of_vertices_, default_init),
       face_halfedges(number_of_faces_, default_init);
-    records_ = records.data(); // of the complex's vectors, too
+    records_ = records.data(); // also of the complex's vectors
     vertex_halfedges_ = vertex_halfedges.data();
     face_halfedges_ = face_halfedges.data();
     if (copies_faces_) {
@@ -100,7 +99,7 @@ public:
     return Delta_complex(std::move(records), std::move(vertex_halfedges), std::move(face_halfedges));
   }
 
-  // Copies the faces first to last, which are in one block, and the border at their sides. Threads may copy
+  // Copies the faces from first to last, which lie in one block, and the border at their sides. Threads may copy
   // different blocks at once.
   void copy_faces(std::size_t first, std::size_t last)
   {
@@ -173,7 +172,7 @@ private:
     records_[i] = {j, own_number(prev(h, graph_)), own_number_of_vertex(target(h, graph_)), number};
     records_[j] = {k, i, own_number_of_vertex(target(after, graph_)), number};
     records_[k] = {i, j, own_number_of_vertex(target(last, graph_)), number};
-    if (last != prev(h, graph_)) // no triangle, which is for others to find
+    if (last != prev(h, graph_)) // not a triangle, which others report
       for (Halfedge g = last; g != h; g = next(g, graph_))
         records_[own_number(g)] = own_record(g, number);
   }
@@ -194,7 +193,7 @@ private:
     return {own_number(next(h, graph_)), own_number(prev(h, graph_)), own_number_of_vertex(target(h, graph_)), face};
   }
 
-  // All of the graph, at once.
+  // Copies the whole graph at once.
   void copy_all()
   {
     const auto number_of = [](const std::vector<std::uint32_t>& table, std::size_t own_number) {
@@ -227,14 +226,14 @@ private:
     link_to_border(border);
   }
 
-  // The halfedge of a vertex on the border is one of the border.
+  // A border vertex gets a border halfedge.
   void link_to_border(const std::vector<std::uint32_t>& border)
   {
     for (std::uint32_t h : border)
       vertex_halfedges_[records_[h].target] = Halfedge_index(h);
   }
 
-  // The numbers of elements that a graph tells may be larger than those of its ranges.
+  // A graph may report more elements than its ranges have.
   void make_tables()
   {
     number_of_vertices_ = number_of_edges_ = number_of_faces_ = 0;
@@ -266,14 +265,15 @@ private:
   Halfedge_index_map halfedge_index_map_;
   Face_index_map face_index_map_;
   std::size_t number_of_vertices_ = 0, number_of_edges_ = 0, number_of_faces_ = 0;
-  std::vector<std::uint32_t> vertex_number_, halfedge_number_, face_number_; // if the graph's own are not in order
-  bool copies_faces_ = false;                                                // or copy_vertices() copies all
-  std::vector<std::vector<std::uint32_t>> border_;                           // of each block of faces
+  std::vector<std::uint32_t> vertex_number_, halfedge_number_,
+    face_number_;                                  // if the graph's own indices are not in order
+  bool copies_faces_ = false;                      // otherwise copy_vertices() copies all
+  std::vector<std::vector<std::uint32_t>> border_; // of each block of faces
   Delta_complex::Halfedge* records_ = nullptr;
   Halfedge_index *vertex_halfedges_ = nullptr, *face_halfedges_ = nullptr;
 };
 
-// Its faces are still to be checked for being triangles.
+// The faces have yet to be checked for being triangles.
 template <class ConcurrencyTag, class FaceGraph>
 Delta_complex copy_face_graph(const FaceGraph& graph)
 {

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The text format of gluings, whatever numbers it has for the edges.
+// The text format of gluings, for any type of number on the edges.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_GLUING_TEXT_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_GLUING_TEXT_H
@@ -30,13 +30,13 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A file of a few bytes must not ask for gigabytes: this many vertices without a corner
-// are believed, each beyond the three that a face can bring.
+// A file of a few bytes must not ask for gigabytes: no more than this many vertices without a corner are accepted,
+// beyond three for each face.
 constexpr std::size_t maximum_number_of_isolated_vertices = 1 << 20;
 
 inline bool is_positive_and_finite(double x) { return x > 0 && x <= (std::numeric_limits<double>::max)(); }
 
-// The lines of a text that are not empty without their comments, and what they contain in version 1 of the format.
+// The lines of a text that are not empty once comments are removed, and their contents in version 1 of the format.
 class Gluing_reader
 {
 public:
@@ -81,7 +81,7 @@ protected:
     lengths.push_back(x);
   }
 
-  // \param what follows "line 3 " in a sentence
+  // \param what the rest of a sentence that begins with "line 3 "
   [[noreturn]] void fail(Defect defect, const std::string& what) const
   {
     throw Invalid_surface_error(defect, line_number_, 1, "line " + std::to_string(line_number_) + " " + what);
@@ -100,7 +100,7 @@ private:
     number_of_vertices_ = count(fields_[0]);
     number_of_edges_ = count(fields_[1]);
     number_of_faces_ = count(fields_[2]);
-    // Each side is that of an edge, and an edge has one or two.
+    // Each side belongs to an edge, and an edge has one or two sides.
     if (number_of_edges_ > 3 * number_of_faces_ || 2 * number_of_edges_ < 3 * number_of_faces_)
       fail(Defect::INVALID_GLUING, "has " + counted(number_of_edges_, "edge", "edges") + " for the " +
                                      counted(3 * number_of_faces_, "side", "sides") + " of its faces");
@@ -170,7 +170,7 @@ private:
     return false;
   }
 
-  // Takes what is before LF, CR LF or CR.
+  // Takes the text before LF, CR LF or CR.
   bool get_line(std::string& line)
   {
     typedef std::char_traits<char> Traits;

@@ -27,12 +27,12 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A list whose entries are written before it is known whether they stay: without a branch
-// that nothing could predict.
+// A list whose entries are written before it is known whether they stay, which avoids a branch that cannot be
+// predicted.
 class Edge_list
 {
 public:
-  // makes room for n entries more, and one to be overwritten
+  // makes room for n more entries, and one to be overwritten
   void make_room(std::size_t n)
   {
     if (edges_.size() <= size_ + n)
@@ -53,7 +53,7 @@ private:
   std::size_t size_ = 0;
 };
 
-// Not a character type: stores of these may alias everything.
+// Not a character type, whose stores could alias anything.
 enum class Edge_mark : std::uint8_t {
   SETTLED,     // Delaunay, or not to be flipped
   CANDIDATE,   // to be tested: in a list, or in a block still to come
@@ -61,20 +61,19 @@ enum class Edge_mark : std::uint8_t {
 };
 using Edge_marks = Large_vector<Edge_mark>;
 
-// The edges are settled group by group, and a group in rounds: all candidates are tested, those
-// that are not Delaunay are flipped, and what lies around them are the next candidates, as is
-// what a flip of the same round has changed. Most tests of a round do not depend on each other,
-// and neither do most flips, so that the processor works on several at once; with a stack,
-// each would wait for the one before. A group is small enough for its data to stay in the
-// cache until it is settled.
+// The edges are settled group by group, and a group in rounds: all candidates are tested, those that are not Delaunay
+// are flipped, and the edges around them are the next candidates, as are edges that a flip of the same round has
+// changed. Most tests of a round are independent of each other, and so are most flips, so the processor works on
+// several at once; with a stack, each would wait for the one before. A group is small enough for its data to stay in
+// the cache until it is settled.
 //
-// Of a Triangulation_block, what cannot be settled there is listed as postponed or uncertain.
+// Edges that cannot be settled within a Triangulation_block are listed as postponed or uncertain.
 template <class Triangulation, class ConstraintMap, class Visitor>
 class Delaunay_flipper
 {
   using Flip_outcome = typename Triangulation::Flip_outcome;
   static constexpr bool is_whole = Triangulation::is_whole;
-  // Whether the tests of several edges can be made at once.
+  // Whether several edges can be tested at once.
   static constexpr bool tests_together =
     Has_cotangent_bounds<typename Triangulation::Traits>::value && Visitor::Is_silent::value &&
     std::is_same<ConstraintMap, Static_boolean_property_map<Edge_index, false>>::value;
@@ -82,8 +81,8 @@ class Delaunay_flipper
   static constexpr Edge_index::size_type group_size = 1024;
 
 public:
-  // `marks` has one for each edge of the triangulation; those of edges that are to be flipped
-  // must be `CANDIDATE`, all others `SETTLED`.
+  // `marks` has an entry for each edge of the triangulation: `CANDIDATE` for edges that may be flipped, `SETTLED` for
+  // all others.
   Delaunay_flipper(Triangulation& triangulation, const ConstraintMap& is_constrained, Visitor& visitor,
                    std::uint64_t budget, Edge_marks& marks)
     : triangulation_(triangulation), is_constrained_(is_constrained), visitor_(visitor), budget_(budget),
@@ -97,12 +96,13 @@ public:
   // \exception Cancelled_error if it says no
   void ask() { ask(report_.tests); }
 
-  // The edges, some of them more than once, that were left to others, ...
+  // Edges left to others, some of them more than once, ...
   std::vector<Edge_index>& postponed() { return postponed_; }
-  // ... and those whose test was left to others: nobody need look at them again before all that can be flipped is.
+  // ... and edges whose test was left to others: they need not be looked at again before everything that can be flipped
+  // has been.
   std::vector<Edge_index>& uncertain() { return uncertain_; }
 
-  // Takes over what others did before.
+  // Takes over the results of others.
   void add(const Flip_report& report)
   {
     report_.tests += report.tests;
@@ -112,8 +112,8 @@ public:
     add(report_.undecided, report.undecided);
   }
 
-  // Settles the candidates among these edges and all that depends on them. Returns whether the budget
-  // sufficed; if not, the status says so.
+  // Settles the candidates among these edges and everything that depends on them. Returns whether the budget sufficed;
+  // if not, the status says so.
   // \exception Cancelled_error if the visitor says so, or the interruption of the triangulation within a test
   bool settle(const Edge_index* begin, const Edge_index* end) { return settle_groups(begin, end); }
   bool settle(Edge_index::size_type first, Edge_index::size_type last)
@@ -122,7 +122,7 @@ public:
     return settle_groups(Iterator(first), Iterator(last));
   }
 
-  // Ends the run of a whole triangulation that was settled, or whose budget did not suffice.
+  // Ends the run of a whole triangulation, once it is settled or the budget is spent.
   Flip_report finish(bool is_settled)
   {
     const auto is_not_Delaunay = [&](Edge_index e) { return !possibly(triangulation_.is_locally_Delaunay(e)); };
@@ -172,7 +172,7 @@ private:
     test_suspects();
   }
 
-  // Leaves out those that are known to be Delaunay: on an ordinary surface, most.
+  // Skips edges that are known to be Delaunay: on an ordinary surface, most of them.
   template <class Iterator>
   void find_suspects(Iterator begin, Iterator end)
   {
@@ -192,14 +192,14 @@ private:
     triangulation_.count_as_tested(number_of_known);
   }
 
-  // The same for edges in order, of which it looks at four at once.
+  // The same for consecutive edges, four at once.
   void find_consecutive_suspects(Delta_complex::Edge_iterator begin, Delta_complex::Edge_iterator end)
   {
     const std::size_t first = (*begin).idx(), n = std::size_t(end - begin);
     std::fill(marks_ + first, marks_ + first + n, Edge_mark::SETTLED);
     for (; end - begin >= 4; begin += 4) {
       const unsigned known = triangulation_.are_known_Delaunay(*begin);
-      if (known == 15) // most often, where hardly an edge is to be flipped
+      if (known == 15) // the usual case where few edges need a flip
         continue;
       for (int i = 0; i < 4; ++i)
         suspects_.push_if((known >> i & 1) == 0, begin[i]);
@@ -219,7 +219,7 @@ private:
       if (triangulation_.connectivity().is_border(e))
         continue;
       ask();
-      if (triangulation_.connectivity().is_self_glued(e)) { // Delaunay, as the angles of one face
+      if (triangulation_.connectivity().is_self_glued(e)) { // Delaunay, since both angles belong to one face
         ++report_.tests;
         triangulation_.count_as_tested(1);
         continue;
@@ -237,7 +237,7 @@ private:
       const bool is_found = !possibly(is_Delaunay);
       marks_[e.idx()] = is_found ? Edge_mark::NOT_DELAUNAY : Edge_mark::SETTLED;
       not_Delaunay_.push_if(is_found, e);
-      if (is_found) // what the flip changes is fetched while other edges are tested
+      if (is_found) // data that the flip changes is fetched while other edges are tested
         triangulation_.connectivity().prefetch(triangulation_.connectivity().hinge(e));
       if (!is_certain(is_Delaunay))
         report_.undecided.push_back(e);
@@ -320,8 +320,7 @@ private:
     mark = Edge_mark::CANDIDATE;
   }
 
-  // An edge that was noted on the way may have changed since: keep those, once each, for
-  // which the finding still holds.
+  // Edges noted on the way may have changed since: keep those, once each, for which the finding still holds.
   template <class Predicate>
   static void collect(std::vector<Edge_index>& edges, const Predicate& still_holds)
   {

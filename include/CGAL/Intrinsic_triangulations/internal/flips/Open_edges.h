@@ -41,12 +41,12 @@ template <class Traits, class ConstraintMap, class Flipper>
 class Open_edges
 {
 public:
-  // \param flipper takes the tests into its report, and asks its visitor
+  // \param flipper counts the tests in its report and asks its visitor
   Open_edges(Whole_triangulation<Traits> triangulation, const ConstraintMap& is_constrained, Flipper& flipper,
              Edge_marks& marks)
     : triangulation_(triangulation), is_constrained_(is_constrained), flipper_(flipper), marks_(marks)
   {
-    if constexpr (uses_exact_geometry) // which the threads would ask at once
+    if constexpr (uses_exact_geometry) // which the threads would otherwise ask at the same time
       interruption_.exchange(triangulation_.set_interruption({}));
   }
   Open_edges(const Open_edges&) = delete;
@@ -77,13 +77,13 @@ public:
 private:
   static constexpr bool uses_exact_geometry = Traits::Uses_exact_geometry::value;
 
-  // As many as the visitor may not be asked for.
+  // As many as may be tested without asking the visitor.
   static constexpr std::size_t size_of_block = 1000;
 
   enum class Answer : std::uint8_t {
     OPEN,
     DELAUNAY,
-    LEFT // not Delaunay, or not to be tested: for the one thread to find again
+    LEFT // not Delaunay, or not to be tested here: the one thread will find it again
   };
 
   void test_by_stages(const std::vector<Edge_index>& edges)
@@ -137,7 +137,7 @@ private:
     return answer(Exact_engine::Test{Stage::FILTER, certainly(is_Delaunay) ? POSITIVE : NEGATIVE}, counts);
   }
 
-  // Only tests that settle an edge are counted, as others are made again.
+  // Only tests that settle an edge are counted, because others are repeated.
   static Answer answer(const std::optional<Exact_engine::Test>& test, Stage_counts& counts)
   {
     if (!test)
@@ -148,14 +148,14 @@ private:
     return Answer::DELAUNAY;
   }
 
-  // Until the exception of another thread has ended the loop, which may take long on a busy machine.
+  // Until another thread's exception has ended the loop, which may take long on a busy machine.
   bool is_stopped()
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     return is_stopped_;
   }
 
-  // Nobody is asked again once an exception was thrown.
+  // Once an exception was thrown, nothing is asked again.
   void ask()
   {
     if (std::exchange(is_stopped_, true))
@@ -180,7 +180,7 @@ private:
   const ConstraintMap& is_constrained_;
   Flipper& flipper_;
   Edge_marks& marks_;
-  Interruption interruption_; // that of the triangulation, asked by one thread at a time
+  Interruption interruption_; // the triangulation's own, asked by one thread at a time
   std::vector<Answer> answers_;
   std::mutex mutex_;
   bool is_stopped_ = false;

@@ -29,16 +29,15 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Consecutive edges of a triangulation, and what a Delaunay_flipper needs to flip those of them
-// whose hinges consist of edges of the block alone.
+// Consecutive edges of a triangulation, and what a Delaunay_flipper needs to flip those whose hinges lie completely in
+// the block.
 //
-// Blocks that do not overlap may be used by several threads at once. For all that a flip reads
-// or writes belongs to the five edges and two faces of its hinge, but for the halfedges of
-// the vertices (see Delta_complex). A face of the hinge has three edges of the block. So it is
-// no face of a hinge of another block.
+// Several threads may use disjoint blocks at once. A flip reads and writes only data of the five edges and two faces of
+// its hinge, and the halfedges of the vertices (see Delta_complex). All three edges of a face of the hinge are in the
+// block, so it is not a face of a hinge of another block.
 //
-// What needs a look at the rest of the triangulation is postponed: the exact stages follow
-// edges through input faces wherever they lie.
+// Decisions that need the rest of the triangulation are postponed: the exact stages follow edges through input faces
+// wherever they lie.
 template <class Traits_>
 class Triangulation_block
 {
@@ -49,11 +48,11 @@ public:
   using Flip_outcome = typename Triangulation::Flip_outcome;
   static constexpr bool is_whole = false;
 
-  // Whether there may be blocks: numbers are of a type that threads need not share.
+  // Whether blocks are possible: the number type must not share state between threads.
   static constexpr bool are_possible = is_for_threads<typename Triangulation::Edge_data>;
   using Journals = Exact_engine::Journals; // one for each block
 
-  // \param most the number of blocks, at most
+  // \param most the maximum number of blocks
   static Journals journals(Triangulation& triangulation, std::size_t most) { return {triangulation.engine_, most}; }
 
   Triangulation_block(Triangulation& triangulation, Edge_index::size_type first, Edge_index::size_type last,
@@ -74,13 +73,13 @@ public:
   bool is_known_Delaunay(Edge_index e) const { return whole().is_known_Delaunay(e); }
   unsigned are_known_Delaunay(Edge_index e) const { return whole().are_known_Delaunay(e); }
 
-  // By what is stored alone.
+  // By stored numbers alone.
   Boolean is_locally_Delaunay(Edge_index e) const
   {
     return triangulation_.traits_.is_locally_Delaunay_object()(triangulation_.hinge(connectivity().hinge(e)));
   }
   Boolean test_and_recompute(Edge_index e) const { return is_locally_Delaunay(e); }
-  void count_as_tested(std::uint64_t) const {} // all at once, when the blocks are done
+  void count_as_tested(std::uint64_t) const {} // all at once, after the blocks
 
   // \return nothing if the flip is postponed
   std::optional<Flip_outcome> flip_not_Delaunay(const Hinge_halfedges& around)
@@ -105,7 +104,7 @@ private:
   Journals::Journal& journal_;
 };
 
-// Asks one visitor on behalf of all blocks: one at a time, and not before each test.
+// Asks one visitor on behalf of all blocks, for one block at a time and not before each test.
 template <class Visitor>
 class Shared_visitor
 {
@@ -114,7 +113,7 @@ class Shared_visitor
 public:
   explicit Shared_visitor(Visitor& visitor) : visitor_(visitor) {}
 
-  // What one block sees of it.
+  // The visitor as one block sees it.
   class Of_block
   {
   public:
@@ -172,9 +171,9 @@ private:
   std::atomic<bool> is_stopped_{false};
 };
 
-// Settles what can be settled within blocks of consecutive edges on several threads, then what can be within blocks
-// that are shifted by half of their size. Those of the other edges that are Delaunay are found on several threads, too,
-// and the few that remain are flipped on one. The blocks do not depend on the number of threads, nor does the result.
+// On several threads, settles what can be settled within blocks of consecutive edges, then within blocks that are
+// shifted by half of their size. The Delaunay edges among the others are found on several threads, too, and the few
+// that remain are flipped on one. Neither the blocks nor the result depend on the number of threads.
 template <class Traits, class ConstraintMap, class Visitor>
 class Parallel_Delaunay_flipper
 {
@@ -183,7 +182,7 @@ class Parallel_Delaunay_flipper
   using Block_visitor = typename Shared_visitor<Visitor>::Of_block;
   using Flipper = Delaunay_flipper<Whole_triangulation<Traits>, ConstraintMap, Visitor>;
 
-  // In smaller blocks more hinges are not contained, larger ones are too few for many threads.
+  // Smaller blocks contain fewer complete hinges; larger ones are too few for many threads.
   static constexpr int exponent = 16;
   static constexpr std::size_t size = std::size_t(1) << exponent;
 
@@ -194,18 +193,18 @@ public:
     : triangulation_(triangulation), is_constrained_(is_constrained), visitor_(visitor), budget_(budget), marks_(marks)
   {}
 
-  // Otherwise it would do what a Delaunay_flipper does.
+  // Otherwise a Delaunay_flipper does the same.
   static bool is_useful(const Triangulation& triangulation)
   {
     return triangulation.connectivity().number_of_edges() > size && Block::are_possible;
   }
 
-  // Leads to a Delaunay triangulation; `flipper` makes the last flips, and has the report.
-  // Returns whether the budget sufficed.
+  // Makes the triangulation Delaunay; `flipper` makes the last flips and keeps the report. Returns whether the budget
+  // sufficed.
   bool settle_all(Flipper& flipper)
   {
     const std::size_t n = marks_.size(), number_of_blocks = (n + size - 1) / size;
-    // No block may use up what is there for all, nor fill the memory with its journal.
+    // No block may use up the budget of all, nor fill the memory with its journal.
     budget_of_block_ = (std::min)(budget_ / (2 * number_of_blocks + 1), 16 * std::uint64_t(size));
 
     settle_blocks(n, number_of_blocks, flipper);
@@ -226,7 +225,7 @@ private:
     std::exception_ptr exception;
   };
 
-  // Both rounds. Whatever happens, the flips that were made are noted.
+  // Runs both rounds. Whatever happens, the flips made so far are noted.
   // \exception Cancelled_error if the visitor says so
   void settle_blocks(std::size_t n, std::size_t number_of_blocks, Flipper& flipper)
   {
@@ -317,7 +316,7 @@ private:
   Shared_visitor<Visitor> visitor_;
   std::uint64_t budget_, budget_of_block_ = 0;
   Edge_marks& marks_;
-  bool is_first_round_ = true; // all edges are candidates then, and later, those postponed
+  bool is_first_round_ = true; // all edges at first, later the postponed ones
   std::vector<Edge_index> postponed_, uncertain_;
 };
 

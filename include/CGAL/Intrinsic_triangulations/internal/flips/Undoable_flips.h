@@ -23,12 +23,12 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Flips, with bounds on the errors of all numbers, that can be undone: afterwards connectivity, integers and stored
-// numbers are those that they were, to the last bit.
+// Flips, with error bounds, that can be undone: this restores connectivity, integers and stored numbers to the last
+// bit.
 //
-// One stored bound for a face and its sides grows several times over with each flip, as it adds up what is known of all
-// of them: after a dozen flips of thin faces nothing can be decided. So each edge and each face has a bound of its own
-// here, from the first flip on that needs it. The stored bounds follow from these.
+// A single stored bound for a face and its sides grows several times over with each flip, because it adds up the errors
+// of all of them: after a dozen flips of thin faces nothing can be decided. So here each edge and each face has a bound
+// of its own, from the first flip that needs it, and the stored bounds follow from these.
 //
 // \pre nothing else changes the triangulation, and there is no journal of flips
 template <class Traits>
@@ -62,10 +62,10 @@ public:
     return {stored.value, error < 0 ? two_thirds * stored.error : error};
   }
 
-  // How much was changed.
+  // The number of changes so far.
   std::size_t size() const { return changes_.size(); }
 
-  // Undoes changes until it was only so much. Never throws.
+  // Undoes changes down to an earlier number of them. Never throws.
   void undo(std::size_t size)
   {
     for (; changes_.size() > size; changes_.pop_back()) {
@@ -81,7 +81,8 @@ public:
     }
   }
 
-  // As `flip()` and `recompute()` of a triangulation. An exception leaves everything as it was but for better numbers.
+  // As `flip()` and `recompute()` of a triangulation. After an exception everything is as before, except that numbers
+  // may be better.
   // \return whether the edge was flipped. \pre it is flippable
   bool flip(Edge_index e)
   {
@@ -170,22 +171,22 @@ private:
     typename Whole::Replaced before;
   };
 
-  static constexpr double unknown = -1, recomputed = -2; // what is stored says all that is known
+  static constexpr double unknown = -1, recomputed = -2; // the stored bound says all that is known
   static constexpr double u = 0x1p-53;
-  // Of a squared length: with it, (1) and (3) of `Filtered_edge_length_traits` follow, and a number may be replaced by
-  // what is as accurate as at first.
+  // The bound of a squared length from which (1) and (3) of `Filtered_edge_length_traits` follow; a number may be
+  // replaced by one that is as accurate as the initial ones.
   static constexpr double least_error = 8.01 * u;
   static constexpr double two_thirds = 0.6667;
 
   const Delta_complex& complex() const { return whole_.connectivity(); }
 
-  // The bound E that follows from those of the sides together and of the area.
+  // The bound E that follows from the bounds of the sides and of the area.
   static double stored_error(double of_sides, double of_area)
   {
     const bool are_numbers = of_sides >= 0 && of_area >= 0;
     return are_numbers ? 1.50001 * (std::max)(of_sides, of_area) : std::numeric_limits<double>::infinity();
   }
-  // What follows from the bounds E beside an edge: the other two sides have their parts of it.
+  // The bound that follows from the bounds E beside an edge, of which the other two sides have their share.
   double stored_error(Edge_index e) const
   {
     double result = std::numeric_limits<double>::infinity();
@@ -196,7 +197,7 @@ private:
       }
     return (std::max)(result, least_error * whole_.triangulation().edge_data(e));
   }
-  // \param stored the bound that was given with the area. A face in a plane has been measured anew
+  // \param stored the bound that came with the area. A face in a plane has been measured anew
   void note_error(Face_index f, const Real& area, double stored)
   {
     face_errors_[f.idx()] = whole_.triangulation().face_data(f).error == stored ? area.error() : unknown;

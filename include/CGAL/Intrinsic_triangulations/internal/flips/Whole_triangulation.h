@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// A triangulation as the algorithms of this package see it.
+// The view of a triangulation for the algorithms of this package.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_WHOLE_TRIANGULATION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_WHOLE_TRIANGULATION_H
@@ -20,7 +20,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// What the algorithms of this package need of a triangulation beside its public members.
+// What the algorithms of this package need from a triangulation besides its public members.
 template <class Traits_>
 class Whole_triangulation
 {
@@ -36,9 +36,8 @@ public:
   Triangulation& triangulation() const { return triangulation_; }
   const Delta_complex& connectivity() const { return triangulation_.connectivity(); }
 
-  // Whether bounds that are kept for the corners already tell that e is Delaunay. `false` says nothing.
-  // Most edges of an ordinary surface are known to be Delaunay, and this is much faster than a test, with which it
-  // never disagrees.
+  // Whether the bounds kept for the corners prove that e is Delaunay; `false` means nothing. This holds for most edges
+  // of an ordinary surface, and is much faster than a test, with which it never disagrees.
   bool is_known_Delaunay(Edge_index e) const
   {
     return Triangulation::keeps_bounds && triangulation_.bounds_.imply_Delaunay(e);
@@ -56,7 +55,7 @@ public:
     return triangulation_.traits_.is_locally_Delaunay_object()(triangulation_.hinge(e));
   }
 
-  // Where the stored numbers cannot decide, they are replaced by the tight ones that do.
+  // If the stored numbers cannot decide, they are replaced by tight ones that do.
   Boolean test_and_recompute(Edge_index e)
   {
     const Boolean answer = is_Delaunay_by_filter(e);
@@ -75,7 +74,7 @@ public:
     return engine().decisions().interruption.exchange(std::move(go_further));
   }
 
-  // Notes for the statistics that so many edges were found to be Delaunay or not by what is stored.
+  // Counts, for the statistics, edges that stored numbers decided.
   void count_as_tested(std::uint64_t number) { triangulation_.number_of_filter_decisions_ += number; }
 
   Flip_outcome flip_not_Delaunay(const Hinge_halfedges& around) { return triangulation_.flip_not_Delaunay(around); }
@@ -87,7 +86,7 @@ public:
   {
     return triangulation_.flip_convex(around, construct);
   }
-  // What a flip, or `recompute(f)`, replaces, to be put back.
+  // The data that a flip or `recompute(f)` replaces, to be put back.
   using Replaced = typename Triangulation::Replaced;
   using Face_numbers = typename Triangulation::Face_numbers;
   Replaced replaced(const Hinge_halfedges& around) const { return triangulation_.replaced(around); }
@@ -122,7 +121,7 @@ private:
   Triangulation& triangulation_;
 };
 
-// A triangulation whose edges all come to the test, of which a visitor is told.
+// A triangulation whose edges are all tested, with a visitor that is told about the tests.
 template <class Traits_, class Visitor>
 class Watched_triangulation : public Whole_triangulation<Traits_>
 {

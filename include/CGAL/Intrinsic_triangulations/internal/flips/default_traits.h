@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// What is compiled once for the default traits.
+// Templates that are compiled once for the default traits.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_DEFAULT_TRAITS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_DEFAULT_TRAITS_H
@@ -24,7 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 
-// The library defines the macro as nothing, and so instantiates what all others only declare.
+// The library defines the macro as empty, and so instantiates what others only declare.
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXTERN
 #define CGAL_INTRINSIC_TRIANGULATIONS_EXTERN extern

@@ -27,8 +27,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The map that the mesh has by this name, or one that converts to false. CGAL 5 gives a pair of a map and
-// whether it is there, CGAL 6 an optional map.
+// The mesh's map of this name, or something that converts to false: CGAL 5 returns a pair with a flag, CGAL 6 an
+// optional map.
 template <class Index, class Value, class SurfaceMesh>
 auto find_property_map(const SurfaceMesh& mesh, const std::string& name)
 {
@@ -40,7 +40,7 @@ auto find_property_map(const SurfaceMesh& mesh, const std::string& name)
     return found.value_or(Map());
 }
 
-// Empty for points of no kernel.
+// Empty if the points belong to no kernel.
 template <class Kernel, class = void>
 struct Kernel_values
 {
@@ -67,7 +67,7 @@ using Known_values = decltype(std::tuple_cat(
   typename Kernel_values<typename CGAL::Kernel_traits<typename Mesh::Point>::Kernel>::type()));
 
 // \tparam Index Mesh::Halfedge_index or Mesh::Face_index
-// \tparam Value types that are looked for besides the known ones
+// \tparam Value types to look for besides the known ones
 template <class Mesh, class Index, class... Value>
 class Carried_properties
 {
@@ -85,7 +85,7 @@ public:
     }
   }
 
-  // Gives `to` all properties of `from`.
+  // Copies all properties of `from` to `to`.
   void copy(Index from, Index to) const
   {
     for (const auto& copy_one : copies_)

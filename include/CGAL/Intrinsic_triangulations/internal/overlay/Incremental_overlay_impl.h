@@ -83,9 +83,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Incremental_overlay::put_diagonal(Half
   const Halfedge_index jk = intrinsic_.next(ij), ki = intrinsic_.prev(ij);
   const Halfedge_index il = intrinsic_.next(ji), lj = intrinsic_.prev(ji);
 
-  // The diagonal separates its ends. A chord is crossed exactly if it has one end on the right,
-  // between l and k by way of j, and the other on the left, by way of i. Since chords do not
-  // meet, the order of their ends is that of the crossings.
+  // A chord is crossed exactly if it has one end on the right, between l and k by way of j, and the other on the left,
+  // by way of i. Since chords do not meet, crossings have the same order as these ends.
   sides_.resize(halfedges_.size(), Side::NONE);
   note_chords(right_chords_, lj, jk, Side::RIGHT);
   note_chords(left_chords_, ki, il, Side::LEFT);
@@ -97,7 +96,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_INLINE void Incremental_overlay::put_diagonal(Half
   const Halfedge before_l = before_diagonal(il, Side::LEFT), chord = next(before_l);
   const Halfedge before_k = before_diagonal(jk, Side::RIGHT);
   if (is_chord(chord) && sides_[opposite(chord).idx()] == Side::NONE) {
-    // It leads from l to k, and the diagonal coincides with it: the label becomes oc.
+    // It runs from l to k, so the diagonal coincides with it: the label becomes oc.
     CGAL_assertion(crossed_.empty() && next(before_k) == opposite(chord));
     segment(chord).intrinsic = directed(ij, chord);
     first_intrinsic_parts_[ij.idx()] = chord;

@@ -18,8 +18,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Only reads the integers: any number of threads may trace at once. How often an edge is crossed
-// comes from the numbers of its segments, which lie side by side in memory.
+// Reads the integers only, so any number of threads may trace at once. Crossings are counted by the numbers of
+// segments, which lie side by side in memory.
 class Input_edge_tracer
 {
 public:
@@ -31,19 +31,19 @@ public:
     std::int64_t position;
   };
 
-  // An end of an input edge in the corner opposite to ij, where so many end within the triangle.
+  // The end of an input edge in the corner opposite to ij, and how many input edges end there within the triangle.
   struct End
   {
     Halfedge_index ij;
     std::int64_t count;
   };
 
-  // \param overlay has numbers for the segments of intrinsic edges when the first edge is traced
+  // \param overlay must have numbered the segments of intrinsic edges before the first edge is traced
   Input_edge_tracer(const Delta_complex& intrinsic, const Correspondence& correspondence, const Overlay_arrays& overlay)
     : intrinsic_(intrinsic), correspondence_(correspondence), input_(correspondence.input()), overlay_(overlay)
   {}
 
-  // The vertex where an input edge ends, or an inserted one on it.
+  // The vertex where an input edge ends, or a vertex inserted on it.
   Vertex_index vertex(const End& end) const { return intrinsic_.target(intrinsic_.next(end.ij)); }
 
   std::int64_t number_of_crossings(Halfedge_index h) const

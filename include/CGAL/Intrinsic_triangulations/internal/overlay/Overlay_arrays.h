@@ -37,10 +37,9 @@ struct Overlay_arrays
   };
   struct Input_edge
   {
-    size_type first;      // the first halfedge, out of the source of 2e; odd if it runs against an oc segment
-    size_type count : 31; // number of segments
-    size_type
-      is_split : 1; // if inserted vertices lie on it, `first` is the position of the first part in `split_parts`
+    size_type first;        // the first halfedge, out of the source of 2e; odd if it runs against an oc segment
+    size_type count : 31;   // number of segments
+    size_type is_split : 1; // if vertices were inserted on it, `first` is the index of its first part in `split_parts`
   };
 
   size_type intrinsic_segments_end(size_type e) const { return first_segments[e + 1]; }
@@ -54,23 +53,23 @@ struct Overlay_arrays
     return coinciding_halfedges[parent] == null ? null : coinciding_halfedges[parent] ^ (h & 1);
   }
 
-  // The part of an input edge with a position.
+  // The part of an input edge at a position.
   size_type input_part(const Input_edge& edge, size_type position) const
   {
     return edge.is_split ? split_parts[edge.first + position] : edge.first + 2 * position;
   }
 
-  size_type number_of_original_vertices = 0; // with those that were inserted
+  size_type number_of_original_vertices = 0; // including inserted ones
   size_type number_of_input_vertices = 0;
-  size_type first_input_segment = 0; // those before have label c or oc
+  size_type first_input_segment = 0; // earlier ones have the label c or oc
   Large_vector<Halfedge> halfedges;
-  Large_vector<size_type> parents; // of each segment, its edge
+  Large_vector<size_type> parents; // the edge of each segment
   Large_vector<size_type> vertex_halfedges;
   Large_vector<Face> faces;
-  Large_vector<size_type> first_segments;       // of each intrinsic edge, and where they end
-  Large_vector<size_type> coinciding_halfedges; // for each intrinsic edge, what 2e is in the input
+  Large_vector<size_type> first_segments;       // the first of each intrinsic edge, and the end of all
+  Large_vector<size_type> coinciding_halfedges; // for each intrinsic edge, the input halfedge that 2e is part of
   Large_vector<Input_edge> input_edges;
-  Large_vector<size_type> split_parts; // of input edges on which vertices were inserted, the halfedges from end to end
+  Large_vector<size_type> split_parts; // for input edges with inserted vertices, the halfedges from end to end
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -33,18 +33,16 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The segments of intrinsic edges and all crossings are numbered by counting. Then each
-// input edge is followed once through the intrinsic triangles; at every crossing it is known
-// which four segments meet. What is left are the corners at the vertices, where input edges
-// leave between intrinsic ones, and the faces.
+// The segments of intrinsic edges and all crossings are numbered by counting. Then each input edge is followed once
+// through the intrinsic triangles, which tells at every crossing which four segments meet. The corners at the vertices,
+// where input edges leave between intrinsic ones, and the faces come last.
 //
 // Vertices that were inserted on input edges divide these into paths, which are followed and numbered one by one.
 //
-// Most intrinsic triangles are input triangles; they are copied with few accesses to memory,
-// which are what takes the time.
+// Most intrinsic triangles are input triangles. Memory access is what takes time, so they are copied with little of it.
 //
-// Several threads work on blocks of edges or faces: first all blocks are counted, and what was
-// counted before a block is where its numbers begin. So the result is the same as with one.
+// Several threads work on blocks of edges or faces: first all blocks are counted, and the numbers of a block begin
+// where the count of all earlier ones ends. So the result is the same as with one thread.
 template <class ConcurrencyTag>
 class Overlay_builder
 {
@@ -76,7 +74,7 @@ public:
 private:
   static std::size_t block(std::size_t first) { return first / elements_of_block; }
 
-  // Calls f(first, last) for blocks of [0, n), which are one unless there are several threads.
+  // Calls f(first, last) for blocks of [0, n): a single one unless there are several threads.
   template <class Function>
   static void for_each_block(std::size_t n, const Function& f)
   {
@@ -90,7 +88,7 @@ private:
     return std::vector<Count>(is_parallel ? block(n) + 1 : 1);
   }
 
-  // Replaces the counts of blocks by the sums of those before. Returns the sum of all.
+  // Replaces the count of each block by the sum of all earlier ones. Returns the total.
   static std::uint64_t sum_up(std::vector<std::uint64_t>& counts)
   {
     std::uint64_t sum = 0;
@@ -216,7 +214,7 @@ private:
     (is_inserted(to) ? inserted(to).back : path_ends_[input_edge.idx()]) = (first + 2 * (count - 1)) ^ 1;
   }
 
-  // The faces are not known yet; those of border halfedges never will be.
+  // The faces are not known yet; border halfedges never get one.
   void set_intrinsic_segment(size_type segment, size_type source, size_type target)
   {
     record(2 * segment) = {Overlay_arrays::null, target, Overlay_arrays::null};
@@ -248,8 +246,7 @@ private:
     }
   }
 
-  // The numbers of segments depend on the lengths of all paths before: so the paths of a block
-  // are kept until these are known.
+  // Segment numbers depend on the lengths of all earlier paths, so the paths of a block are kept until these are known.
   void follow_in_blocks()
   {
     struct Path
@@ -292,7 +289,7 @@ private:
     });
   }
 
-  // A crossing, as what is crossed.
+  // A crossing, given by the edge that is crossed.
   struct Crossed
   {
     Halfedge_index halfedge; // from its left
@@ -303,8 +300,8 @@ private:
     return {x.halfedge, overlay_.first_segments[intrinsic_.edge(x.halfedge).idx()] + size_type(x.position)};
   }
 
-  // Makes the segments of an input edge, from number `segment` on, which is advanced behind them;
-  // for_each_crossing(visit) visits what it crosses and returns its end at the target.
+  // Makes the segments of an input edge, numbered from `segment` on, which is advanced past them.
+  // for_each_crossing(visit) visits what the edge crosses and returns its end at the target.
   template <class Function>
   void add_input_edge(Halfedge_index input_halfedge, const End& source, size_type& segment,
                       const Function& for_each_crossing)
@@ -326,7 +323,7 @@ private:
     link_end(target, 2 * (segment - 1) + 1);
   }
 
-  // The segment that leaves a corner, if it is alone there: between the sides out of the corner.
+  // Links the segment that leaves a corner, if it is the only one, between the two sides that leave it.
   void link_end(const End& end, size_type out)
   {
     if (end.count == 1) {
@@ -335,11 +332,10 @@ private:
     }
   }
 
-  // Links the four segments that meet at a crossing, at which an input segment ends; returns the
-  // crossing.
+  // Links the four segments that meet at the crossing where an input segment ends; returns the crossing.
   size_type cross(const Crossed& crossing, size_type input_segment)
   {
-    // Out of the crossing, counterclockwise from the direction of halfedge 2e.
+    // The segments that leave the crossing, counterclockwise from the direction of halfedge 2e.
     const size_type before = crossing.segment;
     const size_type ahead = 2 * (before + 1), back = 2 * before + 1;
     size_type left = 2 * input_segment + 1, right = 2 * (input_segment + 1);
@@ -394,7 +390,7 @@ private:
     });
   }
 
-  // Into how many faces its chords divide a face.
+  // The number of faces into which chords divide a face.
   std::uint64_t number_of_parts(Face_index f) const
   {
     const Triangle_crossings t = tracer_.triangle_crossings(intrinsic_.halfedge(f));
@@ -456,7 +452,7 @@ private:
                               : uncrossed_input_face(intrinsic_, correspondence_, intrinsic_.halfedge(f)).idx()};
   }
 
-  // The corner between two sides, where n input halfedges leave; one alone has been linked.
+  // Links the corner between two sides where n input halfedges leave; a single one has been linked already.
   void link_corner(const Side& in, const Side& out, std::int64_t n)
   {
     if (n == 0)
@@ -474,9 +470,9 @@ private:
 
   size_type input_face(size_type input_halfedge) const { return input_.face(Halfedge_index(input_halfedge)).idx(); }
 
-  // A face within an intrinsic one that is cut has a side on an intrinsic edge, and one on an input
-  // edge that cuts. (A face bounded by input edges alone would be an input triangle with its corners
-  // at those of an intrinsic one: the same triangle, which nothing cuts.)
+  // In an intrinsic face that is cut, each piece has a side on an intrinsic edge and one on a cutting input edge. (A
+  // piece bounded by input edges alone would be an input triangle with the same corners as the intrinsic one: the same
+  // triangle, which nothing cuts.)
   void make_face(size_type face, size_type first, Face_index intrinsic_face)
   {
     size_type on_input_edge = first, h = first;
@@ -523,7 +519,7 @@ private:
     });
   }
 
-  // Several threads cannot ask in between: it is done at the beginning.
+  // Done at the beginning, because several threads cannot do it later.
   Loop_progress part(double begin, double end, std::size_t number_of_elements) const
   {
     static constexpr const char* what = "the construction of the overlay";
@@ -557,7 +553,7 @@ private:
   Large_vector<Inserted> inserted_;
 };
 
-// A function and no member, so that it can be compiled once.
+// Not a member, so that it can be compiled once.
 template <class ConcurrencyTag>
 Overlay_arrays build_overlay(const Delta_complex& intrinsic, const Correspondence& correspondence,
                              const Progress_function& progress)

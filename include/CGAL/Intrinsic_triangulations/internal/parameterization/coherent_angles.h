@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Angles that are those of a flat, Delaunay triangulation, as near as possible to given ones.
+// The angles of a flat Delaunay triangulation that are nearest to given ones.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_PARAMETERIZATION_COHERENT_ANGLES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_PARAMETERIZATION_COHERENT_ANGLES_H
@@ -31,8 +31,9 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 struct Coherent_angles
 {
-  std::vector<double> angles;              // for each halfedge, the opposite angle in its face; 0 for a border halfedge
-  std::size_t number_of_clipped_edges = 0; // interior edges whose two given angles summed to more than is allowed
+  std::vector<double> angles; // for each halfedge, the opposite angle in its face; 0 for a border halfedge
+  std::size_t number_of_clipped_edges =
+    0; // the number of interior edges whose two given angles summed to more than is allowed
   double largest_change = 0;
 };
 
@@ -54,7 +55,7 @@ inline std::vector<double> opposite_angles(const Delta_complex& complex, const s
   return angles;
 }
 
-// How many corners of faces each vertex has.
+// The number of corners at each vertex.
 inline std::vector<int> numbers_of_corners(const Delta_complex& complex)
 {
   std::vector<int> result(complex.number_of_vertices(), 0);
@@ -64,8 +65,8 @@ inline std::vector<int> numbers_of_corners(const Delta_complex& complex)
   return result;
 }
 
-// How far angles at a vertex stay above 0, and sums opposite to its edges below pi. Around an inner
-// vertex of a flat triangulation both have 2 pi to share among its corners.
+// How far angles at a vertex stay above 0, and sums opposite its edges below pi. Around an inner vertex of a flat
+// triangulation, the corners share 2 pi for both.
 inline std::vector<double> margins(const std::vector<int>& corners, double margin)
 {
   std::vector<double> result;
@@ -81,25 +82,24 @@ inline double edge_margin(const Delta_complex& complex, const std::vector<double
   return (std::min)(margins[complex.source(h).idx()], margins[complex.target(h).idx()]);
 }
 
-// How far an iteration is whose error falls from `first` to `tolerance`: the digits that it has.
+// The progress of an iteration whose error falls from `first` to `tolerance`, measured in digits.
 inline double fraction_of_digits(double first, double error, double tolerance)
 {
   const double all = std::log(first / tolerance);
   return all > 0 ? (std::max)(0., (std::min)(1., std::log(first / error) / all)) : 0;
 }
 
-// Minimizes |x - given|^2 / 2 subject to A x = b, x >= lowest, and the sums over the two sides of
-// each interior edge <= pi - margin, by a primal-dual interior-point method with Mehrotra's
-// predictor and corrector (Nocedal, Wright, "Numerical optimization", section 16.6). Each
-// unknown is in one edge sum only, so that the matrix that inequalities and objective add up to
-// consists of 2 x 2 blocks: what is factorized is the Schur complement, with one row for each
-// face and each inner vertex.
+// Minimizes |x - given|^2 / 2 subject to A x = b, x >= lowest, and the sums over the two sides of each interior edge <=
+// pi - margin, by a primal-dual interior-point method with Mehrotra's predictor and corrector (Nocedal, Wright,
+// "Numerical optimization", section 16.6). Each unknown occurs in one edge sum only, so inequalities and objective add
+// up to a matrix of 2 x 2 blocks, and only the Schur complement is factorized, with one row for each face and each
+// inner vertex.
 class Angle_optimizer
 {
   using Array = Eigen::ArrayXd;
   using Matrix = Eigen::SparseMatrix<double>;
 
-  // Angles, multipliers of the equations, and slacks and multipliers of the inequalities: or how all of these change.
+  // Angles, multipliers of the equations, and slacks and multipliers of the inequalities; or changes of all of these.
   struct Iterate
   {
     Array x, y, slack, dual;
@@ -191,7 +191,7 @@ private:
     now_.dual = Array::Constant(bounds_.size(), 0.1);
   }
 
-  // What is not to be below the bounds: the angles, then the sums over the sides of edges, negative.
+  // The quantities that are bounded from below: the angles, then the negative sums over the sides of edges.
   Array limited(const Array& x) const
   {
     Array result(bounds_.size());
@@ -200,7 +200,7 @@ private:
       result[row_of_edge(i)] = -(x[left(i)] + x[right(i)]);
     return result;
   }
-  // Adds the product of the transposed matrix of that, which is linear, and another vector.
+  // Adds the product of the transpose of that linear map and another vector.
   void add_transposed(Array& x, const Array& factor) const
   {
     x += factor.head(x.size());
@@ -265,7 +265,7 @@ private:
     return d;
   }
 
-  // The longest step, at most 1, that keeps slacks and multipliers from becoming negative.
+  // The longest step, at most 1, that leaves slacks and multipliers nonnegative.
   double longest_step(const Iterate& d) const
   {
     double step = 1;

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// What maps to the plane ask of a surface: its components and boundaries, and sizes without overflow.
+// What maps to the plane need to know about a surface: its components and boundaries, and sizes without overflow.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_PARAMETERIZATION_DISK_SHAPE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_PARAMETERIZATION_DISK_SHAPE_H
@@ -78,7 +78,7 @@ inline Orientation planar_orientation(const std::array<double, 2>& p, const std:
   return CGAL::orientation(Point(p[0], p[1]), Point(q[0], q[1]), Point(r[0], r[1]));
 }
 
-// The lengths over the largest of them: their sum does not overflow.
+// The lengths divided by the largest, so that their sum does not overflow.
 inline std::vector<double> over_largest(std::vector<double> lengths)
 {
   const double largest = lengths.empty() ? 0 : *std::max_element(lengths.begin(), lengths.end());
@@ -98,7 +98,7 @@ inline double root_of_sum(const std::vector<double>& areas)
 }
 
 // Scales a map so that its image has the area of the surface.
-// \exception Numerical_error with this message, if the image has no area
+// \exception Numerical_error with this message if the image has no area
 inline void scale_to_area(const Delta_complex& complex, const std::vector<Halfedge_index>& boundary,
                           const std::vector<double>& areas, std::vector<std::array<double, 2>>& uv, const char* message)
 {
@@ -124,7 +124,7 @@ inline std::vector<double> boundary_lengths(const Delta_complex& complex, const 
   return lengths;
 }
 
-// Numbers the entries that are wanted from 0 on, and the others -1.
+// Numbers the wanted entries from 0 on; the others get -1.
 template <class Is_wanted>
 std::vector<int> numbering(std::size_t size, int& number, const Is_wanted& is_wanted)
 {
