@@ -31,8 +31,15 @@ struct Mesh
   Triangles faces;
 };
 
-// The boundary of a union of cells, with a vertex for each corner; faces point outward.
-Mesh boundary(const std::set<Cell>& cells)
+enum class Walls {
+  NONE,
+  TWICE,     // each cell has all its faces
+  CUT_ANYHOW // likewise, and squares are cut along any diagonal
+};
+
+// The boundary of a union of cells, with a vertex for each corner; faces point outward. A cell has 12 faces in a row if
+// there are walls.
+Mesh boundary(const std::set<Cell>& cells, Walls walls = Walls::NONE, std::mt19937* random = nullptr)
 {
   Mesh mesh;
   std::map<Cell, std::size_t> number;
@@ -47,7 +54,7 @@ Mesh boundary(const std::set<Cell>& cells)
       for (const int side : {0, 1}) {
         Cell neighbor = cell, corner = cell;
         neighbor[axis] += 2 * side - 1;
-        if (cells.count(neighbor) != 0)
+        if (cells.count(neighbor) != 0 && walls == Walls::NONE)
           continue;
         corner[axis] += side;
         std::array<std::size_t, 4> square;
@@ -59,6 +66,8 @@ Mesh boundary(const std::set<Cell>& cells)
         }
         if (side == 0)
           std::swap(square[1], square[3]);
+        if (walls == Walls::CUT_ANYHOW && (*random)() % 2 == 0)
+          std::rotate(square.begin(), square.begin() + 1, square.end());
         mesh.faces.push_back({square[0], square[1], square[2]});
         mesh.faces.push_back({square[0], square[2], square[3]});
       }
@@ -328,6 +337,148 @@ TEST(Repaired_solids, faces_that_lie_on_each_other)
   append(mesh, top);
   EXPECT_EQ(sum(volumes(expect_surface(mesh))), 6 * (8 + 2.));
   EXPECT_EQ(sum(volumes(expect_surface(turned_over(mesh)))), -6 * (8 + 2.));
+}
+
+// The sets of at most n of the cells.
+std::vector<std::set<Cell>> sets_of_cells(const std::vector<Cell>& all, std::size_t n)
+{
+  std::vector<std::set<Cell>> result;
+  for (std::size_t bits = 1; bits < std::size_t(1) << all.size(); ++bits) {
+    std::set<Cell> cells;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if ((bits >> i & 1) != 0)
+        cells.insert(all[i]);
+    if (cells.size() <= n)
+      result.push_back(cells);
+  }
+  return result;
+}
+std::vector<Cell> block(int a, int b, int c)
+{
+  std::vector<Cell> result;
+  for (int i = 0; i < a * b * c; ++i)
+    result.push_back({i % a, i / a % b, i / a / b});
+  return result;
+}
+std::vector<std::set<Cell>> few_cells()
+{
+  std::vector<std::set<Cell>> result = sets_of_cells(block(2, 2, 2), 4);
+  for (const auto& all : {block(2, 2, 2), block(3, 3, 3)})
+    result.push_back({all.begin(), all.end()});
+  for (const auto& cells : {sets_of_cells(block(3, 3, 1), 3), sets_of_cells(block(4, 1, 1), 4)})
+    result.insert(result.end(), cells.begin(), cells.end());
+  return result;
+}
+
+// Each cell is closed by itself, and so is what comes out; only so many faces are gone.
+template <class Faces>
+void expect_rooms(const Points& points, const Faces& faces, std::size_t number_of_cells, std::size_t surplus = 0)
+{
+  const IT::Repaired_polygons repaired = IT::repair_polygons(points, faces);
+  const IT::Surface_report report = IT::examine_polygons(repaired.points, repaired.triangles);
+  EXPECT_EQ(report.first_fatal(), nullptr) << IT::message(report);
+  EXPECT_EQ(report.number_of_border_edges, 0u);
+  EXPECT_EQ(count(repaired, IT::Repair_kind::DUPLICATE_FACE), surplus);
+  EXPECT_EQ(count(repaired, IT::Repair_kind::DUPLICATE_PART), 0u);
+  EXPECT_EQ(repaired.triangles.size(), 12 * number_of_cells);
+  std::vector<double> pieces = volumes(repaired);
+  for (double& x : pieces)
+    x = std::abs(x);
+  EXPECT_EQ(pieces, std::vector<double>(number_of_cells, 6.));
+}
+
+TEST(Repaired_solids, rooms_that_share_walls_stay_closed)
+{
+  std::mt19937 random(10);
+  for (const std::set<Cell>& cells : few_cells())
+    for (const Walls walls : {Walls::TWICE, Walls::CUT_ANYHOW})
+      for (const int turned : {0, 1, 2, 3}) { // none, all, cells, faces
+        SCOPED_TRACE(testing::PrintToString(cells) + " turned " + std::to_string(turned) +
+                     (walls == Walls::CUT_ANYHOW ? " cut anyhow" : ""));
+        if (walls == Walls::CUT_ANYHOW && turned > 1)
+          continue; // triangles that overlap tell nothing of their directions
+        Mesh mesh = boundary(cells, walls, &random);
+        bool is_turned = turned == 1;
+        for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+          if (turned == 3 || (turned == 2 && f % 12 == 0))
+            is_turned = random() % 2 == 0;
+          if (is_turned)
+            turn_over(mesh.faces[f]);
+        }
+        expect_rooms(mesh.points, mesh.faces, cells.size());
+      }
+}
+
+TEST(Repaired_solids, what_is_really_doubled_goes)
+{
+  std::mt19937 random(11);
+  for (const std::set<Cell>& cells : few_cells())
+    for (const bool are_all_doubled : {false, true}) {
+      SCOPED_TRACE(testing::PrintToString(cells) + (are_all_doubled ? " all" : " some"));
+      const Mesh mesh = boundary(cells, Walls::TWICE);
+      Triangles faces = mesh.faces;
+      std::set<std::size_t> chosen;
+      for (int i = 0; i < 3; ++i)
+        chosen.insert(random() % faces.size());
+      for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+        if (are_all_doubled || chosen.count(f) != 0) {
+          faces.push_back(mesh.faces[f]);
+          if (random() % 2 == 0)
+            turn_over(faces.back());
+        }
+      expect_rooms(mesh.points, faces, cells.size(), faces.size() - mesh.faces.size());
+    }
+}
+
+TEST(Repaired_solids, rooms_of_squares)
+{
+  // A square of the wall begins at another corner than the one that lies on it.
+  const Points points = boundary({{0, 0, 0}, {1, 0, 0}}).points;
+  const auto at = [&](double x, double y, double z) {
+    return std::size_t(std::find(points.begin(), points.end(), std::array<double, 3>{x, y, z}) - points.begin());
+  };
+  std::vector<std::vector<std::size_t>> faces;
+  for (const double x : {0., 1.}) {
+    const std::size_t a = at(x, 0, 0), b = at(x + 1, 0, 0), c = at(x + 1, 1, 0), d = at(x, 1, 0), e = at(x, 0, 1),
+                      f = at(x + 1, 0, 1), g = at(x + 1, 1, 1), h = at(x, 1, 1);
+    for (const auto& face : std::vector<std::vector<std::size_t>>{
+           {a, d, c, b}, {e, f, g, h}, {a, b, f, e}, {b, c, g, f}, {c, d, h, g}, {a, e, h, d}})
+      faces.push_back(face);
+  }
+  expect_rooms(points, faces, 2);
+  faces.push_back({at(0, 1, 1), at(0, 0, 1), at(1, 0, 1), at(1, 1, 1)});
+  expect_rooms(points, faces, 2, 1);
+}
+
+TEST(Repaired_solids, a_room_without_a_roof_keeps_its_wall)
+{
+  for (const std::size_t roof : {10, 22}) { // of the first cell, of the second
+    Mesh mesh = boundary({{0, 0, 0}, {1, 0, 0}}, Walls::TWICE);
+    mesh.faces.erase(mesh.faces.begin() + std::ptrdiff_t(roof), mesh.faces.begin() + std::ptrdiff_t(roof) + 2);
+    expect_surface(mesh, 4, 1); // its edge at the wall had two faces of others
+  }
+}
+
+TEST(Repaired_solids, a_fin_of_two_sides_leaves_no_border)
+{
+  for (const double x : {-1., 0.25}) { // outside, inside
+    Mesh mesh = boundary({{0, 0, 0}});
+    append(mesh, {{{0, 0, 0}, {0, 0, 1}, {x, x, 0.5}}, {{0, 1, 2}, {1, 0, 2}}});
+    const IT::Repaired_polygons repaired = IT::repair_polygons(mesh.points, mesh.faces);
+    const IT::Surface_report report = IT::examine_polygons(repaired.points, repaired.triangles);
+    EXPECT_EQ(report.first_fatal(), nullptr) << IT::message(report);
+    EXPECT_EQ(report.number_of_border_edges, 0u);
+    EXPECT_EQ(volumes(repaired), std::vector<double>{6});
+    ASSERT_FALSE(repaired.repairs.empty());
+    EXPECT_EQ(IT::message(repaired.repairs[0]),
+              "face 12 was removed with face 13, as they have the same corners and enclose nothing, and 1 more face "
+              "like it");
+    // With a vertex inside, both sides of the fin can stay.
+    Mesh large = boundary({{0, 0, 0}});
+    const Points corners{{0, 0, 0}, {0, 0, 1}, {x, x, 0.5}, {x / 2, x / 2, 0.5}};
+    append(large, {corners, {{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {1, 0, 3}, {2, 1, 3}, {0, 2, 3}}});
+    EXPECT_EQ(volumes(expect_surface(large)), (std::vector<double>{0, 6}));
+  }
 }
 
 TEST(Repaired_solids, a_fin_is_cut_off)

@@ -115,8 +115,9 @@ inline bool is_repairable(Invalid_surface_error::Defect defect)
 ///   closes seams. Elsewhere they stay apart, as do surfaces that merely touch.
 /// - A face that visits a vertex twice is cut into loops. A face with fewer than three different corners
 ///   is removed.
-/// - Of several faces with the same corners, one is kept.
 /// - Polygons are triangulated.
+/// - Of several triangles with the same corners, one is kept; or two, if they are the wall between two rooms or the
+///   sides of a fin, as an even number of other faces at their edges tells. A fin of one triangle goes with both sides.
 /// - Faces are oriented consistently; the first of all that edges join keeps its orientation. A one-sided surface is
 ///   cut.
 /// - At an edge with more than two faces, those that bound the same piece of a solid stay together: they are found by

@@ -68,6 +68,7 @@ public:
   {
     return sector(a.third_vertex, b.third_vertex) == SAME;
   }
+  bool is_on_edge_line(const Face& a) const { return is_on_edge_line(a.third_vertex); }
 
 private:
   // The first vertex of those farthest from the line through the edge, if one of them is on that line: else any will

@@ -44,12 +44,15 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // - Pieces that hang on others by one edge alone, as a fin does, are glued after all others. If their number at an
 //   edge is odd, as of three sheets, only faces are that belong to the same piece, or to pieces that were glued
 //   elsewhere: else they would be left as a slit in the surface.
-// - If so many faces run forward at an edge as backward, nothing is turned there. If not, pieces are turned so that
+// - If so many faces run forward at an edge as backward, and both sides of a wall do not run alike, nothing is turned
+//   there. If not, pieces are turned so that
 //   directions alternate around each edge with an even number of faces, as they do around each solid.
-// - Where faces lie in one half-plane, their order tells nothing about directions: no piece is turned because of that.
+// - Faces in one half-plane have nothing between them. So where material ends comes first, and two such faces, as of a
+//   wall between two rooms, have opposite directions. Of three and more, and of faces without area, nothing is known:
+//   no piece is turned because of them.
 // - Triangles are given by their corners, so two edges must not have the same ends. Where two pairs at an edge would,
 //   the faces that have nothing between them are glued instead: then the solid is one along the edge. If that fails as
-//   well, all are cut.
+//   well, all are cut. That is tried as well where both sides of a wall were glued to each other.
 class Surface_gluer
 {
   using Index = std::uint32_t;
@@ -83,14 +86,16 @@ public:
   const std::vector<Index>& vertices() const { return fans_.first; }
   // The vertex of the surface at a corner of a triangle, after it was turned.
   Index vertex(std::size_t corner) const { return fans_.second[corner]; }
-  // Whether the side from a corner to the next lies on the border, after the triangle was turned.
-  bool is_border(std::size_t corner) const { return glued_to_[corner] == none; }
+  // The side that is glued to that from a corner to the next after the triangles were turned; none at the border.
+  Index neighbor(std::size_t corner) const { return glued_to_[corner]; }
 
 private:
   // A side at an edge with more than two faces.
   struct Entry
   {
     Index side, piece;
+    Index half_plane;             // counted around the edge
+    bool is_flat;                 // without area: in every half-plane
     bool runs_backward, is_glued; // seen from the smaller end of the edge, before its piece is turned
   };
   enum Rule {
@@ -102,7 +107,7 @@ private:
   struct Crowded_edge
   {
     std::vector<Entry> entries;
-    bool has_faces_in_one_half_plane = false, is_inside_out = false;
+    bool is_inside_out = false, has_been_void = false;
     Rule rule = MATERIAL;
   };
   using Entries = std::vector<Entry*>;
@@ -128,12 +133,12 @@ private:
       Faces_around_edge order(points_, v, begin->larger_end);
       order.sort(around);
       Crowded_edge edge;
-      for (std::size_t i = 0; i < around.size(); ++i) {
+      for (std::size_t i = 0, half_plane = 0; i < around.size(); ++i) {
         const Sides_by_edge::Side& s = begin[around[i].side];
-        edge.entries.push_back({s.side(), pieces_.piece_of[s.face()], runs_backward(s), false});
-        edge.has_faces_in_one_half_plane =
-          edge.has_faces_in_one_half_plane ||
-          order.are_in_one_half_plane(around[i], around[i + 1 < around.size() ? i + 1 : 0]);
+        if (i > 0 && !order.are_in_one_half_plane(around[i - 1], around[i]))
+          ++half_plane;
+        edge.entries.push_back({s.side(), pieces_.piece_of[s.face()], Index(half_plane),
+                                order.is_on_edge_line(around[i]), runs_backward(s), false});
       }
       crowded_edges_.push_back(std::move(edge));
     });
@@ -201,15 +206,13 @@ private:
       if (const Entries entries = entries_left(edge, are_hanging); !entries.empty()) {
         const auto backward = std::size_t(
           std::count_if(entries.begin(), entries.end(), [this](const Entry* e) { return runs_backward(*e); }));
-        if (2 * backward > entries.size() + 1 || 2 * backward + 1 < entries.size())
+        if (2 * backward > entries.size() + 1 || 2 * backward + 1 < entries.size() || is_wall_turned(entries))
           has_to_turn[networks.find(group[entries[0]->piece])] = true;
       }
-    for (Crowded_edge& edge : crowded_edges_) {
-      const Entries entries = entries_left(edge, are_hanging);
-      if (!entries.empty() && entries.size() % 2 == 0 && (entries.size() == 2 || !edge.has_faces_in_one_half_plane))
-        for (std::size_t i = 1; i < entries.size() && has_to_turn[networks.find(group[entries[0]->piece])]; ++i)
-          tie(entries[i - 1]->piece, entries[i]->piece, entries[i - 1]->runs_backward == entries[i]->runs_backward);
-    }
+    for (Crowded_edge& edge : crowded_edges_)
+      if (const Entries entries = entries_left(edge, are_hanging);
+          !entries.empty() && has_to_turn[networks.find(group[entries[0]->piece])])
+        tie_around(entries);
     if (are_hanging || crowded_edges_.empty())
       return;
     const std::vector<bool> is_inside_out = find_inside_out(networks);
@@ -218,12 +221,53 @@ private:
         edge.is_inside_out = is_inside_out[networks.find(entries[0]->piece)];
   }
 
+  // Whether two faces with the same corners have the same direction.
+  bool is_wall_turned(const Entries& entries)
+  {
+    const auto third_vertex = [this](const Entry& e) { return triangles_[e.side / 3][(e.side + 2) % 3]; };
+    for (std::size_t i = 1; i < entries.size(); ++i)
+      if (third_vertex(*entries[i - 1]) == third_vertex(*entries[i]) &&
+          runs_backward(*entries[i - 1]) == runs_backward(*entries[i]))
+        return true;
+    return false;
+  }
+
+  // Directions alternate among faces that are alone in their half-planes, and within a half-plane of two.
+  void tie_around(const Entries& entries)
+  {
+    const auto tie_opposite = [this](const Entry* a, const Entry* b) {
+      tie(a->piece, b->piece, a->runs_backward == b->runs_backward);
+    };
+    if (entries.size() == 2)
+      return tie_opposite(entries[0], entries[1]);
+    Entries alone;
+    bool is_known = entries.size() % 2 == 0;
+    for (std::size_t i = 0, j = 0; i < entries.size(); i = j) {
+      bool has_flat = false;
+      for (; j < entries.size() && entries[j]->half_plane == entries[i]->half_plane; ++j)
+        has_flat = has_flat || entries[j]->is_flat;
+      if (j - i == 1)
+        alone.push_back(entries[i]);
+      else if (j - i == 2 && !has_flat)
+        tie_opposite(entries[i], entries[i + 1]);
+      else
+        is_known = false;
+    }
+    for (std::size_t i = 1; is_known && i < alone.size(); ++i)
+      tie_opposite(alone[i - 1], alone[i]);
+  }
+
   void glue(Crowded_edge& edge, bool are_hanging)
   {
-    const Entries entries = entries_left(edge, are_hanging);
+    Entries entries = entries_left(edge, are_hanging);
     const bool may_join_pieces = !are_hanging || entries.size() % 2 == 0;
     const auto group = [&](const Entry& entry) { return may_join_pieces ? entry.piece : joined_.find(entry.piece); };
     const bool is_material_forward = edge.is_inside_out != (edge.rule == VOID);
+    std::stable_sort(entries.begin(), entries.end(), [&](const Entry* a, const Entry* b) {
+      if (a->half_plane != b->half_plane)
+        return a->half_plane < b->half_plane;
+      return runs_backward(*a) == is_material_forward && runs_backward(*b) != is_material_forward;
+    });
     // Begins of material that has not ended: all of them, and those of each piece. Around the edge twice, as it may
     // begin in material.
     Entries begun;
@@ -284,7 +328,7 @@ private:
       bool is_changed = false;
       std::vector<bool> is_near(points_.size(), false); // to a change: what is decided there may differ now
       for (Crowded_edge& edge : crowded_edges_) {
-        if (edge.rule == CUT || !is_double(edge))
+        if (edge.rule == CUT || !(is_double(edge) || (!edge.has_been_void && joins_sides_of_wall(edge))))
           continue;
         const Index s = edge.entries[0].side, v = corners_[s], w = corners_[next_side(s)];
         if (trial < number_of_trials && (is_near[v] || is_near[w]))
@@ -295,6 +339,7 @@ private:
           glued_to_[entry.side] = none;
         }
         edge.rule = trial >= number_of_trials ? CUT : edge.rule == MATERIAL ? VOID : MATERIAL;
+        edge.has_been_void = true;
         for (const bool are_hanging : {false, true})
           if (edge.rule != CUT)
             glue(edge, are_hanging);
@@ -320,6 +365,16 @@ private:
         all.push_back(ends(entry.side));
     std::sort(all.begin(), all.end());
     return std::adjacent_find(all.begin(), all.end()) != all.end();
+  }
+
+  // Whether two faces with the same corners were glued: those of a wall between two rooms that are inside out, but not
+  // all that they are joined with.
+  bool joins_sides_of_wall(const Crowded_edge& edge) const
+  {
+    return std::any_of(edge.entries.begin(), edge.entries.end(), [this](const Entry& entry) {
+      const Index other = glued_to_[entry.side];
+      return other != none && corners_[previous_side(entry.side)] == corners_[previous_side(other)];
+    });
   }
 
   // Of which networks the volume is negative.

@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_REPAIR_POLYGONS_IMPL_H
 
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Surface_gluer.h>
+#include <CGAL/Intrinsic_triangulations/internal/validation/Doubled_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/Polygon_sides.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -26,7 +27,7 @@
 #include <limits>
 #include <map>
 #include <string>
-#include <unordered_set>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -87,7 +88,8 @@ class Polygon_repairer
 public:
   Polygon_repairer(std::vector<std::array<double, 3>> points, std::vector<std::vector<Index>> polygons)
     : input_points_(std::move(points)), input_polygons_(std::move(polygons)),
-      is_reversed_(input_polygons_.size(), false), has_lost_part_(input_polygons_.size(), false)
+      is_reversed_(input_polygons_.size(), false), is_repeated_(input_polygons_.size(), false),
+      has_lost_part_(input_polygons_.size(), false)
   {
     for (Index f = 0; f < input_polygons_.size(); ++f)
       polygons_.push_back({f, input_polygons_[f]});
@@ -99,8 +101,8 @@ public:
     ask(progress, 0);
     merge_points();
     remove_repeated_corners();
-    remove_duplicates();
     triangulate(progress);
+    remove_duplicates();
     ask(progress, 0.9);
     glue();
     collect();
@@ -178,43 +180,64 @@ private:
     return result;
   }
 
-  // Of those with the same corners, in either direction, the first stays.
-  void remove_duplicates()
+  // The triangles that stay; a face may have lost a part.
+  void keep(const std::vector<bool>& is_kept)
   {
     const std::vector<Index> before = number_of_parts();
-    std::unordered_set<std::vector<Index>, boost::hash<std::vector<Index>>> seen;
-    std::vector<Polygon_part> polygons;
-    for (Polygon_part& polygon : polygons_) {
-      std::vector<Index> corners = polygon.corners;
-      std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-      if (corners.back() < corners[1])
-        std::reverse(corners.begin() + 1, corners.end());
-      if (seen.insert(std::move(corners)).second)
-        polygons.push_back(std::move(polygon));
-    }
-    polygons_ = std::move(polygons);
+    std::vector<Polygon_part> triangles;
+    for (Index t = 0; t < polygons_.size(); ++t)
+      if (is_kept[t])
+        triangles.push_back(std::move(polygons_[t]));
+    polygons_ = std::move(triangles);
     const std::vector<Index> after = number_of_parts();
     for (Index f = 0; f < before.size(); ++f)
-      if (before[f] > 1 && after[f] < before[f])
+      if (before[f] > 1 && after[f] < before[f] && (after[f] > 0 || !is_repeated_[f]))
         has_lost_part_[f] = true;
   }
 
+  // Of triangles with the same corners, in either direction, the first stays, and another if both are a wall.
+  void remove_duplicates()
+  {
+    const std::vector<Index_triangle> all = triangles();
+    const Doubled_faces doubled(input_points_.size(), all);
+    std::vector<bool> is_kept;
+    for (Index t = 0; t < all.size(); ++t)
+      is_kept.push_back(doubled.is_kept(t));
+    keep(is_kept);
+  }
+
+  // Polygons with the same corners in the same order, or turned over, are cut alike.
   void triangulate(const Progress_function& progress)
   {
     Index number_of_corners = 0, done = 0;
     for (const Polygon_part& polygon : polygons_)
       number_of_corners += polygon.corners.size();
     std::vector<Polygon_part> triangles;
-    bool is_changed = false;
+    std::unordered_map<std::vector<Index>, std::pair<Index, bool>, boost::hash<std::vector<Index>>>
+      seen; // the first triangle, and whether the polygon was turned over
     for (const auto& [input, corners] : polygons_) {
       if (corners.size() == 3) {
         done += 3;
         triangles.push_back({input, corners});
         continue;
       }
-      is_changed = true;
       ask(progress, 0.1 + 0.7 * double(done) / double(number_of_corners));
       done += corners.size();
+      std::vector<Index> cycle = corners;
+      std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
+      const bool is_turned = cycle.back() < cycle[1];
+      if (is_turned)
+        std::reverse(cycle.begin() + 1, cycle.end());
+      const auto [found, is_new] = seen.emplace(std::move(cycle), std::make_pair(triangles.size(), is_turned));
+      if (!is_new) {
+        is_repeated_[input] = true;
+        for (Index i = 0; i + 2 < corners.size(); ++i) {
+          triangles.push_back({input, triangles[found->second.first + i].corners});
+          if (is_turned != found->second.second)
+            std::swap(triangles.back().corners[0], triangles.back().corners[2]);
+        }
+        continue;
+      }
       std::vector<std::array<double, 3>> places;
       for (Index v : corners)
         places.push_back(input_points_[v]);
@@ -222,28 +245,49 @@ private:
         triangles.push_back({input, {corners[t[0]], corners[t[1]], corners[t[2]]}});
     }
     polygons_ = std::move(triangles);
-    if (is_changed)
-      remove_duplicates();
+  }
+
+  std::vector<Index_triangle> triangles() const
+  {
+    std::vector<Index_triangle> result;
+    for (const auto& [input, v] : polygons_)
+      result.push_back({std::uint32_t(v[0]), std::uint32_t(v[1]), std::uint32_t(v[2])});
+    return result;
   }
 
   // Turns triangles, and copies vertices for the fans that are left.
   void glue()
   {
     const Points points(input_points_.begin(), input_points_.end());
-    std::vector<Index_triangle> triangles;
-    for (const auto& [input, v] : polygons_)
-      triangles.push_back({std::uint32_t(v[0]), std::uint32_t(v[1]), std::uint32_t(v[2])});
-    const Surface_gluer gluer(points, triangles);
+    const std::vector<Index_triangle> all = triangles();
+    const Surface_gluer gluer(points, all);
 
-    for (Index f = 0; f < triangles.size(); ++f)
+    for (Index f = 0; f < all.size(); ++f)
       if (gluer.is_turned(f)) {
         is_reversed_[polygons_[f].input] = true;
         std::swap(polygons_[f].corners[0], polygons_[f].corners[2]);
       }
     find_opened_edges(gluer);
     copied_from_ = gluer.vertices();
-    for (Index c = 0; c < 3 * triangles.size(); ++c)
+    for (Index c = 0; c < 3 * all.size(); ++c)
       polygons_[c / 3].corners[c % 3] = gluer.vertex(c);
+    remove_sheets(gluer);
+  }
+
+  // Two triangles that are glued to each other alone enclose nothing, and have the same corners.
+  void remove_sheets(const Surface_gluer& gluer)
+  {
+    std::vector<bool> is_kept;
+    for (Index t = 0; t < polygons_.size(); ++t) {
+      std::array<std::uint32_t, 3> beyond;
+      for (Index i = 0; i < 3; ++i)
+        beyond[i] =
+          gluer.neighbor(3 * t + i) == Surface_gluer::none ? Surface_gluer::none : gluer.neighbor(3 * t + i) / 3;
+      is_kept.push_back(beyond[0] == Surface_gluer::none || beyond[0] != beyond[1] || beyond[0] != beyond[2]);
+      if (!is_kept.back())
+        other_side_.emplace(polygons_[t].input, polygons_[beyond[0]].input);
+    }
+    keep(is_kept);
   }
 
   // Border edges that had several faces in the input, or lay inside one.
@@ -253,7 +297,7 @@ private:
     const auto edge = [](Index v, Index w) { return Edge{(std::min)(v, w), (std::max)(v, w)}; };
     std::vector<std::pair<Edge, Index>> border; // with the face
     for (Index c = 0; c < 3 * polygons_.size(); ++c)
-      if (gluer.is_border(c)) {
+      if (gluer.neighbor(c) == Surface_gluer::none) {
         const auto& [input, v] = polygons_[c / 3];
         border.emplace_back(edge(v[c % 3], v[(c + 1) % 3]), input);
       }
@@ -358,8 +402,12 @@ private:
         [&](Index v) { return vertex(v) + " was merged with " + vertex(merged_with_[v]) + " at the same place"; });
     add(Repair_kind::COLLAPSED_FACE, collapsed,
         [&](Index f) { return face(f) + " was removed, as fewer than three of its corners differ"; });
-    add(Repair_kind::DUPLICATE_FACE, duplicates,
-        [&](Index f) { return face(f) + " was removed, as another face has the same corners"; });
+    add(Repair_kind::DUPLICATE_FACE, duplicates, [&](Index f) {
+      const auto other = other_side_.find(f);
+      return face(f) + (other == other_side_.end() ? " was removed, as another face has the same corners"
+                                                   : " was removed with " + face(other->second) +
+                                                       ", as they have the same corners and enclose nothing");
+    });
     add(Repair_kind::DUPLICATE_PART, lost_parts, [&](Index f) {
       return face(f) + (face_count[f] == 0 ? " was removed" : " was removed in part") +
              " after it was cut, as other faces have the same corners";
@@ -398,7 +446,9 @@ private:
   std::vector<std::uint32_t> copied_from_;  // of each vertex after the gluing, the one of the input
   std::vector<Index> merged_with_;          // of each input vertex, the one whose place it took, or none
   std::vector<bool> is_kept_, is_reversed_; // of each input face
+  std::vector<bool> is_repeated_;           // of each input face, whether one before it has the same corners in order
   std::vector<bool> has_lost_part_;         // of each input face of which several parts were left
+  std::map<Index, Index> other_side_;       // of input faces that enclose nothing
   Element_collector opened_;
   std::array<Index, 3> first_opened_edge_ = {}; // ends, and how many faces it had
   Repaired_polygons result_;
