@@ -41,17 +41,16 @@ inline double first(Two_doubles a) { return a.first(); }
 inline double second(Two_doubles a) { return a.second(); }
 inline Two_doubles high(Two_doubles a) { return a; }
 
-// A complex number known to lie within a disk. A strip of a thousand triangles is a product
-// of a thousand corner ratios: with a radius, relative errors add up; with a bound for each
-// coordinate they would grow by up to √2 with each factor, since a square that is turned
-// does not fit into a square.
+// A complex number known to lie within a disk. A strip of a thousand triangles is a product of a thousand corner
+// ratios: with a radius, relative errors add up; with a bound for each coordinate they would grow by up to √2 with each
+// factor, since a rotated square does not fit into the same square.
 //
 // \tparam Number `Bounded_double_double` or `Double_with_bound`: the coordinates are its parts without the bound
 template <class Number>
 class Disk
 {
   using Part = typename Number::Part;
-  // Both coordinates, with which the processor computes at once.
+  // Both coordinates, on which the processor operates at once.
   using Parts = std::conditional_t<std::is_same<Part, double>::value, Two_doubles, Two_double_doubles>;
 
 public:
@@ -90,11 +89,11 @@ public:
     minus_b.z_ = -b.z_;
     return a + minus_b;
   }
-  // That of the centers, each coordinate rounded once: right up to 2^-52.99 of itself in double-doubles.
+  // The difference of the centers, each coordinate rounded once: accurate to a relative 2^-52.99 in double-doubles.
   friend Two_doubles rounded_difference(const Disk& a, const Disk& b) { return high(a.z_ - b.z_); }
   friend Disk operator*(const Disk& a, const Disk& b) { return product(a, b, Two_doubles(-1, 1)); }
   friend Disk times_conjugate(const Disk& a, const Disk& b) { return product(b, a, Two_doubles(1, -1)); }
-  // As the division of real numbers.
+  // Like the division of real numbers.
   friend Disk operator/(const Disk& a, const Real& b)
   {
     if (!(std::abs(b.hi()) > 2 * b.error()))
@@ -115,13 +114,13 @@ public:
   }
 
 private:
-  // A sum of two products is good to a quarter of this times the sum of their absolute values.
+  // A sum of two products has an error of at most a quarter of this times the sum of their absolute values.
   static constexpr double unit = Real::unit;
   static constexpr double slightly_more = 1 + 0x1p-45;
   static constexpr double tiny = 1e-300;
-  static constexpr double underflow = 1e-150; // more than the root of what squares that underflow have lost
+  static constexpr double underflow = 1e-150; // more than the root of the loss when squares underflow
 
-  // That of a, or of its conjugate.
+  // The product of b and a, or of b and the conjugate of a.
   static Disk product(const Disk& a, const Disk& b, Two_doubles signs)
   {
     const double m = a.modulus(), n = b.modulus();

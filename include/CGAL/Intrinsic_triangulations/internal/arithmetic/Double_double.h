@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Unevaluated sums of two doubles, about 106 bits, and the exact operations they are made of.
+// Unevaluated sums of two doubles, about 106 bits, and the exact operations that they are built from.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_DOUBLE_DOUBLE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_DOUBLE_DOUBLE_H
@@ -26,7 +26,7 @@ BOOST_FORCEINLINE void two_sum(Number a, Number b, Number& s, Number& e)
   e = (a - (s - bb)) + (b - bb);
 }
 
-// As two_sum, for |a| >= |b| or a == 0 (Dekker).
+// Like two_sum, for |a| >= |b| or a == 0 (Dekker).
 template <class Number>
 BOOST_FORCEINLINE void fast_two_sum(Number a, Number b, Number& s, Number& e)
 {
@@ -59,8 +59,8 @@ inline void two_product(Number a, Number b, Number& p, Number& e)
 // The double next to a number.
 inline double high(double x) { return x; }
 
-// Additions and multiplications are good to 2^-103 of the result; the caller bounds the
-// error of the whole expression.
+// Additions and multiplications have relative errors of at most 2^-103; the caller bounds the error of the whole
+// expression.
 template <class Number>
 struct Basic_double_double
 {

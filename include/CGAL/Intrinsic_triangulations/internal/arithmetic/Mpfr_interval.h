@@ -22,8 +22,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The precision of the next attempt, where this one did not settle a question that enough digits settle. No input is
-// known that needs a thousandth of the largest.
+// The precision of the next attempt, after this one did not settle a question that enough digits will settle. No known
+// input needs a thousandth of the maximum.
 inline long doubled(long precision)
 {
   if (precision >= (1l << 22))
@@ -101,7 +101,7 @@ public:
   friend Mpfr_interval operator*(const Mpfr_interval& a, const Mpfr_interval& b)
   {
     Mpfr_interval r(common_precision(a, b));
-    // The signs tell which ends the extremes are products of.
+    // The signs tell which ends give the extreme products.
     if (a.has_both_signs() && b.has_both_signs()) {
       Mpfr_interval other(r.precision());
       multiply(r.lower_, a.lower_, b.upper_, MPFR_RNDD);
@@ -150,7 +150,7 @@ public:
     return a;
   }
 
-  // For what is built on top: sets the interval to [0, upper end of x], ...
+  // For types built on this one: sets the interval to [0, upper end of x], ...
   void set_upper(const Mpfr_interval& x)
   {
     mpfr_set_zero(lower_, 1);
@@ -158,7 +158,7 @@ public:
   }
   // ... to [−upper end, upper end], ...
   void make_symmetric() { mpfr_neg(lower_, upper_, MPFR_RNDD); }
-  // ... or to its lower end; returns what that cuts off, as [0, width].
+  // ... or to its lower end; returns the part cut off, as [0, width].
   Mpfr_interval collapse_to_lower()
   {
     Mpfr_interval width(precision());
@@ -167,7 +167,7 @@ public:
     return width;
   }
 
-  // NaN, as the centre of a disk becomes where a divisor may be zero, gives no sign.
+  // NaN, which the centre of a disk becomes if a divisor may be zero, gives no sign.
   Uncertain<Sign> sign() const
   {
     if (mpfr_nan_p(lower_) || mpfr_nan_p(upper_))
@@ -183,7 +183,7 @@ public:
   }
 
 private:
-  // The end of a product. An infinite end stands for finite numbers: times zero it is zero.
+  // The end of a product. An infinite end stands for finite numbers, so times zero it is zero.
   static void multiply(mpfr_ptr result, mpfr_srcptr x, mpfr_srcptr y, mpfr_rnd_t rounding)
   {
     if (mpfr_zero_p(x) || mpfr_zero_p(y))
@@ -246,7 +246,7 @@ private:
 
   Mpfr_disk(Real x, Real y, Real radius) : x_(std::move(x)), y_(std::move(y)), radius_(std::move(radius)) { shrink(); }
 
-  // Non-negative numbers are kept as intervals of which only the upper end matters.
+  // Nonnegative numbers are kept as intervals, of which only the upper end matters.
   static Real rounded(const Real& x)
   {
     Real r(radius_precision);

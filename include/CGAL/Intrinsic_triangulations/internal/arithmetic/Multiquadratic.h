@@ -20,8 +20,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The field of all roots that are asked for, and how much work may still be done in it. The number
-// of terms can double with each root: Too_costly is thrown when the work is used up.
+// The field of all requested roots, and the remaining budget of work in it. The number of terms can double with each
+// root; once the budget is spent, Too_costly is thrown.
 class Multiquadratic_field
 {
 public:
@@ -31,8 +31,8 @@ public:
   static constexpr std::size_t most_roots = 64;
 
   // \param work a bound on the number of terms that are computed; a large one counts more than once
-  // \param number_of_roots how many there may be, at most `most_roots`: with none, the field is that of the rationals,
-  //   and other roots throw Too_costly
+  // \param number_of_roots the maximum number of roots, up to `most_roots`; with none, the field consists of the
+  //   rationals, and irrational roots throw Too_costly
   Multiquadratic_field(const Interruption& interruption, std::size_t work, std::size_t number_of_roots = most_roots)
     : basis_(interruption, number_of_roots), interruption_(interruption), work_(work)
   {}
@@ -53,8 +53,8 @@ private:
   std::size_t work_;
 };
 
-// A rational number and a sum of rational multiples of products of roots, each product once, none with
-// coefficient zero: so the number is zero exactly if the first is and there is no term.
+// A rational number plus a sum of rational multiples of products of roots, where each product occurs once and no
+// coefficient is zero. So the number is zero exactly if the rational part is zero and there are no terms.
 class Multiquadratic
 {
   using Mask = Multiquadratic_field::Mask;
@@ -102,7 +102,7 @@ public:
         for (std::size_t i = 0; common != 0; ++i, common >>= 1)
           if (common & 1)
             coefficient *= r.field_->basis().generator(i);
-        // To cancel its common factors takes time proportional to the square of its size.
+        // Cancelling common factors takes time proportional to the square of its size.
         const std::size_t size = mpz_size(mpq_numref(data(coefficient))) + mpz_size(mpq_denref(data(coefficient)));
         r.field_->take(1 + size * size / 256);
         r.add(of_x ^ of_y, coefficient);
@@ -110,7 +110,7 @@ public:
     });
     return r;
   }
-  // The divisor is rational: unfolding divides by input quantities alone.
+  // The divisor is rational: unfolding divides only by input quantities.
   friend Multiquadratic operator/(const Multiquadratic& a, const Multiquadratic& b)
   {
     CGAL_precondition(b.rational() != 0);

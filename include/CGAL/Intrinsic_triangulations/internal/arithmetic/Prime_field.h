@@ -29,7 +29,7 @@ constexpr std::uint64_t upper_product_by_halves(std::uint64_t a, std::uint64_t b
   return (a >> 32) * (b >> 32) + (middle >> 32) + (other_middle >> 32);
 }
 
-// The same, in one or two instructions where the compiler offers them.
+// The same, in one or two instructions if the compiler offers them.
 inline std::uint64_t upper_product(std::uint64_t a, std::uint64_t b)
 {
 #if defined(__SIZEOF_INT128__)
@@ -42,7 +42,7 @@ inline std::uint64_t upper_product(std::uint64_t a, std::uint64_t b)
 #endif
 }
 
-// A sequence of 64-bit numbers that look random (G. Steele, D. Lea, C. Flood 2014, "SplitMix").
+// A pseudorandom sequence of 64-bit numbers (G. Steele, D. Lea, C. Flood 2014, "SplitMix").
 class Random_bits
 {
 public:
@@ -118,8 +118,8 @@ public:
     const Number u = unreduced_product(a, b);
     return u >= p_ ? u - p_ : u;
   }
-  // The product or p more, of numbers below 2 p: as 4 p < 2^64, (a b + m p) / 2^64 < 2 p. So in chains of products only
-  // the last is reduced.
+  // The product, or p more, of numbers below 2 p: as 4 p < 2^64, (a b + m p) / 2^64 < 2 p. So in a chain of products
+  // only the last one is reduced.
   Number unreduced_product(Number a, Number b) const
   {
 #if defined(__SIZEOF_INT128__)
@@ -140,7 +140,7 @@ public:
         result = product(result, a);
     return result;
   }
-  // The power that is the inverse, of all but zero.
+  // The power that is the inverse of every nonzero number.
   std::uint64_t exponent_of_inverse() const { return p_ - 2; }
 
 private:
@@ -158,7 +158,7 @@ private:
     square_of_unit_ = x;
   }
 
-  // Of n divided by p, not negative.
+  // The nonnegative remainder of n divided by p.
   std::uint64_t remainder(mpz_srcptr n) const
   {
     if constexpr (sizeof(unsigned long) >= sizeof(std::uint64_t)) {
@@ -174,7 +174,7 @@ private:
   std::uint64_t minus_inverse_ = 0; // of p modulo 2^64
   Number one_ = 0;
   Number square_of_unit_ = 0; // 2^128 modulo p
-  // The powers of two that doubles are multiples of: 2^i, and 2^(64 i - lowest_exponent).
+  // Powers of two of which doubles are multiples: 2^i, and 2^(64 i - lowest_exponent).
   static constexpr int lowest_exponent = 18 * 64;
   std::array<Number, 64> small_powers_{};
   std::array<Number, 34> large_powers_{};

@@ -36,8 +36,8 @@ inline Prime_fields random_prime_fields(std::uint64_t seed)
   return fields;
 }
 
-// The inverse in each field; that of zero is zero. A power takes a chain of products, each of which waits for the one
-// before: so the chains of all fields go side by side, by three bits of the exponent at a time.
+// The inverse in each field; the inverse of zero is zero. A power is a chain of products, each of which waits for the
+// previous one, so the chains of all fields run side by side, three bits of the exponent at a time.
 inline std::array<Gaussian_residue, std::tuple_size<Prime_fields>::value>
 inverses(const Prime_fields& fields, const std::array<Gaussian_residue, std::tuple_size<Prime_fields>::value>& a)
 {
@@ -73,7 +73,7 @@ inverses(const Prime_fields& fields, const std::array<Gaussian_residue, std::tup
 
 class Residue_rings;
 
-// A number by its images.
+// A number, represented by its images.
 class Residues
 {
 public:
@@ -100,8 +100,8 @@ private:
   std::array<Gaussian_residue, std::tuple_size<Prime_fields>::value> images_;
 };
 
-// Homomorphisms from the numbers that arise from rationals and their square roots by additions,
-// multiplications and divisions by what is not divisible by the primes.
+// Homomorphisms from the numbers that arise from rationals and their square roots by additions, multiplications and
+// divisions by numbers that the primes do not divide.
 //
 // The roots of the generators of a basis go to roots of their images, with signs at random, and all
 // other roots are multiples of products of these. (If each root went to some root of its own image, √8 might go
@@ -116,7 +116,7 @@ private:
 class Residue_rings
 {
 public:
-  // \param maximum_number_of_roots the number of independent roots from which on Too_costly is thrown
+  // \param maximum_number_of_roots the number of independent roots at which Too_costly is thrown
   Residue_rings(const Prime_fields& fields, const Interruption& interruption,
                 std::size_t maximum_number_of_roots = Square_root_basis::unlimited)
     : fields_(fields), basis_(interruption, maximum_number_of_roots)
@@ -126,7 +126,7 @@ public:
   Residue_rings(const Residue_rings&) = delete;
   Residue_rings& operator=(const Residue_rings&) = delete;
 
-  // Whether no prime divided what it must not divide so far: otherwise the images mean nothing.
+  // Whether no prime has divided a number that it must not divide; otherwise the images mean nothing.
   bool is_defined() const { return is_defined_; }
 
   Residues rational(const Rational& x)
@@ -150,9 +150,9 @@ public:
     return result;
   }
 
-  // −log2 of a bound on the probability that a number V which is not zero goes to zero in all fields,
-  // for a polynomial V in n quantities: rational numbers x, roots √x, and the parts of vectors that
-  // are sums of three such numbers divided by an x. In each quantity its degree is at most 8.
+  // −log2 of a bound on the probability that a nonzero number V goes to zero in all fields, for a polynomial V in n
+  // quantities: rational numbers x, roots √x, and the parts of vectors that are sums of three such numbers divided by
+  // an x. Its degree in each quantity is at most 8.
   //
   // With 2^B above all numerators and denominators, where B is `largest_size`, each quantity and its conjugates are
   // below 3 · 2^(2 B) and have a denominator below 2^(2 B); V has at most 2^(24 (n + 1)) terms.
@@ -188,13 +188,13 @@ private:
         const Prime_field::Number q = f.from_integer(data(basis_.generator(j)));
         is_defined_ = is_defined_ && q != 0;
         const Gaussian_residue r = square_root(f, q);
-        // The sign is a function of the generator that looks random.
+        // The sign is a pseudorandom function of the generator.
         return (Random_bits(q ^ f.prime())() & 1) ? difference(f, {}, r) : r;
       }));
     return images_of_generators_[i];
   }
 
-  // What is divided by is mostly what was divided by last.
+  // Most divisions have the same divisor as the previous one.
   const Residues& inverse(const Residues& a)
   {
     const auto is_same = [](const Gaussian_residue& x, const Gaussian_residue& y) { return x.x == y.x && x.y == y.y; };

@@ -20,11 +20,11 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// An unevaluated sum hi + lo, of doubles or of `Two_doubles`. The parts head + tail == hi are so short
-// that their products are exact; a number that is a factor several times is split once.
+// An unevaluated sum hi + lo, of doubles or of `Two_doubles`. The parts head + tail == hi are so short that their
+// products are exact; a number that is a factor several times is split only once.
 //
-// A sum of up to three products is good to 2^-102 of the sum of their absolute values, a
-// quotient and a root to 2^-102 of themselves. Without over- and underflow, that is.
+// Without over- and underflow, the error of a sum of up to three products is at most 2^-102 times the sum of their
+// absolute values, and the relative error of a quotient or root is at most 2^-102.
 template <class Number>
 struct Split_double_double
 {
@@ -103,7 +103,7 @@ struct Split_double_double
   }
 };
 
-// A difference of two points is exact, its products are as good as Split_double_double says.
+// A difference of two points is exact; its products are as accurate as Split_double_double promises.
 template <class Number>
 using Split_vector = std::array<Split_double_double<Number>, 3>;
 
@@ -148,7 +148,7 @@ BOOST_FORCEINLINE Number rough_square(const Split_vector<Number>& v)
   return v[0].hi * v[0].hi + v[1].hi * v[1].hi + v[2].hi * v[2].hi;
 }
 
-// Computes with both coordinates at once.
+// Operates on both coordinates at once.
 class Split_complex
 {
   using Pair = Split_double_double<Two_doubles>;

@@ -24,7 +24,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Is thrown where exact numbers would become more, or larger, than was agreed on.
+// Thrown if exact numbers would exceed the agreed number or size.
 class Too_costly : public std::exception
 {
 public:
@@ -46,17 +46,15 @@ inline std::vector<std::uint32_t> largest_primes(std::size_t number)
 // Positive integers b_1, …, b_m such that no product of a non-empty subset is a square;
 // then the 2^m products of their roots are linearly independent over Q (Besicovitch).
 //
-// Independence is proven by quadratic characters: were a product of some b and a new
-// integer N a square, then for each prime that divides none of them the Legendre symbols
-// would multiply to 1. So N is independent if the vectors of symbols are independent over
-// the field of two elements; if they are not, they leave a single candidate subset, and
-// whether its product with N is a square is seen by trying. There are always 64 symbols more
-// than roots, so that those which are independent have independent symbols; where they have not,
-// more are taken.
+// Independence is proven by quadratic characters: were a product of some b and a new integer N a square, then for each
+// prime that divides none of them the Legendre symbols would multiply to 1. So N is independent if the vectors of
+// symbols are independent over the field of two elements; if they are not, they leave a single candidate subset, whose
+// product with N is tested for being a square. There are always 64 more symbols than roots, so that independent numbers
+// have independent symbols; if they do not, more are taken.
 class Square_root_basis
 {
 public:
-  // √q = coefficient · Π √b over the numbers of these generators.
+  // √q = coefficient · Π √b over these generators.
   struct Root
   {
     Rational coefficient;
@@ -65,7 +63,7 @@ public:
 
   static constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
 
-  // \param maximum_size the number of generators from which on Too_costly is thrown
+  // \param maximum_size the number of generators at which Too_costly is thrown
   explicit Square_root_basis(const Interruption& interruption, std::size_t maximum_size = unlimited)
     : interruption_(interruption), maximum_size_(maximum_size)
   {}
@@ -76,7 +74,7 @@ public:
     const Integer n = boost::multiprecision::numerator(q) * denominator;
     if (n == 0)
       return {Rational(0), {}};
-    // Most are rational multiples of one root that is known. Squares are found fast.
+    // Most roots are rational multiples of a known one. Squares are found fast.
     if (mpz_perfect_square_p(data(n)))
       return {Rational(Integer(boost::multiprecision::sqrt(n)), denominator), {}};
     for (std::uint32_t i = 0; i < (std::min)(generators_.size(), few); ++i) {
@@ -119,7 +117,7 @@ public:
         result.coefficient = Rational(r, Integer(product_of_generators * denominator));
         return result;
       }
-      rebuild(2 * primes_.size()); // the primes saw a dependence that is none
+      rebuild(2 * primes_.size()); // the dependence is only an artefact of these primes
     }
   }
 
@@ -140,9 +138,9 @@ private:
     std::size_t pivot;
   };
 
-  // What is left of the symbols of n, and the generators that were taken away. A prime that divides
-  // n says nothing of products with it: from then on it is left out. If there is such a prime, the
-  // vector is empty, and the rows have to be built anew.
+  // The symbols of n after reduction, and the generators that were combined. A prime that divides n says nothing about
+  // products with n, so it is left out from then on. In that case the vector is empty, and the rows have to be built
+  // anew.
   Row reduced(const Integer& n)
   {
     Row result{Bits(primes_.size()), Bits(generators_.size()), 0};
@@ -170,7 +168,7 @@ private:
     return result;
   }
 
-  // Adds a row that is not zero; each pivot is set in one row alone.
+  // Adds a nonzero row; each pivot is set in only one row.
   void insert(Row row, std::size_t number)
   {
     row.pivot = row.vector.find_first();

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Two doubles with which the processor computes at once.
+// Two doubles on which the processor operates at once.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_TWO_DOUBLES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_TWO_DOUBLES_H
@@ -26,8 +26,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(CGAL_HAS_SSE2, 0)
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Each operation is done on both numbers, and rounded as it is on one: formulas that are written for
-// a number type give what they give for `double` twice. Bit for bit, unless the compiler fuses products and sums.
+// Each operation is done on both numbers and rounded as on one: a formula written for a number type gives its result
+// for `double` twice, bit for bit unless the compiler fuses products and sums.
 class Two_doubles
 {
 public:
@@ -52,10 +52,10 @@ public:
   friend Two_doubles rounded_sqrt(Two_doubles a) { return _mm_sqrt_pd(a.v_); }
   friend Two_doubles unfused(Two_doubles a) { return internal::unfused(a.v_); }
   friend Two_doubles abs(Two_doubles a) { return _mm_andnot_pd(_mm_set1_pd(-0.), a.v_); }
-  // the larger, or smaller, of each two; b where one of them is no number
+  // the larger, or smaller, of each two; b if one of them is NaN
   friend Two_doubles max_of(Two_doubles a, Two_doubles b) { return _mm_max_pd(a.v_, b.v_); }
   friend Two_doubles min_of(Two_doubles a, Two_doubles b) { return _mm_min_pd(a.v_, b.v_); }
-  // the first numbers of both, the second ones, and the two numbers of one the other way round
+  // the first numbers of both, the second ones, and the two numbers of one swapped
   friend Two_doubles firsts(Two_doubles a, Two_doubles b) { return _mm_unpacklo_pd(a.v_, b.v_); }
   friend Two_doubles seconds(Two_doubles a, Two_doubles b) { return _mm_unpackhi_pd(a.v_, b.v_); }
   friend Two_doubles swapped(Two_doubles a) { return _mm_shuffle_pd(a.v_, a.v_, 1); }

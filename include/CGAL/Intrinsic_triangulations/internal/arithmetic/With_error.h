@@ -24,21 +24,20 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // A real number known to lie within error() of part(). The bound is a running error analysis in the style of Wilkinson:
-// each operation adds its own rounding error, at most `unit` of the result, or nothing where an operation on
+// each operation adds its own rounding error, at most `unit` of the result, or nothing if an operation on
 // double-doubles is seen to be exact, so that an exact zero can be proven for numbers with few bits. The unit is
-// generous: double-doubles are good to 2^-103, and a double errs by a quarter of it. The bounds themselves are rounded,
-// which the generosity covers. Needs round-to-nearest, and values between 1e-140 and 1e140: below, the errors of
+// generous: errors of double-doubles are below 2^-103, and a double errs by a quarter of it. This also covers the
+// rounding of the bounds themselves. Needs round-to-nearest, and values between 1e-140 and 1e140: below, the errors of
 // underflow exceed the bound, which `tiny` covers.
 //
-// \tparam Part_ `Double_double`, or `double` for numbers of which half of the digits are asked for, in a fraction of
-//   the time
+// \tparam Part_ `Double_double`, or `double` for half of the digits in a fraction of the time
 template <class Part_>
 class With_error
 {
   static constexpr bool is_double = std::is_same<Part_, double>::value;
 
 public:
-  using Part = Part_; // what there is without the bound
+  using Part = Part_; // the number without its bound
   static constexpr double unit = is_double ? 0x1p-51 : 0x1p-100;
 
   With_error(double x = 0) : part_{x} {}
@@ -108,7 +107,7 @@ public:
     }
   }
 
-  // Where the divisor may be zero, the error becomes infinite.
+  // If the divisor may be zero, the error becomes infinite.
   friend With_error operator/(const With_error& a, const With_error& b)
   {
     if (!(std::abs(b.hi()) > 2 * b.error_))
@@ -187,8 +186,8 @@ private:
 using Bounded_double_double = With_error<Double_double>;
 using Double_with_bound = With_error<double>;
 
-// The double that a number rounds to, if the bound leaves only one: the same in whatever order the number was computed.
-// Halfway between two doubles, where numbers with few bits often lie, it is the one that is farther from zero.
+// The double to which a number rounds, if the bound leaves only one; it does not depend on the order of computation.
+// Halfway between two doubles, where numbers with few bits often lie, it is the one farther from zero.
 inline std::optional<double> rounded(const Bounded_double_double& a)
 {
   const double lo = a.lo() + 0x1p-75 * a.hi(), error = a.error() + 0x1p-104 * std::abs(a.hi());

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// What CGAL has to know of the floating-point numbers of Boost.Multiprecision.
+// What CGAL has to know about the floating-point numbers of Boost.Multiprecision.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_BOOST_MULTIPRECISION_FLOATS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_BOOST_MULTIPRECISION_FLOATS_H
@@ -59,8 +59,7 @@ struct RET_boost_mp<NT, boost::mpl::int_<boost::multiprecision::number_kind_floa
 
 namespace Intrinsic_triangulations::internal {
 
-// Of some kinds of number CGAL only says that there are such templates. A comparison of Boost's
-// intervals has no third answer.
+// For some kinds of numbers CGAL only declares such templates. A comparison of Boost's intervals has no third answer.
 template <class FT>
 struct Has_roots<FT, std::enable_if_t<boost::multiprecision::is_number<FT>::value>>
   : std::integral_constant<bool, boost::multiprecision::number_category<FT>::value ==

@@ -52,8 +52,8 @@ To convert_fraction(const Fraction& x)
   return from_integer(numerator) / from_integer(denominator);
 }
 
-// As a sum of doubles, largest first, each of them what is left of x to nearest: numbers of
-// two libraries do not know each other, but all know double.
+// As a sum of doubles, largest first, each of them the remainder of x rounded to nearest: number types of two libraries
+// do not know each other, but all know double.
 template <class To, class Number>
 To convert_in_parts(const Number& x)
 {
@@ -77,8 +77,8 @@ To convert_in_parts(const Number& x)
   return sum;
 }
 
-// Exact where To can hold the value or any value; else to nearest or next to it, or an enclosure
-// for an interval.
+// Exact if To can hold the value; otherwise rounded to one of the two neighbouring numbers, or an enclosure for an
+// interval.
 template <class To, class From>
 To convert_number(const From& x)
 {

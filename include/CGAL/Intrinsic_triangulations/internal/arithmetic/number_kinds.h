@@ -28,7 +28,7 @@ template <bool b>
 struct Is_interval<Interval_nt<b>> : std::true_type
 {};
 
-// Not `std::is_floating_point`, which in the GNU dialects is true of `__float128` as well.
+// Not `std::is_floating_point`, which in the GNU dialects is also true for `__float128`.
 template <class T>
 constexpr bool is_machine_number =
   std::is_same<T, float>::value || std::is_same<T, double>::value || std::is_same<T, long double>::value;
@@ -45,23 +45,22 @@ struct Machine_type<Interval_nt<b>>
   using type = double;
 };
 
-// Whether products of squared lengths may leave the range of FT although the lengths are doubles. Floats of
-// Boost have any range: that of `float`, or one that no double leaves.
+// Whether products of squared lengths may leave the range of FT although the lengths are doubles. Boost's floats may
+// have any range, from that of `float` to one that no double leaves.
 template <class FT>
 constexpr bool
   has_small_exponent_range = is_machine_number<typename Machine_type<FT>::type> ||
                              (std::numeric_limits<FT>::is_specialized && !std::numeric_limits<FT>::is_exact &&
                               std::numeric_limits<FT>::max_exponent / 10 < std::numeric_limits<double>::max_exponent);
 
-// Roots of numbers beyond 2^150 come out of CORE with few correct digits, and beyond 2^160 it ends
-// the process with a division by zero. Small numbers do it no harm before 2^-1075, below which it
-// takes them for zero where they become `double`.
+// Roots of numbers beyond 2^150 come out of CORE with few correct digits, and beyond 2^160 it ends the process with a
+// division by zero. Small numbers are harmless down to 2^-1075, below which they become zero as `double`.
 template <class FT>
 constexpr bool has_exact_roots =
   std::is_convertible<typename Algebraic_structure_traits<FT>::Is_exact, Tag_true>::value&&
     std::is_convertible<typename Algebraic_structure_traits<FT>::Algebraic_category, Field_with_sqrt_tag>::value;
 
-// Whether CGAL knows real numbers with division and square root in FT.
+// Whether FT is known to CGAL as a type of real numbers with division and square root.
 template <class FT, class = void>
 struct Has_roots
   : std::integral_constant<bool, std::is_convertible<typename Algebraic_structure_traits<FT>::Algebraic_category,
@@ -75,8 +74,8 @@ struct Type
   using type = T;
 };
 
-// In a function, not in the traits: there the error would leave the class incomplete, and each use would be
-// another one.
+// In a function, not in the traits: there the error would leave the class incomplete, and each use would be a further
+// error.
 template <class FT>
 auto checked_number_type()
 {

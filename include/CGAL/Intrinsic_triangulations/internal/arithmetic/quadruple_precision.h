@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// What CGAL has to know of the compiler's own numbers of quadruple precision, `__float128`.
+// What CGAL has to know about the compiler's own quadruple-precision type, `__float128`.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_QUADRUPLE_PRECISION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_QUADRUPLE_PRECISION_H
@@ -22,13 +22,13 @@
 namespace CGAL {
 namespace Intrinsic_triangulations::internal {
 
-__extension__ typedef __float128 Float128; // no warning where warnings are pedantic
+__extension__ typedef __float128 Float128; // avoids pedantic warnings
 
-// To within one unit in the last place. Not by libquadmath or the C library: each compiler and
-// language standard finds another of them, or none.
+// Accurate to one unit in the last place. Not by libquadmath or the C library: which of them is available depends on
+// the compiler and the language standard.
 inline Float128 square_root(Float128 x)
 {
-  // Numbers beyond the range of `long double`, whose root this starts from.
+  // Numbers beyond the range of `long double`, from whose root this starts.
   if (x > 0 && x < (std::numeric_limits<long double>::min)())
     return square_root(x * 0x1p200) * 0x1p-100;
   if (x > (std::numeric_limits<long double>::max)() && x - x == 0)

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Square roots that are rounded once, also where those of the C library are not.
+// Square roots that are rounded once, even if the C library rounds them twice.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_ROUNDED_SQRT_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_ROUNDED_SQRT_H
@@ -22,8 +22,8 @@ class Interval_nt;
 
 namespace Intrinsic_triangulations::internal {
 
-// By the processor and in its mode. That of MinGW-w64, which is called where nothing is optimized, takes the root in the
-// x87 unit: it rounds twice, and does not know the mode that CGAL sets for intervals.
+// By the processor, in its rounding mode. The function of MinGW-w64, which unoptimized code calls, takes the root in
+// the x87 unit: it rounds twice and ignores the mode that CGAL sets for intervals.
 inline double rounded_sqrt(double x)
 {
 #if defined(__SSE2__) || defined(_M_X64)
@@ -40,7 +40,7 @@ FT rounded_sqrt(const FT& x)
   return CGAL::sqrt(x);
 }
 
-// As CGAL's, but for the root of each end.
+// Like CGAL's, except for the root of each end.
 template <bool is_protected>
 Interval_nt<is_protected> rounded_sqrt(const Interval_nt<is_protected>& x)
 {

@@ -121,7 +121,7 @@ inline Text_encoding find_encoding(const std::string& path)
   return result;
 }
 
-// A piece of a file as it can stand in a message.
+// A piece of a file in a form that is safe in a message.
 inline std::string quote(const std::string_view text) { return '"' + shown_text(std::string(text)) + '"'; }
 
 inline bool is_white(const char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }

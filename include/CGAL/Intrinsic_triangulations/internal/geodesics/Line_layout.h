@@ -40,7 +40,7 @@ struct Line_beginning
   Halfedge_index unit; // the input halfedge that has length 1
 };
 
-// The third corner of a face as one of its halfedges sees it: the sides that leave and enter it are that halfedge times
+// The third corner of a face, relative to one of its halfedges: the sides at that corner are the halfedge times
 // `from_source` and `to_target`, divided by `divisor`, which is positive.
 template <class Vector>
 struct Third_corner
@@ -48,7 +48,7 @@ struct Third_corner
   Vector from_source, to_target, divisor;
 };
 
-// \param corners those of the face of the start, in the order of its coordinates
+// \param corners the corners of the start's face, in the order of its coordinates
 template <class Metric>
 Line_beginning<typename Metric::Vector>
 line_between(const Surface_direction& start, Metric& metric, const typename Metric::Vector& base,
@@ -57,7 +57,7 @@ line_between(const Surface_direction& start, Metric& metric, const typename Metr
   using Vector = typename Metric::Vector;
   const auto real = [&metric](double x) { return Vector(metric.constant(x), metric.constant(0)); };
   const auto& b = start.point.coordinates;
-  // Their sum is no input quantity, so positions are multiplied by it.
+  // Their sum is not an input quantity, so positions are multiplied by it.
   return {base, real(b[0]) * corners[0] + real(b[1]) * corners[1] + real(b[2]) * corners[2],
           real(b[0]) + real(b[1]) + real(b[2]),
           real(start.displacement[0]) * (corners[1] - corners[0]) +
@@ -92,7 +92,7 @@ public:
     return {ratios.at_source, ratios.at_target, frame.real(metric.constant(1))};
   }
 
-  // Whether it is determined how a line goes on behind a vertex.
+  // Whether a line has a unique continuation beyond a vertex.
   bool is_flat_at(Vertex_index) const { return false; }
 
   const Delta_complex& complex;
@@ -121,7 +121,7 @@ public:
     }
   }
 
-  // A side of the first face; the start is its source if the line begins at a vertex of the input, and the face begins
+  // A side of the first face. If the line begins at a vertex of the input, the start is its source, and the side lies
   // to the right of the line.
   Halfedge_index first() const { return first_; }
   bool begins_at_input_vertex() const { return corner_.is_valid(); }
@@ -168,8 +168,8 @@ public:
   const Delta_complex& complex;
 
 private:
-  // The first face is that where the first side of the start's face leaves the vertex, or the one to the left of that
-  // side.
+  // The first face is the one where the first side of the start's face leaves the vertex, or the one to the left of
+  // that side.
   void begin_at_vertex()
   {
     corner_ = start_.point.halfedge;
@@ -187,17 +187,17 @@ private:
   Halfedge_index corner_; // the halfedge of the start's face that leaves the vertex where the line begins
 };
 
-// One step through the faces along a line: over a side of the current face, counted from the halfedge that it was
-// entered by, or only to that side as the one to count from.
+// One step through the faces along a line: across a side of the current face, counted from the halfedge by which it was
+// entered, or just a change of the side that is counted from.
 struct Line_move
 {
   std::uint8_t side;
   bool is_crossed;
 };
 
-// The current face, in a frame where the line begins at 0 and leads along the real axis: so the side of a corner is told
-// by its ordinate. As in `Strip`, directions are products alone, and positions sums of them. Nothing is divided but by
-// input quantities: positions are multiples of what they stand for, by a positive number, the scale.
+// The current face, in a frame where the line begins at 0 and runs along the real axis, so that the ordinate of a
+// corner tells its side. As in `Strip`, directions are products, and positions are sums of them. Only input quantities
+// are divisors: positions are multiplied by a positive number, the scale, instead.
 template <class Faces, class Metric>
 class Line_layout
 {
@@ -208,7 +208,7 @@ public:
 
   // The halfedge of the current face from which sides and corners are counted.
   Halfedge_index entered() const { return entered_; }
-  // The input halfedge of which lengths are multiples.
+  // The input halfedge that is the unit of length.
   Halfedge_index unit() const { return unit_; }
 
   void move(Line_move m)
@@ -238,11 +238,11 @@ public:
 
   // Twice the area between the line and a corner: positive to its left; up to a positive factor.
   auto side_of_corner(int i) { return corner(i).y(); }
-  // The same for the start beside a side of the face, and for the direction.
+  // The same for the start relative to a side of the face, and for the direction.
   auto side_of_start(int i) { return area_between(along_side(i), negative(corner(i == 2 ? 0 : i))); }
   auto side_of_direction(int i) { return negative(along_side(i)).y(); }
 
-  // How far along the line, in units of its displacement, it meets the first side, or comes next to a corner.
+  // The position on the line, in units of its displacement, where it meets the first side or passes a corner.
   auto crossing() const
   {
     return (left_.x() * base_.y() - left_.y() * base_.x()) / (base_.y() * unit_of_line_.x() * scale_.x());
@@ -282,7 +282,7 @@ private:
     }
     return *third_;
   }
-  // What remains to be divided by the divisor of the third corner.
+  // The values still to be divided by the divisor of the third corner.
   Vector divisible(const Vector& x)
   {
     if constexpr (Faces::has_divisors)
@@ -306,7 +306,7 @@ private:
     return negative(i == 1 ? base_ * third.to_target : base_to_apex_);
   }
 
-  // Double-doubles have the range of doubles.
+  // Double-doubles have only the range of doubles.
   static Vector power_for(const Line_beginning<Vector>& line, Metric& metric)
   {
     int exponent = 0;

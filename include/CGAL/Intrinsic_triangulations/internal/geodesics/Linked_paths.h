@@ -22,7 +22,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// An exception leaves everything as it was.
+// An exception leaves everything unchanged.
 class Linked_paths
 {
 public:
@@ -35,7 +35,7 @@ public:
     Segment_index prev, next; // around and around in a closed path
     std::uint32_t path;
     bool is_alive;
-    // Whether the angle to the right and to the left of its end is known not to be below π. To be kept up by the caller
+    // Whether the angles to the right and to the left of its end are known not to be below π; maintained by the caller
     std::array<bool, 2> is_straight{};
   };
   struct Replaced
@@ -123,7 +123,7 @@ public:
     ++number_of_uses_[complex_.edge(segments_[s].halfedge).idx()];
   }
 
-  // Makes of a closed path the loop of one segment again that it was, with a halfedge of the same edge.
+  // Makes a closed path a loop of one segment again, as it was, with a halfedge of the same edge.
   void restore_loop(Segment_index s, Halfedge_index loop)
   {
     Path& path = paths_[segments_[s].path];
@@ -162,7 +162,7 @@ private:
       throw Invalid_argument_error("a closed curve without edges");
   }
 
-  // Links new segments, for which there is room, between two others; in a closed path without others, to a circle.
+  // Links new segments, for which there is room, between two others; in a closed path without others, into a circle.
   Replaced link(std::uint32_t p, Segment_index before, Segment_index after,
                 const std::vector<Halfedge_index>& halfedges)
   {
@@ -193,7 +193,7 @@ private:
 
   const Delta_complex& complex_;
   std::vector<std::uint32_t> number_of_uses_; // of each edge
-  std::vector<Segment> segments_;             // those of before as well
+  std::vector<Segment> segments_;             // including earlier ones
   std::vector<Path> paths_;
 };
 

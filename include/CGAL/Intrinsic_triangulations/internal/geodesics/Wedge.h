@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The angle between two halfedges around a vertex, and the way round it by flips.
+// The angle between two halfedges around a vertex, and flips that make way around the vertex.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_WEDGE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GEODESICS_WEDGE_H
@@ -34,10 +34,10 @@ public:
 
   explicit Wedge_geometry(Triangulation& triangulation) : flips_(triangulation) {}
 
-  // What was changed, and can be undone.
+  // The changes made, which can be undone.
   Undoable_flips<Traits>& flips() { return flips_; }
 
-  // An estimate of the angle if it is below π: nothing where the border lies between.
+  // An estimate of the angle if it is below π; nothing if the border lies in between.
   std::optional<double> angle_below_pi(const Wedge& wedge)
   {
     corners_.clear();
@@ -50,17 +50,17 @@ public:
   }
 
   // Flips edges inside of the wedge until its outer side is straight or turns towards the vertex everywhere. With an
-  // angle below π that side is shorter then than the two halfedges.
+  // angle below π, that side is then shorter than the two halfedges.
   // \param is_below_pi whether the angle is known to be below π
-  // \param may_flip says for an edge whether it may be flipped
+  // \param may_flip returns whether an edge may be flipped
   // \param goes_on is called before each attempt; if it returns `false`, the work ends
   // \param after_flip is called after each flip
-  // \return whether that was done: not if an edge inside must not be flipped, or cannot be, or the work ended
+  // \return whether that succeeded: not if an edge inside must not or cannot be flipped, or the work ended
   template <class May_flip, class Go_on, class After_flip>
   bool shorten(const Wedge& wedge, bool is_below_pi, const May_flip& may_flip, const Go_on& goes_on,
                const After_flip& after_flip)
   {
-    // Where edges are loops at this very vertex, a flip can bring new edges into the wedge.
+    // If edges are loops at this very vertex, a flip can bring new edges into the wedge.
     const auto is_loop = [this](Halfedge_index h) { return complex().source(h) == complex().target(h); };
     std::size_t rest = 64;
     bool is_doubtful = !is_below_pi || is_loop(wedge.last);
@@ -80,14 +80,15 @@ public:
         after_flip(e);
         if (rest-- == 0)
           return false;
-        // The edge before may have been this one, from its other end.
+        // The previous edge may have been this one, from its other end.
         h = before.is_valid() && complex().edge(before) != e ? before : complex().next_around_source(wedge.first);
         continue;
       }
       is_doubtful = is_doubtful || !is_flippable;
       h = complex().next_around_source(h);
     }
-    // As the angle is below π, an edge that was not convex is so at its end.
+    // As the angle is below π, a nonconvex hinge is reflex at the far end of its edge; any other edge that is left is
+    // an obstacle.
     for (Halfedge_index h = complex().next_around_source(wedge.first); is_doubtful && h != wedge.last;
          h = complex().next_around_source(h))
       if (is_end_below_pi(h))
@@ -111,7 +112,7 @@ private:
   std::optional<double> sum_below_pi()
   {
     Bounded_angle sum = estimate();
-    // The corners with the largest errors become accurate first: seldom do others have to.
+    // The corners with the largest errors are made accurate first; the others rarely need it.
     for (double largest_error : {0x1p-4, 0x1p-14, 0x1p-24, 0x1p-34, 0x1p-44}) {
       if (sum.is_below_pi() || sum.is_above_pi())
         break;

@@ -123,7 +123,7 @@ private:
   }
   bool is_border(int i) const { return complex_.is_border(complex_.opposite(side(i))); }
 
-  // Goes to a face that has the start, and into which the direction leads.
+  // Goes to a face that contains the start and into which the direction points.
   void begin()
   {
     if constexpr (!Faces::has_divisors) {
@@ -183,7 +183,7 @@ private:
                               " has zero area: a line cannot begin there");
   }
 
-  // Goes through the face that was entered over its first side.
+  // Goes through the face that was entered across its first side.
   bool cross_face()
   {
     const Sign side = side_of_corner(2);
@@ -202,7 +202,7 @@ private:
     return leave(1);
   }
 
-  // Turns around the first corner of the face, where the surface is flat, to the face into which the direction leads.
+  // Turns around the first corner of the face, where the surface is flat, to the face into which the direction points.
   // Returns whether there is one.
   bool turn_to_direction()
   {
@@ -227,10 +227,10 @@ private:
     }
     return false;
   }
-  // Between its first side, or along that, and its last.
+  // Whether the direction points between the first side, inclusive, and the last one.
   bool leads_into_face() { return side_of_direction(0) != NEGATIVE && side_of_direction(2) == POSITIVE; }
 
-  // Ends the line before or on a side of the face where it is, or takes it over that side.
+  // Ends the line before or on a side of its current face, or takes it across that side.
   bool leave(int i)
   {
     const Halfedge_index h = side(i);
@@ -275,8 +275,7 @@ private:
     return true;
   }
 
-  // Ends the line where it has the length that was asked for, in the face between `before_` and a point of another
-  // side.
+  // Ends the line at the requested length, in the face between `before_` and a point of another side.
   bool end_between(const Surface_point& exit, double at)
   {
     const double t = at > result_.length ? (wanted_ - result_.length) / (at - result_.length) : 1;
@@ -391,7 +390,7 @@ Surface_direction direction_at_vertex(const Exact_engine& engine, Halfedge_index
       angle += sum;
   }
   if (angle < 0 || fan.empty() || (!is_closed && angle > sum * (1 + 1e-15))) {
-    const double most = std::floor(sum * 1e6) / 1e6; // which is no more than it is
+    const double most = std::floor(sum * 1e6) / 1e6; // a lower bound
     throw Invalid_point_error("at vertex " + std::to_string(input.source(h).idx()) +
                               ", the angle leads beyond the border: angles go from 0 to " + std::to_string(most));
   }
@@ -403,7 +402,7 @@ Surface_direction direction_at_vertex(const Exact_engine& engine, Halfedge_index
   return {{fan[i].halfedge, {1, 0, 0}}, {std::sin(fan[i].angle - t), std::sin(t) / fan[i].ratio}};
 }
 
-// A point on an edge, relative to a halfedge of that.
+// A point on an edge, relative to a halfedge of that edge.
 inline Surface_point point_on_side(const Delta_complex& input, const Surface_point& p, Halfedge_index side)
 {
   const auto [at_source, at_target] = coordinates_on_edge(input, p, side);
@@ -464,7 +463,7 @@ void append_input_points(const Exact_engine& engine, Halfedge_index h, std::vect
     const std::vector<Position_on_edges>& positions = locator(complex.edge(h), crossed);
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t j = is_backward ? n - 1 - i : i;
-      // The halfedge on the way, which has the face that is entered to its left.
+      // The halfedge that is crossed, with the entered face to its left.
       const Halfedge_index entered = is_backward ? input.opposite(crossed[j]) : crossed[j];
       const double t = positions[j].on_input_edge;
       const double from_source = is_in_own_direction(entered) ? t : 1 - t;

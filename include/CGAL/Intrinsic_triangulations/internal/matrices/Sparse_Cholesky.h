@@ -28,8 +28,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// With CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD the factors are those of SuiteSparse, which is
-// faster for large systems; whoever defines it links with cholmod.
+// With CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD, SuiteSparse factorizes, which is faster for large systems; the
+// program must then link with cholmod.
 //
 // \tparam Scalar `double`, or `std::complex<double>` for Hermitian matrices
 template <class Scalar = double>
@@ -46,7 +46,7 @@ public:
     factorize(matrix);
   }
 
-  // For another matrix with the same pattern.
+  // Factorizes another matrix with the same pattern.
   void factorize(const Matrix& matrix)
   {
     if (matrix.rows() == 0)
@@ -83,8 +83,8 @@ private:
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD
   Eigen::CholmodSupernodalLLT<Matrix> solver_;
 #else
-  // What takes time is to read the factor. Up to four columns in a row with the same rows below them are a panel: the
-  // numbers of these rows are read once, and the right side as well.
+  // Reading the factor takes most of the time. So up to four consecutive columns with the same rows below them form a
+  // panel, for which these row numbers and the right side are read once.
   static constexpr int wide = 4;
   static constexpr std::ptrdiff_t soon = 512; // numbers ahead
 
@@ -127,7 +127,7 @@ private:
   void forward(int c, Scalar* x) const
   {
     if (std::all_of(x + c, x + c + width, [](const Scalar& y) { return y == Scalar(0); }))
-      return; // nothing has come here yet
+      return; // still zero
     const auto *const first = factor().outerIndexPtr() + c, *const row = factor().innerIndexPtr() + first[0];
     const Scalar* const values = factor().valuePtr();
     const auto entry = [&](int i, int k) { return values[first[k] + i - k]; };
@@ -173,8 +173,8 @@ private:
   const char* what_;
 };
 
-// The rows and columns of a matrix whose new number is not negative, renumbered. The order
-// of numbers must be that of the rows.
+// The rows and columns of a matrix whose new number is not negative, renumbered. New numbers must be in the order of
+// the rows.
 inline Eigen::SparseMatrix<double> submatrix(const Eigen::SparseMatrix<double>& matrix,
                                              const std::vector<int>& new_rows, const std::vector<int>& new_columns,
                                              int number_of_rows, int number_of_columns)

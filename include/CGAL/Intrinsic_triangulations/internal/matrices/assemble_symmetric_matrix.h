@@ -43,13 +43,12 @@ private:
   std::size_t number_of_rows_;
 };
 
-// Fills the compressed columns of a symmetric matrix in order, without sorting. Edges go into
-// buckets by their smaller vertex. When vertex c has its turn, all smaller vertices had
-// theirs, so that the rows above the diagonal of column c are there, in order. Now c
-// enters itself as a row: below the diagonal of the columns of just these vertices, and above
-// the diagonal of the columns of the larger vertices, which are those in its bucket.
-// Several edges between the same vertices come one after the other and are added up.
-// \tparam Row what Row_of_vertex is; several vertices may have the same row
+// Fills the compressed columns of a symmetric matrix in order, without sorting. Edges go into buckets by their smaller
+// vertex. When it is the turn of vertex c, all smaller vertices are done, so the rows above the diagonal of column c
+// are complete and in order. Now c enters itself as a row: below the diagonal in the columns of these smaller vertices,
+// and above the diagonal in the columns of the larger vertices in its bucket. Several edges between the same vertices
+// are consecutive and are added up.
+// \tparam Row like Row_of_vertex; several vertices may have the same row
 template <class Row>
 class Symmetric_matrix_assembler
 {
@@ -78,7 +77,7 @@ public:
     if (number_of_merged_ > 0)
       close_gaps();
     Matrix result;
-    result.swap(matrix_); // to move it would copy it, up to Eigen 3.4
+    result.swap(matrix_); // up to Eigen 3.4, moving it would copy it
     return result;
   }
 
@@ -140,7 +139,7 @@ private:
   template <class Diagonal_value>
   void enter_rows(const Diagonal_value& diagonal_value)
   {
-    // All in local variables: the compiler cannot know that what is written is none of them.
+    // All in local variables: otherwise writes might alias the members.
     const Index *const start = matrix_.outerIndexPtr(), *const diagonal = diagonal_.data(),
                        *const bucket = bucket_.data();
     Index *const row = matrix_.innerIndexPtr(), *const above = above_.data(), *const below = below_.data();
@@ -177,7 +176,7 @@ private:
     }
   }
 
-  // Sums of several edges have left room at the ends of both parts of a column. What lies between two gaps is moved at
+  // Sums of several edges have left gaps at the ends of both parts of a column. Entries between two gaps are moved at
   // once.
   void close_gaps()
   {
@@ -238,7 +237,7 @@ public:
     sizes_.reserve(number_of_columns);
   }
 
-  // Appends a column. Numbers are added up in the same order as by Symmetric_matrix_assembler.
+  // Appends a column. Numbers are added up in the same order as in Symmetric_matrix_assembler.
   void add(Index c)
   {
     entries_.clear();
@@ -268,7 +267,7 @@ public:
 
   std::size_t size() const { return rows_.size(); }
 
-  // Copies the columns to where the matrix has room for them.
+  // Copies the columns into the matrix.
   void copy_to(Matrix& matrix, Index first_column, Index start) const
   {
     std::copy(rows_.begin(), rows_.end(), matrix.innerIndexPtr() + start);
@@ -285,8 +284,8 @@ private:
     Index row() const { return Index(row_and_edge >> 32); }
   };
 
-  // Sorts the entries from number `first` on. Few of them are put where they belong without a branch
-  // that nothing could predict.
+  // Sorts the entries from number `first` on. A few entries are put in place without branches, which would be
+  // unpredictable.
   template <class Key>
   void sort(std::size_t first, const Key& key)
   {
@@ -328,7 +327,7 @@ private:
   std::vector<Entry> entries_; // of a column
 };
 
-// As assemble_symmetric_matrix() with one thread, bit for bit. \pre the matrix can hold as many entries
+// Same result as assemble_symmetric_matrix() with one thread, bit for bit. \pre the matrix can hold as many entries
 template <class ConcurrencyTag, class Edge_value, class Diagonal_value>
 Eigen::SparseMatrix<double> assemble_columns(const Delta_complex& complex, const Edge_value& edge_value,
                                              const Diagonal_value& diagonal_value)

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Lengths and cotangents of a triangulation, rounded alike whatever was flipped before.
+// Lengths and cotangents of a triangulation, rounded in the same way whatever was flipped before.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_ACCURATE_SHAPES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_ACCURATE_SHAPES_H
@@ -25,8 +25,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Where the apex of a face is, as seen from its longest side and in units of that, by the lengths of its sides from that
-// on: nothing if it is so low that their rounding tells.
+// The position of a face's apex relative to its longest side and in units of it, from the lengths of its sides
+// beginning with that one; nothing if the apex is so low that rounding matters.
 inline std::optional<std::array<double, 2>> apex_by_lengths(const std::array<double, 3>& length)
 {
   constexpr double least_height = 0x1p-5;
@@ -45,7 +45,7 @@ std::array<double, 2> apex_by_cotangents(const Shapes& shapes, const Delta_compl
   return {first / sum, 1 / sum};
 }
 
-// By the number type.
+// As the number type computes them.
 template <class Traits>
 class Accurate_shapes
 {
@@ -63,8 +63,8 @@ private:
   const Intrinsic_triangulation<Traits>& triangulation_;
 };
 
-// From the points of the input where they tell, and exact geometry elsewhere. Areas may leave the range of double in
-// the unit of the input, so the internal one is used.
+// From the points of the input if they suffice, otherwise from exact geometry. Areas may leave the range of double in
+// the unit of the input, so the internal unit is used.
 template <>
 class Accurate_shapes<Filtered_edge_length_traits>
 {

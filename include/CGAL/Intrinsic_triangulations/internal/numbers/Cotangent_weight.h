@@ -3,8 +3,8 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Cotangent weights and areas for matrices: at the speed of the stored numbers where these are good enough, and from
-// the input where they are not.
+// Cotangent weights and areas for matrices: from the stored numbers, which is fast, if they are accurate enough, and
+// otherwise from the input.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_COTANGENT_WEIGHT_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_COTANGENT_WEIGHT_H
@@ -47,11 +47,11 @@ namespace CGAL::Intrinsic_triangulations::internal {
                                 "or mollify the lengths first");
 }
 
-// Decided, where the traits can.
+// Decided exactly if the traits can.
 template <class Triangulation>
 bool has_positive_area(const Triangulation& triangulation, Face_index f)
 {
-  if constexpr (Triangulation::uses_exact_geometry) // the stored bound mostly knows
+  if constexpr (Triangulation::uses_exact_geometry) // the stored bound usually suffices
     return triangulation.traits().has_positive_area_object()(triangulation.face_data(f)) ||
            internal::engine(triangulation).sign_of_area(f) == POSITIVE;
   else
@@ -72,8 +72,8 @@ void require_positive_areas(const Triangulation& triangulation, Edge_index e)
   }
 }
 
-// The sum of two rounded cotangents can be negative where the test of the number type, which is not made from the same
-// sum, says that it is not.
+// The sum of two rounded cotangents can be negative although the test of the number type, which does not use that sum,
+// says otherwise.
 template <class Triangulation>
 double with_decided_sign(const Triangulation& triangulation, Edge_index e, double weight)
 {
@@ -86,7 +86,7 @@ template <class Triangulation>
 BOOST_NOINLINE double cotangent_weight_by_number_type(const Triangulation& triangulation, Edge_index e)
 {
   if constexpr (Triangulation::uses_exact_geometry)
-    if (e.idx() % 61 == 0) // the clock is as slow as a weight; a prime, as numbers of edges have periods
+    if (e.idx() % 61 == 0) // reading the clock takes as long as a weight; a prime, because edge numbers have periods
       internal::engine(triangulation).decisions().interruption.check();
   require_positive_areas(triangulation, e);
   const double weight = CGAL::to_double(triangulation.cotangent_weight(e));
@@ -97,7 +97,7 @@ BOOST_NOINLINE double cotangent_weight_by_number_type(const Triangulation& trian
   return with_decided_sign(triangulation, e, weight);
 }
 
-// Weights and areas that are accurate up to this bound are taken from what is stored.
+// Weights and areas with at most this error are taken from the stored numbers.
 constexpr double stored_number_accuracy = 0x1p-32;
 
 // One number for each of n elements: number(element). Several threads, each with a copy of `number`, leave those that
@@ -130,9 +130,9 @@ std::vector<double> numbers_of_elements(std::size_t n, const Number& number)
   return result;
 }
 
-// The cotangents of faces from the exact geometry, with error bounds. Where what is stored is not accurate enough for
-// an edge, that is most often so for all edges of a face: one corner of it is laid out for them, and remembered for a
-// while.
+// The cotangents of faces from the exact geometry, with error bounds. If the stored numbers are not accurate enough for
+// an edge, they usually are not for any edge of the face: one corner of it is laid out for all three, and remembered
+// for a while.
 //
 // \tparam Number `Double_with_bound` or `Bounded_double_double`
 template <class Number>
@@ -161,7 +161,7 @@ private:
   std::optional<Direct_mapped_cache<Face_index, std::array<Number, 3>>> of_faces_; // none before it is needed
 };
 
-// The cotangent opposite to h, which has a face, from what is stored.
+// The cotangent opposite to h, which has a face, from the stored numbers.
 template <class Triangulation>
 BOOST_FORCEINLINE auto bounded_cotangent(const Triangulation& triangulation, Halfedge_index h)
 {
@@ -186,7 +186,7 @@ private:
   const Intrinsic_triangulation<Traits>& triangulation_;
 };
 
-// The same, where what is stored tells how accurate a cotangent is.
+// The same, for traits that store error bounds of cotangents.
 template <class Traits>
 class Cotangent_weight<Traits, std::void_t<typename Traits::Compute_bounded_cotangent>>
 {
@@ -212,8 +212,8 @@ public:
   }
 
 private:
-  // Edges are asked for in order: the records of their halfedges stream in by themselves, and what these name is
-  // fetched early.
+  // Edges are requested in order, so the records of their halfedges stream in by themselves; the data they refer to is
+  // prefetched.
   BOOST_FORCEINLINE void prefetch_soon(Edge_index e) const
   {
     constexpr std::size_t distance = 32;
@@ -230,7 +230,7 @@ private:
     }
   }
 
-  // Where it is the sign alone that is not known, doubles will not tell it.
+  // If only the sign is unknown, doubles will not settle it.
   BOOST_NOINLINE double by_exact_geometry(Edge_index e, bool is_sign_alone, const Bounded_double& stored_k,
                                           const Bounded_double& stored_l) const
   {
@@ -262,7 +262,7 @@ private:
                                 weight.error() < std::abs(weight.hi()));
   }
 
-  // On the border there is no angle, which counts as a cotangent of zero.
+  // On the border there is no angle, and the cotangent counts as zero.
   Bounded_double cotangent(Halfedge_index h) const
   {
     return complex_.is_border(h) ? Bounded_double{0, 0} : bounded_cotangent(triangulation_, h);
@@ -270,7 +270,7 @@ private:
 
   const Triangulation& triangulation_;
   const Delta_complex& complex_;
-  // So an object is for one thread.
+  // So each thread needs its own object.
   mutable Known_cotangents<Double_with_bound> in_doubles_;
   mutable Known_cotangents<Bounded_double_double> in_double_doubles_;
 };

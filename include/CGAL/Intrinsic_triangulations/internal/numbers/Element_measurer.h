@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Numbers of all elements as those of single ones, but with one corner laid out for each face.
+// Numbers of all elements, equal to those of single queries, but with one layout for each face.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_ELEMENT_MEASURER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NUMBERS_ELEMENT_MEASURER_H
@@ -32,7 +32,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Cotangents and their sums beside faces of any area; none is NaN.
+// Cotangents and their sums for faces of any area, without NaN.
 template <class Traits>
 class Extended_cotangents
 {
@@ -51,7 +51,7 @@ public:
       result = CGAL::to_double(triangulation_.cotangent_weight(e));
     if (std::isnan(result)) {
       result = (complex_.is_border(h) ? 0 : rough_cotangent(h)) + (complex_.is_border(g) ? 0 : rough_cotangent(g));
-      // Two faces of zero area, with angles of 0 and of π opposite to the edge: a tie.
+      // Two faces of zero area, with the angles 0 and π opposite the edge: a tie.
       if (std::isnan(result))
         result = 0;
     }
@@ -66,7 +66,7 @@ public:
     return std::isnan(result) ? rough_cotangent(h) : result;
   }
 
-  // Whether a face beside e has no area. Only then can the weight be infinite, but for overflow.
+  // Whether a face beside e has no area. Apart from overflow, only then can the weight be infinite.
   bool is_beside_flat_face(Edge_index e)
   {
     const Halfedge_index h = complex_.halfedge(e);
@@ -84,7 +84,7 @@ private:
     const Face_index f = complex_.face(h);
     if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry)
       if (triangulation_.traits().has_positive_area_object()(
-            triangulation_.face_data(f))) // mostly known, and sooner than by memory
+            triangulation_.face_data(f))) // usually known, and faster than from memory
         return true;
     std::int8_t& answer = has_area_[f.idx()];
     if (answer == unknown)
@@ -92,13 +92,13 @@ private:
     return answer != 0;
   }
 
-  // For a face whose area is zero, or not known to be positive, or beside one.
+  // For a face whose area is zero or not known to be positive, or that is next to such a face.
   double rough_cotangent(Halfedge_index h)
   {
     if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry) {
       if (has_area(h))
         return triangulation_.cotangent(h);
-      // At the corner of a flat face the scalar product is that of two parallel sides.
+      // At the corner of a flat face, the scalar product has two parallel factors.
       return std::copysign(infinity, Engine_numbers(internal::engine(triangulation_)).corner(h).p.hi());
     }
     const auto length = [&](Halfedge_index k) { return CGAL::to_double(triangulation_.length(complex_.edge(k))); };
@@ -107,7 +107,7 @@ private:
     const double longest = std::fmax(l_ij, std::fmax(l_jk, l_ki));
     const double ij = l_ij / longest, jk = l_jk / longest, ki = l_ki / longest;
     const double p = twice_scalar_product<double>(jk * jk, ki * ki, ij * ij);
-    // Rounded lengths make a little area of none, and a number of what is infinite.
+    // Rounded lengths turn a zero area into a small one, and an infinite number into a finite one.
     if (Traits::Has_exact_decisions::value && !has_area(h))
       return std::copysign(infinity, p);
     const double q = squared_four_areas_from_lengths(ij, jk, ki);
@@ -119,8 +119,8 @@ private:
   std::vector<std::int8_t> has_area_; // or `unknown`
 };
 
-// One corner of each face is laid out, by several threads; single elements are asked for where that does not tell, and
-// where the traits have no exact geometry.
+// Several threads lay out one corner of each face; elements are queried one by one if that does not suffice, or if the
+// traits have no exact geometry.
 template <class ConcurrencyTag, class Traits>
 class Element_measurer
 {
@@ -213,7 +213,7 @@ private:
     return error < 0x1p-53 * (1 + std::abs(hi)) ? hi : unknown;
   }
 
-  // One for each of n elements: `known(element)`, or `compute(element)` where that is NaN.
+  // A value for each of n elements: `known(element)`, or `compute(element)` if that is NaN.
   template <class Element, class Known, class Compute>
   std::vector<double> numbers(std::size_t n, const Known& known, const Compute& compute)
   {
@@ -224,7 +224,7 @@ private:
         for (std::size_t i = first; i < last; ++i)
           result[i] = known(element(i));
       });
-    // Nobody knows how many are left for this loop, or how many loops follow.
+    // The number of elements left for this loop, and of loops to come, is not known.
     const double done = (fraction_ + 1) / 2;
     const Loop_progress progress(progress_, name, std::exchange(fraction_, done), done, n);
     for (std::size_t i = 0; i < n; ++i) {
@@ -242,7 +242,7 @@ private:
   std::optional<Rounded_numbers> known_; // of a triangulation with exact geometry
 };
 
-// Counts negative cotangent weights, and finds the smallest: the exact geometry is only asked for those that can be it.
+// Counts negative cotangent weights, and finds the smallest; exact geometry is used only for candidates.
 template <class Traits>
 class Weight_summarizer
 {
@@ -294,7 +294,7 @@ private:
             (high < -margin(high) && complex_.is_flippable(e)) || !certainly(triangulation_.is_locally_Delaunay(e));
       }
     }
-    // The bounds are those of the exact weight; what is reported is rounded once more.
+    // The bounds are for the exact weight; the reported one is rounded once more.
     smallest_from_above += margin(smallest_from_above);
     for (Edge_index e : complex_.edges())
       if (lowest[e.idx()] < infinity && lowest[e.idx()] <= smallest_from_above) {
@@ -305,7 +305,7 @@ private:
 
   static double margin(double x) { return 0x1p-40 * (1 + std::abs(x)); }
 
-  // Of the weight of an interior edge, from what is stored.
+  // Bounds on the weight of an interior edge, from the stored numbers.
   std::pair<double, double> bounds(Edge_index e) const
   {
     double low = 0, high = 0;

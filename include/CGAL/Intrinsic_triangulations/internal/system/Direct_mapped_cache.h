@@ -13,15 +13,15 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Values by keys, each at the one place that its hash gives. It grows where work goes on: few questions do not pay for
-// the memory of many.
+// Values by keys, each in the one slot that its hash selects. The cache grows with the number of questions, so that few
+// do not pay for the memory of many.
 //
-// \tparam Key a default value of which is never asked for
+// \tparam Key its default value is never looked up
 template <class Key, class Value>
 class Direct_mapped_cache
 {
 public:
-  // \param number_of_keys as many as there are, or more
+  // \param number_of_keys the number of different keys, or an upper bound
   explicit Direct_mapped_cache(std::size_t number_of_keys)
   {
     while (largest_size_ < (std::min)(number_of_keys, most_entries))
@@ -47,7 +47,7 @@ public:
   }
 
 private:
-  // Powers of two, as are all sizes. Some megabytes for each thread at most.
+  // Powers of two, as all sizes are. At most some megabytes for each thread.
   static constexpr std::size_t first_entries = 1024, most_entries = 32768;
 
   struct Entry

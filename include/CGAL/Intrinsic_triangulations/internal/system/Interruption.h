@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// How a single decision or solution that takes long is ended from outside.
+// Ends a single long decision or solution from outside.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_INTERRUPTION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_INTERRUPTION_H
@@ -17,8 +17,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The exact stages call check() before each step that takes a microsecond or more, the heat methods before each system.
-// The user's function is called a hundred times a second at most, so that it need not be fast, possibly by several
+// The exact stages call check() before each step that takes a microsecond or more, and the heat methods before each
+// system. The user's function need not be fast: it is called at most a hundred times a second, possibly by several
 // threads at once.
 class Interruption
 {
@@ -27,7 +27,7 @@ public:
 
   explicit Interruption(Go_further go_further = {}) : go_further_(std::move(go_further)) {}
 
-  // Replaces the function; returns the one before.
+  // Replaces the function; returns the previous one.
   Go_further exchange(Go_further go_further)
   {
     next_question_ = now();

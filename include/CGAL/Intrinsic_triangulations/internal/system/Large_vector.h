@@ -39,9 +39,9 @@ inline void wish_for_huge_pages(void* const p, const std::size_t size)
 #endif
 }
 
-// Asks for huge pages where an array is large enough. The arrays are filled once and little else happens to them: with
-// small pages, the page faults of that first pass can take longer than everything that is computed. On other systems
-// this is the operator `new`.
+// Asks for huge pages if an array is large enough. Arrays are filled once and then hardly touched: with small pages,
+// the page faults of that first pass can take longer than all computations. On other systems this is the operator
+// `new`.
 template <class T>
 class Huge_page_allocator
 {
@@ -60,13 +60,13 @@ public:
     const std::size_t size = n * sizeof(T);
 #ifdef __linux__
     if (size >= huge_page) {
-      // Not by aligned_alloc(): of a block that was freed, glibc's does not make one of the same size
-      // again, and a program that makes one triangulation after the other grows.
+      // Not by aligned_alloc(): glibc's does not reuse a freed block for another one of the same size, so a program
+      // that makes one triangulation after the other would grow.
       const std::size_t rounded = (size + huge_page - 1) / huge_page * huge_page;
       void* const block = ::operator new(rounded + huge_page);
       const std::uintptr_t begin = std::uintptr_t(block) / huge_page * huge_page + huge_page;
       void* const p = static_cast<char*>(block) + (begin - std::uintptr_t(block));
-      static_cast<void**>(p)[-1] = block; // what `new` returns is aligned to more than a pointer: there is room
+      static_cast<void**>(p)[-1] = block; // `new` aligns to more than a pointer, so there is room
       wish_for_huge_pages(p, rounded);
       return static_cast<T*>(p);
     }
@@ -103,7 +103,7 @@ using Large_vector = boost::container::vector<T, internal::Huge_page_allocator<T
 namespace internal {
 using boost::container::default_init;
 
-// Makes room for n elements more, so that to append them does not throw. Amortized as `push_back()`.
+// Makes room for n more elements, so that appending them does not throw. Amortized like `push_back()`.
 template <class Vector>
 void make_room(Vector& vector, std::size_t n)
 {

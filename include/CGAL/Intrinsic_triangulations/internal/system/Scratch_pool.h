@@ -27,9 +27,9 @@ inline std::size_t number_of_this_thread()
   return number;
 }
 
-// Keeps objects that remember between calls what is slow to compute. A call takes one out and puts it back; so no two
-// calls ever share one. A thread finds its own object again, without a lock, unless another one has the same slot or
-// has taken it: then any object will do that is not in use. There are never more objects than were in use at once.
+// Keeps objects that remember results between calls. A call takes one out and puts it back, so no two calls ever share
+// one. A thread finds its own object again, without a lock, unless another thread has the same slot or has taken it:
+// then any object that is not in use will do. There are never more objects than were in use at once.
 template <class Scratch>
 class Scratch_pool
 {
@@ -40,7 +40,7 @@ class Scratch_pool
   };
 
 public:
-  // An object that was taken out, and goes back at the end.
+  // An object that was taken out and goes back when this is destroyed.
   class Lease
   {
   public:
@@ -88,7 +88,7 @@ public:
     return size_;
   }
 
-  // To be called when none is taken.
+  // Must be called while none is taken.
   void clear()
   {
     for (Slot& slot : slots_)

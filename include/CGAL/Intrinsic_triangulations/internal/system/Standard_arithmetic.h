@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The arithmetic that error bounds and error-free transformations assume: that of IEEE 754, rounded to nearest.
+// The arithmetic that error bounds and error-free transformations assume: IEEE 754, rounded to nearest.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_STANDARD_ARITHMETIC_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_STANDARD_ARITHMETIC_H
@@ -40,8 +40,8 @@ public:
       set_mode(before_);
   }
 
-  // Checks what neither a macro tells nor the mode of the processor mends: Clang has no macros for -fassociative-math
-  // and -freciprocal-math.
+  // Checks for options that no macro reveals and that setting the processor's mode does not cure: Clang has no macros
+  // for -fassociative-math and -freciprocal-math.
   // \exception Arithmetic_error if doubles do not follow IEEE 754
   void check() const
   {
@@ -53,8 +53,8 @@ public:
 
 private:
 #if defined(CGAL_HAS_SSE2) && defined(__MINGW32__)
-  // The C library computes in the x87 unit, whose rounding fesetround() sets as well: two bits, here behind those of the
-  // other unit.
+  // The C library computes in the x87 unit, whose rounding mode fesetround() sets as well: two bits, here stored next
+  // to those of the other unit.
   using Mode = std::uint32_t;
   static constexpr Mode x87_rounding = 0xc00, other_modes = x87_rounding << 16 | 0xe040;
   static Mode mode() { return _mm_getcsr() | (x87_mode() & x87_rounding) << 16; }

@@ -27,12 +27,12 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Whether several threads may work on numbers of this type at once: they have no shared state,
-// and are read and written in one piece.
+// Whether several threads may work on numbers of this type at once: the type must have no shared state, and be read and
+// written in one piece.
 template <class T>
 constexpr bool is_for_threads = std::is_same<T, double>::value || std::is_same<T, float>::value;
 
-// How many threads there may be.
+// The maximum number of threads.
 template <class ConcurrencyTag>
 std::size_t number_of_threads()
 {
@@ -52,11 +52,11 @@ constexpr void require_threads()
 #endif
 }
 
-// A block of so many elements is worth a task of its own.
+// Blocks of this many elements are worth a task of their own.
 constexpr std::size_t elements_of_block = std::size_t(1) << 14;
 
-// Calls f(first, last) for ranges that make up [0, n): with `Parallel_tag`, for those of the given
-// size (the last may be smaller) on the threads of TBB; otherwise, once for all.
+// Calls f(first, last) for ranges that make up [0, n): with `Parallel_tag`, for ranges of the given size (the last may
+// be smaller) on the threads of TBB; otherwise, once for all.
 template <class ConcurrencyTag, class Function>
 void for_each_block(std::size_t n, std::size_t size, const Function& f)
 {
@@ -65,7 +65,7 @@ void for_each_block(std::size_t n, std::size_t size, const Function& f)
     tbb::parallel_for(
       std::size_t(0), (n + size - 1) / size,
       [&](std::size_t i) {
-        const Standard_arithmetic arithmetic; // the modes of a thread are its own
+        const Standard_arithmetic arithmetic; // each thread has its own modes
         f(i * size, (std::min)((i + 1) * size, n));
       },
       tbb::simple_partitioner());
@@ -105,8 +105,8 @@ bool for_each_element(const Range& range, std::size_t n, const Function& f)
 using Block_runner =
   std::function<void(std::size_t n, std::size_t size, const std::function<void(std::size_t, std::size_t)>& f)>;
 
-// The loop of a tag. It may be run under a lock: a thread that waits for the others begins no work from elsewhere,
-// which could ask for the same lock.
+// The loop of a tag. It may run under a lock: a waiting thread does not begin unrelated work, which could ask for the
+// same lock.
 template <class ConcurrencyTag>
 Block_runner block_runner()
 {

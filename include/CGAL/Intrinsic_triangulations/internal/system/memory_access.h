@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// How memory is read and written, where that can be said: ahead of time, or by several threads.
+// Explicit memory access: prefetching, and access by several threads.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_MEMORY_ACCESS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_MEMORY_ACCESS_H
@@ -15,9 +15,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Has the cache line of `*p` fetched in the background: to be read, as other threads may, too. (x86 processors without
-// PREFETCHW have no other way.) A function that does nothing else has to be forced inline: GCC takes it for one without
-// effect, and leaves out its calls.
+// Has the cache line of `*p` fetched in the background, for reading, since other threads may read it, too. (x86
+// processors without PREFETCHW have no other way.) A function that does nothing else has to be forced inline: GCC
+// assumes that it has no effect, and omits its calls.
 BOOST_FORCEINLINE void prefetch(const void* p)
 {
 #ifdef __GNUC__

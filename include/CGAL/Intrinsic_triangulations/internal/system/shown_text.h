@@ -16,7 +16,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// What is in a file may steer a terminal, or be long.
+// The contents of a file may control a terminal, or be long.
 inline std::string shown_text(const std::string& text)
 {
   std::string result = text.substr(0, 40);
@@ -36,7 +36,7 @@ inline std::string are_counted(const std::uintmax_t n, const char* const singula
   return (n == 1 ? "is " : "are ") + counted(n, singular, plural);
 }
 
-// What was -1 before it was converted to std::size_t, or to 32 bits, is shown as -1.
+// A -1 that was converted to std::size_t, or to 32 bits, is shown as -1.
 inline std::string index_text(const std::size_t value)
 {
   constexpr std::size_t none = (std::numeric_limits<std::uint32_t>::max)();

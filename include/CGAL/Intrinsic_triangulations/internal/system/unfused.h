@@ -14,7 +14,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Returns x, as a number of which the optimizer knows nothing.
+// Returns x in a way that hides its origin from the optimizer.
 //
 // Where the processor has fused multiply-adds, a compiler may round a b + c once instead of twice, in one place of a
 // function and not in another. That harms no error bound, but an error-free transformation needs one value of a b. The

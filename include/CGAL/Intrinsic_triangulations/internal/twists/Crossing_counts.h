@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// How often each edge crosses the input, however often that is; and tubes, around which edges can wind.
+// How often each edge crosses the input, in integers of any size; and tubes, around which edges can wind.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TWISTS_CROSSING_COUNTS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_TWISTS_CROSSING_COUNTS_H
@@ -39,7 +39,7 @@ struct Tube
 /// \brief returns whether the face to the left of `loop` and another one form a `Tube` with `loop` as one of its sides.
 /// O(1).
 ///
-/// This is a question to the connectivity. `loop` and `other` may be the same edge: that of a torus.
+/// This depends on the connectivity alone. `loop` and `other` may be the same edge, as on a torus.
 inline bool is_tube(const Delta_complex& complex, Halfedge_index loop)
 {
   if (complex.is_border(loop))
@@ -66,8 +66,8 @@ using Integer = internal::Integer;
 /// \brief how often each edge of a triangulation crosses edges of the one that it was flipped from, as integers of any
 /// size.
 ///
-/// The same numbers as those of `Normal_coordinates`, which stop at 2^60 and also know in what order the crossings are.
-/// These follow flips and whole powers of twists.
+/// The same numbers as in `Normal_coordinates`, which stop at 2^60 and also know the order of crossings. These follow
+/// flips and whole powers of twists.
 class Crossing_counts
 {
 public:
@@ -95,8 +95,8 @@ public:
     flip(complex, complex.hinge(e));
   }
 
-  /// \brief updates the counts for the flip of `e` that `complex.flip(e)` has made, as a visitor of
-  /// `flip_to_Delaunay()` is told of it.
+  /// \brief updates the counts for the flip of `e` that `complex.flip(e)` has just made, as the visitor of
+  /// `flip_to_Delaunay()` reports it.
   void after_flip(const Delta_complex& complex, Edge_index e)
   {
     const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
@@ -123,13 +123,14 @@ private:
   static Integer visible(const Integer& count) { return count < 0 ? Integer(0) : count; }
   Integer count(Halfedge_index h, const Delta_complex& complex) const { return number_of_crossings(complex.edge(h)); }
 
-  // The segments that cut off the corner between sides crossed a and b times, beyond one that is crossed c times.
+  // The number of segments that cut off the corner between sides crossed a and b times; the third side is crossed c
+  // times.
   static Integer cut_off(const Integer& a, const Integer& b, const Integer& c)
   {
     return (std::min)((std::min)(a, b), visible(Integer((a + b - c) / 2)));
   }
-  // The segments from a corner to the opposite side, which is crossed `far` times, the two sides at the corner a and b
-  // times.
+  // The number of segments from a corner to the opposite side, which is crossed `far` times; the sides at the corner
+  // are crossed a and b times.
   static Integer leaving(const Integer& far, const Integer& a, const Integer& b) { return visible(far - a - b); }
 
   // The count of the other diagonal, kl, of the hinge of ij; the formulas are explained at Normal_coordinates::flip().
@@ -139,7 +140,8 @@ private:
     const Integer above_i = cut_off(n_ij, ki, jk), above_j = cut_off(n_ij, jk, ki);
     const Integer below_i = cut_off(n_ij, il, lj), below_j = cut_off(n_ij, lj, il);
     const Integer from_k = n_ij - above_i - above_j, from_l = n_ij - below_i - below_j;
-    // Counted from i, the segments that end in k cross ij after above_i others, those that end in l after below_i.
+    // Counted from i, the segments that end in k cross ij after above_i others, and those that end in l after below_i
+    // others.
     if ((std::max)(above_i, below_i) < (std::min)(Integer(above_i + from_k), Integer(below_i + from_l)))
       return -1;
     return (std::max)(Integer(jk - above_j), Integer(ki - above_i)) +
@@ -154,10 +156,10 @@ private:
                  count(around.lj, complex));
   }
 
-  // The counts n(k) of the edges u_k = u_0 + k a across a tube, of which two consecutive ones are there at a time. Each
-  // segment that runs through the tube adds |k − p| to it, up to 1/2 or 1 next to p, and no two of the numbers p differ
-  // by more than one. So n(k) falls by the number N of segments up to two steps before their mean, and rises by N from
-  // two steps after it: doc/termination.md has the proof.
+  // The counts n(k) of the edges u_k = u_0 + k a across a tube, two consecutive ones of which exist at a time. Each
+  // segment through the tube adds |k − p|, up to 1/2 or 1 next to p, and no two of the numbers p differ by more than
+  // one. So n(k) falls by the number N of segments up to two steps before the mean of p, and rises by N from two steps
+  // after it (doc/termination.md).
   class Twisted_pair
   {
   public:
@@ -210,9 +212,9 @@ struct Twist
 /// \brief what `untwist()` did.
 struct Untwisting
 {
-  std::vector<Twist> twists;         ///< in order; each tube is one of the triangulation that those before leave
+  std::vector<Twist> twists;         ///< in order; each tube belongs to the triangulation that earlier twists leave
   Integer number_of_flips = 0;       ///< of all twists together
-  std::uint64_t number_of_steps = 0; ///< of those flips, how many were made one by one
+  std::uint64_t number_of_steps = 0; ///< how many of those flips were made one by one
   Crossing_counts crossings;         ///< how often each edge crosses edges of the complex that was given
   bool is_complete = true;           ///< `false` if the visitor ended it: then some tubes are left as they were
 };

@@ -26,8 +26,8 @@
 namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
-// Works on one pair of faces after the other. The squared lengths of its edges are integers while it does, over a
-// common denominator: fractions would be reduced at each step.
+// Works on one pair of faces after the other. Meanwhile the squared lengths of its edges are integers over a common
+// denominator: fractions would be reduced at each step.
 class Tube_straightener
 {
 public:
@@ -57,9 +57,9 @@ private:
   bool straighten_tubes_of(Face_index f)
   {
     bool is_loaded = false, has_changed = true, is_changed = false, goes_on = true;
-    // A torus has three tubes, and each changes the others; for others the second round finds nothing to do.
+    // A torus has three tubes, and each changes the others; on other surfaces the second round finds nothing to do.
     while (has_changed && goes_on) {
-      // That around the shortest side: the others of a torus can have about as many flips, one at a time.
+      // The tube around the shortest side: the other tubes of a torus can have about as many flips, one at a time.
       std::optional<Tube> shortest;
       Halfedge_index loop = complex_.halfedge(f);
       for (int i = 0; i < 3; ++i, loop = complex_.next(loop)) {
@@ -123,7 +123,7 @@ private:
     const Integer &side = number(complex_.edge(tube.loop)), &right = number(tube.right), &left = number(tube.left);
     const Integer sum = side + right - left;
     if (side <= 0 || 4 * side * right - sum * sum <= 0)
-      return false; // no area, or no triangle: others say so
+      return false; // no area, or not a triangle: others report it
     const Integer power = power_of(side, right, left);
     if (power == 0)
       return false;
@@ -182,7 +182,7 @@ private:
   Untwisting result_;
   std::uint64_t number_of_tubes_ = 0;
 
-  // The edges of the pair of faces at hand. Those of a torus are three: what is there twice has the first of its
+  // The edges of the pair of faces at hand. A torus has only three; an edge that occurs twice has the first of its
   // numbers.
   std::array<Edge_index, 4> edges_;
   std::array<Integer, 4> numbers_;
@@ -198,7 +198,7 @@ Untwisting untwist(Delta_complex& complex, std::vector<Rational>& squared_length
     throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, squared_lengths.size(), 1,
                                 "there are " + std::to_string(squared_lengths.size()) + " squared lengths for " +
                                   std::to_string(complex.number_of_edges()) + " edges");
-  // Of copies, so that an exception leaves everything as it was.
+  // Works on copies, so that an exception leaves everything unchanged.
   Delta_complex result_complex = complex;
   std::vector<Rational> result_lengths = squared_lengths;
   Untwisting result = Tube_straightener(result_complex, result_lengths, is_constrained, go_further).run();
