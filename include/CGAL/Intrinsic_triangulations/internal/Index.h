@@ -19,7 +19,7 @@ namespace CGAL::Intrinsic_triangulations {
 class Delta_complex;
 
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
-/// \brief a descriptor: a 32-bit index whose type says what it is an index of.
+/// \brief a descriptor: a 32-bit index whose type tells the kind of element.
 ///
 /// A default-constructed descriptor is the null descriptor.
 /// \tparam Tag distinguishes the kinds of elements; it supplies the letter that `operator<<` writes.
@@ -68,7 +68,7 @@ private:
 };
 
 namespace internal {
-// Of the elements of one kind of graph.
+// The tag of one kind of elements of one kind of graph.
 template <char letter_, class Graph>
 struct Element_tag
 {

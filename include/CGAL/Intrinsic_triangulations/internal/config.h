@@ -3,8 +3,8 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Header-only, or compiled once: what a program chooses when it is built. And what every build of it must have in
-// common.
+// Header-only or compiled once, as a program chooses when it is built; and settings that all parts of a program must
+// share.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONFIG_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONFIG_H
@@ -32,7 +32,8 @@
 #error "Intrinsic_triangulations needs doubles without excess precision: compile with -msse2 -mfpmath=sse"
 #endif
 
-// Units of one program that were compiled with different values of `name` do not link: a symbol has one value.
+// Units of one program that were compiled with different values of `name` do not link, because they define a symbol
+// with different values.
 #if defined(__GNUC__) && defined(__ELF__)
 #define CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(name, value)                                                   \
   __asm__(".globl CGAL_Intrinsic_triangulations_needs_same_" #name "_in_all_units\n"                                   \

@@ -48,7 +48,7 @@ enum class Parameter {
 template <Parameter parameter>
 using Parameter_tag = std::integral_constant<Parameter, parameter>;
 
-// A sequence of named parameters that goes on with those of the package or of CGAL, in any order. CGAL's own class
+// A sequence of named parameters that may continue with those of the package or of CGAL, in any order. CGAL's own class
 // knows only CGAL's.
 template <class T, class Tag, class Base = internal_np::No_property>
 struct Named_parameters : internal_np::Named_params_impl<T, Tag, Base>
@@ -109,11 +109,11 @@ auto get_parameter(const Intrinsic_triangulations::internal::Named_parameters<T,
 /// \addtogroup PkgIntrinsicTriangulationsNamedParameters
 /// @{
 
-/// \brief what exact decisions accept as a tie: a `Tie_proof`.
+/// \brief which proof exact decisions require for a tie: a `Tie_proof`.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(tie_proof, TIE_PROOF)
 /// \brief whether tubes of a gluing are untwisted before edges are flipped.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(fast_forward, FAST_FORWARD)
-/// \brief the angle in degrees below which no corner is to be.
+/// \brief the smallest angle of a corner, in degrees.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(minimum_angle, MINIMUM_ANGLE)
 /// \brief the largest circumradius of a face, in the unit of the input.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(maximum_circumradius, MAXIMUM_CIRCUMRADIUS)
@@ -121,20 +121,20 @@ CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(maximum_circumradius, MAXIMUM_CIRCUMRADI
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(maximum_edge_length, MAXIMUM_EDGE_LENGTH)
 /// \brief the length of a side below which a face is not refined, in the unit of the input.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(minimum_size, MINIMUM_SIZE)
-/// \brief whether edges that are not flipped are split until no angle opposite to them is obtuse.
+/// \brief whether edges that are not flipped are split until no angle opposite them is obtuse.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(splits_encroached_edges, SPLITS_ENCROACHED_EDGES)
 /// \brief the time for which heat spreads, in units of the squared mean length of the edges.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(time_coefficient, TIME_COEFFICIENT)
-/// \brief what heat does at the border: a `Heat_boundary`.
+/// \brief the behaviour of heat at the border: a `Heat_boundary`.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(heat_boundary, HEAT_BOUNDARY)
-/// \brief whether distances that are less than those of the vertices around allow are raised.
+/// \brief whether distances that are too small for those of the neighbors are raised.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(keeps_ridges, KEEPS_RIDGES)
-/// \brief how much the length of a path may be changed at each edge that it crosses, as a part of the length of the
+/// \brief how much the length of a path may change at each edge that it crosses, as a fraction of the length of the
 /// edge.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(tolerance, TOLERANCE)
-/// \brief what is built over triangles: a `Surface_cover`.
+/// \brief which surface is built over triangles: a `Surface_cover`.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(surface_cover, SURFACE_COVER)
-/// \brief what is done with edges of length zero: a value of `Coincident_vertices`.
+/// \brief how edges of length zero are treated: a value of `Coincident_vertices`.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(coincident_vertices, COINCIDENT_VERTICES)
 /// \brief whether all vertices at the same place become one.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(is_welded, IS_WELDED)
@@ -149,14 +149,14 @@ CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(mass_type, MASS_TYPE)
 
 namespace Intrinsic_triangulations::internal {
 
-// The value of a parameter, or the default; of the type of the default.
+// The value of a parameter, or the default, in the type of the default.
 template <Parameter parameter, class NamedParameters, class D>
 D value_of(const NamedParameters& np, const D& otherwise)
 {
   return D(parameters::choose_parameter(parameters::get_parameter(np, Parameter_tag<parameter>()), otherwise));
 }
 
-// The map of the edges that must not be flipped, or one that constrains none.
+// The map of the edges that must not be flipped, or one without constraints.
 template <class NamedParameters>
 auto edge_constraints_of(const NamedParameters& np)
 {

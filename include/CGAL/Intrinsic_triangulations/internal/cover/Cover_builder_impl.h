@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// From triangles, or a surface that is given by lengths, to the surface that covers them.
+// From triangles, or a surface given by lengths, to the surface that covers them.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_COVER_BUILDER_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_COVER_BUILDER_IMPL_H
@@ -34,7 +34,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Of each vertex, whether it has.
+// For each vertex, whether it has a face.
 inline std::vector<bool> have_faces(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles)
 {
   std::vector<bool> result(number_of_vertices, false);
@@ -44,7 +44,7 @@ inline std::vector<bool> have_faces(std::size_t number_of_vertices, const std::v
   return result;
 }
 
-// Triangles whose corners are at three different places, by the vertices that stand for those given.
+// Triangles with corners at three different places; each corner is the vertex that represents the given one.
 struct Cleaned_triangles
 {
   std::vector<Index_triangle> triangles;
@@ -53,7 +53,7 @@ struct Cleaned_triangles
   Tufted_cover_report report;                // numbers of vertices, faces, and what was dropped and merged
 };
 
-// \param merged pairs of vertices that become one, besides those that the options merge
+// \param merged pairs of vertices to unite, besides those that the options merge
 // \exception Invalid_surface_error if the point of a vertex with a face is not finite, or by Coincident_vertices::ERROR
 // \pre the vertices exist
 class Triangle_cleaner
@@ -87,7 +87,7 @@ public:
 private:
   static bool repeats_a_corner(const Index_triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
-  // Those that no face names as well: the constructors of triangulations do not take them either.
+  // Also vertices that no face names: the constructors of triangulations refuse them, too.
   void check_points() const
   {
     for (std::size_t v = 0; v < points_.size(); ++v)
@@ -126,7 +126,7 @@ private:
         sets.unite(order[i - 1], order[i]);
   }
 
-  // A side whose ends are at the same place, but not one vertex: its first corner, or 3.
+  // The first corner of a side whose ends are at the same place but are different vertices, or 3.
   int find_short_side(const Index_triangle& t, Disjoint_sets& sets) const
   {
     for (int i = 0; i < 3; ++i) {
@@ -198,8 +198,8 @@ public:
       sides_(points.size(), cleaned_.triangles)
   {}
 
-  // \param coincident becomes the pairs of vertices that faces without area make one; if there are any, they
-  //   have to be merged first, and there is no cover
+  // \param coincident set to the pairs of vertices that faces without area unite; if there are any, they have to be
+  //   merged first, and there is no cover
   std::optional<Tufted_cover> run(std::vector<Vertex_number_pair>& coincident)
   {
     check_size(12 * cleaned_.triangles.size());
@@ -245,7 +245,7 @@ private:
     });
   }
 
-  // Turns the faces of each piece so that they agree with its first, or finds out that it needs two copies.
+  // Turns the faces of each piece so that they agree with its first one, or finds that it needs two copies.
   void find_pieces()
   {
     Triangle_pieces all(sides_, triangles().size());
@@ -266,7 +266,7 @@ private:
       }
   }
 
-  // The faces at a vertex form one fan if one gets from each to each other across edges.
+  // The faces at a vertex form one fan if each can be reached from each other across edges.
   void count_nonmanifold_vertices()
   {
     Disjoint_sets fans(3 * triangles().size());
@@ -315,7 +315,7 @@ private:
     cover_.corners[3 * copy + 2] = c;
   }
 
-  // The side of the copy that runs to the smaller end, or of the one that does not.
+  // The side of the copy that runs to the smaller end, or of the other copy.
   Index side_of_copy(const Side& side, bool runs_to_smaller_end) const
   {
     const Index s = side.side(), f = s / 3;
@@ -323,7 +323,7 @@ private:
     return 3 * (first_copy_[f] + (is_doubled_[f] && is_back ? 1 : 0)) + (is_back ? 2 - s % 3 : s % 3);
   }
 
-  // What the copy of a face sees that runs along an edge with the face on its left is the next face, counterclockwise.
+  // A copy that runs along an edge with the face on its left sees the next face, counterclockwise.
   void glue()
   {
     cover_.glued_to = Index_vector(cover_.corners.size(), null);
@@ -352,7 +352,7 @@ private:
         cover_.glue(side_of_copy(begin[around[i].side], false), side_of_copy(begin[around[(i + 1) % n].side], true));
     });
   }
-  // Into a range in which products neither over- nor underflow.
+  // Scales into a range in which products neither over- nor underflow.
   void scale_points()
   {
     const std::vector<bool> is_used = have_faces(points_.size(), triangles());
@@ -361,8 +361,8 @@ private:
   }
   Index third_vertex(Index s) const { return triangles()[s / 3][(s + 2) % 3]; }
 
-  // Drops the parts of the cover that have no area: not only those of the input, as two faces without area that lie on
-  // each other enclose one. The other faces without area are flipped away.
+  // Drops the parts of the cover that have no area, which need not be parts of the input: two coincident faces without
+  // area enclose one. All other faces without area are flipped away.
   std::vector<Vertex_number_pair> remove_flat_faces()
   {
     std::vector<bool> is_flat(triangles().size());
@@ -418,7 +418,7 @@ private:
   Tufted_cover assemble()
   {
     auto [vertex_of, corner_vertex] = separate_fans(points_.size(), cover_.corners, cover_.glued_to);
-    // The halfedge of a face is that of a Surface_mesh: so numbers are rounded in the same way.
+    // The halfedge of a face is that of a Surface_mesh, so numbers are rounded in the same way.
     Delta_complex complex = Delta_complex_builder::from_glued_sides(vertex_of.size(), std::move(corner_vertex),
                                                                     std::move(cover_.glued_to), 2);
     using Triangulation = Intrinsic_triangulation<Filtered_edge_length_traits>;
@@ -428,7 +428,7 @@ private:
       points.push_back(points_[v]);
     for (Vertex_index v : complex.vertices())
       if (!complex.halfedge(v).is_valid())
-        points[v.idx()] = {0, 0, 0}; // it may have been anything
+        points[v.idx()] = {0, 0, 0}; // it may have been overwritten
     interruption_.check();
     std::vector<bool> is_half;
     is_half.reserve(cover_.size());
@@ -489,8 +489,8 @@ Tufted_cover build_cover(const Points& points, const std::vector<Index_triangle>
   }
 }
 
-// A complex and a copy of it that is turned over, glued along the border. Face f is copied as face f and, turned over,
-// as f + n. Also fills the vertices below, and the lengths of the edges.
+// A complex and a turned-over copy of it, glued along the border. Face f is copied as face f and, turned over, as f +
+// n. Also fills the vertices below, and the lengths of the edges.
 inline Delta_complex doubled(const Delta_complex& complex, const std::vector<double>& lengths,
                              std::vector<std::uint32_t>& vertex_of, std::vector<double>& doubled_lengths)
 {

@@ -30,7 +30,7 @@ struct Glued_faces
 {
   static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
 
-  std::vector<std::uint32_t> face_of; // for each face what it is a copy, or a part of a copy, of
+  std::vector<std::uint32_t> face_of; // for each face, the face of which it is a copy or a part of a copy
   std::vector<bool> is_back;
   Large_vector<std::uint32_t> corners;  // for each side the vertex where it begins
   Large_vector<std::uint32_t> glued_to; // for each side its partner, or none
@@ -42,7 +42,7 @@ struct Glued_faces
     glued_to[s] = t;
     glued_to[t] = s;
   }
-  // Leaves out faces.
+  // Removes faces.
   void keep(const std::vector<bool>& is_kept)
   {
     std::vector<std::uint32_t> new_number(size(), none);
@@ -69,12 +69,11 @@ struct Glued_faces
   }
 };
 
-// The longest side of a face without area leads past its third corner. Flipping it cuts the face on its other side
-// there, in two triangles that lie in space as that did. Where both faces have no area, this can make an edge between
-// two corners at the same place. Such an edge is shrunk to a point: its faces vanish, and their other sides are united
-// in pairs. In a part that is closed and has an area, no face without area remains: from each one, longest sides lead
-// over longer and longer ones to a face that has an area, or to one with the same longest side. All these flips are of
-// edges that are not Delaunay.
+// The longest side of a face without area runs past its third corner. Flipping it cuts the face on its other side
+// there, into two triangles that lie in space where that face did. If both faces have no area, this can make an edge
+// between two corners at the same place. Such an edge is shrunk to a point: its faces vanish, and their other sides are
+// united in pairs. In a closed part that has an area, no face without area remains: from each one, ever longer longest
+// sides lead to a face with an area, or to one with the same longest side. All flipped edges are not Delaunay.
 class Flat_face_remover
 {
 public:
@@ -83,7 +82,7 @@ public:
   {}
 
   // \param flat the faces without area
-  // \return the pairs of different vertices that were found to be one point
+  // \return the pairs of different vertices that turned out to be at one point
   std::vector<Vertex_number_pair> run(std::vector<std::uint32_t> flat)
   {
     std::vector<Vertex_number_pair> pairs;
@@ -117,7 +116,7 @@ private:
     return are_collinear(points_[v[0]], points_[v[1]], points_[v[2]]);
   }
 
-  // Opposite to the corner that is between the other two. \pre is_flat(face)
+  // The side opposite to the corner between the other two. \pre is_flat(face)
   std::uint32_t longest_side(std::uint32_t face) const
   {
     for (std::uint32_t i = 0; i < 2; ++i) {
@@ -143,8 +142,8 @@ private:
     }
   }
 
-  // With the side from i to j of face a, to the left of which is k, and l on the other side in face b: these
-  // become (i, l, k) and (l, j, k), parts of face b.
+  // Flips the side from i to j of face a, with k to its left and l on the other side in face b: the faces become (i, l,
+  // k) and (l, j, k), parts of face b.
   void flip(std::uint32_t side)
   {
     const std::uint32_t ij = side, ji = faces_.glued_to[side], a = ij / 3, b = ji / 3;
@@ -172,7 +171,7 @@ private:
     faces_.is_back[a] = faces_.is_back[b];
   }
 
-  // Removes a face whose third side has length zero, and glues what is beyond the other two.
+  // Removes a face whose third side has length zero, and glues its neighbors beyond the other two sides.
   void shrink(std::uint32_t face, std::uint32_t first, std::uint32_t second)
   {
     is_kept_[face] = false;

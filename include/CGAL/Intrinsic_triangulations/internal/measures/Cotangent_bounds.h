@@ -23,13 +23,12 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 // Lower bounds for the cotangents of a face's corners: opposite to ij, to jk, and to ki.
 //
-// Let S = s_ij + s_jk + s_ki. The cotangent opposite to ij is c = (S - 2 s_ij) / a, and |c| <= S / a.
-// The bound is c - 2^-22 S / a. Of the difference the rounding to float takes at most
-// 2^-24 S / a, and the operations in double a few 2^-53 S / a. So it bounds every number that
-// differs from c by at most 2^-23 S / a. An area of zero gives NaNs, whose sums are not
-// greater than zero.
+// Let S = s_ij + s_jk + s_ki. The cotangent opposite to ij is c = (S - 2 s_ij) / a, and |c| <= S / a. The bound is c -
+// 2^-22 S / a. Rounding to float takes at most 2^-24 S / a of the difference, and the operations in double a few 2^-53
+// S / a. So it bounds every number that differs from c by at most 2^-23 S / a. An area of zero gives NaNs, whose sums
+// are not greater than zero.
 //
-// N is `double` or `Two_doubles`. They are still to be rounded.
+// N is `double` or `Two_doubles`. The caller rounds the bounds.
 template <class N>
 std::array<N, 3> cotangent_bounds(const N& s_ij, const N& s_jk, const N& s_ki, const N& a)
 {
@@ -42,7 +41,7 @@ inline std::array<float, 3> rounded(const std::array<double, 3>& bounds)
   return {float(bounds[0]), float(bounds[1]), float(bounds[2])};
 }
 
-// Whether traits bound cotangents; `void` counts as nothing.
+// Whether traits bound cotangents; `void` means that they do not.
 template <class Traits, class = void>
 struct Has_cotangent_bounds : std::false_type
 {};
@@ -51,8 +50,8 @@ struct Has_cotangent_bounds<Traits, std::void_t<typename Traits::Compute_cotange
   : std::bool_constant<!std::is_void<typename Traits::Compute_cotangent_bounds>::value>
 {};
 
-// The bounds of all corners, each at the halfedge opposite to it. Border halfedges have minus
-// infinity, so that nothing is said of their edges.
+// The bounds of all corners, each at the halfedge opposite to it. Border halfedges have minus infinity, so their edges
+// are never known to be Delaunay.
 class Cotangent_bounds
 {
 public:
@@ -64,13 +63,13 @@ public:
   }
 
   void make_room(std::size_t number_of_edges) { internal::make_room(bounds_, 2 * number_of_edges); }
-  // Appends the halfedges of so many edges, of whose corners nothing is known.
+  // Appends the halfedges of so many edges, without knowledge of their corners.
   void append(std::size_t number_of_edges)
   {
     bounds_.resize(bounds_.size() + 2 * number_of_edges, -std::numeric_limits<float>::infinity());
   }
 
-  // Follows the removal of edges, as `remove_entries()`.
+  // Follows the removal of edges, like `remove_entries()`.
   template <class Edges>
   void remove(const Edges& edges)
   {
@@ -97,7 +96,7 @@ public:
   {
     return bounds_[2 * std::size_t(e.idx())] + bounds_[2 * std::size_t(e.idx()) + 1] > 0;
   }
-  // The same for four consecutive edges: bit i is set if it does for the i-th.
+  // The same for four consecutive edges: bit i is set if it holds for the i-th.
   unsigned imply_Delaunay_of_four(Edge_index e) const
   {
 #ifdef CGAL_HAS_SSE2

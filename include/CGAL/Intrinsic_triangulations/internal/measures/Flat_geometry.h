@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Vectors between points in space, and when two triangles lie in one plane, exactly.
+// Vectors between points in space, and exact tests whether two triangles lie in one plane.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_FLAT_GEOMETRY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_FLAT_GEOMETRY_H
@@ -26,8 +26,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Exact sums and products of doubles; no division. The fastest type that CGAL has, by its name: the header that would
-// select it has 50,000 lines.
+// Exact sums and products of doubles; no division. Names CGAL's fastest type directly: the header that selects it has
+// 50,000 lines.
 #ifdef CGAL_HAS_MPZF
 CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(CGAL_HAS_MPZF, 1)
 using Exact_ring = Mpzf;
@@ -65,8 +65,8 @@ inline double sum_of_absolute_values(const Vector_3<double>& v)
   return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
 }
 
-// A volume far above its rounding errors, which are less than 2^-48 of the product of the
-// sums of the absolute values.
+// Whether a volume is far above its rounding errors, which are less than 2^-48 times the product of the sums of the
+// absolute values.
 inline bool is_clearly_bent(const Points& points, Vertex_index i, Vertex_index j, Vertex_index k, Vertex_index l)
 {
   const auto a = difference<double>(points, i, j), b = difference<double>(points, i, k),
@@ -75,8 +75,8 @@ inline bool is_clearly_bent(const Points& points, Vertex_index i, Vertex_index j
          0x1p-48 * sum_of_absolute_values(a) * sum_of_absolute_values(b) * sum_of_absolute_values(c) + 1e-290;
 }
 
-// Whether four points are seen to lie in one plane without any product, as most that do:
-// in a plane parallel to two axes, or as corners k, i, l, j of a parallelogram.
+// Whether four points are seen to be coplanar without a product, as most coplanar points are: in a plane parallel to
+// two axes, or as corners k, i, l, j of a parallelogram.
 inline bool is_clearly_coplanar(const Points& points, Vertex_index i, Vertex_index j, Vertex_index k, Vertex_index l)
 {
   const auto &p = points[i.idx()], &q = points[j.idx()], &r = points[k.idx()], &s = points[l.idx()];
@@ -95,7 +95,7 @@ inline bool is_clearly_coplanar(const Points& points, Vertex_index i, Vertex_ind
 using Vertex_pair = std::pair<Vertex_index, Vertex_index>;
 inline Sign sign_of_normals(const Points& points, Vertex_pair a, Vertex_pair b, Vertex_pair c, Vertex_pair d)
 {
-  // In double the error is less than 2^-48 of the product of the sums of the absolute values.
+  // In double the error is less than 2^-48 times the product of the sums of the absolute values.
   const auto length = [&](Vertex_pair v) {
     return sum_of_absolute_values(difference<double>(points, v.first, v.second));
   };

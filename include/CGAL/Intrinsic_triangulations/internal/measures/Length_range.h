@@ -16,12 +16,12 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Of each edge that is added, the largest difference of a coordinate is looked at: within a
-// factor of sqrt(3) of the length.
+// For each added edge, only the largest difference of a coordinate is used: it is within a factor of sqrt(3) of the
+// length.
 class Length_range
 {
 public:
-  // Returns whether the points differ; an edge of zero length is left out.
+  // Returns whether the points differ; edges of zero length are ignored.
   bool add(const std::array<double, 3>& p, const std::array<double, 3>& q, const std::size_t edge)
   {
     if (p == q)
@@ -48,9 +48,8 @@ public:
   int exponent_of_longest() const { return exponent(longest_); }
   int exponent_of_shortest() const { return exponent(shortest_); }
 
-  // Whether the shortest squared length is zero once lengths are divided by 2^e, as the
-  // constructors of triangulations do. One component of a difference says it for all: where the
-  // square of the largest vanishes, so do those of the others.
+  // Whether the shortest squared length is zero once lengths are divided by 2^e, as the constructors of triangulations
+  // do. The largest component of a difference suffices: if its square vanishes, so do the others.
   bool vanishes_in_unit(int e) const
   {
     const double length = std::ldexp(shortest_, -e);

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Whether three points are on a line, exactly; nearly always told by a few operations.
+// Whether three points are on a line: an exact test that nearly always takes a few operations.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_ARE_COLLINEAR_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_ARE_COLLINEAR_H

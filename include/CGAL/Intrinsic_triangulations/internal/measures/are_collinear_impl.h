@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Whether three points are on a line, exactly; nearly always told by a few operations.
+// Whether three points are on a line: an exact test that nearly always takes a few operations.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_ARE_COLLINEAR_IMPL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_ARE_COLLINEAR_IMPL_H
@@ -17,8 +17,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A component of the cross product that is larger than its rounding error says no, and the
-// rest is decided exactly. \pre the coordinates are finite
+// If a component of the cross product exceeds its rounding error, the points are not collinear; all other cases are
+// decided exactly. \pre the coordinates are finite
 CGAL_INTRINSIC_TRIANGULATIONS_INLINE
 bool are_collinear(const std::array<double, 3>& p, const std::array<double, 3>& q, const std::array<double, 3>& r)
 {

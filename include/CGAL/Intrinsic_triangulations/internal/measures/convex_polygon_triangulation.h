@@ -43,8 +43,8 @@ public:
       for (std::size_t k = 0; k < 3; ++k)
         normal[k] += n[k];
     }
-    // Of the smallest triangle in the best triangulation of each chain, up to a factor; negative where rounding has
-    // turned a triangle over.
+    // The area of the smallest triangle in the best triangulation of each chain, up to a factor; negative if rounding
+    // has turned a triangle over.
     std::vector<double> smallest_area(size_ * size_, std::numeric_limits<double>::infinity());
     for (std::size_t length = 2; length < size_; ++length)
       for (std::size_t a = 0; a + length < size_; ++a) {
@@ -64,7 +64,7 @@ public:
   }
 
   // Calls `visit(a, apex, b)` for each triangle, a < apex < b: first for the one at the side from the last corner to
-  // the first, and for each triangle before those behind its other sides.
+  // the first, and for each triangle before the ones beyond its other sides.
   template <class Visit>
   void for_each_triangle(const Visit& visit) const
   {

@@ -65,7 +65,7 @@ FT squared_four_areas(const FT& s_ij, const FT& s_jk, const FT& s_ki)
 
 namespace internal {
 
-// Sorts so that a >= b >= c. Where intervals overlap, any order does.
+// Sorts so that a >= b >= c. If intervals overlap, any order will do.
 template <class FT>
 void sort_lengths(FT& a, FT& b, FT& c)
 {
@@ -114,14 +114,11 @@ FT Delaunay_value(const FT& p_k, const FT& a_ijk, const FT& p_l, const FT& a_jil
 
 /// \brief computes squared length and areas after the flip of ij to kl.
 ///
-/// With i at the origin and j on the first axis, k has the coordinates
-/// `(x_k, a_ijk) / (2 √s_ij)` and l has `(x_l, −a_jil) / (2 √s_ij)`, where
-/// `x_k = s_ki + s_ij − s_jk` and `x_l = s_il + s_ij − s_lj`. Hence
-/// `s_kl = ((x_k − x_l)² + (a_ijk + a_jil)²) / (4 s_ij)`,
-/// `a_ilk = (x_k a_jil + x_l a_ijk) / (2 s_ij)`, and with `y = 2 s_ij − x`
-/// `a_jkl = (y_k a_jil + y_l a_ijk) / (2 s_ij)`.
-/// This takes one division, no root, and no differences except in x and y. If all radicals
-/// in the input are areas of input faces, so are those in the output: they never nest.
+/// With i at the origin and j on the first axis, k has the coordinates `(x_k, a_ijk) / (2 √s_ij)` and l has `(x_l,
+/// −a_jil) / (2 √s_ij)`, where `x_k = s_ki + s_ij − s_jk` and `x_l = s_il + s_ij − s_lj`. Hence `s_kl = ((x_k − x_l)² +
+/// (a_ijk + a_jil)²) / (4 s_ij)`, `a_ilk = (x_k a_jil + x_l a_ijk) / (2 s_ij)`, and with `y = 2 s_ij − x` `a_jkl = (y_k
+/// a_jil + y_l a_ijk) / (2 s_ij)`. This takes one division, no root, and no differences except in x and y. If all
+/// radicals in the input are areas of input faces, so are all in the output: radicals never nest.
 template <class FT>
 void flip_hinge(const FT& s_ij, const FT& s_jk, const FT& s_ki, const FT& s_il, const FT& s_lj, const FT& a_ijk,
                 const FT& a_jil, FT& s_kl, FT& a_ilk, FT& a_jkl)

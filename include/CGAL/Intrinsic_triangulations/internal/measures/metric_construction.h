@@ -3,8 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// From points or lengths to the traits' data of edges and faces, with the checks that
-// an input needs to be a metric.
+// From points or lengths to the traits' data of edges and faces, with checks that the input is a metric.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_METRIC_CONSTRUCTION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_METRIC_CONSTRUCTION_H
@@ -44,7 +43,7 @@ struct Is_used_vertex
   bool operator()(std::size_t v) const { return complex.halfedge(Vertex_index(std::uint32_t(v))).is_valid(); }
 };
 
-// Whether the functors of traits take two edges or faces at once.
+// Whether the traits' functors take two edges or faces at once.
 template <class Traits, class = void>
 struct Takes_two_faces : std::false_type
 {};
@@ -57,7 +56,7 @@ struct Takes_two_faces<
   : std::true_type
 {};
 
-// Bounds the corners of the face of h, whose sides from h on are given.
+// Bounds the corners of the face of h, given its sides from h on.
 template <class Traits>
 void bound_corners(const Traits& traits, Halfedge_index h, Halfedge_index next, Halfedge_index prev,
                    const typename Traits::Face_data& face, const typename Traits::Edge_data& side,
@@ -72,7 +71,7 @@ void bound_corners(const Traits& traits, Halfedge_index h, Halfedge_index next, 
   }
 }
 
-// Bounds the corners of the two faces that a flip has made.
+// Bounds the corners of the two faces made by a flip.
 template <class Traits>
 void bound_corners_of_flipped(const Traits& traits, const Hinge_halfedges& around,
                               const typename Traits::Hinge_data& old,
@@ -105,10 +104,10 @@ struct Face_halfedges
   Halfedge_index h, next, prev;
 };
 
-// Computes what is kept for a face and its sides from its corners.
+// Computes the data of a face and its sides from its corners.
 //
-// All that is computed from them is computed while they are at hand: an edge twice, which takes
-// less time than to fetch its ends once more.
+// Everything is computed while the corners are at hand. This measures each edge twice, which is faster than fetching
+// its ends again.
 template <class ConcurrencyTag, class Traits>
 class Face_measurer
 {
@@ -128,11 +127,11 @@ public:
   // Not zero if a side has length zero: numbers can be combined without a branch.
   int is_zero(const Edge_data& e) const { return int(!possibly(traits_.compute_squared_length_object()(e) > FT(0))); }
 
-  // What was found out about the faces that were measured.
+  // Findings about the measured faces.
   struct Findings
   {
     int has_zero = 0;                  // a side has length zero
-    std::uint32_t has_other_faces = 0; // with more or fewer than three sides
+    std::uint32_t has_other_faces = 0; // more or fewer than three sides
     Two_doubles shortest = std::numeric_limits<double>::infinity();
 
     bool are_fine() const
@@ -158,8 +157,8 @@ public:
     return is_zero(pq) | is_zero(qr) | is_zero(pr);
   }
 
-  // Returns the smallest squared length of either face. Inlined by force: where the loop is compiled once, GCC would
-  // call it.
+  // Returns the smallest squared length of either face. Inlined by force: GCC would call it from the loop that is
+  // compiled once.
   BOOST_FORCEINLINE Two_doubles measure(const Face_halfedges& one, const Face_halfedges& two) const
   {
     const auto edge = traits_.construct_edge_data_object();
@@ -179,7 +178,7 @@ public:
   }
 
 private:
-  // Coordinate by coordinate, so that they are kept in registers.
+  // Coordinate by coordinate, to keep them in registers.
   Point_data corner(Halfedge_index h) const
   {
     const Point_data& p = points_[complex_.target(h).idx()];
@@ -235,14 +234,14 @@ void Face_measurer<ConcurrencyTag, Traits>::measure(std::size_t first, std::size
   findings = found;
 }
 
-// For a complex that is complete: what construct_metric_from_points() asks of a `Face_graph_copier`.
+// Plays the role of a `Face_graph_copier` in construct_metric_from_points(), for a complex that is complete.
 struct Null_copier
 {
   void copy_faces(std::size_t, std::size_t) const {}
   void finish() const {}
 };
 
-// The copier brings the faces, a few at a time.
+// The copier supplies the faces, a few at a time.
 template <class ConcurrencyTag, class Traits, class Copier, class PointVector, class EdgeVector, class FaceVector>
 void construct_metric_from_points(const Delta_complex& complex, Copier& copier, const Traits& traits,
                                   const PointVector& points, EdgeVector& edges, FaceVector& faces,

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// What points or lengths are refused for, in words.
+// The messages about points or lengths that are refused.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_METRIC_DEFECTS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_METRIC_DEFECTS_H
@@ -28,9 +28,10 @@ struct Defect_tally
     ++count;
   }
   std::string and_more() const;
-  // \exception Invalid_surface_error if there are any: of the first one it says `subject`, its number and `predicate`
+  // \exception Invalid_surface_error if there are any: the message names the first one by `subject`, its number and
+  // `predicate`
   void refuse(Defect defect, const char* subject, const char* predicate, const char* advice = "") const;
-  // The same of numbers that are too small.
+  // The same for numbers that are too small.
   void refuse_underflow(const char* subject, const char* advice = "; remove the outliers") const;
 
   std::size_t first = 0;
@@ -39,7 +40,7 @@ struct Defect_tally
 
 // Refuses edges whose squared length is zero. \param is_coincident whether the ends of the first are at the same place
 [[noreturn]] void throw_zero_length(const Delta_complex& complex, const Defect_tally& offenders, bool is_coincident);
-// For an edge that a flip has made.
+// For an edge made by a flip.
 [[noreturn]] void throw_no_length(const Delta_complex& complex, Edge_index e);
 
 // Lengths of 1e-160 or 1e160 are well within the range of double, but their squares are not.

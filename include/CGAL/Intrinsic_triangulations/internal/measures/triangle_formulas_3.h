@@ -46,7 +46,7 @@ FT sqrt_of_non_negative(const FT& x)
   return FT(0);
 }
 
-// Of sums of squares, which are not negative.
+// For sums of squares, which are not negative.
 inline Two_doubles sqrt_of_non_negative(const Two_doubles& x) { return rounded_sqrt(x); }
 
 // The same bits for (p, q) and (q, p).

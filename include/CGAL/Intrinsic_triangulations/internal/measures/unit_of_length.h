@@ -3,8 +3,8 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The power of two by which points or lengths are scaled, so that what is computed with them
-// stays within the range of the number type.
+// The power of two by which points or lengths are scaled, so that computations stay within the range of the number
+// type.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_UNIT_OF_LENGTH_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_UNIT_OF_LENGTH_H
@@ -28,10 +28,10 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Products of two squared lengths occur, and differences of such products matter down to
-// their rounding: lengths between 2^-(a tenth of the largest exponent) and 2^(the same) stay far
-// from over- and underflow. Where the largest is not one of them it is made the largest of them,
-// so that what is small beside it keeps all its bits if it can.
+// Products of two squared lengths occur, and differences of such products matter down to their rounding: lengths
+// between 2^-(a tenth of the largest exponent) and 2^(the same) stay far from over- and underflow. If the largest
+// length is outside of that range, it is scaled to its upper end, so that small lengths keep all their bits if they
+// can.
 template <class FT>
 int unit_exponent(double largest)
 {
@@ -54,7 +54,7 @@ FT times_power_of_two(const FT& x, int exponent)
   if constexpr (Is_interval<FT>::value)
     return FT(std::ldexp(x.inf(), exponent), std::ldexp(x.sup(), exponent));
   else if constexpr (has_small_exponent_range<FT>) {
-    using std::ldexp; // that of Boost is found by its argument
+    using std::ldexp; // Boost's function is found by its argument
     return ldexp(x, exponent);
   } else if constexpr (has_exact_roots<FT>) {
     FT result = x;
@@ -84,7 +84,7 @@ template <class FT>
 bool scale(FT& x, int exponent)
 {
   if constexpr (has_exact_roots<FT>) {
-    // A `double` stays one if it can: what else an exact number is made of makes it slower.
+    // A `double` stays one if it can: exact numbers built in other ways are slower.
     const double rounded = CGAL::to_double(x), scaled = std::ldexp(rounded, exponent);
     if (std::ldexp(scaled, -exponent) == rounded && FT(rounded) == x)
       x = FT(scaled);
@@ -103,8 +103,8 @@ bool scale(FT& x, int exponent)
   return is_exact;
 }
 
-// Is zero for finite numbers and NaN otherwise, and needs no branch. An exact number may be
-// finite and still beyond double, where scaling cannot help either.
+// Zero for finite numbers and NaN otherwise, without a branch. An exact number may be finite and still beyond double,
+// where scaling cannot help either.
 inline double zero_if_finite(double x) { return x - x; }
 
 template <class PointVector>
@@ -135,8 +135,8 @@ struct Box
     }
     zero += other.zero;
   }
-  // Half of the largest extent, as the extent itself may overflow. Zero only if there is none: half
-  // of the smallest number is no number.
+  // Half of the largest extent, because the extent itself may overflow. Zero only if there is no extent: half of the
+  // smallest number is not representable.
   double half_extent() const
   {
     double largest = 0;
@@ -145,7 +145,7 @@ struct Box
         largest = (std::max)({largest, high[i] / 2 - low[i] / 2, 0x1p-1074});
     return largest;
   }
-  // Whether a coordinate is the same everywhere, so that no length depends on it.
+  // Whether a coordinate is constant, so that no length depends on it.
   bool is_flat(int i) const { return low[i] == high[i]; }
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -153,15 +153,14 @@ struct Box
   double zero = 0; // NaN if a coordinate is not finite
 };
 
-// Scales the coordinates of a vertex as those of a surface in the box are, and returns whether that was
-// exact. A large or tiny coordinate that is the same everywhere would leave the range of the
-// number type and is not needed.
+// Scales the coordinates of a vertex of a surface in the box, and returns whether that was exact. A constant coordinate
+// that is large or tiny would leave the range of the number type, and is not needed.
 template <class FT>
 bool scale_point(std::array<FT, 3>& point, const Box& box, int exponent)
 {
   bool is_exact = true;
   for (int i = 0; i < 3; ++i)
-    // Of a number type wider than double the box has only what is left after rounding.
+    // For a number type wider than double, the box has rounded coordinates.
     if (is_machine_number<FT> && sizeof(FT) <= sizeof(double) && box.is_flat(i))
       point[i] = FT(0);
     else
@@ -169,7 +168,7 @@ bool scale_point(std::array<FT, 3>& point, const Box& box, int exponent)
   return is_exact;
 }
 
-// The box of the vertices that are used. All have to be finite.
+// The box of the used vertices, which must all be finite.
 template <class ConcurrencyTag, class PointVector, class IsUsed>
 Box bounding_box(const PointVector& points, const IsUsed& is_used)
 {
@@ -197,8 +196,8 @@ Box bounding_box(const PointVector& points, const IsUsed& is_used)
   return result;
 }
 
-// Chooses the unit by the vertices that are used. The others become zero if there is another
-// unit than that of the input, in which they need have no place.
+// Chooses the unit by the used vertices. The others become zero if the unit differs from the input's, because they may
+// not be representable in it.
 template <class ConcurrencyTag = Sequential_tag, class PointVector, class IsUsed>
 int normalize_points(PointVector& points, const IsUsed& is_used)
 {

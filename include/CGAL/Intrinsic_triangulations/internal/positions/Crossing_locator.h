@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Computes where the crossings of an intrinsic edge lie on it and on the input edges.
+// Computes the positions of an intrinsic edge's crossings on it and on the input edges.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_CROSSING_LOCATOR_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_CROSSING_LOCATOR_H
@@ -30,7 +30,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A number in [0, 1] for which lower <= x <= upper is known, as a double.
+// A number x in [0, 1] with known bounds lower <= x <= upper, as a double.
 struct Located
 {
   double value;
@@ -41,7 +41,7 @@ inline Located located(const Bounded_double_double& x) { return {x.hi(), x.error
 inline Located located(const Mpfr_interval& x)
 {
   const double low = x.lower_double(), high = x.upper_double();
-  // An interval around a double is two units in its last place wide, however high the precision.
+  // An interval around a double is two units in its last place wide, at any precision.
   return {low + (high - low) / 2, high - low <= 0x1p-51 * std::abs(low)};
 }
 
@@ -72,16 +72,17 @@ struct Position_on_edges
   }
 };
 
-// By numbers with one bound for all their errors; gives up where that does not do.
+// Uses one a priori error bound; returns false if it is too weak.
 //
-// In double-doubles from the start. Of the error that is promised, rounding the quotient takes half. In doubles, the areas
-// are sums of rounded products and add as much each: no bound would be small enough for a single crossing.
+// In double-doubles from the start: rounding the quotient takes half of the promised error, and in doubles each area
+// would add as much, because it is a sum of rounded products. No bound would be small enough even for a single
+// crossing.
 // \return whether all crossings were located
 template <class Frame>
 bool locate_crossings(Strip<Frame>& strip, const Crossed_edges& crossed, std::vector<Position_on_edges>& positions)
 {
   strip.lay_out(crossed);
-  // Quotients of areas that are good to 2^-55 are good to 2^-54, before they are rounded.
+  // Quotients of areas with relative errors of 2^-55 have errors of 2^-54 before they are rounded.
   const double enough = 0x1p55 * strip.frame().error(strip.target());
   positions.clear();
   return strip.for_each_crossing([&](const auto& areas, const auto&, const auto&) {
@@ -102,14 +103,14 @@ bool locate_crossings(Strip<Frame>& strip, const Crossed_edges& crossed, std::ve
 class Crossing_locator
 {
 public:
-  // \param surface the input, which remembers what it is asked
+  // \param surface the input, which caches its answers
   Crossing_locator(const Delta_complex& intrinsic, const Correspondence& correspondence, Input_surface& surface)
     : intrinsic_(intrinsic), correspondence_(correspondence), input_(correspondence.input()), surface_(surface),
       in_space_(input_, Space_frame(input_, surface.metric().points())),
       in_plane_(input_, Plane_frame(input_, surface.metric().points()))
   {}
 
-  // Where e crosses these edges, in order; valid until the next call.
+  // The positions where e crosses these edges, in order; valid until the next call.
   // \pre e crosses input edges
   const std::vector<Position_on_edges>& operator()(Edge_index e, const Crossed_edges& crossed)
   {
@@ -135,7 +136,7 @@ private:
     return std::all_of(crossed.begin(), crossed.end(), [this](Halfedge_index h) { return surface_.is_flat(h); });
   }
 
-  // By numbers that know their errors, with more and more digits.
+  // By numbers with error bounds, with more and more digits.
   void locate_in_stages(Edge_index e, const Crossed_edges& crossed)
   {
     Double_double_metric metric(surface_);
@@ -164,7 +165,7 @@ private:
         positions_.push_back(collinear_position(left, right, strip.target(), starts_left));
         return true;
       }
-      // Each part as a quotient, so that small ones are precise.
+      // Each part as a quotient, so that small parts are precise.
       const Located on_intrinsic_edge = located(areas.along / whole),
                     on_input_edge = located((starts_left ? areas.left : areas.right) / whole);
       is_good = is_good && on_intrinsic_edge.is_good && on_input_edge.is_good;
@@ -182,7 +183,7 @@ private:
                             "has flipped a hinge that is not convex");
   }
 
-  // In a strip of zero area an edge can be crossed all along: the middle of what both share.
+  // In a strip of zero area two edges can overlap: take the middle of the part that they share.
   template <class Vector>
   static Position_on_edges collinear_position(const Vector& left, const Vector& right, const Vector& target,
                                               bool starts_left)

@@ -43,7 +43,7 @@ Corners_in_both corners_in_both(const From& from, Halfedge_index from_first, con
   return corners;
 }
 
-// ad − bc; exact but for one rounding of each product's tail.
+// ad − bc; exact except for one rounding of each product's tail.
 inline double determinant(double a, double b, double c, double d)
 {
   double ad, ad_tail, bc, bc_tail;
@@ -52,7 +52,7 @@ inline double determinant(double a, double b, double c, double d)
   return (ad - bc) + (ad_tail - bc_tail);
 }
 
-// The fraction of the way from a to b at which p is nearest, in [0, 1].
+// The point of the segment from a to b that is nearest to p, as a fraction in [0, 1].
 inline double fraction_between(const Coordinates& a, const Coordinates& b, const Coordinates& p)
 {
   const double square = squared_distance_3(a, b);
@@ -67,9 +67,8 @@ inline Coordinates between(const Coordinates& a, const Coordinates& b, double t)
   return {(1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1], (1 - t) * a[2] + t * b[2]};
 }
 
-// p is a convex combination of corners, which makes the error of the result that of the
-// corners, however thin the face is. Where rounding leaves p outside, it is the nearest point of
-// the boundary.
+// Writes p as a convex combination of corners, so the error of the result is that of the corners, however thin the face
+// is. If rounding has moved p outside, the nearest point of the boundary is used.
 inline Coordinates affine_image(const Corners_in_both& corners, const Coordinates& p)
 {
   const auto cross = [&](std::size_t i, std::size_t j) {

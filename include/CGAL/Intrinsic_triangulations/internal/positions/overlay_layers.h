@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The two triangulations as layers of their overlay, seen in the same way.
+// The two triangulations as layers of their overlay, with a common interface.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_OVERLAY_LAYERS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_OVERLAY_LAYERS_H
@@ -38,9 +38,9 @@ inline Halfedge_index only_side_from(const Delta_complex& complex, Face_index f,
   return result;
 }
 
-// As `search()`, which walks around the target of h if that is a vertex of the surface: through
-// all segments of the other layer there, of which each corner between them would do the same.
-// That is needed only if the face of the layer has the vertex several times.
+// Like `search()`, which walks around the target of h if that is a vertex of the surface: through all segments of the
+// other layer there. Repeating this for each corner between them is needed only if the face of the layer has the vertex
+// several times.
 template <class Search>
 Halfedge_index side_at_target(const Delta_complex& complex, const Overlay& overlay, Face_index f, Overlay::Halfedge h,
                               const Search& search)

@@ -53,8 +53,8 @@ std::optional<Sign> Intrinsic_layer::side_of_chord(Overlay::Halfedge before, con
     Strip<Frame> strip(input, Frame(input, metric));
     unfolding.lay_out(strip, complex.halfedge(e), crossed);
     const auto triangle = strip.triangle_behind(overlay.intrinsic_position(overlay.target(before)));
-    // The corner at the source of `side`: from there, the third corner relative to `side` is
-    // (p + i four_areas) / (2 s_first). The denominator is multiplied out: it is no input quantity.
+    // The corner at the source of `side`: from there, the third corner relative to `side` is (p + i four_areas) / (2
+    // s_first). The denominator is not an input quantity, so it is multiplied out.
     const auto corner = unfolding.opposite_corner(complex.next(side));
     const auto zero = metric.constant(0);
     const Coordinates c = coordinates_from(complex, point, side);

@@ -26,16 +26,16 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The edges of the other triangulation cut a face into slices by chords that do not meet. How many
-// chords join which sides follows from the numbers of crossings alone, as for normal
-// coordinates; the chords that cross one side are ordered along it, and a point lies to the
-// right of all of them up to some place. So nothing needs to be stored to search by bisection.
+// The edges of the other triangulation cut a face into slices by chords that do not meet. The numbers of crossings
+// alone determine how many chords join which sides, as for normal coordinates. The chords that cross one side are
+// ordered along it, and a point lies to the right of all of them up to some position, so bisection needs no stored
+// data.
 template <class Layer>
 class Chord_search
 {
 public:
-  // What a point lies on: the face of the overlay to the left of `part`, a part of a side of the
-  // face, or the chord after it.
+  // The location of a point: the face of the overlay to the left of `part`, a part of a side of the face, or the chord
+  // after it.
   struct Result
   {
     Overlay::Halfedge part;
@@ -49,7 +49,7 @@ public:
     Halfedge_index ij = most_crossed_side();
     Overlay::Halfedge middle;
     for (int side = 0; side < 3; ++side, ij = layer_.complex.next(ij)) {
-      // These chords cut corner i off, or run to corner k, which those of only one side do.
+      // These chords cut off corner i, or run to corner k, which the chords of only one side do.
       const Triangle_crossings t = crossings(ij);
       const std::int64_t end = t.c_i + t.e_k;
       if (side == 0)
@@ -98,8 +98,8 @@ private:
     const Coordinates y = corner_coordinates(layer_, layer_.overlay.next(part), ij);
     // The determinant of the ends (1 − a, a, 0) and y of the chord and of the point.
     const double sum = p_0 * (a * y[2]) - p_1 * ((1 - a) * y[2]) + p_2 * ((1 - a) * y[1] - a * y[0]);
-    // Positions are good to 2^-52 of their edge, and so are their distances from 1. An error of
-    // 2^-52 in one factor counts with the other one; as much again covers the rounding here.
+    // Positions are accurate to 2^-52 of their edge, and so are their distances from 1. An error of 2^-52 in one factor
+    // is multiplied by the other one; as much again covers the rounding here.
     const double error = 0x1p-50 * (p_0 * (a + y[2]) + p_1 * (1 - a + y[2]) + p_2 * (1 + y[0] + y[1])) +
                          (std::numeric_limits<double>::min)();
     if (sum > error)
@@ -114,16 +114,16 @@ private:
   const Surface_point& point_;
 };
 
-// In an input face with inserted vertices the chords begin and end anywhere, so that there is no order to search by. The
-// walk goes from piece to piece across chords that have the point on their other side, and to each piece once: where
-// such a walk would run in circles, it becomes a search through all of them.
+// In an input face with inserted vertices, chords begin and end anywhere, so there is no order for a search. The walk
+// goes from piece to piece across chords with the point on their other side, and visits each piece once: where it would
+// run in circles, it becomes a search through all pieces.
 class Piece_walk
 {
 public:
   struct Result
   {
     Overlay::Face face;
-    // Its sides before chords that the point lies on: none, one, or two that meet at an inserted vertex.
+    // The sides before chords that contain the point: none, one, or two that meet at an inserted vertex.
     boost::container::static_vector<Overlay::Halfedge, 6> before_chords;
   };
 
@@ -161,7 +161,7 @@ public:
   }
 
 private:
-  // The side of a point of the chord after a side. In a face without area all points are on the left.
+  // On which side of the chord after `side` a point lies. In a face without area all points are on the left.
   Sign side_of_chord(Overlay::Halfedge before, const Surface_point& point) const
   {
     const Coordinates x = corner_coordinates(layer_, before, point.halfedge),
@@ -169,7 +169,7 @@ private:
     const Coordinates& p = point.coordinates;
     const double sum =
       p[0] * (x[1] * y[2] - x[2] * y[1]) + p[1] * (x[2] * y[0] - x[0] * y[2]) + p[2] * (x[0] * y[1] - x[1] * y[0]);
-    // Coordinates are good to 2^-51, so that each product of two is good to 2^-50 and their difference to 2^-49.
+    // Coordinates are accurate to 2^-51, so each product of two is accurate to 2^-50 and their difference to 2^-49.
     const double error = 0x1p-48 * (p[0] + p[1] + p[2]);
     if (sum > error)
       return POSITIVE;
