@@ -66,7 +66,7 @@ function(add_idt_test name)
   endif()
   add_executable(${name} ${sources})
   target_link_libraries(${name} PRIVATE
-    Intrinsic_triangulations::compiled
+    Intrinsic_triangulations::Intrinsic_triangulations
     Intrinsic_triangulations_own_options
     ${arg_LIBRARIES}
     GTest::gtest_main)

@@ -7,8 +7,8 @@ execute_process(
   COMMAND_ERROR_IS_FATAL ANY)
 
 foreach(file include/CGAL/Intrinsic_triangulations/errors.h
-    ${SHARED_DIR}/cmake/Intrinsic_triangulations/Intrinsic_triangulationsConfig.cmake
-    ${SHARED_DIR}/pkgconfig/Intrinsic_triangulations.pc ${LIBRARY})
+    ${LIBRARY_DIR}/cmake/Intrinsic_triangulations/Intrinsic_triangulationsConfig.cmake
+    ${LIBRARY_DIR}/pkgconfig/Intrinsic_triangulations.pc ${LIBRARY_DIR}/${LIBRARY})
   if(NOT EXISTS ${PREFIX}/${file})
     message(FATAL_ERROR "${file} is not installed")
   endif()

@@ -7,8 +7,6 @@ set(ENV{PKG_CONFIG_PATH} ${PACKAGE_PREFIX}/${PKGCONFIG_DIR})
 execute_process(COMMAND ${PKG_CONFIG} --cflags Intrinsic_triangulations
   OUTPUT_VARIABLE flags OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 separate_arguments(flags UNIX_COMMAND "${flags}")
-# Without the definitions of functions, which takes half of the time.
-list(APPEND flags -DCGAL_INTRINSIC_TRIANGULATIONS_COMPILED)
 function(expect_refusal macro sentence) # [ONLY]: it is the only error
   execute_process(COMMAND ${COMPILER} -fsyntax-only -D${macro} ${flags} ${SOURCE}
     RESULT_VARIABLE status ERROR_VARIABLE messages)

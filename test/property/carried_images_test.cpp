@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
+#include "library/engine/layout/metric_images.h"
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>

@@ -13,7 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Scratch_pool.h>
+#include "library/system/Scratch_pool.h"
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 

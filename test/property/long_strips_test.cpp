@@ -15,12 +15,12 @@
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_fallback.h>
+#include "library/engine/decide/Exact_fallback.h"
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Long_crossings.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Parallel_folds.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Vertex_positions.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
+#include "library/engine/layout/Parallel_folds.h"
+#include "library/engine/layout/Unfolding.h"
+#include "library/engine/layout/Vertex_positions.h"
+#include "library/engine/layout/metric_images.h"
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>

@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/internal/positions/Crossing_locator.h>
+#include "library/positions/Crossing_locator.h"
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 

@@ -8,10 +8,10 @@
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
+#include "library/engine/layout/Unfolding.h"
 #include <CGAL/Intrinsic_triangulations/element_numbers.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_sign.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
+#include "library/engine/decide/Exact_sign.h"
+#include "library/engine/layout/metric_images.h"
 
 #include <CGAL/enum.h>
 

@@ -5,9 +5,9 @@
 // expansion in a multiquadratic field proves to be zero, and nothing else.
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Planar_vector.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Multiquadratic.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Residues.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
+#include "library/arithmetic/Multiquadratic.h"
+#include "library/arithmetic/Residues.h"
+#include "library/engine/layout/metric_images.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 // numbers.
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Coplanar_hinge.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Vertex_positions.h>
+#include "library/engine/decide/Coplanar_hinge.h"
+#include "library/engine/layout/Vertex_positions.h"
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 

@@ -3,7 +3,7 @@
 //
 // Quotients of halfedges around a vertex against products of the ratios between them.
 
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Fan_positions.h>
+#include "library/engine/layout/Fan_positions.h"
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 //
 // Intervals with MPFR end points: their products, for all signs of the ends.
 
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Mpfr_interval.h>
+#include "library/arithmetic/Mpfr_interval.h"
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 // The arithmetic behind the positions of crossings keeps the bounds that its users count on.
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_double_double.h>
+#include "library/arithmetic/Split_double_double.h"
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 

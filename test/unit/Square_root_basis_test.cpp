@@ -4,7 +4,7 @@
 // Square roots reduced to independent ones, of integers that the primes which prove the
 // independence divide, too.
 
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Square_root_basis.h>
+#include "library/arithmetic/Square_root_basis.h"
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Disk.h>
+#include "library/arithmetic/Disk.h"
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 //
 // Numbers are read alike with any standard library, bit for bit.
 
-#include <CGAL/Intrinsic_triangulations/internal/files/text_file.h>
+#include "library/files/text_file.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 // multiply-adds.
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Split_double_double.h>
+#include "library/arithmetic/Split_double_double.h"
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>

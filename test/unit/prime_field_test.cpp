@@ -3,8 +3,8 @@
 //
 // Fields with p² elements keep the laws of a field, agree with integers modulo p, and have square roots.
 
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Residues.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Prime_field.h>
+#include "library/arithmetic/Residues.h"
+#include "library/arithmetic/Prime_field.h"
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 // Images in finite fields: those of a number that is zero are zero, also where roots depend on each other, and
 // those of another number are not.
 
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Residues.h>
+#include "library/arithmetic/Residues.h"
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 
 #include <gtest/gtest.h>

@@ -5,11 +5,11 @@
 // digits.
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/decide/corner_signs.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Developed_faces.h>
+#include "library/engine/decide/corner_signs.h"
+#include "library/engine/layout/Developed_faces.h"
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Triangle_corner.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Two_straight_faces.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
+#include "library/engine/layout/Two_straight_faces.h"
+#include "library/engine/layout/metric_images.h"
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <boost/multiprecision/mpfr.hpp>

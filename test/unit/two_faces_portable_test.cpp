@@ -1,10 +1,10 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// As on a processor that has nothing for two numbers at once. Header-only, as the library was compiled for another one.
+// As on a processor that has nothing for two numbers at once. The library was compiled for another one, so its sources are compiled here, too.
 
-#undef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 #include <CGAL/FPU.h>
 #undef CGAL_HAS_SSE2
 
+#include "library/all.cpp"
 #include "two_faces_tests.h"

@@ -14,7 +14,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/convex_polygon_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
@@ -346,9 +345,5 @@ triangulate_convex_polygon(const std::vector<std::array<double, 3>>& corners)
 }
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/positions/Overlay_positions_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_COMMON_SUBDIVISION_H

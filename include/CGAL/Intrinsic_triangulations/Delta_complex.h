@@ -527,8 +527,4 @@ BOOST_FORCEINLINE Halfedge_index side_with_largest(const Delta_complex& complex,
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_impl.h>
-#endif
-
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_DELTA_COMPLEX_H

@@ -10,7 +10,6 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <CGAL/assertions.h>
@@ -226,9 +225,5 @@ private:
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/overlay/Incremental_overlay_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INCREMENTAL_OVERLAY_H

@@ -9,7 +9,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/metric/Input_metric.h>
 
@@ -41,9 +40,5 @@ Rational squared_length(const Input_metric& metric, const Delta_complex& input, 
 Rational squared_four_areas(const Input_metric& metric, const Delta_complex& input, Face_index f);
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/engine/metric/Input_metric_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INPUT_METRIC_H

@@ -10,7 +10,6 @@
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Sides_by_edge.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
@@ -251,9 +250,5 @@ Tufted_cover make_tufted_cover(const Delta_complex& complex, const std::vector<d
 }
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/cover/Cover_builder_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_TUFTED_COVER_H

@@ -9,7 +9,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_MAKE_DELTA_COMPLEX_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/copy_face_graph.h>
@@ -125,9 +124,5 @@ void write_gluing(std::ostream& os, const Delta_complex& complex, const std::vec
 Gluing read_gluing(std::istream& is);
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_io_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_MAKE_DELTA_COMPLEX_H

@@ -9,7 +9,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_POLYGON_SOUP_H
 
 #include <CGAL/Intrinsic_triangulations/observer.h>
-#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/Polygon_soup.h>
 
@@ -113,9 +112,5 @@ void read_triangles(const std::string& file_name, PointRange& points, TriangleRa
 }
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/files/polygon_soup_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_POLYGON_SOUP_H

@@ -105,8 +105,4 @@ std::vector<bool> sharp_edges(const Delta_complex& complex, const std::vector<st
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/validation/surface_features_impl.h>
-#endif
-
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_FEATURES_H

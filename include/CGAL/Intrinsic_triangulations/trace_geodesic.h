@@ -173,8 +173,4 @@ std::vector<Overlay::Segment> geodesic_segments(const Overlay& overlay, const De
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/geodesics/trace_geodesic_impl.h>
-#endif
-
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_TRACE_GEODESIC_H

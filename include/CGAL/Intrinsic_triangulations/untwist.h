@@ -311,8 +311,4 @@ auto intrinsic_Delaunay_triangulation(const Exact_gluing& gluing,
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/twists/untwist_impl.h>
-#endif
-
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_UNTWIST_H

@@ -10,7 +10,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_VALIDATE_TRIANGLES_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/Length_range.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
@@ -220,9 +219,5 @@ std::vector<std::size_t> turned_triangles(const std::vector<std::array<double, 3
                                           const std::vector<std::array<std::uint32_t, 3>>& triangles);
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/validation/validate_triangles_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_VALIDATE_TRIANGLES_H

@@ -8,9 +8,9 @@
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/decide/Exact_fallback.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/Unfolding.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/layout/metric_images.h>
+#include "library/engine/decide/Exact_fallback.h"
+#include "library/engine/layout/Unfolding.h"
+#include "library/engine/layout/metric_images.h"
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 
 #include <CGAL/Interval_nt.h>

@@ -8,6 +8,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INDEX_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INDEX_H
 
+#include <CGAL/Intrinsic_triangulations/internal/config.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>

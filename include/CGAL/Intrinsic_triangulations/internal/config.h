@@ -3,24 +3,10 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Header-only or compiled once, as a program chooses when it is built; and settings that all parts of a program must
-// share.
+// What the library and all parts of a program must share.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONFIG_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONFIG_H
-
-/// \ingroup PkgIntrinsicTriangulationsRef
-/// \brief By default the package is header-only. If `CGAL_INTRINSIC_TRIANGULATIONS_COMPILED` is defined, as the CMake
-/// target `Intrinsic_triangulations::compiled` does, everything that is not a template of the user's types comes from a
-/// library: programs compile in a third of the time, and behave the same.
-///
-/// Definitions stand in files whose names end in `_impl.h`. A header includes those of its classes unless the macro is
-/// defined.
-#ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#define CGAL_INTRINSIC_TRIANGULATIONS_INLINE
-#else
-#define CGAL_INTRINSIC_TRIANGULATIONS_INLINE inline
-#endif
 
 // Decisions are exact only if each operation on doubles is rounded as IEEE 754 says.
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||  \

@@ -12,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/config.h>
 
 #include <algorithm>
 #include <array>
@@ -193,9 +192,5 @@ private:
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_DELTA_COMPLEX_BUILDER_H

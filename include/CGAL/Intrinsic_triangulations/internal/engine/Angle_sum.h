@@ -10,7 +10,6 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
-#include <CGAL/Intrinsic_triangulations/internal/config.h>
 
 #include <CGAL/enum.h>
 
@@ -65,9 +64,5 @@ struct Estimated_corner
 Comparison_result compare_angle_sum_with_pi(const Exact_engine& engine, const std::vector<Estimated_corner>& corners);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/engine/Angle_sum_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_ANGLE_SUM_H

@@ -126,8 +126,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers_impl.h>
-#endif
-
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_ENGINE_NUMBERS_H

@@ -14,7 +14,6 @@
 #include <CGAL/Intrinsic_triangulations/reports.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Triangle_corner.h>
-#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 
@@ -293,10 +292,5 @@ bool is_inserted(const Correspondence& correspondence, Vertex_index v);
 const Surface_point& location(const Correspondence& correspondence, Vertex_index v);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_impl.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine_signs_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_H

@@ -9,7 +9,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_SAVED_TRIANGULATION_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
@@ -42,9 +41,5 @@ struct Saved_triangulation
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/engine/Saved_triangulation_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_SAVED_TRIANGULATION_H

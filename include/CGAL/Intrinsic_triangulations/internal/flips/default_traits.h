@@ -10,7 +10,6 @@
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
@@ -24,27 +23,18 @@
 #include <cstddef>
 #include <cstdint>
 
-// The library defines the macro as empty, and so instantiates what others only declare.
-#ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_EXTERN
-#define CGAL_INTRINSIC_TRIANGULATIONS_EXTERN extern
-#endif
-
 namespace CGAL::Intrinsic_triangulations::internal {
 
-CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template Flip_report
-flip_all<Sequential_tag, Whole_triangulation<Filtered_edge_length_traits>,
-         Static_boolean_property_map<Edge_index, false>, Observer<Default_visitor>>(
+extern template Flip_report flip_all<Sequential_tag, Whole_triangulation<Filtered_edge_length_traits>,
+                                     Static_boolean_property_map<Edge_index, false>, Observer<Default_visitor>>(
   Whole_triangulation<Filtered_edge_length_traits>, const Static_boolean_property_map<Edge_index, false>&,
   Observer<Default_visitor>&, std::uint64_t);
 
-CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template void
-Face_measurer<Sequential_tag, Filtered_edge_length_traits>::measure(std::size_t, std::size_t, Findings&) const;
+extern template void Face_measurer<Sequential_tag, Filtered_edge_length_traits>::measure(std::size_t, std::size_t,
+                                                                                         Findings&) const;
 
-CGAL_INTRINSIC_TRIANGULATIONS_EXTERN template int
-normalize_points<Sequential_tag, Points, Is_used_vertex>(Points&, const Is_used_vertex&);
+extern template int normalize_points<Sequential_tag, Points, Is_used_vertex>(Points&, const Is_used_vertex&);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FLIPS_DEFAULT_TRAITS_H

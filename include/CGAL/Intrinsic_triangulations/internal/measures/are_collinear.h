@@ -8,7 +8,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_ARE_COLLINEAR_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_ARE_COLLINEAR_H
 
-#include <CGAL/Intrinsic_triangulations/internal/config.h>
 
 #include <array>
 
@@ -18,9 +17,5 @@ namespace CGAL::Intrinsic_triangulations::internal {
 bool are_collinear(const std::array<double, 3>& p, const std::array<double, 3>& q, const std::array<double, 3>& r);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_ARE_COLLINEAR_H

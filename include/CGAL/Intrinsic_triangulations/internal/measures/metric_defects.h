@@ -10,7 +10,6 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/config.h>
 
 #include <cstddef>
 #include <string>
@@ -47,9 +46,5 @@ struct Defect_tally
 double area_in_input_unit(double area, int unit_exponent, Face_index f);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/measures/metric_defects_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_METRIC_DEFECTS_H

@@ -561,10 +561,8 @@ Overlay_arrays build_overlay(const Delta_complex& intrinsic, const Correspondenc
   return Overlay_builder<ConcurrencyTag>(intrinsic, correspondence, progress).build();
 }
 
-#ifdef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
 extern template Overlay_arrays build_overlay<Sequential_tag>(const Delta_complex&, const Correspondence&,
                                                              const Progress_function&);
-#endif
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

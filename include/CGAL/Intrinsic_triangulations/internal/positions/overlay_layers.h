@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 
@@ -151,9 +150,5 @@ Coordinates corner_coordinates(const Layer& layer, Overlay::Halfedge h, Halfedge
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_OVERLAY_LAYERS_H

@@ -8,7 +8,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SAVING_SAVED_FILE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SAVING_SAVED_FILE_H
 
-#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Saved_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/reports.h>
@@ -60,9 +59,5 @@ void write_saved_file(std::ostream& os, const Exact_engine& engine, const Stage_
 Saved_file read_saved_file(std::istream& is, const Go_further& go_further);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/saving/Saved_file_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SAVING_SAVED_FILE_H

@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Kept_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Rotation_system.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
@@ -256,9 +255,5 @@ private:
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence_impl.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_CORRESPONDENCE_H

@@ -10,7 +10,6 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/internal/config.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 
 #include <array>
@@ -118,9 +117,5 @@ private:
 
 } // namespace Intrinsic_triangulations
 } // namespace CGAL
-
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_COMPILED
-#include <CGAL/Intrinsic_triangulations/Input_metric.h>
-#endif
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_METRIC_INPUT_METRIC_H

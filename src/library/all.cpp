@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The library as one source, for programs without a build system.
+
+#include "files/polygon_soup.cpp"
+#include "connectivity/Delta_complex.cpp"
+#include "connectivity/Delta_complex_builder.cpp"
+#include "connectivity/Delta_complex_io.cpp"
+#include "engine/history/Correspondence.cpp"
+#include "engine/history/Normal_coordinates.cpp"
+#include "overlay/Incremental_overlay.cpp"
+#include "overlay/Overlay_builder.cpp"
+#include "measures/are_collinear.cpp"
+#include "measures/metric_defects.cpp"
+#include "engine/metric/Input_metric.cpp"
+#include "engine/metric/Rational_points.cpp"
+#include "engine/Angle_sum.cpp"
+#include "engine/Engine_numbers.cpp"
+#include "engine/Exact_engine.cpp"
+#include "engine/Exact_engine_signs.cpp"
+#include "engine/Saved_triangulation.cpp"
+#include "flips/default_traits.cpp"
+#include "twists/untwist.cpp"
+#include "positions/Overlay_positions.cpp"
+#include "positions/overlay_layers.cpp"
+#include "saving/Saved_file.cpp"
+#include "geodesics/trace_geodesic.cpp"
+#include "validation/surface_features.cpp"
+#include "validation/validate_triangles.cpp"
+#include "cover/Cover_builder.cpp"

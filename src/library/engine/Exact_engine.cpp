@@ -1,0 +1,607 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Definitions of Exact_engine: what it remembers, how it follows the flips, and corners.
+
+#include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
+#include "Exact_engine_memory.h"
+#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include "layout/Unfolding.h"
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Long_crossings.h>
+#include "layout/Developed_faces.h"
+#include "decide/Exact_fallback.h"
+#include "layout/Straight_faces.h"
+#include "layout/Vertex_positions.h"
+#include "decide/corner_signs.h"
+#include "layout/metric_images.h"
+#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <initializer_list>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+Exact_engine::Exact_engine(Delta_complex connectivity) : connectivity_(std::move(connectivity)) {}
+
+void Exact_engine::keep_input(Input_metric metric)
+{
+  std::unique_ptr<Memory> memory = std::make_unique<Memory>();
+  metric_ = std::move(metric);
+  memory_ = std::move(memory);
+}
+
+Exact_engine::Exact_engine(const Exact_engine& other) : connectivity_(other.connectivity_), metric_(other.metric_)
+{
+  if (!other.memory_)
+    return;
+  memory_ = std::make_unique<Memory>();
+  const std::lock_guard<std::mutex> lock(other.memory_->mutex);
+  memory_->correspondence = other.memory_->correspondence;
+  memory_->is_asked = other.memory_->is_asked.load();
+  memory_->decisions.tie_proof = other.memory_->decisions.tie_proof;
+  memory_->decisions.counts = other.memory_->decisions.counts;
+  memory_->journal = other.memory_->journal;
+  memory_->number_of_known_flips = other.memory_->number_of_known_flips;
+  memory_->straight_faces = other.memory_->straight_faces;
+  memory_->inserted_positions = other.memory_->inserted_positions;
+  memory_->is_prepared = other.memory_->is_prepared.load();
+  memory_->knows_straight_faces = other.memory_->knows_straight_faces.load();
+}
+
+// The surfaces refer to the members, which have moved.
+Exact_engine::Exact_engine(Exact_engine&& other) noexcept
+  : connectivity_(std::move(other.connectivity_)), metric_(std::move(other.metric_)), memory_(std::move(other.memory_))
+{
+  if (!memory_)
+    return;
+  memory_->surfaces.clear();
+  memory_->images.reset();
+  memory_->input_properties.reset();
+  memory_->developed_faces = {};
+  memory_->split_face.reset();
+  memory_->is_close_call.clear();
+  memory_->decisions.interruption.exchange({});
+}
+
+Exact_engine& Exact_engine::operator=(Exact_engine other) noexcept
+{
+  connectivity_ = std::move(other.connectivity_);
+  metric_ = std::move(other.metric_);
+  memory_ = std::move(other.memory_);
+  return *this;
+}
+
+Exact_engine::~Exact_engine() = default;
+
+const Correspondence& Exact_engine::correspondence() const { return memory_->correspondence; }
+
+Decisions& Exact_engine::decisions() { return memory_->decisions; }
+
+const Decisions& Exact_engine::decisions() const { return memory_->decisions; }
+
+Surface_lease Exact_engine::input_surface() const
+{
+  return memory_->surfaces.take([this] { return new_surface().release(); });
+}
+
+Surface_lease Exact_engine::surface_for_query() const
+{
+  prepare();
+  Long_crossings all(connectivity_, correspondence(), decisions().interruption);
+  if (correspondence().kept_crossings().is_time_for_all(connectivity_.number_of_edges(), [&] { return all.number(); }))
+    all.keep();
+  return input_surface();
+}
+
+// For a query that also uses which faces are straight.
+Surface_lease Exact_engine::prepared_surface() const
+{
+  find_straight_faces();
+  return surface_for_query();
+}
+
+// \pre `prepare()` was called
+std::unique_ptr<Input_surface> Exact_engine::new_surface() const
+{
+  {
+    const std::lock_guard<std::mutex> lock(memory_->mutex);
+    if (!memory_->input_properties)
+      memory_->input_properties = std::make_unique<Input_properties>(correspondence().input(), metric_);
+  }
+  return std::make_unique<Input_surface>(correspondence().input(), metric_, memory_->decisions,
+                                         *memory_->input_properties);
+}
+
+// ---------------------------------------------------------------- when it is asked for
+
+void Exact_engine::begin_journal()
+{
+  if (!memory_)
+    return;
+  memory_->correspondence.begin_journal();
+  memory_->is_asked = false;
+  memory_->is_prepared = false;
+  memory_->knows_straight_faces = false;
+}
+
+Exact_engine::Journals::Journals(Exact_engine& engine, std::size_t most) : engine_(engine)
+{
+  journals_.reserve(most);
+  if (engine.memory_)
+    engine.memory_->correspondence.make_room_for_journals(most);
+}
+
+// Flips of different journals commute as long as no other flip comes between: any order of them will do.
+Exact_engine::Journals::~Journals()
+{
+  if (engine_.memory_)
+    for (Journal& journal : journals_)
+      engine_.memory_->correspondence.append(std::move(journal.flips_));
+}
+
+bool Exact_engine::is_prepared() const { return memory_->is_prepared.load(std::memory_order_acquire); }
+
+void Exact_engine::prepare(const Block_runner& run) const
+{
+  const std::lock_guard<std::mutex> lock(memory_->mutex);
+  if (memory_->is_prepared.load(std::memory_order_relaxed))
+    return;
+  Memory& memory = *memory_;
+  memory.journal.reserve(memory.journal.size() + correspondence().number_of_journaled_flips() -
+                         memory.number_of_known_flips);
+  const std::vector<Edge_index> flips = memory_->correspondence.prepare(connectivity_, run);
+  memory.forget_developed_faces(connectivity_, flips);
+  memory.journal.insert(memory.journal.end(), flips.begin() + std::ptrdiff_t(memory.number_of_known_flips),
+                        flips.end());
+  memory.number_of_known_flips = 0;
+  memory_->is_asked = true;
+  memory.is_prepared.store(true, std::memory_order_release);
+}
+
+// Finds out which faces are straight, where that was not done yet, by repeating the flips that were not followed; flip()
+// keeps it up from then on.
+void Exact_engine::find_straight_faces() const
+{
+  if (memory_->knows_straight_faces.load(std::memory_order_acquire))
+    return;
+  const std::lock_guard<std::mutex> lock(memory_->mutex);
+  if (memory_->knows_straight_faces.load(std::memory_order_relaxed))
+    return;
+  Memory& memory = *memory_;
+  std::vector<Edge_index> flips = memory.journal;
+  const std::vector<Edge_index> later_flips = correspondence().journaled_flips(connectivity_);
+  flips.insert(flips.end(), later_flips.begin() + std::ptrdiff_t(memory.number_of_known_flips), later_flips.end());
+  if (!flips.empty() || !memory.straight_faces) {
+    Straight_faces straight_faces = memory.straight_faces
+                                      ? *memory.straight_faces
+                                      : Straight_faces(connectivity_.number_of_faces(), metric_.points().size());
+    if (!metric_.points().empty() && !flips.empty()) {
+      Delta_complex copy = connectivity_;
+      for (std::size_t i = flips.size(); i-- > 0;)
+        copy.flip_back(flips[i]);
+      for (Edge_index e : flips) {
+        straight_faces.flip(copy, positions(), e);
+        copy.flip(e);
+      }
+    }
+    memory.forget_developed_faces(connectivity_, flips);
+    memory.straight_faces = std::move(straight_faces);
+    std::vector<Edge_index>().swap(memory.journal);
+    memory.number_of_known_flips = later_flips.size();
+  }
+  memory_->is_asked = true;
+  memory.knows_straight_faces.store(true, std::memory_order_release);
+}
+
+// ---------------------------------------------------------------- following the flips
+
+bool Exact_engine::log_or_follow(const Hinge_halfedges& around)
+{
+  Correspondence& correspondence = memory_->correspondence;
+  if (memory_->is_asked.load(std::memory_order_relaxed) ||
+      correspondence.number_of_journaled_flips() >= longest_journal * std::size_t(connectivity_.number_of_edges()))
+    return flip_and_follow(around);
+  correspondence.flip(connectivity_, around);
+  return false;
+}
+
+bool Exact_engine::flip_and_follow(const Hinge_halfedges& around)
+{
+  if (!(is_prepared() && memory_->knows_straight_faces) &&
+      correspondence().number_of_journaled_flips() + memory_->journal.size() >=
+        longest_journal * std::size_t(connectivity_.number_of_edges())) {
+    find_straight_faces();
+    prepare();
+  }
+  // What may throw comes first, as long as it stays true without the flip; the integers come last.
+  Memory& memory = *memory_;
+  const Edge_index e = connectivity_.edge(around.ij);
+  const bool is_followed = memory.knows_straight_faces, is_straight = is_followed && follow(around),
+             is_journaled = !is_followed && correspondence().is_prepared();
+  if (is_journaled)
+    memory.journal.push_back(e);
+  if (!is_followed)
+    memory.forget_developed_faces(connectivity_, std::array{e});
+  try {
+    memory_->correspondence.flip(connectivity_, around);
+  } catch (...) {
+    if (is_journaled)
+      memory.journal.pop_back();
+    memory.forget_developed_faces(connectivity_, std::array{e});
+    throw;
+  }
+  if (is_followed && !correspondence().is_prepared())
+    ++memory.number_of_known_flips;
+  return is_straight;
+}
+
+Exact_engine::Forgotten Exact_engine::forgotten_by_flip(const Hinge_halfedges& around) const
+{
+  if (memory_)
+    find_straight_faces(); // later flips would not know what is known before this one
+  const Face_index f = connectivity_.face(around.ij), g = connectivity_.face(around.ji);
+  return {
+    {connectivity_.halfedge(f), connectivity_.halfedge(g)},
+    {connectivity_.halfedge(connectivity_.source(around.ij)), connectivity_.halfedge(connectivity_.target(around.ij))},
+    memory_ ? memory_->straight_faces->planes(f, g) : Straight_faces::no_planes};
+}
+
+void Exact_engine::flip_back(const Hinge_halfedges& around, const Forgotten& forgotten)
+{
+  if (memory_) {
+    Memory& memory = *memory_;
+    memory.forget_developed_faces(connectivity_, std::array{connectivity_.edge(around.ij)});
+    if (memory.knows_straight_faces) {
+      memory.straight_faces->put_back(connectivity_.face(around.ij), connectivity_.face(around.ji), forgotten.planes);
+      if (!correspondence().is_prepared())
+        --memory.number_of_known_flips;
+    } else if (correspondence().is_prepared()) {
+      memory.journal.pop_back();
+    }
+    memory_->correspondence.flip_back(connectivity_, around);
+  }
+  connectivity_.flip_back(around);
+  set_first({forgotten.of_faces[0], forgotten.of_faces[1]});
+  for (Halfedge_index h : forgotten.of_ends)
+    connectivity_.set_halfedge(connectivity_.target(h), h);
+}
+
+void Exact_engine::set_first(std::initializer_list<Halfedge_index> first)
+{
+  for (Halfedge_index h : first)
+    if (h.is_valid())
+      connectivity_.set_halfedge(connectivity_.face(h), h);
+}
+
+// Keeps up what is known of the faces, before the flip of the connectivity. Returns whether
+// the new faces are straight.
+bool Exact_engine::follow(const Hinge_halfedges& around)
+{
+  Memory& memory = *memory_;
+  const Edge_index e = connectivity_.edge(around.ij);
+  const bool is_close_call = !memory.is_close_call.empty() && memory.is_close_call[e.idx()];
+  if (Developed_faces& faces = memory.developed_faces; !faces.flip_in_plane(around)) {
+    // Where faces are often asked for, to lay one out later, for its successors, would take longer. Images in finite
+    // fields are so slow that they are carried for close calls alone.
+    const bool lays_out = memory.spare_layouts > 0 && correspondence().is_prepared() && !memory.images &&
+                          !(is_straight(connectivity_.face(around.ij)) && is_straight(connectivity_.face(around.ji)));
+    memory.spare_layouts -= lays_out;
+    if (is_close_call || lays_out || faces.contains(around.ij) || faces.contains(around.ji))
+      faces.flip(connectivity_, around, [&](Halfedge_index h) -> std::optional<Known_corner> {
+        if (is_straight(connectivity_.face(h)))
+          return Known_corner{h, straight_corner(h), image_of_straight_corner(h)};
+        if (!lays_out)
+          return std::nullopt;
+        return laid_out(correspondence().coordinates().side_with_most_crossings(connectivity_, connectivity_.face(h)));
+      });
+  }
+  if (is_close_call)
+    memory.is_close_call[e.idx()] = false;
+  return memory.straight_faces->flip(connectivity_, positions(), e);
+}
+
+// A face within one face of the input is straight, whatever the flips before.
+void Exact_engine::recognize_straight_face(Halfedge_index h)
+{
+  const Face_index f = connectivity_.face(h);
+  if (is_straight(f) || metric_.points().empty())
+    return;
+  for (Halfedge_index side : {h, connectivity_.next(h), connectivity_.prev(h)})
+    if (correspondence().coordinates().crossings(connectivity_.edge(side)) > 0)
+      return;
+  memory_->straight_faces->straighten(positions(), f, uncrossed_input_face(connectivity_, correspondence(), h));
+}
+
+// The journal of flips cannot be repeated beyond an insertion, and input edges are followed faster before it.
+void Exact_engine::prepare_insertion()
+{
+  find_straight_faces();
+  prepare();
+  if (correspondence().number_of_inserted_vertices() == 0 || correspondence().kept_crossings().is_empty())
+    Long_crossings(connectivity_, correspondence(), decisions().interruption).keep();
+}
+
+Vertex_index Exact_engine::split_face(const Triangle_piece& piece, const Surface_point& location)
+{
+  prepare_insertion();
+  connectivity_.make_room_for_vertex();
+  const Face_index f = connectivity_.face(piece.side);
+  memory_->split_face.reset();
+  std::optional<Developed_faces::Whole> whole;
+  if (memory_->developed_faces.contains(piece.side))
+    whole = memory_->developed_faces.whole(connectivity_, piece.side);
+  split_faces({f}, 3, 3, location, [&] { memory_->correspondence.split_face(connectivity_, piece, location); });
+  memory_->split_face = whole; // nothing is left of a split that failed
+  return connectivity_.split_face(piece.side);
+}
+
+Vertex_index Exact_engine::split_edge(Halfedge_index h, const Surface_point& location)
+{
+  prepare_insertion();
+  connectivity_.make_room_for_vertex();
+  memory_->split_face.reset();
+  std::vector<Face_index> faces;
+  for (Halfedge_index side : {h, connectivity_.opposite(h)})
+    if (!connectivity_.is_border(side))
+      faces.push_back(connectivity_.face(side));
+  split_faces(faces, 1 + faces.size(), 2, location,
+              [&] { memory_->correspondence.split_edge(connectivity_, h, location); });
+  return connectivity_.split_edge(h);
+}
+
+// What is kept of faces that are split into parts; those beyond the first are appended, face by face.
+// \param split_integers splits the faces in the correspondence. An exception leaves everything as it was
+template <class SplitIntegers>
+void Exact_engine::split_faces(const std::vector<Face_index>& faces, std::size_t number_of_new_edges,
+                               std::size_t number_of_parts, const Surface_point& location,
+                               const SplitIntegers& split_integers)
+{
+  Memory& memory = *memory_;
+  const bool has_points = !metric_.points().empty();
+  const auto position = has_points ? std::make_optional(positions().rounded(location)) : std::nullopt;
+  const std::size_t number_of_new_faces = faces.size() * (number_of_parts - 1);
+  for (Face_index f : faces)
+    memory.straight_faces->prepare_split(positions(), f, number_of_new_faces);
+  memory.developed_faces.make_room(number_of_new_edges);
+  make_room(memory.inserted_positions, 1);
+  make_room(memory.is_close_call, number_of_new_edges);
+  split_integers();
+  for (Face_index f : faces) {
+    memory.straight_faces->split(f, number_of_parts - 1);
+    memory.developed_faces.forget(connectivity_, connectivity_.halfedge(f));
+  }
+  memory.developed_faces.append(number_of_new_edges);
+  if (has_points)
+    memory.inserted_positions.push_back(*position);
+  if (!memory.is_close_call.empty())
+    memory.is_close_call.resize(connectivity_.number_of_edges() + number_of_new_edges);
+}
+
+Removed_elements Exact_engine::unsplit_edge(Halfedge_index h, std::initializer_list<Halfedge_index> first)
+{
+  memory_->correspondence.unsplit_edge(connectivity_, h);
+  const Halfedge_index behind = connectivity_.continuation(h);
+  if (!connectivity_.is_border(h))
+    join_faces(connectivity_.face(h), {connectivity_.face(h), connectivity_.face(behind)});
+  if (!connectivity_.is_border(connectivity_.opposite(h)))
+    join_faces(connectivity_.face(connectivity_.opposite(h)),
+               {connectivity_.face(connectivity_.opposite(h)), connectivity_.face(connectivity_.opposite(behind))});
+  const Removed_elements removed = connectivity_.unsplit_edge(h);
+  remove(removed);
+  set_first(first);
+  return removed;
+}
+
+Removed_elements Exact_engine::unsplit_face(Vertex_index v, std::initializer_list<Halfedge_index> first)
+{
+  const Halfedge_index a = connectivity_.halfedge(v), b = connectivity_.next_around_target(a),
+                       c = connectivity_.next_around_target(b);
+  const std::initializer_list<Face_index> faces{connectivity_.face(a), connectivity_.face(b), connectivity_.face(c)};
+  // As in Delta_complex::unsplit_face(), the least one stays.
+  join_faces((std::min)(faces), faces);
+  const Removed_elements removed = connectivity_.unsplit_face(v);
+  remove(removed);
+  set_first(first);
+  return removed;
+}
+
+// A vertex was inserted, so that all faces are known.
+void Exact_engine::join_faces(Face_index f, std::initializer_list<Face_index> faces)
+{
+  memory_->straight_faces->join(f, faces);
+  for (Face_index each : faces)
+    memory_->developed_faces.forget(connectivity_, connectivity_.halfedge(each));
+}
+
+// After the removal from the connectivity. Never throws.
+void Exact_engine::remove(const Removed_elements& removed)
+{
+  memory_->correspondence.remove(removed);
+  Memory& memory = *memory_;
+  memory.straight_faces->remove(removed.faces);
+  memory.developed_faces.remove(removed.edges);
+  if (!memory.is_close_call.empty())
+    remove_entries(memory.is_close_call, removed.edges);
+  if (!metric_.points().empty())
+    remove_entries(memory.inserted_positions, removed.vertices, metric_.points().size());
+}
+
+Vertex_positions Exact_engine::positions() const
+{
+  return {correspondence().input(), metric_.points(), correspondence().locations(), memory_->inserted_positions};
+}
+
+std::optional<Exact_engine::Image_corner> Exact_engine::image_of_straight_corner(Halfedge_index h) const
+{
+  return memory_->image(
+    [&] { return internal::image_of_straight_corner(connectivity_, positions(), h, memory_->images->rings); });
+}
+
+// A tie seldom comes alone. From the first one on, images of corners in finite fields are carried along by the
+// flips, where all areas are rational: this saves laying out strips of thousands of triangles for each tie.
+void Exact_engine::carry_images()
+{
+  memory_->images = std::make_unique<Memory::Carried_images>(new_surface());
+  memory_->developed_faces = {};
+  memory_->split_face.reset();
+}
+
+// As corner(), from what is kept of tests before.
+Exact_engine::Corner Exact_engine::developed_corner(Halfedge_index h, bool in_doubles)
+{
+  Memory& memory = *memory_;
+  const Face_index f = connectivity_.face(h);
+  if (is_straight(f))
+    return straight_corner(h, in_doubles);
+  if (!memory.developed_faces.contains(h))
+    memory.developed_faces.insert(connectivity_,
+                                  laid_out(correspondence().coordinates().side_with_most_crossings(connectivity_, f)));
+  return memory.developed_faces.contains(h) ? memory.developed_faces.corner(connectivity_, h, in_doubles)
+                                            : unfolded_corner(h, *input_surface());
+}
+
+// The corner opposite to h.
+Known_corner Exact_engine::laid_out(Halfedge_index h)
+{
+  return {
+    h, unfolded_corner(h, *input_surface()), memory_->image([&] {
+      return Unfolding<Residue_metric>(connectivity_, correspondence(), memory_->images->metric).opposite_corner(h);
+    })};
+}
+
+Exact_engine::Corner Exact_engine::kept_corner(Halfedge_index h)
+{
+  const Standard_arithmetic arithmetic;
+  prepare();
+  find_straight_faces();
+  if (memory_->developed_faces.contains(h))
+    return developed_corner(h);
+  memory_->note_question(connectivity_.number_of_edges());
+  // To carry a face along, with those that flips join it to, takes longer than to lay out a short strip again.
+  return number_of_quantities(h) <= short_strip ? corner(h, *input_surface()) : developed_corner(h);
+}
+
+std::vector<std::pair<Halfedge_index, Exact_engine::Corner>> Exact_engine::kept_corners_at(Vertex_index v)
+{
+  const Standard_arithmetic arithmetic;
+  prepare();
+  find_straight_faces();
+  Memory& memory = *memory_;
+  std::vector<std::pair<Halfedge_index, Corner>> result;
+  const auto number_of_crossings = [&](Halfedge_index h) {
+    return correspondence().coordinates().number_of_crossings(connectivity_.edge(h));
+  };
+  if (const auto whole = std::exchange(memory.split_face, std::nullopt)) {
+    Halfedge_index cheapest = whole->sides[0];
+    const auto cost = [&](Halfedge_index side) {
+      return number_of_crossings(connectivity_.next(side)) + number_of_crossings(connectivity_.prev(side));
+    };
+    for (Halfedge_index side : whole->sides)
+      if (cost(side) < cost(cheapest))
+        cheapest = side;
+    memory.developed_faces.keep_parts(connectivity_, *whole, laid_out(cheapest));
+  }
+  bool are_all_developed = true;
+  std::int64_t number = 0;
+  const Halfedge_index first = connectivity_.opposite(connectivity_.halfedge(v));
+  for (Halfedge_index vi = first;;) {
+    number += number_of_crossings(vi);
+    const Halfedge_index side = connectivity_.next(vi);
+    if (!connectivity_.is_border(vi) && !memory.developed_faces.contains(vi))
+      are_all_developed = false;
+    else if (!connectivity_.is_border(vi) && are_all_developed)
+      result.emplace_back(side, memory.developed_faces.corner(connectivity_, side));
+    if ((vi = connectivity_.next_around_source(vi)) == first)
+      break;
+  }
+  if (are_all_developed)
+    return result;
+  result = corners_at(v);
+  if (number > long_star)
+    for (const auto& [side, corner] : result)
+      memory.developed_faces.insert(connectivity_, {side, corner, std::nullopt});
+  return result;
+}
+
+// ---------------------------------------------------------------- corners
+
+std::vector<std::pair<Halfedge_index, Exact_engine::Corner>> Exact_engine::corners_at(Vertex_index v) const
+{
+  const Standard_arithmetic arithmetic;
+  const Surface_lease surface = prepared_surface(); // a removal needs to know the straight faces, too
+  Double_double_metric metric(*surface);
+  std::vector<std::pair<Halfedge_index, Corner>> result;
+  Unfolding<Double_double_metric>(connectivity_, correspondence(), metric)
+    .for_each_corner_at(v, [&](Halfedge_index h, const Corner& c) { result.emplace_back(h, c); });
+  return result;
+}
+
+Exact_engine::Corner Exact_engine::corner(Halfedge_index h, Input_surface& surface) const
+{
+  return is_straight(connectivity_.face(h)) ? straight_corner(h) : unfolded_corner(h, surface);
+}
+
+Exact_engine::Corner Exact_engine::unfolded_corner(Halfedge_index h, Input_surface& surface) const
+{
+  Double_double_metric metric(surface);
+  return Unfolding<Double_double_metric>(connectivity_, correspondence(), metric).opposite_corner(h);
+}
+
+Bounded_double_double Exact_engine::squared_length(Edge_index e, Input_surface& surface) const
+{
+  Double_double_metric metric(surface);
+  return Unfolding<Double_double_metric>(connectivity_, correspondence(), metric).squared_length(e);
+}
+
+Exact_fallback Exact_engine::exact_fallback(Input_surface& surface) const
+{
+  return {connectivity_, correspondence(), surface};
+}
+
+bool Exact_engine::is_straight(Face_index f) const { return (*memory_->straight_faces)(f); }
+
+Exact_engine::Corner Exact_engine::straight_corner(Halfedge_index h, bool in_doubles) const
+{
+  return internal::straight_corner(connectivity_, positions(), h, in_doubles);
+}
+
+// ---------------------------------------------------------------- where the input lies
+
+const Delta_complex& input(const Correspondence& correspondence) { return correspondence.input(); }
+
+std::int64_t crossings(const Correspondence& correspondence, Edge_index e)
+{
+  return correspondence.coordinates().crossings(e);
+}
+
+Halfedge_index input_halfedge(const Correspondence& correspondence, Halfedge_index h)
+{
+  return correspondence.input_halfedge(h);
+}
+
+bool is_inserted(const Correspondence& correspondence, Vertex_index v) { return correspondence.is_inserted(v); }
+
+const Surface_point& location(const Correspondence& correspondence, Vertex_index v)
+{
+  return correspondence.location(v);
+}
+
+Halfedge_index quickest_side(const Exact_engine& engine, Face_index f)
+{
+  return engine.correspondence().coordinates().side_with_most_crossings(engine.connectivity(), f);
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal

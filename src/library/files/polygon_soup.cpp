@@ -1,0 +1,163 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// The reader that belongs to the name of a file.
+
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
+#include "read_obj.h"
+#include "read_off.h"
+#include "read_ply.h"
+#include "read_stl.h"
+#include "read_ts.h"
+#include "text_file.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <new>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace CGAL::Intrinsic_triangulations {
+namespace internal {
+
+// A reader for each format. It appends what a file of some bytes holds to an empty soup, or refuses the file at the
+// first line or element that is not as it should be.
+using Soup_reader = void(const std::string& path, std::uintmax_t size, const Progress_function&, Polygon_soup&);
+template <class Reader>
+void read_by(const std::string& path, std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
+{
+  Reader(path, size, progress, soup).read();
+}
+
+void require_triangles(const std::string& file_name, const Polygon_soup& soup)
+{
+  if (soup.is_triangulated())
+    return;
+  std::size_t first = soup.number_of_faces(), count = 0;
+  for (std::size_t f = soup.number_of_faces(); f-- > 0;)
+    if (soup.polygon(f).size() != 3) {
+      first = f;
+      ++count;
+    }
+  refuse_file(file_name,
+              "face " + std::to_string(first) + " is not a triangle (" + std::to_string(count) +
+                " such faces); triangulate the faces first",
+              Defect::NOT_A_TRIANGLE, first, count);
+}
+
+// Refuses what is often found under the name of a mesh.
+inline void check_contents(const std::string& path)
+{
+  const std::string head = load_file(path, 100);
+  const std::size_t text = (std::min)(head.find_first_not_of(" \t\r\n"), head.size());
+  const auto begins_with = [&](const char* const word, const std::size_t at) {
+    return head.compare(at, std::strlen(word), word) == 0;
+  };
+  if (begins_with("\x1f\x8b", 0) || begins_with("PK\3\4", 0) ||
+      begins_with("\xfd"
+                  "7zXZ",
+                  0) ||
+      begins_with("7z\xbc\xaf", 0))
+    refuse_file(path, "the file is compressed: unpack it first");
+  if (begins_with("version https://git-lfs", 0))
+    refuse_file(path, "the file is a placeholder for a file in Git LFS: get it with git lfs pull");
+  if (begins_with("<!DOCTYPE", text) || begins_with("<!doctype", text) || begins_with("<html", text))
+    refuse_file(path, "the file is a web page, not a mesh: it was not downloaded as a file");
+}
+
+} // namespace internal
+
+std::uintmax_t readable_file_size(const std::string& file_name)
+{
+  namespace fs = std::filesystem;
+  const auto refuse = [&file_name](const std::string& text) { internal::refuse_file(file_name, text); };
+  std::error_code error;
+  const fs::file_status status = fs::status(file_name, error);
+  if (status.type() == fs::file_type::not_found)
+    refuse("there is no such file");
+  if (fs::is_directory(status))
+    refuse("this is a directory, not a file");
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    refuse("this is not a regular file");
+  errno = 0;
+  if (!std::ifstream(file_name, std::ios::binary))
+    refuse(std::string("the file cannot be opened") +
+           (errno == 0 ? "" : std::string(" (") + std::strerror(errno) + ")"));
+  const std::uintmax_t size = fs::file_size(file_name, error);
+  if (error)
+    refuse("the file cannot be read (" + error.message() + ")");
+  return size;
+}
+
+std::string conversion_advice(const std::string& file_name)
+{
+  const std::size_t dot = file_name.rfind('.');
+  if (dot == std::string::npos || file_name.find('/', dot) != std::string::npos)
+    return std::string();
+  const std::string extension = internal::in_small_letters(file_name.substr(dot)) + ' ';
+  const auto is_one_of = [&extension](const std::string& list) { return list.find(extension) != std::string::npos; };
+
+  // As a word for the shell.
+  const auto word = [](const std::string& name) {
+    const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._/+,-";
+    if (name.find_first_not_of(plain) == std::string::npos && name[0] != '-')
+      return name;
+    std::string quoted = name[0] == '-' ? "'./" : "'";
+    for (char c : name)
+      quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return internal::shown_text(quoted + '\'');
+  };
+  const std::string stem = file_name.substr(0, dot), from = word(file_name);
+  if (is_one_of(".glb .gltf .dae .fbx .3mf .3ds .amf .blend .dxf .lwo .x .x3d .ac .ase .ms3d .zae "))
+    return "; Assimp reads it: assimp export " + from + ' ' + word(stem + ".obj");
+  if (is_one_of(".msh .mesh .meshb .vtk .vtu .inp .med .nas .bdf .xdmf .exo .e .cgns .su2 .ugrid .avs .vol "))
+    return "; meshio reads its triangles: meshio convert " + from + ' ' + word(stem + ".off");
+  if (is_one_of(".step .stp .iges .igs .brep "))
+    return "; Gmsh makes triangles of it: gmsh " + from + " -2 -o " + word(stem + ".stl");
+  if (is_one_of(".gz "))
+    return "; unpack it: gunzip " + from;
+  return std::string();
+}
+
+Polygon_soup read_polygon_soup(const std::string& file_name, const Progress_function& progress)
+{
+  static constexpr std::pair<const char*, internal::Soup_reader*> readers[] = {
+    {".off", internal::read_by<internal::Off_reader>},
+    {".obj", internal::read_by<internal::Obj_reader>},
+    {".ply", internal::read_ply},
+    {".stl", internal::read_stl},
+    {".ts", internal::read_by<internal::Ts_reader>}};
+  const std::uintmax_t size = readable_file_size(file_name);
+  const std::string name = internal::in_small_letters(file_name.substr(file_name.find_last_of('/') + 1));
+  const std::string extension = name.substr((std::min)(name.rfind('.'), name.size()));
+  const auto reader =
+    std::find_if(std::begin(readers), std::end(readers), [&](const auto& r) { return r.first == extension; });
+  if (reader == std::end(readers))
+    internal::refuse_file(file_name,
+                          "the name does not end with .off, .obj, .ply, .stl or .ts, which tells the format" +
+                            conversion_advice(file_name));
+  if (size == 0)
+    internal::refuse_file(file_name, "the file is empty");
+  Polygon_soup soup;
+  try {
+    reader->second(file_name, size, progress, soup);
+  } catch (const Invalid_surface_error&) {
+    internal::check_contents(file_name); // has a better reason, perhaps
+    throw;
+  } catch (const std::bad_alloc&) {
+    soup = Polygon_soup();
+    internal::refuse_file(file_name, "there is not enough memory for this file");
+  }
+  return soup;
+}
+
+} // namespace CGAL::Intrinsic_triangulations

@@ -1,0 +1,211 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Computes the positions of an intrinsic edge's crossings on it and on the input edges.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_CROSSING_LOCATOR_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_CROSSING_LOCATOR_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/Overlay.h>
+#include "../engine/layout/Unfolding.h"
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include "../arithmetic/Split_double_double.h"
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
+#include "../engine/layout/Metric_frame.h"
+#include "../engine/layout/Strip.h"
+#include "../engine/layout/metric_images.h"
+#include "../engine/layout/Point_frames.h"
+
+#include <CGAL/Uncertain.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// A number x in [0, 1] with known bounds lower <= x <= upper, as a double.
+struct Located
+{
+  double value;
+  bool is_good; // whether the value is within 2^-53 of x, relative to x
+};
+
+inline Located located(const Bounded_double_double& x) { return {x.hi(), x.error() <= 0x1p-53 * std::abs(x.hi())}; }
+inline Located located(const Mpfr_interval& x)
+{
+  const double low = x.lower_double(), high = x.upper_double();
+  // An interval around a double is two units in its last place wide, at any precision.
+  return {low + (high - low) / 2, high - low <= 0x1p-51 * std::abs(low)};
+}
+
+// The input edges that an intrinsic edge crosses, from its crossings.
+inline void find_crossed_edges(const Overlay& overlay, const Delta_complex& input,
+                               const Overlay::Range<Overlay::Vertex>& crossings, Crossed_edges& result)
+{
+  result.clear();
+  for (Overlay::Vertex x : crossings)
+    result.push_back(input.opposite(overlay.crossing_input_halfedge(x)));
+}
+
+// Whether a halfedge is that of its edge.
+inline bool is_in_own_direction(Halfedge_index h) { return (h.idx() & 1) == 0; }
+
+// Both in [0, 1]; a rounded quotient can be outside.
+struct Position_on_edges
+{
+  double on_intrinsic_edge;
+  double on_input_edge; // in its own direction
+
+  Position_on_edges(double intrinsic, double input) : Position_on_edges(Two_doubles(intrinsic, input)) {}
+  explicit Position_on_edges(Two_doubles both)
+  {
+    both = min_of(max_of(both, Two_doubles(0.)), Two_doubles(1.));
+    on_intrinsic_edge = both.first();
+    on_input_edge = both.second();
+  }
+};
+
+// Uses one a priori error bound; returns false if it is too weak.
+//
+// In double-doubles from the start: rounding the quotient takes half of the promised error, and in doubles each area
+// would add as much, because it is a sum of rounded products. No bound would be small enough even for a single
+// crossing.
+// \return whether all crossings were located
+template <class Frame>
+bool locate_crossings(Strip<Frame>& strip, const Crossed_edges& crossed, std::vector<Position_on_edges>& positions)
+{
+  strip.lay_out(crossed);
+  // Quotients of areas with relative errors of 2^-55 have errors of 2^-54 before they are rounded.
+  const double enough = 0x1p55 * strip.frame().error(strip.target());
+  positions.clear();
+  return strip.for_each_crossing([&](const auto& areas, const auto&, const auto&) {
+    if (!(areas.left.hi >= enough && areas.right.hi >= enough && areas.along.hi >= enough))
+      return false;
+    const auto whole = areas.left + areas.right;
+    const bool starts_left = is_in_own_direction(crossed[positions.size()]);
+    const auto& from_start = starts_left ? areas.left : areas.right;
+    // Both quotients at once.
+    using Pair = Split_double_double<Two_doubles>;
+    const Pair parts(Two_doubles(areas.along.hi, from_start.hi), Two_doubles(areas.along.lo, from_start.lo));
+    const Pair whole_twice(whole.hi, whole.lo);
+    positions.push_back(Position_on_edges(quotient(parts, whole_twice, 1 / whole.hi).hi));
+    return true;
+  });
+}
+
+class Crossing_locator
+{
+public:
+  // \param surface the input, which caches its answers
+  Crossing_locator(const Delta_complex& intrinsic, const Correspondence& correspondence, Input_surface& surface)
+    : intrinsic_(intrinsic), correspondence_(correspondence), input_(correspondence.input()), surface_(surface),
+      in_space_(input_, Space_frame(input_, surface.metric().points())),
+      in_plane_(input_, Plane_frame(input_, surface.metric().points()))
+  {}
+
+  // The positions where e crosses these edges, in order; valid until the next call.
+  // \pre e crosses input edges
+  const std::vector<Position_on_edges>& operator()(Edge_index e, const Crossed_edges& crossed)
+  {
+    bool is_good = !surface_.metric().points().empty() && !has_inserted_end(e) &&
+                   (is_flat(crossed) ? locate_crossings(in_plane_, crossed, positions_)
+                                     : locate_crossings(in_space_, crossed, positions_));
+    if (!is_good)
+      locate_in_stages(e, crossed);
+    return positions_;
+  }
+
+private:
+  bool has_inserted_end(Edge_index e) const
+  {
+    if (correspondence_.number_of_inserted_vertices() == 0)
+      return false;
+    const Halfedge_index h = intrinsic_.halfedge(e);
+    return correspondence_.is_inserted(intrinsic_.source(h)) || correspondence_.is_inserted(intrinsic_.target(h));
+  }
+
+  bool is_flat(const Crossed_edges& crossed)
+  {
+    return std::all_of(crossed.begin(), crossed.end(), [this](Halfedge_index h) { return surface_.is_flat(h); });
+  }
+
+  // By numbers with error bounds, with more and more digits.
+  void locate_in_stages(Edge_index e, const Crossed_edges& crossed)
+  {
+    Double_double_metric metric(surface_);
+    bool is_good = locate(e, crossed, metric);
+    for (long precision : {128l, 512l, 2048l})
+      if (!is_good) {
+        Mpfr_metric precise_metric(surface_, {precision});
+        is_good = locate(e, crossed, precise_metric);
+      }
+  }
+
+  template <class Metric>
+  bool locate(Edge_index e, const Crossed_edges& crossed, Metric& metric)
+  {
+    using Frame = Metric_frame<Metric>;
+    Strip<Frame> strip(input_, Frame(input_, metric));
+    Unfolding<Metric>(intrinsic_, correspondence_, metric).lay_out(strip, intrinsic_.halfedge(e), crossed);
+    bool is_good = true;
+    positions_.clear();
+    strip.for_each_crossing([&](const auto& areas, const auto& left, const auto& right) {
+      const bool starts_left = is_in_own_direction(crossed[positions_.size()]);
+      check_sides(e, areas.left.sign(), areas.right.sign());
+      const auto whole = areas.left + areas.right;
+      if (!is_certain(whole.sign()) || get_certain(whole.sign()) == ZERO) {
+        is_good = false;
+        positions_.push_back(collinear_position(left, right, strip.target(), starts_left));
+        return true;
+      }
+      // Each part as a quotient, so that small parts are precise.
+      const Located on_intrinsic_edge = located(areas.along / whole),
+                    on_input_edge = located((starts_left ? areas.left : areas.right) / whole);
+      is_good = is_good && on_intrinsic_edge.is_good && on_input_edge.is_good;
+      positions_.push_back({on_intrinsic_edge.value, on_input_edge.value});
+      return true;
+    });
+    return is_good;
+  }
+
+  void check_sides(Edge_index e, const Uncertain<Sign>& left, const Uncertain<Sign>& right) const
+  {
+    if (certainly(left == NEGATIVE) || certainly(right == NEGATIVE))
+      throw Undecided_error("edge " + std::to_string(e.idx()) +
+                            " is no straight line over the input triangles: a rounded decision "
+                            "has flipped a hinge that is not convex");
+  }
+
+  // In a strip of zero area two edges can overlap: take the middle of the part that they share.
+  template <class Vector>
+  static Position_on_edges collinear_position(const Vector& left, const Vector& right, const Vector& target,
+                                              bool starts_left)
+  {
+    const auto length = squared_norm(target);
+    const double a = located(times_conjugate(left, target).x() / length).value,
+                 b = located(times_conjugate(right, target).x() / length).value;
+    const double low = (std::max)(0., (std::min)(a, b)), high = (std::min)(1., (std::max)(a, b));
+    const double middle = low + (high - low) / 2;
+    const double from_left = a == b ? 0.5 : (middle - a) / (b - a);
+    return {middle, starts_left ? from_left : 1 - from_left};
+  }
+
+  const Delta_complex& intrinsic_;
+  const Correspondence& correspondence_;
+  const Delta_complex& input_;
+  Input_surface& surface_;
+  Strip<Space_frame> in_space_;
+  Strip<Plane_frame> in_plane_;
+  std::vector<Position_on_edges> positions_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_POSITIONS_CROSSING_LOCATOR_H

@@ -1,0 +1,542 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// The passes over a list of polygons that find what is wrong with it, and how it is said.
+
+#include <CGAL/Intrinsic_triangulations/validate_triangles.h>
+#include <CGAL/Intrinsic_triangulations/internal/gluing/Surface_gluer.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+namespace internal {
+
+using Defect = Invalid_surface_error::Defect;
+
+inline std::string face_text(const Polygon_sides& polygons, const std::size_t face)
+{
+  std::ostringstream text;
+  text << face << " (corners ";
+  const std::size_t begin = polygons.begin_of_face(face), end = polygons.begin_of_face(face + 1);
+  for (std::size_t c = begin; c < end && c < begin + 8; ++c)
+    text << (c == begin ? "" : ", ") << polygons.vertex(c);
+  text << (end > begin + 8 ? ", ...)" : ")");
+  return text.str();
+}
+
+inline std::string edge_text(const Polygon_sides& polygons, const std::size_t side)
+{
+  const std::array<std::size_t, 2> v = polygons.ends(side);
+  return "edge " + std::to_string(v[0]) + "-" + std::to_string(v[1]);
+}
+
+inline std::string faces_text(const Polygon_sides& polygons, const std::size_t side)
+{
+  const std::vector<std::size_t> faces = polygons.faces_of_edge(side);
+  std::string text = faces.size() == 1 ? "face " : "faces ";
+  for (std::size_t i = 0; i < faces.size() && i < 8; ++i)
+    text += (i == 0 ? "" : ", ") + std::to_string(faces[i]);
+  return text + (faces.size() > 8 ? ", ..." : "");
+}
+
+// Examines one list of polygons, in passes over the flat arrays of Polygon_sides.
+class Surface_examiner
+{
+  using Coordinates = std::array<double, 3>;
+
+public:
+  Surface_examiner(const std::vector<Coordinates>& points, Polygon_sides& polygons)
+    : points_(points), polygons_(polygons)
+  {}
+
+  Surface_report examine()
+  {
+    report_.number_of_vertices = number_of_vertices_;
+    report_.number_of_faces = polygons_.number_of_faces();
+    if (examine_numbers()) {
+      examine_coordinates();
+      examine_faces();
+      polygons_.sort_sides();
+      examine_edges();
+      examine_lengths();
+      examine_use();
+    }
+    std::stable_sort(report_.findings.begin(), report_.findings.end(),
+                     [](const Finding& a, const Finding& b) { return a.defect < b.defect; });
+    return std::move(report_);
+  }
+
+private:
+  typedef Polygon_sides::Index Index;
+  typedef Polygon_sides::Side Side;
+  static constexpr Index none_ = Polygon_sides::none;
+
+  // The sides of the edge from the current bucket's vertex to this one.
+  struct Edge_mark
+  {
+    Index bucket, first_side, count;
+    bool same_direction, same_third;
+  };
+
+  const Coordinates& point(const std::size_t vertex) const { return points_[vertex]; }
+  Finding& add(const Defect defect, const std::size_t count, std::vector<std::size_t> elements, std::string description)
+  {
+    report_.findings.push_back(
+      Finding{defect, std::move(elements), {}, count, defect <= Defect::OUT_OF_RANGE, std::move(description)});
+    return report_.findings.back();
+  }
+  // \param describe says what is wrong with the first element
+  template <class Describe>
+  void add(const Defect defect, const Element_collector& elements, const Describe& describe)
+  {
+    if (elements.count() != 0)
+      add(defect, elements.count(), elements.elements(), describe(elements.first()));
+  }
+  // The elements of `edges` are positions in sides_ of the first sides of edges.
+  template <class Describe>
+  void add_edges(const Defect defect, const Element_collector& edges, const Describe& describe)
+  {
+    if (edges.count() == 0)
+      return;
+    Finding& finding = add(defect, edges.count(), {}, describe(edges.first()));
+    for (const std::size_t s : edges.elements()) {
+      finding.elements.push_back(polygons_.face_of_side(s));
+      finding.edges.push_back(polygons_.ends(s));
+    }
+  }
+  // Says what was seen while the polygons were copied; whether there is more to examine.
+  bool examine_numbers()
+  {
+    const std::size_t n = number_of_vertices_, number_of_faces = report_.number_of_faces;
+    if (number_of_faces == 0)
+      add(Defect::EMPTY, 1, {},
+          n == 0 ? "there is no vertex and no face" : "there " + are_counted(n, "vertex", "vertices") + " but no face");
+    else if (!polygons_.can_be_numbered())
+      add(Defect::OUT_OF_RANGE, 1, {},
+          n >= none_ || number_of_faces >= none_ / 3
+            ? std::to_string(n) + " vertices and " + std::to_string(number_of_faces) +
+                " faces are more than 32-bit indices can number"
+            : "the faces have more corners than 32-bit indices can number");
+    if (!report_.findings.empty())
+      return false;
+    add(Defect::BAD_INDEX, polygons_.faces_with_bad_index(), [&](const std::size_t f) {
+      return "face " + std::to_string(f) + " names vertex " + index_text(polygons_.first_bad_index()) + ", but there " +
+             are_counted(n, "vertex", "vertices");
+    });
+    return true;
+  }
+
+  void examine_coordinates()
+  {
+    Element_collector bad;
+    for (std::size_t v = 0; v < number_of_vertices_; ++v) {
+      const Coordinates p = point(v);
+      if (!(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])))
+        bad.add(v);
+      else if (polygons_.is_used(v))
+        for (int i = 0; i < 3; ++i)
+          box_.add(i, p[i]);
+    }
+    all_finite_ = bad.count() == 0;
+    if (all_finite_)
+      examine_scaled_coordinates();
+    add(Defect::NOT_FINITE, bad, [this](const std::size_t v) {
+      const Coordinates p = point(v);
+      std::ostringstream text;
+      text.precision(17);
+      text << "vertex " << v << " has the coordinates (" << p[0] << ", " << p[1] << ", " << p[2] << ")";
+      return text.str();
+    });
+  }
+
+  // What the constructors refuse to scale.
+  void examine_scaled_coordinates()
+  {
+    exponent_ = unit_exponent<double>(box_.half_extent());
+    if (exponent_ == 0)
+      return;
+    Element_collector vanishing;
+    for (std::size_t v = 0; v < number_of_vertices_; ++v)
+      if (Coordinates p = point(v); polygons_.is_used(v) && !scale_point(p, box_, exponent_))
+        vanishing.add(v);
+    add(Defect::OUT_OF_RANGE, vanishing, [this](const std::size_t v) {
+      const Coordinates p = point(v);
+      std::ostringstream text;
+      text << "vertex " << v << " at (" << p[0] << ", " << p[1] << ", " << p[2]
+           << ") has a coordinate that is lost beside the size of the surface, about " << 2 * box_.half_extent();
+      return text.str();
+    });
+  }
+
+  // Number of corners, repeated corners and zero areas.
+  void examine_faces()
+  {
+    Element_collector not_triangles, repeated, flat;
+    std::vector<Index> last_face(polygons_.are_triangles() ? 0 : number_of_vertices_, none_); // for polygons only
+    for (std::size_t f = 0; f < report_.number_of_faces; ++f) {
+      const std::size_t begin = polygons_.begin_of_face(f), end = polygons_.begin_of_face(f + 1);
+      if (end - begin != 3)
+        not_triangles.add(f);
+      if (begin == end || polygons_.vertex(begin) == none_)
+        continue;
+      if (end - begin == 3) {
+        const Index a = polygons_.vertex(begin), b = polygons_.vertex(begin + 1), c = polygons_.vertex(begin + 2);
+        if (a == b || b == c || c == a)
+          repeated.add(f);
+        else if (all_finite_ && are_collinear(point(a), point(b), point(c)))
+          flat.add(f);
+        continue;
+      }
+      bool is_repeated = false;
+      for (std::size_t c = begin; c < end; ++c) {
+        is_repeated = is_repeated || last_face[polygons_.vertex(c)] == f;
+        last_face[polygons_.vertex(c)] = static_cast<Index>(f);
+      }
+      if (is_repeated)
+        repeated.add(f);
+    }
+    add(Defect::NOT_A_TRIANGLE, not_triangles, [this](const std::size_t f) {
+      const std::size_t corners = polygons_.degree(f);
+      const bool has_text = corners != 0 && polygons_.vertex(polygons_.begin_of_face(f)) != none_;
+      return "face " + (has_text ? face_text(polygons_, f) : std::to_string(f)) + " has " +
+             counted(corners, "corner", "corners") + " instead of 3";
+    });
+    const auto face = [this](const std::size_t f) { return "face " + face_text(polygons_, f); };
+    add(Defect::REPEATED_CORNER, repeated, [&](const std::size_t f) { return face(f) + " names a vertex twice"; });
+    add(Defect::DEGENERATE_FACE, flat, [&](const std::size_t f) { return face(f) + " has zero area"; });
+  }
+
+  void examine_edges()
+  {
+    Element_collector crowded, turned, coincident, duplicates;
+    std::vector<Edge_mark> marks(number_of_vertices_, Edge_mark{none_, 0, 0, false, false});
+    std::vector<std::array<Index, 3>> crowded_faces; // other, third, face
+    Disjoint_sets fans(polygons_.number_of_corners());
+    Length_range lengths;
+    for (std::size_t a = 0; a < number_of_vertices_; ++a) {
+      const std::size_t begin = polygons_.bucket_begin(a), end = polygons_.bucket_begin(a + 1);
+      for (std::size_t s = begin; s < end; ++s) {
+        const Side& side = polygons_.side(s);
+        Edge_mark& mark = marks[side.other];
+        if (mark.bucket != a) {
+          mark = Edge_mark{static_cast<Index>(a), static_cast<Index>(s), 1, false, false};
+          continue;
+        }
+        const Side& first = polygons_.side(mark.first_side);
+        const bool same_direction = polygons_.leaves(side, a) == polygons_.leaves(first, a);
+        fans.unite(same_direction ? side.source : side.target, first.source);
+        fans.unite(same_direction ? side.target : side.source, first.target);
+        if (++mark.count == 2) {
+          const Index third = polygons_.third_vertex(side);
+          mark.same_direction = same_direction;
+          mark.same_third = third != none_ && third > side.other && third == polygons_.third_vertex(first);
+        }
+      }
+      bool is_crowded = false;
+      for (std::size_t s = begin; s < end; ++s) {
+        const Side& side = polygons_.side(s);
+        const Edge_mark& mark = marks[side.other];
+        if (mark.first_side == s) {
+          ++report_.number_of_edges;
+          report_.number_of_border_edges += mark.count == 1;
+          if (!lengths.add(point(a), point(side.other), s))
+            coincident.add(s);
+          if (mark.count > 2) {
+            crowded.add(s);
+            is_crowded = true;
+          } else if (mark.same_direction)
+            turned.add(s);
+        } else if (mark.count == 2 && mark.same_third)
+          duplicates.add(polygons_.face_of_corner(side.source));
+      }
+      if (is_crowded)
+        find_duplicates_in_bucket(begin, end, marks, crowded_faces, duplicates);
+    }
+    report_.is_orientable = turned.count() == 0 || (crowded.count() == 0 && is_orientable(marks));
+    const auto edge = [this](const std::size_t s) { return edge_text(polygons_, s); };
+    const auto faces = [this](const std::size_t s) { return faces_text(polygons_, s); };
+    add(Defect::DUPLICATE_FACE, duplicates, [&](const std::size_t f) {
+      return "face " + face_text(polygons_, f) + " has the same corners as face " + std::to_string(first_face_like(f));
+    });
+    add_edges(Defect::NON_MANIFOLD_EDGE, crowded, [&](const std::size_t s) {
+      return edge(s) + " has " + std::to_string(polygons_.faces_of_edge(s).size()) + " faces (" + faces(s) + ")";
+    });
+    add_edges(Defect::INCONSISTENT_ORIENTATION, turned, [&](const std::size_t s) {
+      const bool is_one_sided = !report_.is_orientable && crowded.count() == 0;
+      return edge(s) + " is traversed in the same direction by both its faces (" + faces(s) +
+             (is_one_sided ? ") and the surface is one-sided, so that no choice of directions fits" : ")");
+    });
+    add_edges(Defect::ZERO_LENGTH_EDGE, coincident,
+              [&](const std::size_t s) { return edge(s) + " of " + faces(s) + " has zero length, its ends coincide"; });
+    count_fans(fans);
+    if (all_finite_)
+      lengths_ = lengths;
+  }
+  // Among the faces at the edges of a bucket that have more than two.
+  void find_duplicates_in_bucket(const std::size_t begin, const std::size_t end, const std::vector<Edge_mark>& marks,
+                                 std::vector<std::array<Index, 3>>& faces, Element_collector& duplicates) const
+  {
+    faces.clear();
+    for (std::size_t s = begin; s < end; ++s) {
+      if (marks[polygons_.side(s).other].count <= 2)
+        continue;
+      const Index third = polygons_.third_vertex(polygons_.side(s));
+      if (third != none_ && third > polygons_.side(s).other)
+        faces.push_back({{polygons_.side(s).other, third, static_cast<Index>(polygons_.face_of_side(s))}});
+    }
+    std::sort(faces.begin(), faces.end());
+    for (std::size_t i = 1; i < faces.size(); ++i)
+      if (faces[i][0] == faces[i - 1][0] && faces[i][1] == faces[i - 1][1])
+        duplicates.add(faces[i][2]);
+  }
+  std::size_t first_face_like(const std::size_t face) const
+  {
+    const auto sorted_corners = [this](const std::size_t f) {
+      const std::size_t c = polygons_.begin_of_face(f);
+      std::array<Index, 3> v = {{polygons_.vertex(c), polygons_.vertex(c + 1), polygons_.vertex(c + 2)}};
+      std::sort(v.begin(), v.end());
+      return v;
+    };
+    const std::array<Index, 3> v = sorted_corners(face);
+    std::size_t f = 0;
+    while (f != face && (polygons_.degree(f) != 3 || sorted_corners(f) != v))
+      ++f;
+    return f;
+  }
+  // Can the faces be turned to agree? Each face has two nodes, itself and
+  // itself turned; a one-sided surface connects them. Only when edges disagree.
+  bool is_orientable(std::vector<Edge_mark>& marks) const
+  {
+    const Index f = static_cast<Index>(report_.number_of_faces);
+    Disjoint_sets turns(2 * std::size_t(f));
+    marks.assign(marks.size(), Edge_mark{none_, 0, 0, false, false});
+    for (std::size_t a = 0; a < number_of_vertices_; ++a)
+      for (std::size_t s = polygons_.bucket_begin(a); s < polygons_.bucket_begin(a + 1); ++s) {
+        Edge_mark& mark = marks[polygons_.side(s).other];
+        if (mark.bucket != a) {
+          mark.bucket = static_cast<Index>(a);
+          mark.first_side = static_cast<Index>(s);
+          continue;
+        }
+        const Side& first = polygons_.side(mark.first_side);
+        const Index x = static_cast<Index>(polygons_.face_of_corner(first.source));
+        const Index y = static_cast<Index>(polygons_.face_of_side(s));
+        const bool same = polygons_.leaves(first, a) == polygons_.leaves(polygons_.side(s), a);
+        turns.unite(x, same ? y + f : y);
+        turns.unite(x + f, same ? y : y + f);
+      }
+    for (Index x = 0; x < f; ++x)
+      if (turns.find(x) == turns.find(x + f))
+        return false;
+    return true;
+  }
+
+  void examine_lengths()
+  {
+    if (lengths_.is_empty())
+      return;
+    report_.exponent_of_longest_edge = lengths_.exponent_of_longest();
+    report_.exponent_of_shortest_edge = lengths_.exponent_of_shortest();
+    if (!lengths_.vanishes_in_unit(exponent_))
+      return;
+    Element_collector shortest;
+    shortest.add(lengths_.shortest_edge());
+    add_edges(Defect::OUT_OF_RANGE, shortest, [this](const std::size_t s) {
+      std::ostringstream text;
+      text << edge_text(polygons_, s) << " (length about " << lengths_.shortest() << ") and "
+           << edge_text(polygons_, lengths_.longest_edge()) << " (length about ";
+      if (std::isinf(lengths_.longest()))
+        text << "2^1024";
+      else
+        text << lengths_.longest();
+      text << ") differ by a factor of about 2^"
+           << report_.exponent_of_longest_edge - report_.exponent_of_shortest_edge;
+      return text.str();
+    });
+  }
+
+  // The corners at a vertex that are connected through sides are one fan.
+  void count_fans(Disjoint_sets& fans)
+  {
+    std::vector<Index> number_of_fans(number_of_vertices_, 0);
+    Element_collector pinched;
+    for (std::size_t f = 0; f < report_.number_of_faces; ++f) {
+      const std::size_t begin = polygons_.begin_of_face(f), end = polygons_.begin_of_face(f + 1);
+      if (end - begin < 3 || polygons_.vertex(begin) == none_)
+        continue;
+      for (std::size_t c = begin; c < end; ++c)
+        if (fans.find(static_cast<Index>(c)) == c)
+          ++number_of_fans[polygons_.vertex(c)];
+    }
+    for (std::size_t v = 0; v < number_of_vertices_; ++v)
+      if (number_of_fans[v] > 1)
+        pinched.add(v);
+    add(Defect::NON_MANIFOLD_VERTEX, pinched, [&](const std::size_t v) {
+      std::string faces;
+      std::size_t written = 0;
+      for (std::size_t c = 0; c < polygons_.number_of_corners() && written < 2; ++c)
+        if (polygons_.vertex(c) == v && fans.find(static_cast<Index>(c)) == c)
+          faces +=
+            (written++ == 0 ? "one with face " : ", another with face ") + std::to_string(polygons_.face_of_corner(c));
+      return "the faces around vertex " + std::to_string(v) + " form " + std::to_string(number_of_fans[v]) +
+             " fans that touch only there (" + faces + ")";
+    });
+  }
+  void examine_use()
+  {
+    Disjoint_sets pieces(number_of_vertices_);
+    polygons_.for_each_side(
+      [&](const Index s, const Index t) { pieces.unite(polygons_.vertex(s), polygons_.vertex(t)); });
+    Element_collector unused, roots;
+    for (std::size_t v = 0; v < number_of_vertices_; ++v) {
+      if (!polygons_.is_used(v))
+        unused.add(v);
+      else if (pieces.find(static_cast<Index>(v)) == v)
+        roots.add(v);
+    }
+    report_.number_of_components = roots.count();
+    add(Defect::UNREFERENCED_VERTEX, unused,
+        [](const std::size_t v) { return "vertex " + std::to_string(v) + " is not referenced by any face"; });
+    if (roots.count() > 1)
+      add(Defect::SEVERAL_COMPONENTS, roots,
+          [&](std::size_t) { return "the surface has " + std::to_string(roots.count()) + " components"; });
+  }
+
+  const std::vector<Coordinates>& points_;
+  Polygon_sides& polygons_;
+  const std::size_t number_of_vertices_ = polygons_.number_of_vertices();
+  bool all_finite_ = true;
+  Box box_; // of the vertices that are used
+  int exponent_ = 0;
+  Length_range lengths_;
+  Surface_report report_;
+};
+
+// How what is found is called, in what number, and what to do about it.
+struct Finding_words
+{
+  const char* singular; // the element that `count` counts
+  const char* plural;
+  const char* summary; // completes "3 ..."
+  const char* advice;
+};
+
+inline Finding_words words_of(const Finding& finding)
+{
+  switch (finding.defect) {
+  case Defect::EMPTY:
+    return {"file", "files", "without a face", "at least one triangle is needed"};
+  case Defect::BAD_INDEX:
+    return {"face", "faces", "with a bad index",
+            "vertices are counted from 0 here: remove the face, or add the missing vertices"};
+  case Defect::NOT_FINITE:
+    return {"vertex", "vertices", "not finite", "give every vertex finite coordinates"};
+  case Defect::NOT_A_TRIANGLE:
+    return {"face", "faces", "not a triangle", "triangulate the faces, as repair_polygons() does"};
+  case Defect::REPEATED_CORNER:
+    return {"face", "faces", "with a repeated corner",
+            "remove the face, or cut it into loops, as repair_polygons() does"};
+  case Defect::DUPLICATE_FACE:
+    return {"face", "faces", "repeating another", "remove all but one, as repair_polygons() does"};
+  case Defect::NON_MANIFOLD_EDGE:
+    return {"edge", "edges", "not manifold",
+            "remove the faces that do not belong there, or separate those that do, as repair_polygons() does"};
+  case Defect::INCONSISTENT_ORIENTATION:
+    return {"edge", "edges", "with faces of opposite orientation", "orient the faces, as repair_polygons() does"};
+  case Defect::NON_MANIFOLD_VERTEX:
+    return {"vertex", "vertices", "not manifold", "give each fan a vertex of its own, as repair_polygons() does"};
+  case Defect::ZERO_LENGTH_EDGE:
+    return {"edge", "edges", "of zero length",
+            "merge the two vertices and remove the faces that vanish, as repair_polygons() does, or move one of them"};
+  case Defect::OUT_OF_RANGE:
+    if (finding.elements.empty())
+      return {"element", "elements", "too many", "split the surface"};
+    if (finding.edges.empty())
+      return {"vertex", "vertices", "out of range",
+              "no scaling brings both into the range of double: round it to zero, or remove the outliers"};
+    return {
+      "edge", "edges", "out of range",
+      "no scaling brings both squared lengths, and their products, into the range of double: remove the outliers"};
+  case Defect::DEGENERATE_FACE:
+    return {"face", "faces", "of zero area", ""};
+  case Defect::UNREFERENCED_VERTEX:
+    return {"vertex", "vertices", "not referenced by any face", ""};
+  default:
+    return {"component", "components", "in all", ""};
+  }
+}
+
+Surface_report examine(const std::vector<std::array<double, 3>>& points, Polygon_sides& polygons)
+{
+  return Surface_examiner(points, polygons).examine();
+}
+
+} // namespace internal
+
+std::string message(const Finding& finding, const std::optional<std::string>& advice)
+{
+  const internal::Finding_words words = internal::words_of(finding);
+  std::string text = finding.description;
+  if (finding.count > 1 && finding.defect != Invalid_surface_error::Defect::SEVERAL_COMPONENTS)
+    text += ", and " + std::to_string(finding.count - 1) + " more " +
+            (finding.count == 2 ? words.singular : words.plural) + " like it";
+  const std::string what_to_do = advice.value_or(words.advice);
+  if (!what_to_do.empty())
+    text += "; " + what_to_do;
+  return text;
+}
+
+std::string message(const Surface_report& report, const std::string& name, const std::optional<std::string>& advice)
+{
+  std::string text;
+  const Finding* const fatal = report.first_fatal();
+  if (fatal != nullptr) {
+    text = message(*fatal, advice);
+    std::string others;
+    for (const Finding& finding : report.findings) {
+      if (!finding.is_fatal || &finding == fatal)
+        continue;
+      const internal::Finding_words words = internal::words_of(finding);
+      others += (others.empty() ? " (also: " : ", ") + std::to_string(finding.count) + " " +
+                (finding.count == 1 ? words.singular : words.plural) + " " + words.summary;
+    }
+    text += others.empty() ? others : others + ")";
+  } else
+    for (const Finding& finding : report.findings)
+      text += (text.empty() ? "" : "; ") + message(finding);
+  return name.empty() || text.empty() ? text : name + ": " + text;
+}
+
+void throw_if_fatal(const Surface_report& report, const std::string& name)
+{
+  const Finding* const fatal = report.first_fatal();
+  if (fatal != nullptr)
+    throw Invalid_surface_error(fatal->defect, fatal->elements.empty() ? 0 : fatal->elements.front(), fatal->count,
+                                message(report, name));
+}
+
+std::vector<std::size_t> turned_triangles(const std::vector<std::array<double, 3>>& points,
+                                          const std::vector<std::array<std::uint32_t, 3>>& triangles)
+{
+  const internal::Points places(points.begin(), points.end());
+  const internal::Surface_gluer gluer(places, triangles);
+  std::vector<std::size_t> result;
+  for (std::size_t f = 0; f < triangles.size(); ++f)
+    if (gluer.is_turned(f))
+      result.push_back(f);
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_triangulations
