@@ -51,7 +51,7 @@ int main(int argc, char** argv)
       if (command->get_name() != "sample" && command->get_name() != "describe")
         command->add_flag("-q,--quiet", is_quiet,
                           "print no report and no progress, only what is wrong or was repaired");
-      // An empty argument is more likely a variable that is not set than a wish.
+      // An empty argument is more likely an unset variable than intended.
       for (CLI::Option* option : command->get_options())
         option->check(
           [](const std::string& value) { return value.empty() ? std::string("must not be empty") : std::string(); });
@@ -63,7 +63,7 @@ int main(int argc, char** argv)
       idt::route_reports(is_quiet, idt::writes_to_standard_output(*app.get_subcommands().front()));
       status = selected();
     } catch (const CLI::ParseError& error) {
-      // Asking for help is no error. CLI11 has a status for each kind of mistake.
+      // Asking for help is not an error. CLI11 has a status for each kind of mistake.
       status = app.exit(error) == 0 ? Exit_status::DONE : Exit_status::WRONG_USAGE;
     }
     idt::flush_standard_output();

@@ -73,14 +73,14 @@ std::vector<Geodesic> sorted_geodesics(const Outcome& outcome, const Predicate& 
   return result;
 }
 
-// The interior edges that each Delaunay triangulation of the surface has.
+// The interior edges that every Delaunay triangulation of the surface has.
 std::vector<Geodesic> necessary_edges(const Outcome& exact)
 {
   return sorted_geodesics(exact,
                           [&](IT::Edge_index e) { return !exact.connectivity.is_border(e) && !exact.is_tie[e.idx()]; });
 }
 
-// Both lengths are exact but for the last digits.
+// Both lengths are exact except for the last digits.
 std::uint64_t count_missing(const std::vector<Geodesic>& necessary, const Outcome& outcome)
 {
   const std::vector<Geodesic> found = sorted_geodesics(outcome, [](IT::Edge_index) { return true; });
@@ -148,7 +148,7 @@ public:
   }
 
 private:
-  // What all results are compared with.
+  // The reference for all results.
   void find_exact_result()
   {
     Requested_results wanted;
@@ -177,8 +177,8 @@ private:
     return idt::run({surface_, make_run_options(type, wanted), goes_on, has_time_to_decide, {}});
   }
 
-  // In a process of its own, for a decision can take for ever with some number types, and
-  // so can the exact check of a result that is far from right.
+  // Runs in a process of its own, because with some number types a decision can take forever, and so can the exact
+  // check of a result that is far from right.
   Comparison_row examine(const Compared_type& type) const
   {
     Comparison_row row;
@@ -216,7 +216,7 @@ private:
     Requested_results wanted;
     wanted.lengths = wanted.crossings = wanted.verification = wanted.exact_lengths = true;
     const Outcome outcome = flip(type, wanted);
-    // More flips than the time limit allowed for now, or more crossings than can be counted.
+    // More flips than the time limit allowed, or more crossings than can be counted.
     if (outcome.report.flips != row.flips || !outcome.failure.empty())
       return;
     row.not_Delaunay = outcome.verification->not_Delaunay.size();
@@ -249,8 +249,8 @@ private:
     json.at("seconds").get_to(row.seconds);
   }
 
-  // The number types take turns, so that whatever else the machine does hits all alike.
-  // Those that cannot be interrupted keep the time of their one run.
+  // The number types take turns, so that other load on the machine affects all alike. Those that cannot be interrupted
+  // keep the time of their one run.
   void measure_times()
   {
     std::vector<std::vector<double>> times(result_.rows.size());

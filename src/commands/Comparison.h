@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What number types make of the same surface, each beside the exact result.
+// The results of several number types on the same surface, each compared with the exact one.
 
 #ifndef IDT_COMPARISON_H
 #define IDT_COMPARISON_H
@@ -33,13 +33,13 @@ struct Comparison_options
   double time_limit = 10; // seconds for the flips with one type
   int repetitions = 5;
   bool is_repaired = false;
-  // Without a wish, decisions are checked for surfaces that are not large.
+  // By default, decisions are checked only on small surfaces.
   std::optional<bool> counts_wrong_decisions;
 };
 
 constexpr std::size_t large_number_of_edges = 100000;
 
-// What is not known is empty.
+// Unknown values are empty.
 struct Comparison_row
 {
   Compared_type type;
@@ -49,10 +49,10 @@ struct Comparison_row
   std::string status;
   std::optional<std::uint64_t> flips;
   std::optional<std::uint64_t> tests;
-  std::optional<std::uint64_t> wrong_decisions; // tests that exact arithmetic decides otherwise
+  std::optional<std::uint64_t> wrong_decisions; // tests that exact arithmetic decides differently
   std::optional<std::uint64_t> not_Delaunay;    // edges of the result, by the exact check
   std::optional<std::uint64_t> inverted_faces;
-  std::optional<std::uint64_t> missing_edges; // edges of the exact result, ties apart
+  std::optional<std::uint64_t> missing_edges; // edges of the exact result, except ties
   std::optional<double> length_error;         // the largest relative one
   std::optional<double> seconds;              // to build and to flip
   std::optional<double> ratio_to_double;
@@ -75,7 +75,7 @@ struct Surface_comparison
 
 // Compares the number types on a surface.
 // \exception Invalid_surface_error if the surface cannot be used
-// \exception Undecided_error if there is no exact result to compare with
+// \exception Undecided_error if there is no exact result for comparison
 Surface_comparison compare(const std::string& path, const Comparison_options& options);
 
 // One number type over several surfaces.
@@ -85,8 +85,8 @@ struct Comparison_total
   std::size_t surfaces = 0;
   std::size_t refused = 0;
   std::size_t not_ended = 0;
-  std::size_t wrong = 0;     // surfaces whose result is wrong ...
-  std::size_t unnoticed = 0; // ... though the number type does not say so
+  std::size_t wrong = 0;     // surfaces with a wrong result ...
+  std::size_t unnoticed = 0; // ... that the number type does not report
   std::uint64_t wrong_decisions = 0;
   std::uint64_t not_Delaunay = 0;
   std::uint64_t inverted_faces = 0;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The files that a subcommand writes of the triangulation that it made.
+// The files that a subcommand writes about its triangulation.
 
 #ifndef IDT_RESULT_FILES_H
 #define IDT_RESULT_FILES_H
@@ -19,7 +19,7 @@
 
 namespace idt {
 
-// Their paths as options of the command line; what has an empty path is not written.
+// Their paths as command line options; files with an empty path are not written.
 struct Result_files
 {
   std::string stats, edges, Laplacian, mass, crossings, overlay, points, repair_map, vertex_map, save, view;
@@ -27,7 +27,7 @@ struct Result_files
   bool has_overlay_triangles = false;
   bool is_verbose = false; // of the report
 
-  // Declares the options that all triangulations have. \param repair the option without which there is no repair map
+  // Declares the options that all triangulations have. \param repair the option that a repair map requires
   void add_options(CLI::App& command, CLI::Option* repair);
 
   std::vector<std::string> paths() const
@@ -38,14 +38,14 @@ struct Result_files
   // \exception Usage_error if a file would replace another, or an input, or has no format for an overlay
   void check_paths(const std::vector<std::string>& inputs) const;
 
-  // \exception Invalid_surface_error if the overlay of the surface has no place in space
+  // \exception Invalid_surface_error if the overlay of the surface has no positions in space
   // \exception Usage_error as check_view()
   void check_surface(const Surface& surface) const;
 
-  // What has to be found out for the files.
+  // The results needed for the files.
   void add_to(Requested_results& wanted) const;
 
-  // \param fields what colours the surface in the view
+  // \param fields the colours of the surface in the view
   // \exception Output_error as write_file()
   // \exception Usage_error as make_view()
   void write(Triangulation_result& result, std::vector<View_field> fields = {}) const;

@@ -25,7 +25,7 @@ const CLI::App* find_subcommand(const CLI::App& app, const std::string& name)
   return nullptr;
 }
 
-// How many letters have to be left out, added, replaced, or exchanged with the next one.
+// The number of letters to be left out, added, replaced, or exchanged with the next one.
 std::size_t edit_distance(const std::string& a, const std::string& b)
 {
   std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
@@ -56,7 +56,7 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
   return "; did you mean " + *nearest + "?";
 }
 
-// What an argument that was not understood could have been.
+// Suggests what an unknown argument could have meant.
 std::vector<std::string> possible_words(const CLI::App& app, bool is_option)
 {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
@@ -115,8 +115,8 @@ void parse(CLI::App& app, int argc, const char* const* argv)
                             suggestion(word, possible_words(app, word[0] == '-')),
                           CLI::ExitCodes::ExtrasError);
   };
-  // What CLI11 says is "Could not convert: --option = value", "--option: 1 required F missing" and "--option: At Most 1
-  // required but received 2".
+  // Messages of CLI11 are "Could not convert: --option = value", "--option: 1 required F missing" and "--option: At
+  // Most 1 required but received 2".
   const auto say = [](const CLI::Error& error, const std::string& text) {
     throw CLI::ParseError(text, CLI::ExitCodes(error.get_exit_code()));
   };

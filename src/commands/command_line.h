@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Mistakes in a command line that CLI11 takes for something else, or reports as something else.
+// Mistakes in a command line that CLI11 misinterprets or reports misleadingly.
 
 #ifndef IDT_COMMAND_LINE_H
 #define IDT_COMMAND_LINE_H
@@ -13,21 +13,20 @@
 
 namespace idt {
 
-// Refuses an option that has no value: what comes next is empty, or looks like another option,
-// which would become a file of that name and not do what it is for. `--edges=--verify` and
-// `./--verify` are what they say.
+// Refuses an option without a value: one followed by an empty argument, or by something that looks like another option,
+// which would otherwise become a file name. `--edges=--verify` and `./--verify` are accepted.
 // \exception Usage_error
 void check_values(const CLI::App& app, const std::vector<std::string>& arguments);
 
 // Parses.
-// \exception CLI::ParseError that names a wrong word rather than what is missing beside it, and what it may be meant
-//   for
+// \exception CLI::ParseError that names a wrong word, and what it may stand for, rather than a missing argument beside
+//   it
 void parse(CLI::App& app, int argc, const char* const* argv);
 
-// Whether a result goes to the standard output: an option of the command that was parsed has the value "-".
+// Whether a result goes to the standard output, that is, whether an option of the parsed command has the value "-".
 bool writes_to_standard_output(const CLI::App& command);
 
-// Declares an option with a value, which --help calls `type`.
+// Declares an option with a value, which --help names `type`.
 template <class Value>
 CLI::Option* add_option(CLI::App& command, const std::string& names, Value& value, const std::string& type,
                         const std::string& text)
@@ -35,15 +34,15 @@ CLI::Option* add_option(CLI::App& command, const std::string& names, Value& valu
   return command.add_option(names, value, text)->type_name(type);
 }
 
-// Lets an option have one of these words alone; a message names the nearest. --help lists them if `are_listed`,
-// completion always.
+// Restricts an option to these words; a message names the nearest one. --help lists them if `are_listed`, completion
+// always.
 CLI::Option* set_words(CLI::Option* option, const std::vector<std::string>& words, bool are_listed = true);
 
-// The words that an option can have, none if it can have others.
+// The words that an option accepts, or none if it accepts others.
 std::vector<std::string> words_of(const CLI::Option& option);
 
-// To be passed to transform(): accepts what fits into 64 bits without a sign. CLI11 reads a leading zero as the mark of
-// an octal number, and makes the largest number of one that is larger.
+// For transform(): accepts unsigned numbers of 64 bits. CLI11 takes a leading zero for the mark of an octal number, and
+// turns a number that is too large into the largest one.
 CLI::Validator whole_number();
 
 } // namespace idt

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The subcommands. Each one declares its options and says what to run when it is chosen.
+// The subcommands. Each one declares its options and what to run when it is chosen.
 
 #ifndef IDT_COMMANDS_H
 #define IDT_COMMANDS_H
@@ -17,7 +17,7 @@
 
 namespace idt {
 
-// What the chosen subcommand does, once the whole command line was understood.
+// The function of the chosen subcommand, called once the whole command line was understood.
 using Selected_command = std::function<Exit_status()>;
 
 void add_triangulate_command(CLI::App& app, Selected_command& selected);
@@ -32,21 +32,18 @@ void add_table_command(CLI::App& app, Selected_command& selected);
 void add_sample_command(CLI::App& app, Selected_command& selected);
 void add_describe_command(CLI::App& app, Selected_command& selected);
 
-// Declares the option that has an input repaired before anything else.
+// Declares the option that repairs an input before anything else.
 CLI::Option* add_repair_option(CLI::App& command, bool& is_repaired);
 
-// Declares the option that has a page written which shows the result.
+// Declares the option that writes a page showing the result.
 void add_view_option(CLI::App& command, std::string& path);
 
-// Writes a message to the standard error and says which status it stands for; to be
-// called in a handler.
-// \param input what was worked on; messages that do not begin with it are about it all the same, as the library knows
-//   no files
+// Writes a message to the standard error and returns its exit status; must be called in a handler.
+// \param input the current input; messages that do not begin with it are about it, too, as the library knows no files
 Exit_status report_current_exception(const std::string& input = std::string());
 
-// Does the same for each input until the command is interrupted. An input that fails
-// does not keep the others from being worked on; the first failure decides. If the output
-// fails there is no point in going on.
+// Does the same for each input until the command is interrupted. The others are still processed if one input fails; the
+// first failure decides the status. If the output fails there is no point in going on.
 Exit_status for_each_input(const std::vector<std::string>& inputs,
                            const std::function<Exit_status(const std::string&)>& function);
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// `idt describe`: the command line as a manual page and as completion for bash, made of what the
-// subcommands declare. Run by the build, and not listed by --help.
+// `idt describe`: the command line as a manual page and as completion for bash, made from the declarations of the
+// subcommands. Run by the build, and not listed by --help.
 
 #include "commands/command_line.h"
 #include "commands/commands.h"
@@ -46,7 +46,7 @@ std::string escaped(const std::string& text)
   return result;
 }
 
-// Without what a validator adds to it.
+// Without additions of a validator.
 std::string type_name(const CLI::Option& option)
 {
   const std::string name = option.get_type_name();
@@ -93,8 +93,8 @@ std::string long_names(const CLI::App& app)
   return boost::join(names, " ");
 }
 
-// Where an option or an argument has one of a few values, those; after other options that take a value, and for inputs,
-// file names are completed.
+// Completes the values of an option or argument that has only a few; file names after other options with a value, and
+// for inputs.
 void write_bash_completion(std::ostream& os, const CLI::App& app)
 {
   std::string names;

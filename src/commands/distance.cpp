@@ -82,13 +82,13 @@ struct Distance_result
   std::vector<std::array<double, 3>> points; // empty if the surface is given by lengths
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<double> distances;     // infinite where no source is connected
-  std::vector<Named_values> vectors; // what else there is at each vertex
+  std::vector<Named_values> vectors; // other values at each vertex
   std::uint64_t flips = 0;
   std::size_t number_of_inserted_vertices = 0;
   std::optional<double> mean_edge_length; // by heat
   std::size_t number_of_bounded_distances = 0;
   bool is_complete = true;
-  std::optional<std::array<double, 2>> errors;       // the mean and the largest one, as parts of the exact distance
+  std::optional<std::array<double, 2>> errors;       // the mean and the largest one, as fractions of the exact distance
   std::optional<IT::Common_subdivision> subdivision; // for the overlay and the view
   IT::Element_numbers input_numbers, numbers;        // for the view
   Named_values overlay_distances{"distance", {}};
@@ -99,9 +99,9 @@ struct Distance_result
   {
     return std::size_t(std::count(distances.begin(), distances.end(), std::numeric_limits<double>::infinity()));
   }
-  // Whether heat gave more than a few distances that none can be. Beside the sources there are always some.
+  // Whether heat gave more than a few impossible distances. Next to the sources there are always some.
   bool is_far_from_right() const { return number_of_bounded_distances > 3 + number_of_vertices / 100; }
-  // Of those that can be reached.
+  // The largest distance of vertices that can be reached.
   double largest_distance() const
   {
     double result = 0;
@@ -176,7 +176,7 @@ void set_number_of_vertices(const Distance_options& options, std::size_t n, Dist
   result.number_of_vertices = n;
 }
 
-// The mean and the largest error, as parts of the exact distance.
+// The mean and the largest error, as fractions of the exact distance.
 std::array<double, 2> compare(const std::vector<double>& distances, const std::vector<double>& exact)
 {
   double sum = 0, largest = 0;
@@ -227,10 +227,10 @@ void find_distances(const Distance_options& options, const Any_surface& surface,
   }
   if (result.subdivision)
     result.overlay_distances.values = IT::interpolate_intrinsic_values(*result.subdivision, result.distances);
-  result.distances.resize(n); // without the vertices that a refinement inserted
+  result.distances.resize(n); // without vertices inserted by refinement
 }
 
-// The first axis of the tangent plane of each source, carried to the vertices that are nearest to it; and for one
+// The first axis of the tangent plane of each source, transported to the vertices nearest to it; and for a single
 // source the logarithmic map.
 void find_vectors(const Distance_options& options, const Triangulation& triangulation,
                   const std::vector<std::array<double, 3>>& points, Distance_result& result)
@@ -366,7 +366,7 @@ Json statistics(const Distance_options& options, const Distance_result& result)
   return json;
 }
 
-// What is known of the error.
+// Text about the error.
 std::string accuracy(const Distance_options& options, const Distance_result& result)
 {
   if (!result.is_complete)

@@ -96,7 +96,7 @@ struct Curve
   IT::Geodesic_report report;
   bool is_geodesic = true;
   std::string status;
-  std::optional<IT::Vertex_index> vertex; // where it was shrunk to, or ends
+  std::optional<IT::Vertex_index> vertex; // the vertex to which it shrank or at which it ends
 
   bool is_shortest() const { return distance && std::abs(length - *distance) <= 1e-9 * *distance; }
 };
@@ -161,7 +161,7 @@ IT::Vertex_index vertex(const Triangulation& triangulation, std::uint64_t number
   return IT::Vertex_index(IT::Vertex_index::size_type(number));
 }
 
-// The vertex of a stop; one at the nearest point of the surface is inserted.
+// The vertex of a stop; for a point in space, a vertex is inserted at the nearest point of the surface.
 IT::Vertex_index vertex(const Surface& surface, Triangulation& triangulation, const Stop& stop)
 {
   if (stop.vertex)
@@ -171,7 +171,7 @@ IT::Vertex_index vertex(const Surface& surface, Triangulation& triangulation, co
   return IT::vertex_at_point(triangulation, IT::locate(surface.connectivity, surface.points, stop.point));
 }
 
-// Where the curve begins, on edges from stop to stop; and the length of the shortest path.
+// The initial curve, along edges from stop to stop; and the length of the shortest path.
 std::vector<IT::Halfedge_index> first_path(const Geodesic_options& options, Triangulation& triangulation,
                                            const std::vector<IT::Vertex_index>& stops, Curve& curve)
 {
@@ -223,8 +223,8 @@ Curve find_path(const Geodesic_options& options, const Surface& surface, Triangu
   return curve;
 }
 
-// At an inner vertex the direction 0 leads to the neighbour with the smallest number; at the border, along the
-// first side of the fan.
+// At an inner vertex the direction 0 points to the neighbour with the smallest number; at the border, along the first
+// side of the fan.
 IT::Halfedge_index reference(const IT::Delta_complex& complex, IT::Vertex_index v)
 {
   const IT::Halfedge_index first = complex.halfedge(v);
@@ -302,7 +302,7 @@ void write_ply(std::ostream& os, const Points& points)
     os << i << ' ' << i + 1 << '\n';
 }
 
-// A line, and at each point the input face that it enters there.
+// A line, with the input face that it enters at each point.
 void write_vtp(std::ostream& os, const IT::Delta_complex& input, const Curve& curve, const Points& points)
 {
   Named_values faces{"input_face", {}, 1, "Int32"};
@@ -316,7 +316,7 @@ void write_vtp(std::ostream& os, const IT::Delta_complex& input, const Curve& cu
   write_vtp(os, points, Flat_polygons(), {faces}, line);
 }
 
-// The barycentric coordinates belong to the vertices that are named beside them.
+// The barycentric coordinates belong to the vertices named beside them.
 void write_csv(std::ostream& os, const IT::Delta_complex& input, const Curve& curve, const Points& points)
 {
   os << "face,vertex_0,vertex_1,vertex_2,coordinate_0,coordinate_1,coordinate_2"

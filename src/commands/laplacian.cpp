@@ -79,7 +79,7 @@ auto library_options(const Laplacian_options& options, Progress& progress)
     .visitor(std::ref(progress));
 }
 
-// Of a triangulation that was saved, as it is.
+// The Laplacian of a saved triangulation, as it is.
 void find_operator_of_saved(const Laplacian_options& options, Laplacian_result& result)
 {
   Stopwatch stopwatch;
@@ -127,7 +127,7 @@ void find_operator(const Laplacian_options& options, Laplacian_result& result)
   result.seconds = stopwatch.seconds();
 }
 
-// The functions are for the view. A vertex that was merged has the value of the one that stands for it.
+// The functions are for the view. A merged vertex has the value of its representative.
 void find_eigenvalues(const Laplacian_options& options, Laplacian_result& result)
 {
   const Progress progress(options.input, "factoring, and finding eigenvalues");

@@ -51,7 +51,7 @@ struct Parameterize_options
   bool is_repaired = false;
 };
 
-// What a map is on one of the two triangulations.
+// The properties of a map on one of the two triangulations.
 struct Quality
 {
   IT::Parameterization_check check;
@@ -90,7 +90,7 @@ void check(Parameterize_options& options)
   check_view(options.view_path);
 }
 
-// \param progress is asked as often as the method allows: a single linear system is solved in one go
+// \param progress is asked as often as the method allows; a single linear system is solved without interruption
 void find_map(const Parameterize_options& options, Result& result, const IT::Progress_function& progress)
 {
   if (!progress(0))
@@ -174,8 +174,8 @@ Json json_value(const Parameterize_options& options, const Result& result)
   return json;
 }
 
-// The options to try if these fail; empty if there are none. Followed again and again, this ends with the map that has
-// the least demands.
+// The options to try if these fail; empty if there are none. Following this advice repeatedly ends with the least
+// demanding map.
 std::string alternative(const Parameterize_options& options)
 {
   if (options.method == "circle-pattern")
@@ -185,7 +185,7 @@ std::string alternative(const Parameterize_options& options)
   return options.Laplacian == "extrinsic" ? "--laplacian intrinsic" : "";
 }
 
-// What a user should know about a map though it can be written; empty if no triangle is turned over or collapsed.
+// A warning about a map that can still be written; empty if no triangle is turned over or collapsed.
 std::string warning(const Parameterize_options& options, const Result& result)
 {
   const bool is_intrinsic = options.Laplacian == "intrinsic";
@@ -231,7 +231,7 @@ void write_report(std::ostream& os, const Parameterize_options& options, const R
      << "\n  time              " << seconds_text(result.seconds) << '\n';
 }
 
-// The distortion of each face of the overlay by both maps; nothing where it is infinite.
+// The distortion of each face of the overlay by both maps; empty where it is infinite.
 void write_distortion(std::ostream& os, const Result& result)
 {
   const auto text = [](double x) { return std::isfinite(x) ? in_full(x) : std::string(); };

@@ -50,7 +50,7 @@ void write_surface(std::ostream& os, const samples::Glued_triangles& surface, st
   IT::write_gluing(os, complex, lengths);
 }
 
-// A gluing has no place in space that a mesh file could hold.
+// A gluing has no positions in space that a mesh file could hold.
 const char* extension(const samples::Indexed_triangles&) { return ".off"; }
 const char* extension(const samples::Glued_triangles&) { return ".gluing"; }
 
@@ -60,7 +60,7 @@ std::string path_with_extension(const Sample_options& options, const std::string
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    return options.path; // a device or a pipe; a folder is refused when it is opened
+    return options.path; // a device or a pipe; opening a folder will fail
   if (!path.has_extension())
     return options.path + extension;
   if (extension != ".gluing" && find_mesh_format(options.path))

@@ -50,7 +50,7 @@ struct Paper_row
   std::optional<std::uint64_t> crossings; // the paper does not give all
 };
 
-// The row of a model, which is known by its name and its number of vertices, or none.
+// The row of a model, identified by its name and number of vertices, or none.
 const Paper_row* find_paper_row(const std::string& model, std::uint64_t vertices)
 {
   static const Paper_row rows[] = {
@@ -90,7 +90,7 @@ struct Row
   Repairs repairs;
   std::vector<std::string> warnings;
   const Paper_row* paper = nullptr;
-  // Of the Laplace-Beltrami operators before and after the flips.
+  // For the Laplace-Beltrami operators before and after the flips.
   std::optional<Operator_summary> before;
   std::optional<Operator_summary> after;
 };
@@ -111,7 +111,7 @@ Line line(const Row& row)
           cell(row.crossings), cell(row.minimum_angle), cell(row.seconds)};
 }
 
-// The figures of the paper, under those of the same model.
+// The paper's figures, below ours for the same model.
 Line line(const Paper_row& row)
 {
   return {"  paper",
@@ -188,7 +188,7 @@ Operator_summary summarize(const Surface& surface, const IT::Delta_complex& comp
 {
   require_finite_weights(surface, complex, numbers);
   const std::vector<double>& weights = numbers.cotangent_weights;
-  // A weight of an equilateral triangulation is 1.15; far out, only slivers are to be counted.
+  // The weights of an equilateral triangulation are 1.15; far out, only slivers count.
   return {IT::extreme_eigenvalues(complex, IT::stiffness_matrix(complex, weights)),
           IT::weight_histogram(complex, weights, -10, 10, 80), weight_summary};
 }

@@ -87,7 +87,7 @@ Exit_status triangulate_file(const std::string& path, const Triangulate_options&
   return report(result, options.files.is_verbose);
 }
 
-// Calls exit() where it meets what it was not made for.
+// Calls exit() in situations it was not made for.
 bool may_end_the_process(Number_type number_type)
 {
   return number_type == Number_type::CORE || number_type == Number_type::HALF_ANGLE_CORE;
@@ -165,8 +165,8 @@ Triangulation_result triangulate(Surface surface, const Run_options& options)
       progress.show_flips(tests, flips);
       return !is_interrupted();
     };
-    // An interruption of the flips leaves a result, which has an overlay as well; it takes
-    // another one, meant for the overlay, to do without.
+    // After an interruption of the flips there is a result, which has an overlay as well; only a further one, during
+    // the overlay, omits it.
     std::optional<bool> was_interrupted;
     const auto show_overlay = [&](double fraction) {
       progress.show("overlay", fraction);

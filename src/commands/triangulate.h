@@ -9,11 +9,10 @@
 
 namespace idt {
 
-// Makes a surface Delaunay, with a progress line; what the subcommands that need an intrinsic
-// triangulation begin with.
+// Makes a surface Delaunay, with a progress line: the first step of subcommands that need an intrinsic triangulation.
 Triangulation_result triangulate(Surface surface, const Run_options& options);
 
-// Prints the report, and what the status is if it is not that all is done; what these subcommands end with.
+// Prints the report, and the status unless everything is done: the last step of these subcommands.
 Exit_status report(const Triangulation_result& result, bool is_verbose);
 
 } // namespace idt

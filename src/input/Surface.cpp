@@ -33,7 +33,7 @@ namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-// \exception Invalid_surface_error with what is wrong, and the option that would help, unless it was given
+// \exception Invalid_surface_error that names the defect, and the option that would help unless it was given
 [[noreturn]] void refuse(const IT::Surface_report& report, const std::string& path, bool is_repaired)
 {
   const IT::Finding& finding = *report.first_fatal();
@@ -54,8 +54,7 @@ void load_mesh(Surface& surface, bool is_repaired)
   if (is_repaired)
     surface.repair = repair(input);
 
-  // What can be built was examined on the way, as far as the faces are concerned. The whole
-  // examination is for those who have to be told something.
+  // Building already examines the faces. The full examination is needed only if there is something to report.
   const auto build = [&] {
     surface.connectivity = IT::make_Delta_complex_from_triangles(input.points.size(), input.triangles);
   };
@@ -140,7 +139,7 @@ Surface load_surface(const std::string& path, bool is_repaired,
   } catch (const IT::Invalid_surface_error& error) {
     throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(), path + ": " + error.what());
   }
-  // Points say more than rounded lengths: they are kept as long as they are true.
+  // Points contain more than rounded lengths, so they are kept as long as they are valid.
   if (surface.mollification->number_of_changed_edges > 0) {
     surface.lengths = std::move(lengths);
     surface.squared_lengths.clear();
@@ -174,7 +173,7 @@ Surface_counts count_elements(const IT::Delta_complex& complex)
   counts.faces = complex.number_of_faces();
 
   IT::internal::Disjoint_sets pieces(counts.vertices);
-  // The larger ends of edges, vertex by vertex of their smaller ends.
+  // The larger ends of edges, grouped by their smaller ends.
   std::vector<std::uint32_t> ends(counts.edges), last(counts.vertices + 1, 0);
   const auto for_each_edge_of_two_vertices = [&](const auto& function) {
     for (IT::Edge_index e : complex.edges()) {

@@ -13,7 +13,7 @@
 namespace idt {
 namespace {
 
-// The name of the file, the face and the index are what the reader has checked.
+// The reader has checked the file name, the face and the index.
 void add_polygon(const Surface_input& input, std::size_t face, Triangle_soup& soup)
 {
   const Surface_input::Polygon polygon = input.polygon(face);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Triangles as they stand in a file, for what makes no demand on them.
+// Triangles as they are in a file, for operations that accept any triangles.
 
 #ifndef IDT_TRIANGLE_SOUP_H
 #define IDT_TRIANGLE_SOUP_H
@@ -19,8 +19,8 @@ struct Triangle_soup
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::size_t number_of_faces = 0;    // of the file
-  std::size_t triangulated_faces = 0; // those with more than three corners
-  std::size_t small_faces = 0;        // those with fewer, which are left out
+  std::size_t triangulated_faces = 0; // faces with more than three corners
+  std::size_t small_faces = 0;        // faces with fewer, which are omitted
   std::vector<std::string> warnings;
 };
 

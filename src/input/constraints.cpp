@@ -111,7 +111,7 @@ private:
     edges_.insert(complex_.edge(*h));
   }
 
-  // A point of a line: a vertex, or in the middle of an edge or of a face, which is split there.
+  // A point of a line: a vertex, or inside an edge or a face, which is split there.
   void add_point(const std::array<double, 7>& row)
   {
     std::vector<std::pair<IT::Vertex_index, double>> corners;
@@ -147,7 +147,7 @@ private:
     cuts_[{corners[1].first, corners[0].first}] = {v, corners[0].second};
     return v;
   }
-  // The end of a line, which has come to the face of these corners through a vertex or across a side.
+  // The end of a line that has entered the face with these corners through a vertex or across a side.
   IT::Vertex_index in_face(const std::vector<std::pair<IT::Vertex_index, double>>& corners)
   {
     auto side = side_of_face(corners[0].first, corners[1].first, corners[2].first);
@@ -191,7 +191,7 @@ private:
   IT::Delta_complex& complex_;
   std::size_t line_ = 0;
   std::set<IT::Edge_index> edges_;
-  std::optional<IT::Vertex_index> last_; // of the line that is read
+  std::optional<IT::Vertex_index> last_; // of the current line
   // The vertex on an edge that was cut, and its coordinate at the second end.
   std::map<std::pair<IT::Vertex_index, IT::Vertex_index>, std::pair<IT::Vertex_index, double>> cuts_;
 };

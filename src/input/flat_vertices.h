@@ -11,10 +11,10 @@
 
 namespace idt {
 
-// Removes the vertices in flat sides and on straight edges, with a tolerance also those that are nearly so.
+// Removes the vertices in flat sides and on straight edges; with a tolerance, also those that are nearly flat.
 // \exception Usage_error if the surface has no points
 // \exception Cancelled_error if an interruption ends that
-// \return how far the surface has moved at most
+// \return a bound on how far the surface has moved
 double remove_flat_vertices(Surface& surface, std::optional<double> tolerance);
 
 // For each vertex its number in the input, as comma-separated values: `vertex,input`. \pre flat vertices were removed

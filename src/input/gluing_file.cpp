@@ -28,8 +28,8 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 namespace {
 
-// A file that tells how much of it was read, and ends early if nobody wants to go on: a buffer for a std::istream.
-// Each time that it takes a piece of the file it asks `progress` with the part of the file that was taken before.
+// A buffer for a std::istream that reports how much of a file was read, and ends early on request. For each piece of
+// the file that it takes, it calls `progress` with the fraction taken before.
 class Watched_file : public std::filebuf
 {
 public:
@@ -89,7 +89,7 @@ IT::Exact_gluing read_gluing_file(const std::string& name, const IT::Progress_fu
   try {
     std::istream in(&file);
     IT::Exact_gluing gluing = IT::read_exact_gluing(in);
-    // To whoever reads, a cancelled file is one that ends.
+    // To a reader, a cancelled file simply ends.
     stop_if_cancelled();
     if (!gluing.squared_lengths.empty())
       gluing.lengths = rounded_lengths(gluing.squared_lengths);

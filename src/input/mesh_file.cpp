@@ -21,7 +21,7 @@ const std::pair<Mesh_format, const char*> formats[] = {{Mesh_format::PLY, ".ply"
                                                        {Mesh_format::OBJ, ".obj"}, {Mesh_format::VTP, ".vtp"},
                                                        {Mesh_format::STL, ".stl"}, {Mesh_format::TS, ".ts"}};
 
-// The lowest bytes first on any machine: CGAL's writer puts them in the order of the machine, whatever the header says.
+// The lowest bytes first on any machine: CGAL's writer uses the order of the machine, whatever the header says.
 void write_ply(std::ostream& os, const std::vector<std::array<double, 3>>& points,
                const std::vector<std::array<std::uint32_t, 3>>& triangles, const std::vector<Named_values>& at_points)
 {
@@ -110,7 +110,7 @@ void write_mesh(std::ostream& os, const std::vector<std::array<double, 3>>& poin
     CGAL::IO::write_OBJ(os, places(), faces(), all_digits);
     return;
   case Mesh_format::STL:
-    // A normal of zero is to be computed by who reads it. CGAL's writer makes NaN of a small face's.
+    // A reader has to compute a normal of zero itself. CGAL's writer writes NaN for small faces.
     os << "solid\n";
     for (const auto& triangle : triangles) {
       os << "facet normal 0 0 0\nouter loop\n";

@@ -20,18 +20,18 @@ enum class Mesh_format {
   PLY,
   OFF,
   OBJ,
-  STL, // triangles alone, whose corners do not know each other
-  TS,  // triangles alone
+  STL, // only triangles, without shared corners
+  TS,  // only triangles
   VTP
 };
 
-// The format that the end of a file name tells.
+// The format that the extension of a file name selects.
 std::optional<Mesh_format> find_mesh_format(const std::string& path);
 
 // Whether faces may have any number of corners.
 bool holds_polygons(Mesh_format format);
 
-// ".ply, .off or .obj": the formats that hold polygons, or all of them.
+// ".ply, .off or .obj": the formats that hold polygons, or all formats.
 std::string mesh_extensions(bool are_polygons);
 
 // A number, or a vector of two or three, for each element of a mesh.
@@ -55,9 +55,9 @@ void for_each_coordinate(const std::vector<Named_values>& arrays, std::size_t el
       visit(array.values[element * array.components + c]);
 }
 
-// Writes triangles, coordinates with all their digits: PLY is binary, with doubles, and STL
-// is text, whose binary form has floats alone.
-// \param at_points values that PLY and VTP hold; PLY has a property for each of their coordinates
+// Writes triangles, with all digits of coordinates: PLY is binary, with doubles, and STL is text, because its binary
+// form has only floats.
+// \param at_points values for PLY and VTP; PLY has a property for each coordinate
 void write_mesh(std::ostream& os, const std::vector<std::array<double, 3>>& points,
                 const std::vector<std::array<std::uint32_t, 3>>& triangles, Mesh_format format,
                 const std::vector<Named_values>& at_points = {});

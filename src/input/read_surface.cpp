@@ -22,7 +22,7 @@ namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-// \exception Invalid_surface_error if the extension of the name does not tell a format that can be read
+// \exception Invalid_surface_error if the extension of the name is not that of a readable format
 void check_name(const std::string& path)
 {
   static const std::string known = "known are .off, .obj, .ply, .stl, .ts, .gluing, .idt"
@@ -58,7 +58,7 @@ IT::Polygon_soup read(const std::string& path, const IT::Progress_function& prog
 Surface_input read_surface(const std::string& path, const IT::Progress_function& progress)
 {
   const std::string file = readable_file(path);
-  IT::readable_file_size(file); // which is there, or this says why not
+  IT::readable_file_size(file); // which exists, or this says why not
   check_name(file);
   return {read(file, progress), path};
 }

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A polygon file becomes points and polygons, or a message that says what is
-// wrong with the file and where.
+// Reads a polygon file as points and polygons, or says what is wrong with it and where.
 
 #ifndef IDT_READ_SURFACE_H
 #define IDT_READ_SURFACE_H
@@ -15,26 +14,25 @@
 
 namespace idt {
 
-// What a file holds.
+// The contents of a file.
 struct Surface_input : CGAL::Intrinsic_triangulations::Polygon_soup
 {
   std::string path;
 };
 
-// Reads a file with CGAL::Intrinsic_triangulations::read_polygon_soup(), which says what is thrown; and VTP if the
+// Reads a file with CGAL::Intrinsic_triangulations::read_polygon_soup(), and throws as that does; reads VTP if the
 // command was built with VTK.
 //
 // \param path the name of the file
-// \return the points and polygons; whether they are a surface is another
-//         question, see examine()
+// \return the points and polygons; examine() tells whether they are a surface
 Surface_input read_surface(const std::string& path,
                            const CGAL::Intrinsic_triangulations::Progress_function& progress = {});
 
-// The same with progress on the terminal; what is unusual about the file goes to the standard error.
+// The same with progress on the terminal; warnings about the file go to the standard error.
 // \exception Cancelled_error if an interruption ends the reading
 Surface_input read_and_warn(const std::string& path);
 
-// Examines what was read.
+// Examines the polygons.
 // \return the report of CGAL::Intrinsic_triangulations::examine_polygons()
 // Complexity: linear
 CGAL::Intrinsic_triangulations::Surface_report examine(const Surface_input& input);

@@ -13,19 +13,18 @@
 
 namespace idt {
 
-// Makes a surface of what was read, as far as possible, and says on the standard error what was done.
+// Makes a surface from the polygons, as far as possible, and reports the repairs on the standard error.
 // \exception Invalid_surface_error if the input cannot be repaired; the message begins with its path
 // \exception Cancelled_error if an interruption ends the repair
 Repair_report repair(Surface_input& input);
 
-// What was done to a surface.
+// The repairs of a surface.
 inline Repairs repairs(const Surface& surface) { return surface.repair ? surface.repair->repairs : nullptr; }
 
 // The same as an array of kinds with numbers and first elements, or null.
 nlohmann::ordered_json to_json_value(const Repairs& repairs);
 
-// For each vertex and face where it comes from, as comma-separated values:
-// `element,index,input`. \pre the surface was repaired
+// The origin of each vertex and face, as comma-separated values: `element,index,input`. \pre the surface was repaired
 void write_repair_map(std::ostream& os, const Surface& surface);
 
 } // namespace idt

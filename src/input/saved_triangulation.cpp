@@ -25,7 +25,7 @@ namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-// Marks of the edges of a triangulation.
+// Flags of the edges of a triangulation.
 struct Marks
 {
   using key_type = IT::Edge_index;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A triangulation that was saved, as the input of a subcommand.
+// A saved triangulation as the input of a subcommand.
 
 #ifndef IDT_SAVED_TRIANGULATION_H
 #define IDT_SAVED_TRIANGULATION_H
@@ -23,7 +23,7 @@ struct Saved_triangulation
   std::vector<bool> is_constrained; // for each input edge, or empty
 };
 
-// Whether the name is that of a saved triangulation.
+// Whether the name has the extension of saved triangulations.
 bool is_saved_triangulation(const std::string& path);
 
 // Reads the triangulation, and makes its input the surface.

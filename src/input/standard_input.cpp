@@ -55,7 +55,7 @@ private:
     refuse_file("-", std::string("the standard input cannot be stored in a temporary file: ") + std::strerror(errno));
   }
 
-  // Waits so that an interruption ends the waiting. Returns what comes first.
+  // Waits for input; an interruption ends the wait. Returns the first bytes.
   static std::string copy_to(std::ostream& content)
   {
     std::string begin, block(std::size_t(1) << 20, '\0');
@@ -76,7 +76,7 @@ private:
     }
   }
 
-  // That of a text is told by its first word that is no comment; binary STL alone has none.
+  // The first word of a text that is not in a comment tells its format; only binary STL has none.
   static std::string extension(const std::string& begin)
   {
     if (begin.empty())
@@ -93,7 +93,7 @@ private:
       return ".ts";
     if (word.compare(0, 5, "<?xml") == 0 || word.compare(0, 8, "<VTKFile") == 0)
       return ".vtp";
-    // Also as COFF, or in front of a number.
+    // Also as COFF, or directly followed by a number.
     if (word.substr(0, 8).find("OFF") != std::string::npos || word == "off")
       return ".off";
     for (const char* element : {"v", "vt", "vn", "vp", "f", "l", "o", "g", "s", "mtllib", "usemtl"})

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The standard input, whose name is "-", as a file: readers go through a file more than once, and its name tells the
-// format.
+// The standard input, named "-", as a file: readers go through a file more than once, and its name tells the format.
 
 #ifndef IDT_STANDARD_INPUT_H
 #define IDT_STANDARD_INPUT_H
@@ -13,9 +12,9 @@
 
 namespace idt {
 
-// The file to read for a name on the command line: itself, or for "-" a temporary one, which holds what comes from the
-// standard input. Its extension is that of the format of the content.
-// \exception Invalid_surface_error if the format is not recognized, or there is no place for the file
+// The file to read for a name on the command line: that file, or for "-" a temporary one with the contents of the
+// standard input, whose extension tells their format.
+// \exception Invalid_surface_error if the format is not recognized, or the file cannot be created
 // \exception Cancelled_error if the command is interrupted
 std::string readable_file(const std::string& path);
 

@@ -14,8 +14,8 @@
 
 namespace idt {
 
-// Reads comma-separated values `vertex,NAME,...`, as `idt distance -o F.csv` writes them: a function for each column. What no row tells, or tells
-// as an empty cell, is NaN.
+// Reads comma-separated values `vertex,NAME,...`, as `idt distance -o F.csv` writes them: a function for each column.
+// Missing rows and empty cells give NaN.
 // \exception Invalid_surface_error if the file cannot be read; the message names the line
 std::vector<Named_values> read_vertex_values(const std::string& path, std::size_t number_of_vertices);
 

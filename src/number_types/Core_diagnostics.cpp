@@ -21,7 +21,7 @@ namespace idt {
 Discarded_core_diagnostics::Discarded_core_diagnostics() = default;
 Discarded_core_diagnostics::~Discarded_core_diagnostics() = default;
 #else
-// Where no such folder can be made, everything stays as it is.
+// If the folder cannot be created, nothing changes.
 Discarded_core_diagnostics::Discarded_core_diagnostics()
 {
   old_folder_ = ::open(".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -35,7 +35,7 @@ Discarded_core_diagnostics::~Discarded_core_diagnostics()
 {
   if (old_folder_ != -1) {
     if (::fchdir(old_folder_) != 0)
-      std::abort(); // the results would go to another folder than the user named
+      std::abort(); // otherwise results would go to a folder that the user did not name
     ::close(old_folder_);
   }
   std::error_code error;

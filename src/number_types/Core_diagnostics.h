@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Keeps CORE from writing to the folder of the user.
+// Keeps CORE from writing to the user's folder.
 
 #ifndef IDT_NUMBER_TYPES_CORE_DIAGNOSTICS_H
 #define IDT_NUMBER_TYPES_CORE_DIAGNOSTICS_H
@@ -10,9 +10,8 @@
 
 namespace idt {
 
-// CORE appends warnings to a file `Core_Diagnostics` in the current folder, and ends the
-// process if it cannot. While an object of this class lives, the current folder is a
-// temporary one in which that file is the null device.
+// CORE appends warnings to a file `Core_Diagnostics` in the current folder, and exits if it cannot. While an object of
+// this class lives, the current folder is a temporary one in which that file is the null device.
 class Discarded_core_diagnostics
 {
 public:

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The number types that a user can choose, and what they are called.
+// The number types that a user can choose, and their names.
 
 #ifndef IDT_NUMBER_TYPES_NUMBER_TYPE_H
 #define IDT_NUMBER_TYPES_NUMBER_TYPE_H
@@ -30,11 +30,11 @@ constexpr Number_type default_number_type = Number_type::FILTERED;
 struct Named_number_type
 {
   Number_type number_type;
-  const char* name;        // as it stands on the command line and in reports
+  const char* name;        // its name on the command line and in reports
   const char* description; // a line
 };
 
-// All of them, in the order of the enumeration.
+// All number types, in the order of the enumeration.
 const std::vector<Named_number_type>& number_types();
 
 const char* name(Number_type number_type);

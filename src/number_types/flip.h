@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The flips of a run, and what is counted on the way.
+// The flips of a run, and the counts made on the way.
 
 #ifndef IDT_NUMBER_TYPES_FLIP_H
 #define IDT_NUMBER_TYPES_FLIP_H
@@ -29,13 +29,12 @@ namespace idt {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-// Asks the caller whether to go on, and remembers how far the flips are in case that an
-// exception ends them.
+// Asks the caller whether to go on, and remembers the number of flips in case an exception ends them.
 template <class Traits>
 class Asking_visitor
 {
 public:
-  // Crossings are counted if there are `crossings` of this triangulation.
+  // Crossings are counted if `crossings` is given for this triangulation.
   Asking_visitor(const IT::Intrinsic_triangulation<Traits>& triangulation, const Continue_function& go_further,
                  std::optional<IT::Crossing_counts>& crossings)
     : triangulation_(triangulation), go_further_(go_further), crossings_(crossings)
@@ -63,7 +62,7 @@ protected:
   const IT::Intrinsic_triangulation<Traits>& triangulation_;
 
 private:
-  // With built-in numbers a test is faster than the question.
+  // With built-in numbers a test is faster than asking.
   static constexpr std::uint64_t stride = std::is_floating_point<typename Traits::FT>::value ? 64 : 1;
 
   const Continue_function& go_further_;
@@ -71,8 +70,8 @@ private:
   std::uint64_t tests_ = 0, flips_ = 0, asked_flips_ = 0;
 };
 
-// Checks each test against the exact geometry of the same edge. A test that is left undecided is not wrong, and what
-// cannot be proven wrong is not counted.
+// Checks each test against the exact geometry of the same edge. An undecided test is not wrong, and only tests that are
+// proven wrong are counted.
 template <class Traits>
 class Decision_counter : public Asking_visitor<Traits>
 {

@@ -18,7 +18,7 @@ namespace idt {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-// By what is known best: points, exact squared lengths if the traits can use them, or lengths.
+// From the most accurate data: points, exact squared lengths if the traits can use them, or lengths.
 template <class Traits>
 IT::Intrinsic_triangulation<Traits> make_triangulation(const Surface& surface, const Traits& traits = Traits())
 {
@@ -32,7 +32,7 @@ IT::Intrinsic_triangulation<Traits> make_triangulation(const Surface& surface, c
   return Triangulation(surface.connectivity, surface.points, traits);
 }
 
-// The triangulation to begin with: the one that was saved, if the traits are those that can be.
+// The initial triangulation: the saved one, if the traits can be saved.
 template <class Traits>
 IT::Intrinsic_triangulation<Traits> first_triangulation(const Surface& surface, const Traits& traits = Traits())
 {

@@ -66,7 +66,7 @@ std::optional<Short_side> smallest_left_face(const Filtered_triangulation& trian
   return smallest ? std::optional<Short_side>(short_side(triangulation, surface, smallest->second)) : std::nullopt;
 }
 
-// A thin face with a short side takes as many vertices as squares on that side cover it, at most.
+// A thin face with a short side takes at most as many vertices as squares on that side are needed to cover it.
 double sufficient_size(const Filtered_triangulation& triangulation, const Refinement_options& options,
                        const IT::Refinement_report& report)
 {
@@ -87,7 +87,7 @@ double sufficient_size(const Filtered_triangulation& triangulation, const Refine
   return 0;
 }
 
-// Asks the caller, and remembers how far the refinement is in case that an exception ends it.
+// Asks the caller, and remembers the progress of the refinement in case an exception ends it.
 class Asking_refinement_visitor
 {
 public:
@@ -153,7 +153,7 @@ void refine(Filtered_triangulation& triangulation, const Job& job, Outcome& outc
     summary.is_cancelled = true;
     summary.report.flips = visitor.flips();
   } catch (const IT::Error& error) {
-    // The vertices that were inserted before are there.
+    // Vertices inserted before remain.
     outcome.failure = error.what();
     summary.is_cancelled = true;
     summary.report.flips = visitor.flips();

@@ -21,8 +21,8 @@ namespace idt {
 using Filtered_triangulation =
   CGAL::Intrinsic_triangulations::Intrinsic_triangulation<CGAL::Intrinsic_triangulations::Filtered_edge_length_traits>;
 
-// A flag for each edge as a property map; edges that came later have none set.
-// \param flags have to live as long
+// A flag for each edge as a property map; for later edges it is not set.
+// \param flags must outlive the map
 inline auto edge_flags(const std::vector<bool>& flags)
 {
   using CGAL::Intrinsic_triangulations::Edge_index;
@@ -30,14 +30,14 @@ inline auto edge_flags(const std::vector<bool>& flags)
     [&flags](Edge_index e) { return e.idx() < flags.size() && flags[e.idx()]; });
 }
 
-// Flips are done; refines if they found a Delaunay triangulation.
+// Called after the flips; refines if they found a Delaunay triangulation.
 void refine(Filtered_triangulation& triangulation, const Job& job, Outcome& outcome);
 
-// Tells for each edge of the current triangulation whether it is a part of a constrained edge of the input.
+// Returns for each edge of the current triangulation whether it is a part of a constrained edge of the input.
 std::vector<bool> constrained_parts(const Filtered_triangulation& triangulation,
                                     const std::vector<bool>& is_constrained);
 
-// The same before the refinement, where the triangulation is its input but for flips, or was saved.
+// The same before the refinement, when the triangulation is its input except for flips, or was saved.
 // \exception Invalid_surface_error if one of these edges was flipped before the triangulation was saved
 std::vector<bool> first_constraints(const Filtered_triangulation& triangulation, const Job& job);
 

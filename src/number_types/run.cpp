@@ -48,10 +48,10 @@
 namespace idt {
 namespace {
 
-// Flips are made by one thread, so that ties are broken the same way everywhere; numbers do not depend on the threads.
+// One thread makes the flips, so that ties are broken in the same way everywhere; numbers do not depend on threads.
 using Concurrency_tag = CGAL::Parallel_if_available_tag;
 
-// The metric that the file says, before any rounding to a number type.
+// The metric of the file, before any rounding to a number type.
 IT::Input_metric input_metric(const Surface& surface)
 {
   if (!surface.squared_lengths.empty()) {
@@ -65,9 +65,8 @@ IT::Input_metric input_metric(const Surface& surface)
                                        IT::Input_metric::Point_vector(surface.points.begin(), surface.points.end()));
 }
 
-// The squared edge lengths and areas handle a face of zero area; half-angle tangents do
-// not, and what they make of it is no answer. The factors are those that
-// tan_half_angle() forms, in its order of operations.
+// Squared lengths and areas can handle a face of zero area; half-angle tangents cannot. The factors are those of
+// tan_half_angle(), in its order of operations.
 template <class Traits>
 void require_usable_faces(const IT::Intrinsic_triangulation<Traits>&)
 {}
@@ -94,7 +93,7 @@ void require_usable_faces(const IT::Intrinsic_triangulation<IT::Half_angle_trait
                                       ", which half-angle tangents cannot handle; try --number-type filtered");
 }
 
-// What the flips have left: where there is no time for better numbers.
+// The numbers that the flips have left, for when there is no time for better ones.
 template <class Traits>
 IT::Element_numbers stored_numbers(const IT::Intrinsic_triangulation<Traits>& triangulation)
 {
@@ -193,7 +192,7 @@ void find_ties(const Triangulation& triangulation, Outcome& outcome)
   outcome.tessellation = summary;
 }
 
-// The smallest angle and the largest circumradius. Lists the faces that a cancelled refinement has not come to.
+// The smallest angle and the largest circumradius. Lists the faces that a cancelled refinement did not reach.
 // \return nothing for a triangulation without faces
 template <class Triangulation>
 std::optional<Shape_summary> summarize_shapes(const Triangulation& triangulation,
@@ -219,7 +218,7 @@ std::optional<Shape_summary> summarize_shapes(const Triangulation& triangulation
         opposite = side;
     const double smallest = angles[opposite.idx()], degrees = smallest * (180 / CGAL_PI);
     summary.minimum_angle = (std::min)(summary.minimum_angle, degrees);
-    // The smallest angle is at most 60 degrees, where a sine is accurate.
+    // The smallest angle is at most 60 degrees, where the sine is accurate.
     const double shortest = CGAL::to_double(triangulation.length(complex.edge(opposite))),
                  radius =
                    smallest > 0 ? shortest / (2 * std::sin(smallest)) : (std::numeric_limits<double>::infinity)();
@@ -262,7 +261,7 @@ std::vector<IT::Halfedge_index> first_sides(const Surface& surface)
   return result;
 }
 
-// With the edges that a refinement had to keep.
+// With the edges that refinement had to keep.
 template <class Triangulation>
 void save(const Triangulation& triangulation, const Job& job, Outcome& outcome)
 {
@@ -281,7 +280,7 @@ void save(const Triangulation& triangulation, const Job& job, Outcome& outcome)
   }
 }
 
-// Notes what kept something from being found out.
+// Notes the reason why a result could not be determined.
 void note_failure(const IT::Error& error, const std::string& text, Outcome& outcome)
 {
   outcome.is_interrupted = outcome.is_interrupted || dynamic_cast<const IT::Cancelled_error*>(&error) != nullptr;
@@ -289,7 +288,7 @@ void note_failure(const IT::Error& error, const std::string& text, Outcome& outc
     outcome.failure = text + error.what();
 }
 
-// What the input and the integers tell about the result.
+// Results that follow from the input and the integers.
 template <class Triangulation>
 void relate_to_input(const Triangulation& triangulation, const Job& job, Outcome& outcome)
 {
@@ -321,7 +320,7 @@ void relate_to_input(const Triangulation& triangulation, const Job& job, Outcome
   outcome.check_seconds = stopwatch.seconds();
 }
 
-// Where the result is no triangulation of the surface, or the caller cancels, there is none.
+// Empty if the result is not a triangulation of the surface, or if the caller cancels.
 template <class Triangulation>
 void find_overlay(Triangulation&& triangulation, const IT::Progress_function& progress, Outcome& outcome)
 {
@@ -407,12 +406,12 @@ Outcome run_with(const Job& job)
 
   if (wanted.needs_input())
     relate_to_input(triangulation, job, outcome);
-  // Proofs were demanded of decisions: to find a weight, a tie is not proven once more.
+  // Proofs were demanded for decisions; for weights, ties are not proven again.
   if (triangulation.keeps_input())
     triangulation.set_tie_proof(IT::Tie_proof::PROBABLE_IF_COSTLY);
   find_result_numbers(triangulation, wanted, outcome);
   outcome.connectivity = triangulation.connectivity();
-  if (wanted.overlay && outcome.crossing_summary) // last, as it takes the most memory
+  if (wanted.overlay && outcome.crossing_summary) // last, because it takes the most memory
     find_overlay(std::move(triangulation), job.overlay_progress, outcome);
   return outcome;
 }
@@ -420,7 +419,7 @@ Outcome run_with(const Job& job)
 #ifdef __SIZEOF_FLOAT128__
 using Float128 = __float128;
 #else
-using Float128 = boost::multiprecision::cpp_bin_float_quad; // the same numbers, slower
+using Float128 = boost::multiprecision::cpp_bin_float_quad; // the same numbers, but slower
 #endif
 using Core_number = CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt::FT;
 
@@ -433,7 +432,7 @@ Outcome run_with_core(const Job& job)
 
 Outcome run_with_mpfr(const Job& job)
 {
-  // Numbers take the precision that is in force when they are made, so it must outlive them.
+  // Numbers take the precision in force when they are made, so this must outlive them.
   const IT::Mpfr_precision precision(job.options.precision);
   return run_with<IT::Edge_length_traits<IT::Mpfr_float>>(job);
 }
@@ -469,8 +468,7 @@ Outcome dispatch(const Job& job)
 
 Outcome run(const Job& job)
 {
-  // What is wrong may lie in the number type (a float holds less than a file can say),
-  // so the message names both.
+  // The number type may be to blame (a float has less precision than a file), so the message names both.
   using CGAL::Intrinsic_triangulations::Invalid_surface_error;
   const std::string where = job.surface.path + ": as " + name(job.options.number_type) + ": ";
   try {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A surface goes in, its intrinsic Delaunay triangulation comes out as plain numbers, whatever number type made it.
+// From a surface to its intrinsic Delaunay triangulation as plain numbers, computed with any number type.
 
 #ifndef IDT_NUMBER_TYPES_RUN_H
 #define IDT_NUMBER_TYPES_RUN_H
@@ -30,7 +30,7 @@
 
 namespace idt {
 
-// What a run is to find out beside the flips; what nobody asked for costs nothing.
+// The results that a run determines besides the flips; results that are not requested cost nothing.
 struct Requested_results
 {
   bool weights = false;         // their summaries, before and after
@@ -40,7 +40,7 @@ struct Requested_results
   bool crossings = false;       // where the input lies in the result
   bool tessellation = false;    // ties and cells, of a result that is Delaunay
   bool verification = false;    // the exact check of each edge
-  bool exact_lengths = false;   // of the edges of the result, whatever made it
+  bool exact_lengths = false;   // of the edges of the result, for any number type
   bool wrong_decisions = false; // compares each test with the exact one
   bool overlay = false;         // of input and result, with the positions of the crossings
   bool shapes = false;          // of the faces of the result
@@ -52,7 +52,7 @@ struct Requested_results
   }
 };
 
-// A face that refinement has left or is at, by its shortest side.
+// A face that refinement has left or is working on, by its shortest side.
 struct Short_side
 {
   double length = 0;
@@ -68,14 +68,14 @@ struct Refinement_criteria
   double minimum_size = 0;
 };
 
-// What Delaunay refinement is to do once the flips are done.
+// The task of Delaunay refinement after the flips.
 struct Refinement_options
 {
   Refinement_criteria criteria;
   std::optional<std::uint64_t> maximum_number_of_points;
   std::vector<bool> is_constrained; // for each input edge: whether no flip may remove it
-  // Is asked before each face that is refined, and may ask where that is: if it says yes, the run ends, and nothing
-  // else is found out.
+  // Called before each face is refined, and may ask where that face is; returning true ends the run without further
+  // results.
   std::function<bool(const CGAL::Intrinsic_triangulations::Refinement_progress&, const std::function<Short_side()>&)>
     gives_up;
 };
@@ -86,15 +86,14 @@ struct Run_options
   int precision = 128; // bits at least, for MPFR alone
   std::optional<std::uint64_t> maximum_number_of_flips;
   CGAL::Intrinsic_triangulations::Tie_proof tie_proof = CGAL::Intrinsic_triangulations::Tie_proof::PROBABLE_IF_COSTLY;
-  bool keeps_saved = false;                     // a triangulation that was saved is not flipped any more
+  bool keeps_saved = false;                     // a saved triangulation is not flipped any more
   std::optional<Refinement_options> refinement; // with FILTERED alone
   Requested_results wanted;
 };
 
-// Is asked before each test, with the numbers of tests and flips so far; the flips end
-// when it answers `false`.
+// Called before each test, with the numbers of tests and flips so far; returning `false` ends the flips.
 using Continue_function = std::function<bool(std::uint64_t tests, std::uint64_t flips)>;
-// The same of refinement, which asks before each new vertex.
+// The same for refinement, before each new vertex.
 using Continue_refining_function = std::function<bool(const CGAL::Intrinsic_triangulations::Refinement_progress&)>;
 
 struct Job
@@ -102,43 +101,43 @@ struct Job
   const Surface& surface;
   Run_options options;
   Continue_function go_further;
-  // Is asked during exact decisions that take long, which end if it says no: what they were for is not
-  // found out then, or taken from the stored numbers.
+  // Called during long exact decisions; returning false ends them, and the result is omitted or taken from the stored
+  // numbers.
   std::function<bool()> go_on_deciding;
-  // Is asked during the construction of the overlay, which is left out if it says no, and once right after the flips.
+  // Called during the construction of the overlay, and once right after the flips; returning false omits the overlay.
   CGAL::Intrinsic_triangulations::Progress_function overlay_progress;
   Continue_refining_function refine_further = {};
 };
 
-// What the normal coordinates tell.
+// Statistics from the normal coordinates.
 struct Crossing_summary
 {
   std::uint64_t simple = 0;    // intrinsic edges that cross exactly one input edge
   std::uint64_t longest = 0;   // the largest number of segments in one intrinsic edge
   std::uint64_t crossings = 0; // in all
-  std::uint64_t changed = 0;   // intrinsic edges that are no input edges
-  double seconds = 0;          // for these numbers, and for the graph of the overlay where it was wanted
-  double position_seconds = 0; // for the places of the crossings in the overlay
+  std::uint64_t changed = 0;   // intrinsic edges that are not input edges
+  double seconds = 0;          // for these numbers, and for the graph of the overlay if it was requested
+  double position_seconds = 0; // for the positions of the crossings in the overlay
 };
 
-// The cells that are left of a Delaunay triangulation when the ties are removed.
+// The cells of a Delaunay triangulation that are left when its ties are removed.
 struct Tessellation_summary
 {
   std::size_t ties = 0;
   std::size_t cells = 0;
 };
 
-// What refinement did.
+// The results of refinement.
 struct Refinement_summary
 {
   bool is_given_up = false;
-  bool is_cancelled = false; // by the caller; the report lists the faces that do not meet the criteria then
+  bool is_cancelled = false; // by the caller; the report then lists the faces that do not meet the criteria
   CGAL::Intrinsic_triangulations::Refinement_report report;
   std::vector<CGAL::Intrinsic_triangulations::Surface_point> points; // on the input, of the new vertices in order
-  // Of the faces that were left as too small, or for the budget, the one with the shortest side.
+  // The face with the shortest side among those left as too small or for the budget.
   std::optional<Short_side> smallest_left;
-  // A smallest size with which a tenth of the budget would suffice for what it has left, as areas tell; 0 if that is
-  // not known.
+  // A smallest size with which, judged by areas, a tenth of the budget would suffice for the remaining faces; 0 if
+  // unknown.
   double sufficient_size = 0;
   double seconds = 0;
 };
@@ -147,27 +146,27 @@ struct Refinement_summary
 struct Shape_summary
 {
   double minimum_angle = 0;                    // in degrees
-  std::optional<double> minimum_refined_angle; // of the faces that refinement does not list, if there are any
+  std::optional<double> minimum_refined_angle; // of the faces that refinement does not list, if any
   double maximum_circumradius = 0;             // infinite beside a face of zero area
 };
 
-// No number is NaN. A weight beside a face of zero area is infinite. What was not wanted,
-// or could not be found out, is empty.
+// No number is NaN. A weight beside a face of zero area is infinite. Results that were not requested or could not be
+// determined are empty.
 struct Outcome
 {
   CGAL::Intrinsic_triangulations::Delta_complex connectivity;
   CGAL::Intrinsic_triangulations::Element_numbers numbers;       // of the result
   CGAL::Intrinsic_triangulations::Element_numbers input_numbers; // before the flips
   std::vector<std::int64_t> crossings;                           // for each edge: -1 if it is an input edge
-  // For each edge, where the surface was untwisted: how often it crosses edges of the surface before that.
+  // If the surface was untwisted: how often each edge crosses edges of the surface before that.
   std::optional<CGAL::Intrinsic_triangulations::Crossing_counts> original_crossings;
-  std::vector<double> exact_lengths; // for each edge, correctly rounded but for one unit
+  std::vector<double> exact_lengths; // for each edge, within one unit in the last place
   std::vector<std::uint8_t> is_tie;  // for each edge
   CGAL::Intrinsic_triangulations::Flip_report report;
-  bool are_flips_cancelled = false; // the caller said no: the report has the numbers until then
-  std::string failure;              // what ended the flips, or kept something from being found out
-  bool is_interrupted = false;      // something was left out because the caller said no, beside flips
-  // How many tests each stage decided, for the number type that has stages.
+  bool are_flips_cancelled = false; // cancelled by the caller; the report has the numbers until then
+  std::string failure;              // why the flips ended, or a result could not be determined
+  bool is_interrupted = false;      // the caller cancelled something other than flips
+  // The number of tests decided by each stage, for the number type that has stages.
   std::optional<CGAL::Intrinsic_triangulations::Stage_counts> stages;
   std::optional<CGAL::Intrinsic_triangulations::Weight_summary> weights_before;
   std::optional<CGAL::Intrinsic_triangulations::Weight_summary> weights_after;
@@ -188,7 +187,7 @@ struct Outcome
 
 // Makes a surface Delaunay with the number type that the options name.
 // \exception Invalid_surface_error if the number type cannot hold the surface
-// \exception Undecided_error if it cannot decide something that the construction needs
+// \exception Undecided_error if it cannot make a decision that the construction needs
 Outcome run(const Job& job);
 
 } // namespace idt

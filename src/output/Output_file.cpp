@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The file behind symbolic links, which need not be there. Renaming onto a link would replace it.
+// The file behind symbolic links, which need not exist. Renaming onto a link would replace it.
 std::string behind_links(const std::string& path, std::error_code& error)
 {
   fs::path target = path;
@@ -33,8 +33,8 @@ std::string behind_links(const std::string& path, std::error_code& error)
   return target.string();
 }
 
-// Creates a file that was not there, so that no other process writes to the same. Who may not read
-// what it is to replace may not read it either.
+// Creates a new file, so that no other process writes to the same one. Its permissions are no wider than those of the
+// file that it will replace.
 int create_beside(const std::string& target, std::string& temporary)
 {
   const bool is_old = fs::exists(target);
@@ -55,7 +55,7 @@ int create_beside(const std::string& target, std::string& temporary)
   return EEXIST;
 }
 
-// Where results for "-" go, and reports as long as nothing else was said.
+// The destination of results for "-", and of reports by default.
 std::ostream& standard_output()
 {
   static std::ostream os(std::cout.rdbuf());
@@ -73,7 +73,7 @@ class Null_buffer : public std::streambuf
 void route_reports(bool is_quiet, bool is_output_taken)
 {
   standard_output();
-  // std::cout is flushed after the end of all that is static.
+  // std::cout is flushed after all static objects have ended.
   if (is_quiet)
     std::cout.rdbuf(new Null_buffer);
   else if (is_output_taken)
@@ -97,8 +97,8 @@ Output_file::Output_file(const std::string& path) : path_(path), target_(path)
     if (error_number != 0)
       fail(error_number);
   }
-  // To open a pipe that nobody reads from would wait forever. What is open until the stream is, keeps the reader of any
-  // other from seeing an end.
+  // Opening a pipe without a reader would wait forever. The descriptor that is open until the stream is keeps the
+  // reader from seeing an end.
   const int pipe = fs::is_fifo(status) ? open_pipe_with_reader(path) : -1;
   if (fs::is_fifo(status) && pipe < 0) {
     if (errno == ENXIO)
@@ -136,7 +136,7 @@ void Output_file::commit()
 {
   if (path_ == "-")
     return flush_standard_output();
-  // A stream that has failed before does not try again; nothing has changed the reason since.
+  // A stream that has failed does not try again, so errno still has the reason.
   const int reason = stream_ ? 0 : errno;
   errno = 0;
   stream_.flush();
@@ -169,8 +169,8 @@ void check_output_paths(const std::vector<std::string>& outputs, const std::vect
     std::error_code error;
     const fs::file_status status = fs::status(a, error);
     if (fs::exists(status) && !fs::is_regular_file(status))
-      return false; // a device takes what comes
-    // Of a path none of which exists yet, only an absolute one becomes canonical.
+      return false; // a device accepts anything
+    // If no part of a path exists yet, only an absolute path becomes canonical.
     return fs::weakly_canonical(fs::absolute(a), error) == fs::weakly_canonical(fs::absolute(b), error) ||
            fs::equivalent(a, b, error);
   };
@@ -190,7 +190,7 @@ void check_output_paths(const std::vector<std::string>& outputs, const std::vect
 
 void flush_standard_output()
 {
-  static bool has_failed = false; // and that was said
+  static bool has_failed = false; // and that was reported
   if (has_failed)
     return;
   errno = 0;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A file that appears under its name when it is complete, or not at all; and the standard output, whose name is "-".
+// A file that gets its name only when it is complete; and the standard output, named "-".
 
 #ifndef IDT_OUTPUT_FILE_H
 #define IDT_OUTPUT_FILE_H
@@ -18,9 +18,9 @@
 
 namespace idt {
 
-// Writes to a temporary name in the same folder and renames it in commit(); without a commit() the destructor removes
-// it, and so does an interruption that ends the process. A target that is there and is no regular file, such as a
-// device or a pipe, is written to directly, and so is the standard output.
+// Writes under a temporary name in the same folder, and renames the file in commit(). Without a commit(), the
+// destructor removes it, and so does an interruption that ends the process. An existing target that is not a regular
+// file, such as a device or a pipe, is written to directly, and so is the standard output.
 class Output_file
 {
 public:
@@ -32,8 +32,7 @@ public:
 
   std::ostream& stream();
 
-  // \exception Output_error if not everything could be written; the file is not there
-  //            then, or what was there before
+  // \exception Output_error if not everything could be written; then there is no file, or the old one is unchanged
   void commit();
 
 private:
@@ -60,7 +59,7 @@ void write_file(const std::string& path, const Write& write)
   file.commit();
 }
 
-// A name that tells the format: that of the file, or for the standard output one that ends in `format`.
+// A name that tells the format: the name of the file, or for the standard output one that ends in `format`.
 inline std::string name_with_format(const std::string& path, const std::string& format)
 {
   return path == "-" ? "-." + format : path;
@@ -72,16 +71,15 @@ inline std::string extension_with_format(const std::string& path, const std::str
   return std::filesystem::path(name_with_format(path, format)).extension().string();
 }
 
-// From now on, what is written to std::cout goes nowhere, or to the standard error if the standard output is taken by a
-// result.
+// From now on, output to std::cout is dropped, or goes to the standard error if a result takes the standard output.
 void route_reports(bool is_quiet, bool is_output_taken);
 
-// Refuses output files that would replace each other or an input. Empty names stand for none.
+// Refuses output files that would replace each other or an input. Empty names are ignored.
 // \exception Usage_error
 void check_output_paths(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 
-// Writes what is waiting for the standard output.
-// \exception Output_error if it could not be written, the first time that this is found out
+// Flushes the standard output.
+// \exception Output_error if that fails, at the first time
 void flush_standard_output();
 
 } // namespace idt

@@ -31,8 +31,7 @@ std::string png_chunk(const std::string& type_and_data)
   return big_endian(std::uint32_t(type_and_data.size() - 4)) + type_and_data + big_endian(crc.checksum());
 }
 
-// One bit for each pixel, not compressed: a PNG file needs no library then. `squares` in each
-// direction, of 16 pixels.
+// One bit for each pixel, not compressed, which needs no PNG library. `squares` in each direction, of 16 pixels.
 std::string checkerboard_png(std::uint32_t squares)
 {
   const std::uint32_t size = 16 * squares;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A surface with a map to the plane, as programs that draw take it: polygons whose corners
-// have texture coordinates.
+// A surface with a map to the plane in the form that drawing programs take: polygons whose corners have texture
+// coordinates.
 
 #ifndef IDT_TEXTURED_MESH_H
 #define IDT_TEXTURED_MESH_H
@@ -31,17 +31,17 @@ struct Textured_mesh
 // \pre the surface has points
 Textured_mesh make_map_over_input(const Surface& surface, const CGAL::Intrinsic_triangulations::Planar_points& uv);
 
-// The map that is linear on each intrinsic triangle. On the surface in space it is linear on
-// the faces of the overlay alone (section 2.3 of the paper), whose order these faces have.
+// The map that is linear on each intrinsic triangle. On the surface in space it is linear only on the faces of the
+// overlay (section 2.3 of the paper), which these faces are, in order.
 Textured_mesh make_map_over_intrinsic(const Surface& surface,
                                       const CGAL::Intrinsic_triangulations::Common_subdivision& subdivision,
                                       const CGAL::Intrinsic_triangulations::Planar_points& uv);
 
-// The files that go with an OBJ file: itself, its material and the image of that.
+// The files that belong to an OBJ file: itself, its material and the material's image.
 std::vector<std::string> textured_mesh_paths(const std::string& obj_path);
 
-// Writes a mesh with texture coordinates, and a checkerboard to put on it. The coordinates are
-// moved and scaled into the unit square.
+// Writes a mesh with texture coordinates, and a checkerboard for it. The coordinates are moved and scaled into the unit
+// square.
 void write_textured_mesh(const std::string& obj_path, const Textured_mesh& mesh);
 
 } // namespace idt

@@ -24,7 +24,7 @@ std::string first_of(const std::vector<IT::Edge_index>& edges, const IT::Delta_c
   return text;
 }
 
-// What stands before "Delaunay", which holds at each point of a refinement.
+// The text before "Delaunay", which holds at every moment of a refinement.
 std::string describe_refinement(const Outcome& outcome)
 {
   if (!outcome.refinement)
@@ -148,7 +148,7 @@ std::string describe_status(const Triangulation_result& result)
     return (report.status == IT::Flip_status::DELAUNAY ? "not known in full: " : "not finished: ") + outcome.failure;
   if (outcome.are_flips_cancelled)
     return "not finished: cancelled";
-  // What was not finished need not be Delaunay.
+  // An unfinished result need not be Delaunay.
   if (report.status != IT::Flip_status::BUDGET_EXHAUSTED && outcome.verification &&
       !outcome.verification->is_Delaunay())
     return "not Delaunay: " + describe_verification(outcome);
@@ -156,13 +156,13 @@ std::string describe_status(const Triangulation_result& result)
   case IT::Flip_status::DELAUNAY:
     return describe_refinement(outcome) + (outcome.verification ? "Delaunay, verified" : "Delaunay");
   case IT::Flip_status::INCONSISTENT:
-    // Either diagonal of a tie is right, whatever rounding makes of it.
+    // Either diagonal of a tie is right, whatever rounding does.
     return std::string(outcome.verification ? "verified Delaunay, but only by chance: " : "not Delaunay: ") +
            "near a tie the rounded decisions contradict each other: " +
            first_of(report.inconsistent, outcome.connectivity) +
            " failed the test again after the flip; try --number-type " + name(Number_type::FILTERED);
   case IT::Flip_status::NOT_FLIPPABLE:
-    // Exact numbers come to that beside faces of zero area, and CORE where roots are below 2^-1075.
+    // This happens to exact numbers beside faces of zero area, and to CORE if roots are below 2^-1075.
     if (result.options.number_type == Number_type::CORE || result.options.number_type == Number_type::HALF_ANGLE_CORE)
       return "not Delaunay: beside a face whose area is zero, or too small for CORE, " +
              first_of(report.not_flippable, outcome.connectivity) +

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Everything that a run of `idt triangulate` knows about one input, and the forms in
-// which it is told.
+// Everything that a run of `idt triangulate` knows about one input, and its forms of output.
 
 #ifndef IDT_TRIANGULATION_RESULT_H
 #define IDT_TRIANGULATION_RESULT_H
@@ -30,14 +29,14 @@ struct Triangulation_result
   Run_options options;
   Outcome outcome;
   std::string smallest_size;                  // of a refinement, and why it was chosen
-  std::optional<double> flat_tolerance;       // how far the removal of flat vertices might move the surface, if at all
-  double flat_deviation = 0;                  // and how far it has done so at most
+  std::optional<double> flat_tolerance;       // the tolerance for the removal of flat vertices, if any
+  double flat_deviation = 0;                  // and a bound on how far it moved the surface
   std::optional<Flattened_surface> flattened; // if it was asked for
-  // Why there is no Laplacian, although it was asked for.
+  // Why there is no Laplacian, although it was requested.
   std::optional<CGAL::Intrinsic_triangulations::Invalid_surface_error> no_Laplacian;
   Surface_counts counts;                                    // of the intrinsic triangulation
   double count_seconds = 0;                                 // for `counts`
-  std::vector<std::pair<const char*, double>> file_seconds; // for each file, by the option that asked for it
+  std::vector<std::pair<const char*, double>> file_seconds; // for each file, by the option that requested it
 
   // For all of them.
   double write_seconds() const
@@ -49,29 +48,29 @@ struct Triangulation_result
   }
 };
 
-// What the result means for the shell.
+// The exit status for the result.
 Exit_status exit_status(const Outcome& outcome);
 
 // How it ended, for programs: `done`, `interrupted`, `flip budget`, `point budget`, `undecided`, `not flippable`,
-// `inconsistent`, `not Delaunay`, or `incomplete` if something could not be found out.
+// `inconsistent`, `not Delaunay`, or `incomplete` if something could not be determined.
 const char* status_word(const Outcome& outcome);
 
-// The same in words, with the first edge that is to blame.
+// The same in words, with the first edge to blame.
 std::string describe_status(const Triangulation_result& result);
 
 // Why a face was left as it is, in words.
 const char* name(CGAL::Intrinsic_triangulations::Refinement_obstacle reason);
 
-// How many faces were left, by reason; reasons without a face are missing.
+// The number of faces left, by reason; reasons without a face are missing.
 std::map<std::string, std::size_t> unrefined_faces(const Outcome& outcome);
 
 // "1.2e-07 at (0.1, 0.2, 0.3)"
 std::string text(const Short_side& side);
 
-// What the exact check found, in words. \pre it was made
+// The result of the exact check, in words. \pre it was made
 std::string describe_verification(const Outcome& outcome);
 
-// The text that people read: what they want to know, or all that is known.
+// The text for people: the essentials, or everything known.
 void write_report(std::ostream& os, const Triangulation_result& result, bool is_verbose);
 
 // The object for programs; unknown values are null.
@@ -86,7 +85,7 @@ void write_edges(std::ostream& os, const Triangulation_result& result);
 void write_points(std::ostream& os, const Triangulation_result& result);
 
 // Stiffness and lumped mass matrix of the result in the format Matrix Market.
-// \exception Invalid_surface_error if a weight is infinite, beside a face without area
+// \exception Invalid_surface_error if a weight is infinite, next to a face without area
 void write_Laplacian(std::ostream& os, const Triangulation_result& result);
 void write_mass(std::ostream& os, const Triangulation_result& result);
 

@@ -22,8 +22,7 @@ std::string face_text(const IT::Delta_complex& complex, IT::Face_index f)
          std::to_string(complex.source(next).idx()) + ", " + std::to_string(complex.target(next).idx()) + ")";
 }
 
-// Border edges are not flipped: at such an edge, the face of the input has no area if the one that is there now has
-// none.
+// Border edges are not flipped, so if the face at one has no area now, the input's face there has none, either.
 std::string message(const Surface& surface, const IT::Delta_complex& complex, const std::vector<double>& areas)
 {
   const IT::Delta_complex& input = surface.connectivity;

@@ -11,10 +11,10 @@
 
 namespace idt {
 
-// What Element_numbers says of a weight beside a face of zero area, infinity, is none for a matrix.
-// \param complex the triangulation of the numbers: that of the surface, flipped or not
+// Element_numbers has infinite weights beside faces of zero area, which a matrix cannot use.
+// \param complex the triangulation of the numbers: the surface's, flipped or not
 // \exception Invalid_surface_error if a weight is not finite; the message begins with the path of the surface, and
-//   names the face of the input that has to be removed
+//   names the face of the input to remove
 void require_finite_weights(const Surface& surface, const CGAL::Intrinsic_triangulations::Delta_complex& complex,
                             const CGAL::Intrinsic_triangulations::Element_numbers& numbers);
 

@@ -43,7 +43,7 @@ double smallest_angle(const Flattened_surface& surface)
   return result;
 }
 
-// How many pairs of vertices are the ends of sides of more than two triangles.
+// The number of pairs of vertices that more than two triangles share as ends of a side.
 std::size_t count_non_manifold_edges(const std::vector<std::array<std::uint32_t, 3>>& triangles)
 {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> sides;
@@ -67,7 +67,7 @@ Flattened_surface flatten(const IT::Common_subdivision& subdivision, const std::
   const IT::Overlay& overlay = subdivision.overlay();
   const IT::Delta_complex& complex = subdivision.intrinsic();
   Flattened_surface result;
-  // The first vertices of the overlay are those of the triangulation.
+  // The overlay begins with the vertices of the triangulation.
   for (IT::Vertex_index v : complex.vertices())
     result.points.push_back(subdivision.point(IT::Overlay::Vertex(v.idx()), points));
   for (IT::Face_index f : complex.faces()) {

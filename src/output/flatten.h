@@ -19,12 +19,12 @@ struct Flattened_surface
 {
   std::vector<std::array<double, 3>> points;           // of all vertices of the intrinsic triangulation
   std::vector<std::array<std::uint32_t, 3>> triangles; // its faces with three different corners, in order
-  std::size_t number_of_other_faces = 0;               // which are left out
-  // Each point of the surface has a place in the straight triangle of its face. It is at most as far from there as
-  // this, and one vertex of the overlay is: both are linear on each face of the overlay.
+  std::size_t number_of_other_faces = 0;               // which are omitted
+  // The largest distance between a point of the surface and its place in the straight triangle of its face. A vertex of
+  // the overlay attains it, because both are linear on each face of the overlay.
   double deviation = 0;
   double minimum_angle = 180;                   // of the straight triangles, in degrees
-  std::size_t number_of_non_manifold_edges = 0; // at which more than two of them meet
+  std::size_t number_of_non_manifold_edges = 0; // edges at which more than two of them meet
 };
 
 // \param points those of the input

@@ -40,7 +40,7 @@ Json stages(const Outcome& outcome)
           {"modular", counts[Stage::MODULAR]}};
 }
 
-// Integers of any size are texts.
+// Integers of any size are stored as text.
 Json fast_forward(const Triangulation_result& result)
 {
   const IT::Untwisting& untwisting = *result.surface.untwisting;

@@ -31,7 +31,7 @@ void write_edges(std::ostream& os, const Triangulation_result& result)
       const std::int64_t crossings = outcome.crossings[e];
       text << (crossings < 0 ? 0 : crossings) << ',' << (crossings < 0 ? '1' : '0') << '\n';
     } else {
-      text << ",\n"; // more crossings than could be counted
+      text << ",\n"; // more crossings than can be counted
     }
   });
 }

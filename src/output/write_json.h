@@ -14,7 +14,7 @@
 #include <ostream>
 #include <string>
 
-// What is not known is null. (So are infinite numbers, once they are written.)
+// Unknown values are null. (So are infinite numbers, once they are written.)
 template <class T>
 struct nlohmann::adl_serializer<std::optional<T>>
 {

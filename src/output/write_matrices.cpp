@@ -17,7 +17,7 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 
 // Eigen's own writer takes a file name, and writes both triangles of a symmetric matrix.
-// \param what a comment that says what the matrix is
+// \param what a comment that describes the matrix
 void write_symmetric_matrix(std::ostream& os, const char* what, const Eigen::SparseMatrix<double>& matrix)
 {
   std::size_t entries = 0;

@@ -27,8 +27,8 @@ enum class Vertex_kind : std::uint8_t {
   INSERTED
 };
 
-// Vertices of the file are vertices of the overlay. Its faces are the faces of the overlay, or the triangles of the
-// first face, then of the second, and so on; its edges are the segments.
+// The vertices of the file are the vertices of the overlay. Its faces are the faces of the overlay, or the triangles of
+// its first face, then of the second, and so on; its edges are the segments.
 class Overlay_writer
 {
 public:
@@ -46,7 +46,7 @@ public:
       }
   }
 
-  // Triangles are for programs that do not know edges, either.
+  // Programs that need triangles do not know edges, either.
   void write_ply(std::ostream& os) const
   {
     os << "ply\nformat binary_little_endian 1.0\n"
@@ -77,7 +77,7 @@ public:
       for_each_coordinate(values_, i, [&text](double x) { text.add_bytes(x); });
     });
     write_faces(os, [this](Long_text& text, IT::Overlay::Face f, const Corners& corners) {
-      text.add_bytes(std::uint8_t(corners.size())); // a part of two triangles has few
+      text.add_bytes(std::uint8_t(corners.size())); // a part of a pair of triangles has few
       for (std::uint32_t v : corners)
         text.add_bytes(v);
       text.add_bytes(overlay_.input_face(f).idx()).add_bytes(overlay_.intrinsic_face(f).idx());
@@ -126,7 +126,7 @@ public:
     os << "\n# End of Wavefront obj format #\n";
   }
 
-  // Segments are lines, in front of the faces.
+  // Segments are lines, before the faces.
   void write_vtp(std::ostream& os) const
   {
     Named_values kinds{"kind", {}, 1, "UInt8"}, input_edges{"input_edge", {}, 1, "Int32"},

@@ -37,7 +37,7 @@ void write_points(std::ostream& os, const Triangulation_result& result)
     }
     os << '\n';
     if (!os)
-      return; // the disk is full: the caller finds out
+      return; // the disk is full; the caller will notice
   }
 }
 

@@ -110,7 +110,7 @@ std::string times_text(const Triangulation_result& result)
   return times;
 }
 
-// What was read, and what was done to it before the flips.
+// The input, and its preparation before the flips.
 void write_surface(std::ostream& os, const Triangulation_result& result, bool is_verbose)
 {
   const Surface_counts& counts = result.counts;
@@ -144,7 +144,7 @@ void write_surface(std::ostream& os, const Triangulation_result& result, bool is
            counted(surface.untwisting->twists.size(), "twist", "twists"));
 }
 
-// What makes a flattened surface unfit for most solvers.
+// Defects that make a flattened surface unfit for most solvers.
 std::string gaps_text(const Flattened_surface& surface)
 {
   std::string result;

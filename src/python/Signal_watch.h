@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Calls that take long: other threads of Python go on meanwhile, and Ctrl-C ends them.
+// Long calls: other threads of Python continue meanwhile, and Ctrl-C ends them.
 
 #ifndef INTRINSIC_TRIANGULATIONS_PYTHON_SIGNAL_WATCH_H
 #define INTRINSIC_TRIANGULATIONS_PYTHON_SIGNAL_WATCH_H
@@ -22,8 +22,8 @@ namespace idt_python {
 namespace py = pybind11;
 namespace IT = CGAL::Intrinsic_triangulations;
 
-// While it lives, `goes_on()` in its thread says whether Python has got no signal that ends the call. The signal
-// handlers are asked twenty times a second, so that short calls do not pay for it.
+// While it lives, `goes_on()` in its thread returns whether Python has received no signal that ends the call. It runs
+// the signal handlers twenty times a second, so that short calls do not pay for it.
 class Signal_watch
 {
 public:
@@ -38,7 +38,7 @@ public:
     if (!goes_on())
       throw IT::Cancelled_error("the call was interrupted");
   }
-  // What the signal handler raised, which is KeyboardInterrupt as a rule.
+  // The exception that the signal handler raised, usually KeyboardInterrupt.
   void raise()
   {
     if (!error_)
@@ -76,8 +76,8 @@ private:
   std::optional<py::error_already_set> error_;
 };
 
-// Calls a function without Python's lock, which may be released already. \pre the function touches nothing of Python,
-// and returns something
+// Calls a function without Python's lock, which may be released already. \pre the function does not touch Python
+// objects, and returns a value
 template <class Function>
 auto without_lock(const Function& function)
 {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A triangulation as an object of Python.
+// A triangulation as a Python object.
 
 #ifndef INTRINSIC_TRIANGULATIONS_PYTHON_SURFACE_H
 #define INTRINSIC_TRIANGULATIONS_PYTHON_SURFACE_H
@@ -24,7 +24,7 @@ namespace idt_python {
 
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 
-// Calls from several threads of Python wait for each other.
+// Calls from several Python threads wait for each other.
 class Surface
 {
 public:
@@ -40,8 +40,8 @@ public:
   Surface(const Surface& other) : Surface(other, std::lock_guard<std::mutex>(other.mutex_)) {}
   Surface& operator=(const Surface&) = delete;
 
-  // Calls a function with the triangulation, without Python's lock. Ours is taken afterwards: who waits for
-  // it must not hold the other, which the one who has it may ask for.
+  // Calls a function with the triangulation, without Python's lock. Our lock is taken afterwards: a thread that waits
+  // for it must not hold Python's, which the owner of ours may request.
   template <class Function>
   auto use(const Function& function)
   {
@@ -51,7 +51,7 @@ public:
     });
   }
 
-  // The first side of each input face, as it was given: the library remembers faces and sides, but not which is the
+  // The first side of each input face, as given: the library remembers faces and sides, but not which side is the
   // first.
   const std::vector<IT::Halfedge_index>& input_sides() const { return input_sides_; }
 
@@ -85,7 +85,7 @@ private:
   std::vector<std::array<double, 3>> coordinates_;
 };
 
-// Values at vertices, as the heat methods take them.
+// Values at vertices, in the form that the heat methods take.
 inline std::vector<std::pair<IT::Vertex_index, double>> values_at(const Indices& vertices, const Doubles& values)
 {
   const auto v = copied(vertices);

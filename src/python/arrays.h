@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Arrays of NumPy in and out, without copies that can be avoided.
+// NumPy arrays in and out, without avoidable copies.
 
 #ifndef INTRINSIC_TRIANGULATIONS_PYTHON_ARRAYS_H
 #define INTRINSIC_TRIANGULATIONS_PYTHON_ARRAYS_H
@@ -24,19 +24,19 @@ namespace idt_python {
 
 namespace py = pybind11;
 
-// Arrays as Python's side of the module hands them over: of this very type, with any strides.
+// Arrays in the form in which the Python part of the module passes them: of exactly this type, with any strides.
 using Doubles = py::array_t<double, 0>;
 using Indices = py::array_t<std::uint32_t, 0>;
 using Booleans = py::array_t<bool, 0>;
 
-// Python's side has checked this, with messages for users.
+// The Python part has checked this, with messages for users.
 inline void require(bool condition, const char* what)
 {
   if (!condition)
     throw py::value_error(what);
 }
 
-// The rows of an array with three columns, read where they lie: a range of points for the library.
+// The rows of an array with three columns, read in place: a range of points for the library.
 template <class T>
 class Rows
 {
@@ -45,7 +45,7 @@ public:
   {
   public:
     Row(const char* begin, std::ptrdiff_t stride) : begin_(begin), stride_(stride) {}
-    // Copied by bytes, as an array need not be aligned.
+    // Copied by bytes, because an array need not be aligned.
     T operator[](std::size_t i) const
     {
       T result;
@@ -82,7 +82,7 @@ public:
     std::size_t i_;
   };
 
-  // \param array has to live as long
+  // \param array must outlive the range
   explicit Rows(const py::array_t<T, 0>& array)
   {
     require(array.ndim() == 2 && array.shape(1) == 3, "an array has not three columns");
@@ -103,7 +103,7 @@ private:
   std::ptrdiff_t row_stride_, column_stride_;
 };
 
-// A copy, since what was checked once must not be changed by another thread of Python.
+// A copy, because another Python thread must not change data that was checked.
 template <class T>
 std::vector<std::array<T, 3>> copied_rows(const py::array_t<T, 0>& array)
 {
@@ -126,7 +126,7 @@ std::vector<T> copied(const py::array_t<T, 0>& array)
   return result;
 }
 
-// Gives an object to Python, which deletes it with the last array that shows a part of it.
+// Gives an object to Python, which deletes it with the last array that refers to it.
 template <class T>
 std::pair<T*, py::capsule> handed_over(T&& object)
 {
@@ -167,7 +167,7 @@ py::array_t<std::int64_t> to_numbers(const std::vector<std::array<T, 3>>& triang
   return to_array(std::move(result));
 }
 
-// Data, row indices, beginnings of columns, and shape: what SciPy makes a csc_matrix of.
+// Data, row indices, beginnings of columns, and shape: the arguments of SciPy's csc_matrix.
 template <class Number>
 py::tuple to_sparse(Eigen::SparseMatrix<Number>&& matrix)
 {

@@ -10,7 +10,7 @@
 
 namespace idt_python {
 
-// The exceptions of the library as those of the Python package, for the extension module that calls it.
+// Translates the library's exceptions to those of the Python package, for the extension module that calls this.
 void register_errors();
 
 void add_Laplacian(pybind11::module_& module);

@@ -64,7 +64,7 @@ const char* name_of(IT::Invalid_surface_error::Defect defect)
 
 py::object class_of(const char* name) { return py::module_::import("intrinsic_triangulations._errors").attr(name); }
 
-// What a function of this package can do about it.
+// The function of this package that can fix it.
 const char* advice(IT::Invalid_surface_error::Defect defect)
 {
   using Defect = IT::Invalid_surface_error::Defect;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Meshes from files, and faces that are turned to agree.
+// Meshes from files, and consistent orientation of faces.
 
 #include "python/Signal_watch.h"
 #include "python/arrays.h"
@@ -22,7 +22,7 @@ namespace idt_python {
 
 namespace {
 
-// Points, corners of all faces, and where those of each begin; no beginnings if all are triangles; and warnings.
+// Points, corners of all faces, and where those of each face begin (empty if all are triangles); and warnings.
 py::tuple read_mesh(const std::string& file_name)
 {
   IT::Polygon_soup soup =
@@ -34,7 +34,7 @@ py::tuple read_mesh(const std::string& file_name)
                         py::cast(soup.warnings));
 }
 
-// Which triangles are turned so that they agree.
+// The triangles that are turned so that all agree.
 py::array turned_faces(const Doubles& points, const Indices& triangles)
 {
   const auto rows = copied_rows(points);

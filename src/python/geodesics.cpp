@@ -34,7 +34,7 @@ namespace {
 
 using Points = Tangent_directions::Points;
 
-// A path, as long as nothing of Python may be touched.
+// A path, while no Python object may be touched.
 struct Path
 {
   Points positions;
@@ -71,8 +71,8 @@ const char* name_of(IT::Geodesic_status status)
                                             : "unfinished";
 }
 
-// A surface in space, and lines on it. Nothing changes it: paths between vertices flip one copy, where they are undone, and
-// each other path flips its own, as does one that would have to wait for another thread.
+// A surface in space, and lines on it. It never changes: paths between vertices flip a common copy, where they are
+// undone; any other path flips a copy of its own, as does one that would have to wait for another thread.
 class Surface_in_space
 {
 public:
@@ -122,7 +122,7 @@ public:
     return table.to_arrays();
   }
 
-  // Cut open along a path that is given by faces and coordinates: points, triangles, their faces, and where new
+  // Cuts the surface open along a path given by faces and coordinates: points, triangles, their faces, and where new
   // vertices lie.
   py::tuple cut_along_path(const Indices& path_faces, const Doubles& path_coordinates)
   {
@@ -179,7 +179,7 @@ private:
     ~Rewinding() { network.rewind(); }
   };
 
-  // Where the path begins, along edges. Stops that are no vertices are inserted.
+  // The initial path, along edges. Stops that are not vertices are inserted.
   std::vector<IT::Halfedge_index> first_path(Triangulation& t, const std::vector<Stop>& stops, bool is_closed,
                                              bool is_shortest, Path& path) const
   {
@@ -240,7 +240,7 @@ private:
     return {input.opposite(input.halfedge(v)), {1, 0, 0}};
   }
 
-  // \param maximum_number after how many faces the line is cut off; without, too many of them are an error
+  // \param maximum_number the number of faces after which the line is cut off; without it, too many faces are an error
   Path trace(const Triangulation& t, const Tangent_direction& start,
              const std::optional<std::uint64_t>& maximum_number) const
   {
@@ -273,7 +273,7 @@ private:
     table.append(input, point, surface_.input_sides()[input.face(point.halfedge).idx()]);
   }
 
-  // Else a typing error in the length would fill the memory.
+  // Otherwise a typing error in the length would fill the memory.
   static constexpr std::uint64_t most_faces = 1000000;
 
   Points points_;

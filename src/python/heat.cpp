@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Distances by the heat method, and functions that spread from vertices.
+// Distances by the heat method, and functions extended from vertices.
 
 #include "python/Surface.h"
 #include "python/arrays.h"
@@ -29,7 +29,7 @@ auto heat_options(double time_coefficient, int boundary, bool keeps_ridges)
     .visitor(&Signal_watch::goes_on);
 }
 
-// Calls from several threads of Python wait for each other.
+// Calls from several Python threads wait for each other.
 class Heat
 {
 public:

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The extension module below the Python package, which checks arguments and has the documentation. It includes
+// The extension module below the Python package, which checks arguments and contains the documentation. It includes
 // LGPL headers only.
 
 #include "python/bindings.h"

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The Laplace-Beltrami operator of points: an extension module of its own, as it includes a GPL header.
+// The Laplace-Beltrami operator of points: an extension module of its own, because it includes a GPL header.
 
 #include "python/Signal_watch.h"
 #include "python/arrays.h"

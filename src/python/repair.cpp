@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The repair of polygons: an extension module of its own, as it includes a GPL header.
+// The repair of polygons: an extension module of its own, because it includes a GPL header.
 
 #include "python/Signal_watch.h"
 #include "python/arrays.h"
@@ -21,7 +21,7 @@ namespace idt_python {
 
 namespace {
 
-// \param first_corner where the corners of each face begin, and where those of the last end
+// \param first_corner where the corners of each face begin, and where those of the last face end
 py::tuple repair(const Doubles& points, const Indices& corners, const std::vector<std::size_t>& first_corner)
 {
   const std::vector<std::array<double, 3>> rows = copied_rows(points);

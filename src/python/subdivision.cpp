@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The common subdivision of the input and the current triangulation: its arrays, what transfers values, and points.
+// The common subdivision of the input and the current triangulation: its arrays, transfer of values, and points.
 
 #include "python/Surface.h"
 #include "python/arrays.h"
@@ -25,7 +25,7 @@ namespace {
 
 using Numbers = std::vector<std::int64_t>;
 
-// Nothing changes it, and its const member functions may be called by several threads at once.
+// It never changes, and several threads may call its const member functions at once.
 class Subdivision
 {
 public:

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A vector in space as a direction on the surface, at a vertex or in a face. These are doubles: the line that begins
-// there is exact for the direction that is found.
+// Converts a vector in space to a direction on the surface, at a vertex or in a face. This is computed in doubles; the
+// line that begins there is exact for the resulting direction.
 
 #ifndef INTRINSIC_TRIANGULATIONS_PYTHON_TANGENT_DIRECTION_H
 #define INTRINSIC_TRIANGULATIONS_PYTHON_TANGENT_DIRECTION_H
@@ -26,7 +26,7 @@ namespace idt_python {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-// A direction, and the length of the projection of the vector that it was made of.
+// A direction, and the length of the vector's projection.
 struct Tangent_direction
 {
   IT::Surface_direction direction;
@@ -56,8 +56,8 @@ public:
     return {{point, {x, y}}, projected.norm()};
   }
 
-  // At a vertex: projected to its tangent plane, in which the edges are, too. Between two neighboring edges, angles
-  // in the plane and in the face are proportional: where the surface is flat, they are the same.
+  // At a vertex: projected to its tangent plane, together with the edges. Between two neighboring edges, angles in the
+  // plane and in the face are proportional; where the surface is flat, they are equal.
   Tangent_direction at_vertex(IT::Vertex_index v, const Vector& vector) const
   {
     const Vector normal = normal_at(v);
@@ -130,7 +130,7 @@ private:
     return sum.normalized();
   }
 
-  // By this fraction of the corner at the source of a side.
+  // The direction at this fraction of the corner at the source of a side.
   IT::Surface_direction turned(IT::Halfedge_index h, double fraction) const
   {
     const double corner = corner_angle(h), angle = fraction * corner;

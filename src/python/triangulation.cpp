@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The triangulation: how it is made, flipped, refined and checked, and what it tells.
+// The triangulation: construction, flips, refinement, checks and queries.
 
 #include "python/Surface.h"
 #include "python/arrays.h"
@@ -50,7 +50,7 @@ std::unique_ptr<Surface> from_points(const Doubles& points, const Indices& trian
   });
 }
 
-// The length of each edge. \param lengths those of the sides of the faces
+// The length of each edge. \param lengths the lengths of the sides of the faces
 std::vector<double> edge_lengths(const IT::Delta_complex& complex, const std::vector<std::array<double, 3>>& lengths)
 {
   std::vector<double> result(complex.number_of_edges(), -1);
@@ -59,7 +59,7 @@ std::vector<double> edge_lengths(const IT::Delta_complex& complex, const std::ve
     for (int i = 0; i < 3; ++i, h = complex.next(h)) {
       double& length = result[complex.edge(h).idx()];
       const double given = lengths[f.idx()][std::size_t(i)];
-      // Not so if either is not a number: the library says which edge that is.
+      // Does not fail if either is NaN: the library names that edge.
       if (length >= 0 && given >= 0 && length != given)
         throw IT::Invalid_surface_error(
           IT::Invalid_surface_error::Defect::INVALID_GLUING, f.idx(), 1,
@@ -143,7 +143,7 @@ std::vector<std::array<double, 3>> input_points(const Triangulation& t)
   return result;
 }
 
-// A row for each face: what `of_side(h)` says of its three sides.
+// A row for each face: the values of `of_side(h)` for its three sides.
 template <class Of_side>
 auto rows_of_faces(const IT::Delta_complex& complex, const Of_side& of_side)
 {
@@ -194,7 +194,7 @@ std::vector<double> weights(const Triangulation& t)
 
 // --------------------------------------------------------------- algorithms
 
-// Which edges stay, as a property map. \param is_constrained a value for each edge, or none; has to live as long
+// The constrained edges as a property map. \param is_constrained a value for each edge, or none; must outlive the map
 auto constrained_edges(const std::vector<bool>& is_constrained)
 {
   return boost::make_function_property_map<IT::Edge_index, bool>(
@@ -213,7 +213,7 @@ std::vector<bool> copied_marks(const std::optional<Booleans>& marks)
   return result;
 }
 
-// Only here the number of edges cannot change any more.
+// Only from here on is the number of edges fixed.
 void check_marks(const Triangulation& t, const std::vector<bool>& is_constrained)
 {
   const std::size_t n = t.connectivity().number_of_edges();

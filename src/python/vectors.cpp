@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Tangent vectors that are carried over the surface, and logarithmic maps.
+// Parallel transport of tangent vectors, and logarithmic maps.
 
 #include "python/Surface.h"
 #include "python/arrays.h"
@@ -21,7 +21,7 @@ namespace idt_python {
 
 namespace {
 
-// Nothing changes it, and its const member functions may be called by several threads at once.
+// It never changes, and several threads may call its const member functions at once.
 using Vector_heat = IT::Vector_heat_method;
 
 std::unique_ptr<Vector_heat> vector_heat(Surface& surface, const std::optional<double>& time_coefficient)

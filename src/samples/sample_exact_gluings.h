@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Flat surfaces whose squared lengths are exact, so that they can be sheared as far as one likes.
+// Flat surfaces with exact squared lengths, which can be sheared any distance.
 
 #ifndef IDT_SAMPLES_SAMPLE_EXACT_GLUINGS_H
 #define IDT_SAMPLES_SAMPLE_EXACT_GLUINGS_H
@@ -57,8 +57,8 @@ inline IT::Exact_gluing sheared_one_vertex_torus(const IT::Integer& shear)
   return lattice_torus({IT::Integer(1), IT::Integer(0)}, {shear, IT::Integer(1)});
 }
 
-// The lattice of (F, F') and (F', F'') with three consecutive Fibonacci numbers, whose reduction takes as many twists
-// as possible for their size.
+// The lattice of (F, F') and (F', F'') with three consecutive Fibonacci numbers, whose reduction takes the most twists
+// for their size.
 // \param n the index of the first, at least 2
 inline IT::Exact_gluing Fibonacci_torus(std::size_t n)
 {
@@ -83,7 +83,7 @@ struct Tubed_triangles
   // Opens the surface along a pair of glued sides, which form a loop, and glues a tube into the gap.
   // \param pair the index of the pair of sides
   // \param squared_height the square of the height of the tube
-  // \param shear by how many times its circumference an edge from the first side of the pair to the second is slanted
+  // \param shear the slant of an edge from the first side of the pair to the second, in circumferences of the tube
   void insert_tube(std::size_t pair, const IT::Rational& squared_height, const IT::Rational& shear)
   {
     const std::uint32_t second = glued_sides[pair][1];

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the generators of sample surfaces share: random numbers that are the
-// same with every standard library, rotations, and triangulated grids.
+// Tools shared by the generators of sample surfaces: random numbers that are the same with every standard library,
+// rotations, and triangulated grids.
 
 #ifndef IDT_SAMPLES_SAMPLE_SURFACE_TOOLS_H
 #define IDT_SAMPLES_SAMPLE_SURFACE_TOOLS_H
@@ -29,8 +29,7 @@ inline void require_sample_argument(bool condition, const char* message)
     throw std::invalid_argument(std::string("sample surface: ") + message);
 }
 
-// The standard fixes the sequence of mt19937_64 but not what its
-// distributions make of it, hence the conversions here.
+// The standard fixes the sequence of mt19937_64 but not its distributions, hence the conversions here.
 class Sample_random
 {
 public:

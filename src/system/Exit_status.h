@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the command tells the shell. Scripts rely on the numbers.
+// The exit status of the command. Scripts rely on the numbers.
 
 #ifndef IDT_EXIT_STATUS_H
 #define IDT_EXIT_STATUS_H
@@ -18,7 +18,7 @@ enum class Exit_status {
   NOT_FINISHED = 4 // undecided, not flippable, out of budget or cancelled
 };
 
-// The command line asks for something that does not make sense.
+// The command line makes no sense.
 class Usage_error : public std::runtime_error
 {
 public:

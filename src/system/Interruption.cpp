@@ -20,7 +20,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Then the process is ended, and the rest of the second is for the system, which takes its memory back.
+// Then the process is ended; the rest of the second is for the system, which reclaims its memory.
 constexpr std::chrono::milliseconds time_for_an_orderly_end(500);
 
 std::atomic<bool> interrupted{false};
@@ -28,10 +28,10 @@ std::atomic<Clock::rep> interruption_time{0};
 
 Clock::duration since_interruption() { return Clock::now() - Clock::time_point(Clock::duration(interruption_time)); }
 
-// What the watcher shares with other threads. A copy of the process has another one.
+// The state that the watcher shares with other threads. A copy of the process has its own.
 struct Watch
 {
-  std::timed_mutex mutex; // of the rest; held for ever by who ends the process
+  std::timed_mutex mutex; // of the rest; held forever by the thread that ends the process
   std::list<std::function<void()>> undo;
   bool is_over = false;
   bool is_copy = false;
@@ -52,7 +52,7 @@ void note_interruption()
   interrupted = true;
 }
 
-// Ends the process, unless it ends by itself. \param request the second of a kind, or 0 if time is up
+// Ends the process, unless it ends by itself. \param request the second of its kind, or 0 if time is up
 void end_process(Watch& w, int request)
 {
   // Opening a file can take forever if a server is down.
@@ -66,7 +66,7 @@ void end_process(Watch& w, int request)
   if (!w.is_copy)
     write_error_output(erased_progress() + "idt: cancelled; files that were not complete are removed\n");
   if (request != 0)
-    end_by_request(request); // as who waits for the process expects
+    end_by_request(request); // as programs that wait for this process expect
   std::_Exit(static_cast<int>(Exit_status::NOT_FINISHED));
 }
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Ctrl-C and its like: an orderly end if there is time for one, else a quick end that leaves nothing half done.
+// Ctrl-C and the like: an orderly end if there is time for one, otherwise a quick end that leaves nothing half done.
 
 #ifndef IDT_INTERRUPTION_H
 #define IDT_INTERRUPTION_H
@@ -13,31 +13,31 @@
 
 namespace idt {
 
-// Lets SIGINT, SIGTERM and SIGHUP ask for an orderly end. If it has not come after half a second, the
-// process ends without it, with the status NOT_FINISHED; a second signal of the same kind ends it at once. Either
-// way, what is Unfinished is undone. Broken pipes and file size limits become write errors.
+// Lets SIGINT, SIGTERM and SIGHUP ask for an orderly end. After half a second, the process ends anyway, with the status
+// NOT_FINISHED; a second signal of the same kind ends it at once. Either way, everything Unfinished is undone. Broken
+// pipes and file size limits become write errors.
 void install_signal_handlers();
 
-// The same in a copy of this process, which has no thread but one, and does not own what is unfinished here. It ends
+// The same in a copy of this process, which has a single thread, and does not own what is unfinished here. It ends
 // silently.
 void install_signal_handlers_in_copy();
 
-// The process is about to end by itself: nothing ends it sooner any more, unless its end takes long.
+// The process is about to end by itself: from now on, nothing ends it sooner unless its end takes long.
 void end_in_good_order();
 
-// Whether an end was asked for.
+// Whether an end was requested.
 bool is_interrupted();
 
-// Whether decisions that take long may still be made: until a quarter of a second after an end was asked for.
-// What they are for is then left out.
+// Whether long decisions may still be made: until a quarter of a second after an end was requested. Results that depend
+// on them are then omitted.
 bool has_time_to_decide();
 
-// What must not outlive the process as it is: half a file, another process.
+// Something that must not outlive the process in its current state: half a file, another process.
 class Unfinished
 {
 public:
   // \param begin is called at once, and never while the process is being ended
-  // \param undo is called if the process is ended in the lifetime of this object, by another thread; throws nothing
+  // \param undo is called by another thread if the process is ended during the lifetime of this object; must not throw
   Unfinished(const std::function<void()>& begin, std::function<void()> undo);
   Unfinished(const Unfinished&) = delete;
   Unfinished& operator=(const Unfinished&) = delete;

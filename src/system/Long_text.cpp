@@ -16,19 +16,19 @@ namespace idt {
 void write_blocks(std::ostream& os, const std::size_t n,
                   const std::function<void(Long_text&, std::size_t, std::size_t)>& format)
 {
-  // One more than there are processors: they go on while this thread writes.
+  // One more than there are processors: they continue while this thread writes.
   const std::size_t at_most = std::max(1u, std::thread::hardware_concurrency()) + std::size_t(1);
   std::deque<std::future<Long_text>> blocks;
-  // Their memory is used again: the system would have to clear other pages.
+  // Their memory is reused: the system would have to clear new pages.
   std::vector<Long_text> written;
-  for (std::size_t first = 0; (first < n || !blocks.empty()) && os;) { // a disk may be full: the caller finds out
+  for (std::size_t first = 0; (first < n || !blocks.empty()) && os;) { // the disk may be full; the caller will notice
     for (; first < n && blocks.size() < at_most; first += elements_of_block) {
       Long_text empty;
       if (!written.empty()) {
         empty = std::move(written.back());
         written.pop_back();
       }
-      // Where there can be no thread, this one does it.
+      // If no thread can be started, this one does the work.
       blocks.push_back(std::async(
         [&format, text = std::move(empty), first, last = (std::min)(n, first + elements_of_block)]() mutable {
           text.clear();

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The content of large files: numbers one behind the other, put together by several threads.
+// The content of large files: many numbers, put together by several threads.
 
 #ifndef IDT_LONG_TEXT_H
 #define IDT_LONG_TEXT_H
@@ -18,7 +18,7 @@
 
 namespace idt {
 
-// A text that grows. It does what a stream does, in a fraction of the time.
+// A text that grows. Does the work of a stream in a fraction of the time.
 class Long_text
 {
 public:
@@ -46,7 +46,7 @@ public:
   }
   Long_text& operator<<(float) = delete;
 
-  // The bytes of a number, the lowest first, whatever this machine does.
+  // The bytes of a number, lowest first, whatever the order of this machine.
   Long_text& add_bytes(std::uint8_t number) { return *this << static_cast<char>(number); }
   Long_text& add_bytes(std::uint32_t number) { return add_bytes_of(number); }
   Long_text& add_bytes(double number)
@@ -58,7 +58,7 @@ public:
 
   const std::string& string() const { return text_; }
 
-  // Makes it empty, and keeps its memory.
+  // Empties the text, and keeps its memory.
   void clear() { text_.clear(); }
 
 private:
@@ -81,14 +81,14 @@ private:
 
 constexpr std::size_t elements_of_block = std::size_t(1) << 14;
 
-// Writes what belongs to the elements from 0 to n, in their order. Several threads work on it; until it is written, no
-// more than a few blocks of elements are in memory.
-// \param format is called as format(text, first, last) for blocks of elements, by any thread, and adds them to an empty
-//   text
+// Writes the text of the elements from 0 to n, in their order. Several threads work on it; only a few blocks of
+// elements are in memory at a time.
+// \param format is called as format(text, first, last) for blocks of elements, by any thread, and appends them to an
+//   empty text
 void write_blocks(std::ostream& os, std::size_t n,
                   const std::function<void(Long_text&, std::size_t, std::size_t)>& format);
 
-// The same with what belongs to a single element, format(text, i).
+// The same with a function for a single element, format(text, i).
 template <class Format>
 void write_elements(std::ostream& os, std::size_t n, const Format& format)
 {

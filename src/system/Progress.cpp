@@ -19,7 +19,7 @@ namespace {
 std::atomic<bool> is_line_shown{false};
 const char* const erasure = "\r\x1b[K";
 
-// The end of a path, in a line of its own length and without what a terminal would obey.
+// The end of a path, of limited length and without control characters.
 std::string short_name(const std::string& path)
 {
   std::string name = path.substr(path.find_last_of('/') + 1);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One line on the terminal that says how far a long job is.
+// One line on the terminal that shows the progress of a long job.
 
 #ifndef IDT_PROGRESS_H
 #define IDT_PROGRESS_H
@@ -19,37 +19,37 @@
 
 namespace idt {
 
-// Writes to the standard error, and only if that is a terminal; the line is erased at
-// the end. A reference to it is what the library can ask whether to go on: until an interruption.
+// Writes to the standard error, and only if that is a terminal; the line is erased at the end. The library can ask a
+// reference to it whether to go on, which it does until an interruption.
 class Progress
 {
 public:
-  // \param phase what is shown, with the time, while nobody knows how much of it is done
+  // \param phase shown, with the time, while the progress is unknown
   Progress(const std::string& path, const char* phase);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  // Whether any is shown from now on; on a terminal alone, as always.
+  // Whether progress is shown from now on; as always, only on a terminal.
   static void set_shown(bool is_shown);
 
-  // Another phase begins.
+  // Begins another phase.
   void begin(const char* phase);
-  // Nobody knows how many flips there will be.
+  // The total number of flips is unknown.
   void show_flips(std::uint64_t tests, std::uint64_t flips)
   {
     if (is_shown_ && tests >= next_look_)
       look(tests, flips);
   }
-  // The same of refinement, where a step takes long enough for a look at the clock.
-  // \param faces how many are to be refined, at most \param size the shortest side of the next one
+  // The same for refinement, where each step takes long enough for a look at the clock.
+  // \param faces the number of faces to refine, at most \param size the shortest side of the next one
   void show_points(std::uint64_t points, std::size_t faces, double size);
-  // A bar. \param fraction what is done of it, from 0 to 1
+  // A bar. \param fraction the part that is done, from 0 to 1
   void show(const char* what, double fraction);
 
-  // Shows how much of the phase is done.
+  // Shows the finished part of the phase.
   bool operator()(double fraction);
-  // Shows how far flips are.
+  // Shows the progress of flips.
   bool operator()(const CGAL::Intrinsic_triangulations::Progress& flips);
 
 private:
@@ -62,8 +62,7 @@ private:
 
   std::string name_;
   bool is_shown_;
-  // A test takes between nanoseconds and seconds: the clock is read so often that it
-  // does not matter, and seldom enough.
+  // A test takes between nanoseconds and seconds: the clock is read often enough, yet seldom enough not to matter.
   std::uint64_t next_look_ = 0;
   std::uint64_t stride_ = 1;
   double last_look_ = 0;
@@ -78,7 +77,7 @@ private:
   std::thread thread_;
 };
 
-// What erases the line from the terminal; empty if there is none. Any thread may call it.
+// The text that erases the line from the terminal; empty if there is no line. Any thread may call it.
 std::string erased_progress();
 
 } // namespace idt

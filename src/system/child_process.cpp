@@ -40,11 +40,11 @@ void write_all(int descriptor, const char* data, std::size_t size)
   }
 }
 
-// A copy of this process that runs a function, to which it passes the descriptor for what is to be said.
+// A copy of this process that runs a function, to which it passes the descriptor for its output.
 class Child
 {
 public:
-  // \param writes_files whether it may have to put files in order before it ends
+  // \param writes_files whether it may have to clean up files before it ends
   Child(const std::function<void(int out)>& function, bool writes_files)
     : writes_files_(writes_files), unfinished_([&] { start(function); }, [this] { end(); })
   {}
@@ -56,7 +56,7 @@ public:
     remove_folder();
   }
 
-  // Takes the lines that it says. \param seconds how long it may take to the next
+  // Takes the lines that it writes. \param seconds the time limit for the next line
   Child_result listen(double seconds)
   {
     Child_result result;
@@ -87,7 +87,7 @@ public:
     return result;
   }
 
-  // Takes the one number that it says, if it does not end before. An interruption is passed on.
+  // Takes the one number that it writes, unless it ends before. An interruption is passed on.
   std::optional<int> take_number()
   {
     int number = 0;
@@ -108,7 +108,7 @@ private:
   void start(const std::function<void(int out)>& function)
   {
     folder_ = make_temporary_folder();
-    // Lest both write what waits there.
+    // Otherwise both would write the buffered text.
     std::cout.flush();
     std::cerr.flush();
     int ends[2];
@@ -133,15 +133,15 @@ private:
   // Called while this process is being ended.
   void end() const
   {
-    // The first signal asks for an orderly end, the second one does not wait for that. One that arrives before the
-    // other was taken is lost.
+    // The first signal asks for an orderly end, the second one does not wait. A signal that arrives before the first
+    // was handled is lost.
     bool is_awaited = is_awaited_;
     for (int attempt = 0; writes_files_ && !is_awaited && attempt < 20; ++attempt) {
       ::kill(process_, SIGTERM);
       ::usleep(5000);
       is_awaited = ::waitpid(process_, nullptr, WNOHANG) != 0;
     }
-    // The system may need a while to take back its memory, for which nobody has to wait.
+    // The system may need a while to reclaim its memory; there is no need to wait for that.
     if (!is_awaited)
       ::kill(process_, SIGKILL);
     remove_folder();
@@ -150,13 +150,13 @@ private:
   [[noreturn]] void be_the_child(const std::function<void(int out)>& function, int out) const
   {
 #ifdef __linux__
-    // Not to outlive the parent.
+    // It must not outlive the parent.
     ::prctl(PR_SET_PDEATHSIG, writes_files_ ? SIGTERM : SIGKILL);
 #endif
     install_signal_handlers_in_copy();
     if (!writes_files_)
       for (int signal_number : {SIGINT, SIGTERM, SIGHUP})
-        ::signal(signal_number, SIG_IGN); // the parent sees to it
+        ::signal(signal_number, SIG_IGN); // the parent handles it
     if (!folder_.empty())
       ::setenv("TMPDIR", folder_.c_str(), 1);
     try {
@@ -173,7 +173,7 @@ private:
     throw Output_error(std::string("there can be no other process: ") + std::strerror(error_number));
   }
 
-  // Or has ended. Waits a little.
+  // It closed the pipe or has ended. Waits a little.
   bool has_said_something() const
   {
     struct pollfd in = {in_, POLLIN, 0};
@@ -187,7 +187,7 @@ private:
     while (::waitpid(process_, &status, 0) < 0)
       if (errno != EINTR)
         return false;
-    is_awaited_ = true; // its number may be that of another process now
+    is_awaited_ = true; // by now another process may have its number
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
   }
 
@@ -199,7 +199,7 @@ private:
   }
 
   bool writes_files_;
-  std::string folder_; // what it leaves when it is killed goes with this folder
+  std::string folder_; // this folder contains everything that it leaves when it is killed
   pid_t process_ = -1;
   std::atomic<bool> is_awaited_{false};
   int in_ = -1;
@@ -212,7 +212,7 @@ Child_result run_in_child_process(const std::function<void(const Say_function&)>
 {
   Child child(
     [&function](int out) {
-      // Not to share what the parent writes to.
+      // It must not share the parent's output.
       const int nothing = ::open("/dev/null", O_WRONLY);
       ::dup2(nothing, STDOUT_FILENO);
       ::dup2(nothing, STDERR_FILENO);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the command asks of the system and C++ has no function for; other processes are in child_process.h. There is a
-// source for POSIX and one for Windows.
+// System calls for which C++ has no function; other processes are in child_process.h. There is a source for POSIX and
+// one for Windows.
 
 #ifndef IDT_SYSTEM_CALLS_H
 #define IDT_SYSTEM_CALLS_H
@@ -12,12 +12,12 @@
 
 namespace idt {
 
-// Has the standard streams take bytes as they are, and occupies the descriptors of those that are closed, lest a file
-// that is opened later is taken for one of them; writing to them fails as it should.
+// Makes the standard streams binary, and occupies the descriptors of closed ones, so that no file opened later is taken
+// for one of them; writing to them still fails.
 void prepare_standard_streams();
 
-// Reads what comes from the standard input, at most `size` bytes.
-// \return their number; 0 at the end; -1 and errno is EAGAIN if nothing came for a moment, so that the caller can ask
+// Reads at most `size` bytes from the standard input.
+// \return their number; 0 at the end; -1 with errno EAGAIN if nothing came for a moment, so that the caller can ask
 //   whether to go on
 long read_standard_input(char* bytes, unsigned size);
 
@@ -28,33 +28,33 @@ void write_error_output(const std::string& text);
 
 int process_number();
 
-// The most memory that the process has had so far, all inputs together.
+// The peak memory of the process so far, for all inputs together.
 std::uint64_t peak_memory_bytes();
 
-// Creates an empty file that was not there. \param is_private whether only its owner may read it
-// \return 0, or what errno was
+// Creates a new, empty file. \param is_private whether only its owner may read it
+// \return 0, or errno
 int create_new_file(const std::string& path, bool is_private);
 
 // Opens a named pipe for writing if a program reads from it; does not wait for one.
-// \return a descriptor, or -1 and errno is ENXIO if there is no reader
+// \return a descriptor, or -1 with errno ENXIO if there is no reader
 int open_pipe_with_reader(const std::string& path);
 void close_descriptor(int descriptor);
 
-// A new folder for this process alone; empty if there can be none.
+// A new folder for this process alone; empty if it cannot be created.
 std::string make_temporary_folder();
 
-// Has each request for an end, by Ctrl-C or another program, call a function that is allowed to do what signal handlers
-// are, and then wake wait_for_request(). Requests that the parent of this process ignores stay ignored. Broken pipes
-// and limits of the size of files become errors of writing.
+// Makes each request for an end, by Ctrl-C or another program, call a function, which may do only what signal handlers
+// may do, and then wake wait_for_request(). Requests that the parent of this process ignores stay ignored. Broken pipes
+// and file size limits become write errors.
 // \param is_once whether the second request of a kind ends the process
 void catch_requests(void (*function)(), bool is_once);
 
-// To be called before, and again in a copy of this process. \return false if nobody can wait for requests
+// Must be called before, and again in a copy of this process. \return false if it is impossible to wait for requests
 bool prepare_to_wait_for_requests();
 // Returns the kind of the next request, which is positive, or 0 if there is none in time. \param milliseconds negative:
 // waits forever
 int wait_for_request(long milliseconds);
-// As a request of this kind ends a process that does not catch it.
+// Ends the process as a request of this kind ends one that does not catch it.
 [[noreturn]] void end_by_request(int kind);
 
 } // namespace idt

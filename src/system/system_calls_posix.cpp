@@ -23,7 +23,7 @@ void prepare_standard_streams()
 {
   for (int descriptor : {0, 1, 2})
     if (::fcntl(descriptor, F_GETFD) == -1)
-      // The lowest free descriptor is this one. Not writable, but for the messages.
+      // This is the lowest free descriptor. Only the one for messages is writable.
       static_cast<void>(::open("/dev/null", descriptor == 2 ? O_WRONLY : O_RDONLY));
 }
 
@@ -51,8 +51,8 @@ int process_number() { return static_cast<int>(::getpid()); }
 
 std::uint64_t peak_memory_bytes()
 {
-  // What getrusage() tells on Linux includes the program that this one replaced in its process, that is a copy of
-  // whatever started it.
+  // On Linux, getrusage() includes the program that this one replaced in its process, that is, a copy of the program
+  // that started it.
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;)
     if (std::uint64_t kibibytes = 0; word == "VmHWM:" && status >> kibibytes)
@@ -135,7 +135,7 @@ void catch_requests(void (*function)(), bool is_once)
     action.sa_flags |= static_cast<int>(SA_RESETHAND);
   sigemptyset(&action.sa_mask);
   for (int signal_number : {SIGINT, SIGTERM, SIGHUP}) {
-    // What a parent chose to ignore (as nohup does) stays ignored.
+    // Signals that the parent ignores (as nohup does) stay ignored.
     struct sigaction old = {};
     sigaction(signal_number, nullptr, &old);
     if (old.sa_handler != SIG_IGN || signal_number == SIGINT)

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// There are no copies of a process: what CORE could end or keep from ending runs in this one.
+// There are no copies of a process: work that CORE could end or keep from ending runs in this one.
 
 #include "system/child_process.h"
 #include "system/system_calls.h"
@@ -33,7 +33,7 @@ void prepare_standard_streams()
     ::_setmode(descriptor, _O_BINARY);
 }
 
-// Waits for as long as it takes: whoever watches for requests ends the process meanwhile.
+// Waits as long as it takes: the thread that watches for requests ends the process meanwhile.
 long read_standard_input(char* bytes, unsigned size) { return ::_read(0, bytes, size); }
 
 bool is_error_output_a_terminal() { return ::_isatty(2) != 0; }

@@ -20,10 +20,10 @@ std::string with_separators(std::uint64_t number);
 // "1 face", "2 faces"
 std::string counted(std::uint64_t number, const char* singular, const char* plural);
 
-// A piece of a file in quotes. It may be long, or steer a terminal.
+// A piece of a file in quotes, which may be long or contain control characters.
 std::string quoted(const std::string& text);
 
-// With 17 significant digits, from which a double comes back bit for bit.
+// With 17 significant digits, which restore a double bit for bit.
 std::string in_full(double number);
 
 // With a few digits, for people.
@@ -32,12 +32,12 @@ std::string in_short(double number);
 // "0.012 s"
 std::string seconds_text(double seconds);
 
-// A cell of a table: "-" for what is not known.
+// A cell of a table: "-" if unknown.
 std::string cell(const std::optional<std::uint64_t>& number);
 std::string cell(const std::optional<double>& number);
 
-// A table: the first column begins at the left, the others end at the right. \pre the
-// lines have as many cells as the first
+// A table: the first column is aligned to the left, the others to the right. \pre all lines have as many cells as the
+// first
 void write_aligned(std::ostream& os, const std::vector<std::vector<std::string>>& lines);
 
 } // namespace idt

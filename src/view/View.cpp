@@ -20,7 +20,7 @@ namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-// A browser holds the text of a page as one, whose length is limited.
+// A browser holds a page as a single text of limited length.
 constexpr std::size_t largest_number_of_triangles = 3000000;
 
 void check_size(std::size_t number_of_triangles)
@@ -37,7 +37,7 @@ double cotangent(double opposite, double a, double b, double area)
   return area > 0 ? (a * a + b * b - opposite * opposite) / (4 * area) : std::numeric_limits<double>::quiet_NaN();
 }
 
-// In single precision, but no number becomes zero.
+// In single precision, but nonzero numbers stay nonzero.
 std::vector<float> with_signs(const std::vector<double>& numbers)
 {
   std::vector<float> result;
@@ -124,7 +124,7 @@ View_triangulation make_triangulation(const std::vector<Point>& points,
   return result;
 }
 
-// Which side of its face it is, from 1, or 0 if it is none.
+// The number of the side in its face, from 1, or 0 if it is not a side.
 std::uint8_t number_of_side(const IT::Delta_complex& complex, IT::Halfedge_index h)
 {
   if (!h.is_valid())

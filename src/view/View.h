@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a page shows of a surface.
+// The contents of a page about a surface.
 
 #ifndef IDT_VIEW_H
 #define IDT_VIEW_H
@@ -22,7 +22,7 @@ namespace idt {
 struct View_triangulation
 {
   std::size_t number_of_vertices = 0;
-  std::vector<std::uint32_t> corners; // three of each face
+  std::vector<std::uint32_t> corners; // three for each face
   std::vector<std::uint32_t> sides;   // the edges of each face
   std::vector<float> weights;         // of the edges: sums of the cotangents, with their signs
   std::vector<float> cotangents;      // of the angles opposite to the sides; NaN in a face without area
@@ -41,20 +41,20 @@ struct View_field
 struct View
 {
   std::string title;
-  std::string result;                             // what the second triangulation is
+  std::string result;                             // the name of the second triangulation
   std::vector<View_triangulation> triangulations; // the input, and the result if there is one
-  // The triangles into which they cut the surface. Their vertices are those of the input, inserted ones, and crossings.
+  // The triangles into which they cut the surface. Their vertices are input vertices, inserted ones, and crossings.
   std::vector<std::array<double, 3>> points;
-  std::vector<std::uint32_t> corners;            // three of each triangle
+  std::vector<std::uint32_t> corners;            // three for each triangle
   std::vector<std::uint8_t> sides;               // (i + 1) + 4 (j + 1) for side i of the input face and j of the other
-  std::vector<std::vector<std::uint32_t>> faces; // of each triangulation: which contains the triangle
+  std::vector<std::vector<std::uint32_t>> faces; // for each triangulation, the face that contains the triangle
   std::vector<View_field> fields;
   std::vector<std::array<double, 3>> path;
 };
 
-// The view of an input and of what was made of it.
-// \param points, input_numbers those of the input
-// \param numbers those of the result
+// The view of an input and of its result.
+// \param points, input_numbers of the input
+// \param numbers of the result
 // \exception Usage_error if it is too large for a page
 View make_view(const std::string& title, const std::string& result,
                const CGAL::Intrinsic_triangulations::Common_subdivision& subdivision,
@@ -67,11 +67,12 @@ View make_view(const std::string& title, const std::string& result,
 View make_view(const std::string& title, const std::vector<std::array<double, 3>>& points,
                const std::vector<std::array<std::uint32_t, 3>>& triangles);
 
-// Says before anything is computed what can be said about its size, and whether pages can be written at all; nothing if `path` is empty.
-// \exception Usage_error as above, or if the command was built without what draws
+// Checks the size as far as possible before anything is computed, and whether pages can be written at all; does nothing
+// if `path` is empty.
+// \exception Usage_error as above, or if the command was built without three.js
 void check_view(const std::string& path, std::size_t number_of_triangles = 0);
 
-// Writes the page; nothing if `path` is empty.
+// Writes the page; does nothing if `path` is empty.
 // \exception Output_error as Output_file
 void write_view(const std::string& path, const View& view);
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A view as a page: one file, which needs no other and no network.
+// A view as a page: a single file, which needs neither other files nor a network.
 
 #include "view/View.h"
 
@@ -62,8 +62,8 @@ void exclude(Words& words, const Words& others)
 // A difference with its sign in the lowest bit.
 std::uint32_t folded(std::uint32_t difference) { return difference << 1 ^ (difference >> 31 ? ~std::uint32_t(0) : 0); }
 
-// The page computes the same estimates, so that only what differs has to be stored. An estimate that is rounded otherwise,
-// by a fused product for instance, changes a last place alone.
+// The page computes the same estimates, so only the differences have to be stored. An estimate that is rounded
+// differently, for instance by a fused product, changes only a last place.
 Words cotangents_without_estimates(const View_triangulation& t)
 {
   Words words;
@@ -89,7 +89,7 @@ Words weights_without_estimates(const View_triangulation& t)
   return words;
 }
 
-// All arrays one after the other, so that they are compressed well.
+// All arrays one after the other, in a form that compresses well.
 struct Packed_arrays
 {
   std::string bytes;
@@ -108,7 +108,7 @@ struct Packed_arrays
       for (std::uint32_t word : words)
         bytes.push_back(char(word >> shift & 255));
   }
-  // Differences from one to the next.
+  // Differences of consecutive numbers.
   void add_integers(const std::string& name, const Words& numbers)
   {
     Words words;
@@ -134,7 +134,7 @@ std::string compressed(const std::string& bytes)
 }
 #endif
 
-// In base64, whose last group is filled up.
+// In base64, whose last group is padded.
 void write_base64(std::ostream& os, const std::string& bytes)
 {
   using namespace boost::archive::iterators;
@@ -143,7 +143,7 @@ void write_base64(std::ostream& os, const std::string& bytes)
   os << std::string((3 - bytes.size() % 3) % 3, '=');
 }
 
-// The box of the points: its middle, half of its longest side, and how far points are from the middle.
+// The box of the points: its middle, half of its longest side, and the largest distance of a point from the middle.
 struct Box
 {
   explicit Box(const std::vector<std::array<double, 3>>& points)
@@ -194,7 +194,7 @@ Json description(const View& view, const Box& box)
   return json;
 }
 
-// No name ends the script.
+// No name may end the script.
 std::string script_text(const Json& json)
 {
   std::string result;

@@ -25,7 +25,7 @@
 namespace idt {
 namespace {
 
-// Keeps the first error that VTK would print, whichever of its objects it is that complains.
+// Keeps the first error that VTK would print, from any of its objects.
 class Error_keeper : public vtkOutputWindow
 {
 public:
@@ -50,7 +50,7 @@ public:
     std::string text = head == std::string::npos ? error_ : error_.substr(head + 3);
     while (!text.empty() && (text.back() == '\n' || text.back() == ' ' || text.back() == '.'))
       text.pop_back();
-    // It may repeat what stands in the file.
+    // It may repeat contents of the file.
     std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c > '~'; }, ' ');
     return text.substr(0, 200);
@@ -62,7 +62,7 @@ private:
 
 vtkStandardNewMacro(Error_keeper);
 
-// While it lives, VTK is silent. Its log has a way of its own to the standard error.
+// While it lives, VTK is silent. VTK's log goes to the standard error separately.
 class Silence
 {
 public:
@@ -87,7 +87,7 @@ private:
   vtkSmartPointer<Error_keeper> keeper_ = vtkSmartPointer<Error_keeper>::New();
 };
 
-// VTK allocates what a piece announces. Compression makes data smaller by a factor of about 1000 at most.
+// VTK allocates as much as a piece announces. Compression shrinks data by a factor of about 1000 at most.
 void check_numbers(const std::string& path)
 {
   std::ifstream file(path, std::ios::binary);
@@ -105,7 +105,7 @@ void check_numbers(const std::string& path)
   }
 }
 
-// A number that no vertex has, where 32 bits are not enough.
+// A number that is not a vertex, if 32 bits are not enough.
 std::uint32_t vertex_number(vtkIdType id)
 {
   return id < 0 || id > (std::numeric_limits<std::uint32_t>::max)() ? (std::numeric_limits<std::uint32_t>::max)()

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// VTP, the polygons of VTK and ParaView in XML: VTK reads them, if the command is built with it, as
-// there are text, base64, raw bytes and compression to be understood. To write one form takes no library.
+// VTP, the polygons of VTK and ParaView in XML. Reading text, base64, raw bytes and compression takes VTK, if the
+// command is built with it; writing one of these forms takes no library.
 
 #ifndef IDT_FORMATS_VTP_H
 #define IDT_FORMATS_VTP_H
@@ -20,11 +20,10 @@
 
 namespace idt {
 
-// \exception Invalid_surface_error if VTK cannot read the file, or if it holds other cells than
-// polygons alone
+// \exception Invalid_surface_error if VTK cannot read the file, or if it holds cells other than polygons
 CGAL::Intrinsic_triangulations::Polygon_soup read_vtp(const std::string& path);
 
-// Polygon i, or polyline i, has the corners from ends[i - 1] to before ends[i].
+// Polygon or polyline i has the corners from ends[i - 1] up to, but not including, ends[i].
 struct Flat_polygons
 {
   std::vector<std::uint32_t> corners;
@@ -38,9 +37,9 @@ struct Flat_polygons
   }
 };
 
-// Writes text, coordinates as Float64, all numbers with all their digits. The reader of VTK knows no infinite values in
+// Writes text, coordinates as Float64, all numbers with all their digits. VTK's reader knows no infinite values in
 // text: the largest finite one stands for them.
-// \param at_cells values of the lines, and behind them those of the polygons
+// \param at_cells values of the lines, followed by values of the polygons
 void write_vtp(std::ostream& os, const std::vector<std::array<double, 3>>& points, const Flat_polygons& polygons,
                const std::vector<Named_values>& at_points = {}, const Flat_polygons& lines = {},
                const std::vector<Named_values>& at_cells = {});

@@ -26,7 +26,7 @@ void write_array(std::ostream& os, const Named_values& array)
   os << "</DataArray>\n";
 }
 
-// The first of the arrays is what a program shows if it is not told.
+// Programs show the first array by default.
 void write_data(std::ostream& os, const std::string& element, const std::vector<Named_values>& arrays)
 {
   if (arrays.empty())
@@ -51,7 +51,7 @@ void write_cells(std::ostream& os, const std::string& element, const Flat_polygo
 
 } // namespace
 
-// CGAL's writer is for triangles alone: it announces three corners for each face, whatever there are.
+// CGAL's writer is for triangles only: it announces three corners for each face, however many there are.
 void write_vtp(std::ostream& os, const std::vector<std::array<double, 3>>& points, const Flat_polygons& polygons,
                const std::vector<Named_values>& at_points, const Flat_polygons& lines,
                const std::vector<Named_values>& at_cells)
