@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The faces that a file holds, by the simplest reading of each format: nothing of the package's readers is used. What
-// is no file of the format is found by rows that do not fit, and by what is left over.
+// The faces in a file, by the simplest reading of each format, without the package's readers. Files not in the format
+// are recognized by rows that do not fit, and by left-over text.
 
 #ifndef IDT_TEST_FACES_OF_FILE_H
 #define IDT_TEST_FACES_OF_FILE_H
@@ -32,7 +32,7 @@ using Point = std::array<double, 3>;
 using Faces = std::vector<std::vector<Point>>; // the places of their corners
 using Row = std::vector<std::string>;
 
-// The file is not one of its format.
+// The file violates its format.
 struct Damage : std::runtime_error
 {
   using std::runtime_error::runtime_error;
@@ -68,7 +68,7 @@ inline Point point(const Row& row, std::size_t first)
   return {real(row[first]), real(row[first + 1]), real(row[first + 2])};
 }
 
-// Lines that have words; what begins with a mark is a comment.
+// Lines that have words; comments begin with a mark.
 inline std::vector<Row> rows(std::string text, char comment)
 {
   if (text.compare(0, 3, "\xef\xbb\xbf") == 0)
@@ -136,7 +136,7 @@ inline Faces of_soup(const CGAL::Intrinsic_triangulations::Polygon_soup& soup)
   return result.faces();
 }
 
-// All rows behind those of the vertices are faces, whatever number of them is announced.
+// All rows after the vertices are faces, whatever number is announced.
 inline Faces of_off(const std::string& text)
 {
   std::vector<Row> all = rows(text, '#');
@@ -195,7 +195,7 @@ inline Faces of_obj(std::string text)
   }
   Collector result;
   for (const Row& row : rows(text, '#')) {
-    // What has a name, or numbers of other things.
+    // Named elements, or numbers of other things.
     const std::set<std::string> others = {"parm",   "bmat",   "g",      "o",          "usemtl",
                                           "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj"};
     for (std::size_t i = 1; i + 3 < row.size() && others.count(lower(row[0])) == 0; ++i)
@@ -273,7 +273,7 @@ T raw(const std::string& bytes, std::size_t at, bool is_big_endian = false)
   return value;
 }
 
-// Every 50 bytes behind the header of a binary file are a facet; in a text, every word `vertex` is a corner.
+// Every 50 bytes after the header of a binary file are a facet; in a text, every word `vertex` is a corner.
 inline Faces of_stl(const std::string& bytes)
 {
   Faces result;
@@ -293,7 +293,7 @@ inline Faces of_stl(const std::string& bytes)
     for (std::size_t i = 0; i < row.size(); ++i) {
       const std::string word = lower(row[i]);
       words.push_back(word);
-      // A name, unless a facet is behind it.
+      // A name, unless a facet follows.
       if (word == "solid" || word == "endsolid") {
         std::size_t facet = i + 1;
         while (facet + 2 < row.size() &&
@@ -475,7 +475,7 @@ inline Faces of_ply(std::string bytes)
   return result.faces();
 }
 
-// \exception Damage if the file holds none that are plain to see
+// \exception Damage if the file has no recognizable faces
 inline Faces of(const std::string& extension, const std::string& bytes)
 {
   return extension == "off"   ? of_off(bytes)
@@ -485,7 +485,7 @@ inline Faces of(const std::string& extension, const std::string& bytes)
                               : of_ts(bytes);
 }
 
-// What is wrong with what was read; empty if nothing is.
+// The defect of the contents, or empty.
 inline std::string difference(const std::string& extension, const std::string& bytes,
                               const CGAL::Intrinsic_triangulations::Polygon_soup& soup)
 {

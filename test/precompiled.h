@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What most tests include: with Clang, it is compiled once for all of them. (GCC would gain less: see
+// Headers that most tests include; with Clang, they are compiled once for all tests. (GCC would gain less: see
 // idt_test_helpers.cmake.)
 
 #ifndef INTRINSIC_TRIANGULATIONS_TEST_PRECOMPILED_H

@@ -20,7 +20,7 @@
 
 namespace fs = std::filesystem;
 
-// What a run left.
+// The results of a run.
 struct Command_run
 {
   int status = -1; // the exit status, or 128 + a signal that ended the run
@@ -47,7 +47,7 @@ inline std::vector<std::string> lines(const std::string& text)
 
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-// The executable is named by the environment, or else by who configured the tests.
+// The executable, named by the environment or else by the build.
 inline std::string command_path()
 {
   if (const char* path = std::getenv("IDT_COMMAND"))
@@ -59,7 +59,7 @@ inline std::string command_path()
 #endif
 }
 
-// The evaluation meshes, if they are there.
+// The evaluation meshes, if present.
 inline fs::path data_folder()
 {
   if (const char* path = std::getenv("IDT_DATA_DIR"))
@@ -85,7 +85,7 @@ protected:
       fs::remove_all(folder_);
   }
 
-  // Runs `idt ARGUMENTS` in the folder; what follows `>` and `<` is up to the shell.
+  // Runs `idt ARGUMENTS` in the folder; the shell handles `>` and `<`.
   Command_run idt(const std::string& arguments) const { return shell("'" + command_path() + "' " + arguments); }
 
   Command_run shell(const std::string& line) const

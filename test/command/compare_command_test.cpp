@@ -88,7 +88,7 @@ TEST_F(Compare_command, finds_what_rounding_gets_wrong)
   }
   EXPECT_EQ(row(rows, "interval")["status"], "undecided");
   EXPECT_EQ(row(rows, "interval")["wrong_decisions"], 0);
-  // Ties apart, 512 bits are enough here; ties cost no edge.
+  // Except for ties, 512 bits are enough here; ties cost no edge.
   EXPECT_EQ(row(rows, "mpfr")["missing_edges"], 0);
   const Json filtered = row(rows, "filtered");
   EXPECT_EQ(filtered["status"], "done");
@@ -126,7 +126,7 @@ TEST_F(Compare_command, ends_what_does_not_end)
     EXPECT_TRUE(row(rows, number_type)["ratio_to_double"].is_null());
   }
   EXPECT_EQ(row(rows, "filtered")["status"], "done");
-  EXPECT_EQ(files().size(), 2u); // whatever core may want to write
+  EXPECT_EQ(files().size(), 2u); // core may write more here
 }
 
 TEST_F(Compare_command, says_who_refuses_a_surface)

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Number types that end the process where they do not know what to do, and what is made of that.
+// Number types that may end the process, and how the command reports that.
 
 #include "Command_test.h"
 

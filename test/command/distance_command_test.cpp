@@ -87,8 +87,7 @@ TEST_F(Distance_command, writes_meshes_with_values)
     EXPECT_EQ(std::stod(vtp.at(6 + v)), d[v]);
 }
 
-// The kite is flat: the logarithmic map is the identity but for a turn, and an axis that is carried remains what it is
-// in the plane.
+// The kite is flat: the logarithmic map is a rotation, and a transported axis stays the same in the plane.
 TEST_F(Distance_command, writes_vectors)
 {
   write_kite("kite.off");
@@ -195,7 +194,7 @@ TEST_F(Distance_command, boundary_conditions_differ)
   EXPECT_NE(results[1], results[2]);
 }
 
-// A plane polygon without inner vertices: no mesh is worse for heat.
+// A plane polygon without inner vertices, the worst mesh for heat.
 TEST_F(Distance_command, methods_and_their_errors)
 {
   std::ostringstream off;
@@ -224,7 +223,7 @@ TEST_F(Distance_command, methods_and_their_errors)
   EXPECT_LT(largest_error("--method exact"), 1e-12);
   EXPECT_LT(largest_error(""), 0.01);
   EXPECT_LT(largest_error("--method approximate"), 0.01);
-  // Heat is far from right, but in a convex plane the bounds of all distances are exact.
+  // Heat is far off, but in a convex plane the bounds of all distances are exact.
   EXPECT_LT(largest_error("--method heat"), 1e-10);
   EXPECT_EQ(json::parse(content(folder_ / "s.json"))["warnings"].size(), 1u);
   EXPECT_GT(json::parse(content(folder_ / "s.json"))["bounded"], 3);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The command on all of the evaluation meshes: what becomes of each is printed as a table. None
-// ends in a signal, an assertion, a NaN or an empty message.
+// The command on all evaluation meshes; a table shows the outcomes. None ends in a signal, an assertion, a NaN or an
+// empty message.
 
 #include "Command_test.h"
 
@@ -39,7 +39,7 @@ protected:
     return paths;
   }
 
-  // But for what a file itself says, and its name.
+  // Except for text and the name of a file.
   static void expect_clean(std::string text)
   {
     for (const std::string allowed : {"synth_bad_nan.off", "the coordinate \"nan\" is not finite"})
@@ -72,7 +72,7 @@ protected:
   }
 };
 
-// What nothing can make up for.
+// Defects that nothing can repair.
 const std::map<std::string, std::string> hopeless = {
   {"geogram_corrupted_invalid_facet_vertex.off", "the face names vertex 7, but there are 6 vertices"},
   {"geogram_corrupted_invalid_facet_vertex_2.off", "the face names vertex 100, but there are 12 vertices"},
@@ -90,7 +90,7 @@ TEST_F(Command_evaluation_data, good_meshes_become_Delaunay)
       const std::string outcome = run(path, "--overlay o.ply", status);
       EXPECT_EQ(status, 0);
       std::cout << folder << '/' << path.filename().string() << ": " << outcome << '\n';
-      // Doubles that are NaN have all bits of the exponent, and these are numbers of vertices.
+      // A NaN would have all bits of the exponent set; these are vertex numbers.
       EXPECT_GT(fs::file_size(folder_ / "o.ply"), 0u);
     }
 }
@@ -105,7 +105,7 @@ TEST_F(Command_evaluation_data, bad_meshes_are_refused_with_a_reason_or_repaired
                       repaired = run(path, "--repair --repair-map m.csv --overlay o.ply", repaired_status);
     std::cout << path.filename().string() << ":\n    " << outcome << "\n    with --repair: " << repaired << '\n';
     EXPECT_EQ(status, 3);
-    // A refusal says which element it is about.
+    // A refusal names its element.
     EXPECT_TRUE(contains(outcome, "face") || contains(outcome, "edge") || contains(outcome, "vert")) << outcome;
     const auto found = hopeless.find(path.filename().string());
     if (found == hopeless.end()) {
@@ -121,7 +121,8 @@ TEST_F(Command_evaluation_data, bad_meshes_are_refused_with_a_reason_or_repaired
   EXPECT_EQ(number_of_hopeless, hopeless.size());
 }
 
-// Rows sum to zero, no entry off the diagonal is positive, and what is on it is not negative: so it is positive semidefinite.
+// Rows sum to zero, no entry off the diagonal is positive, and none on it is negative: so the matrix is positive
+// semidefinite.
 void check_operator(const fs::path& path)
 {
   std::ifstream file(path);

@@ -112,7 +112,7 @@ TEST_F(Geodesic_command, goes_between_points_and_finds_the_shortest_path)
     EXPECT_NEAR(json::parse(content(folder_ / "s.json")).at("length").get<double>(), std::hypot(3.5, 0.25), 1e-14);
   }
   EXPECT_TRUE(json::parse(content(folder_ / "s.json")).at("is_shortest").get<bool>());
-  // A pyramid with its peak near the front: edges lead over its back.
+  // A pyramid with its peak near the front; the path along edges runs over its back.
   write("pyramid.off", "OFF\n5 4 0\n-5 0 0\n5 0 0\n0 1 6\n0 -4 0\n0 4.5 0\n3 0 2 4\n3 2 1 4\n3 0 3 2\n3 3 1 2\n");
   ASSERT_EQ(idt("geodesic pyramid.off --from 0 --to 1 --shortest --stats s.json").status, 0);
   ASSERT_EQ(idt("distance pyramid.off --source 0 --method exact --cover none -o d.csv").status, 0);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A long job shows how far it is where somebody looks, and ends in good order when it is told to.
+// A long job shows its progress on a terminal, and ends in good order on request.
 
 #include "Command_test.h"
 
@@ -82,8 +82,8 @@ protected:
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   }
 
-  // Until it says which signals it catches, a process that has just begun is ended by them as any other is. Where
-  // the system does not tell, nothing is waited for.
+  // Until a new process has installed its handlers, signals end it like any other. Waits for that if the system can
+  // tell.
   static void wait_until_caught(pid_t process, int signal)
   {
     const std::string status = "/proc/" + std::to_string(process) + "/status";
@@ -99,7 +99,7 @@ protected:
     }
   }
 
-  // What a run writes to a terminal that is its standard error. \param until ends the run as soon as it is there
+  // The output of a run whose standard error is a terminal. \param until ends the run as soon as this text appears
   std::string on_terminal(const std::string& arguments, const std::string& until = std::string()) const
   {
     int terminal = -1;
@@ -167,13 +167,13 @@ TEST_F(Command_long_job, can_be_interrupted_at_any_time)
     } else if (exists("result.json")) {
       EXPECT_EQ(Json::parse(content(folder_ / "result.json"))["status"], "interrupted");
       EXPECT_EQ(lines(content(folder_ / "result.csv")).size(), edges + 1);
-      // What is there can be read to its end; triangles are all that it has if no edge was flipped.
+      // The file can be read to its end; if no edge was flipped, it has only triangles.
       if (exists("result.ply")) {
         const Command_run read = idt("triangulate result.ply");
         EXPECT_TRUE(read.status == 0 || contains(read.err, "corners instead of 3")) << read.err;
       }
     } else {
-      // What was written until time was up is whole.
+      // Files written before time was up are complete.
       if (exists("result.csv")) {
         EXPECT_EQ(lines(content(folder_ / "result.csv")).size(), edges + 1);
       }
@@ -181,7 +181,7 @@ TEST_F(Command_long_job, can_be_interrupted_at_any_time)
       EXPECT_TRUE(contains(content(folder_ / ".err"), "cancelled")) << content(folder_ / ".err");
     }
   };
-  // In each tenth of the time once: writing, which goes on to its end, takes most of it.
+  // Once in each tenth of the time: writing, which is completed, takes most of it.
   for (int run = 0; run < 10; ++run)
     interrupt_after((std::max)(0.01, whole / 10 * std::uniform_real_distribution<double>(run, run + 1)(random)));
   // The machine may have become faster since the whole time was measured.
@@ -190,7 +190,7 @@ TEST_F(Command_long_job, can_be_interrupted_at_any_time)
   EXPECT_GT(interrupted, 0u);
 }
 
-// What an interrupted refinement has not come to is listed.
+// An interrupted refinement lists the faces it did not reach.
 TEST_F(Command_long_job, lists_what_an_interrupted_refinement_leaves)
 {
   write_sheet("sheet.ply", 30, 1);
@@ -209,7 +209,7 @@ TEST_F(Command_long_job, lists_what_an_interrupted_refinement_leaves)
   }
 }
 
-// A proof of this tie is tried for ten seconds and given up then.
+// A proof of this tie is attempted for ten seconds and then given up.
 TEST_F(Command_long_job, can_be_interrupted_within_a_decision)
 {
   const samples::Indexed_triangles sheet = symmetric_surfaces::quarter_turns(5).mesh;
@@ -260,7 +260,7 @@ TEST_F(Command_long_job, can_be_interrupted_while_a_map_is_found)
 
 TEST_F(Command_long_job, can_be_interrupted_while_polygons_are_cut)
 {
-  // Crowns of two hundred corners, as large as polygons are that are cut in the best way.
+  // Crowns of two hundred corners, the largest polygons that are triangulated optimally.
   const int crowns = 1000, corners = 200;
   std::ofstream out(folder_ / "crowns.off");
   out << "OFF\n" << crowns * corners << ' ' << crowns << " 0\n";
@@ -274,7 +274,7 @@ TEST_F(Command_long_job, can_be_interrupted_while_polygons_are_cut)
     out << '\n';
   }
   out.close();
-  // Reading takes a seventh of the time, and what comes behind a fourth.
+  // Reading takes a seventh of the time, and the steps after the repair a fourth.
   const double whole = time("triangulate crowns.off --repair --edges result.csv");
   remove_results();
   EXPECT_EQ(interrupt({"triangulate", "crowns.off", "--repair", "--edges", "result.csv"}, 0.4 * whole), 4);
@@ -283,14 +283,14 @@ TEST_F(Command_long_job, can_be_interrupted_while_polygons_are_cut)
   EXPECT_EQ(files(), std::vector<std::string>{"crowns.off"});
 }
 
-// Nobody can ask a factorization whether it is finished soon.
+// A factorization reports no progress.
 TEST_F(Command_long_job, ends_within_a_second_where_nothing_asks)
 {
   write_sheet("sheet.ply", 400, 0.5);
   for (int signal : {SIGINT, SIGTERM}) {
     int status = 0;
     double seconds = 10;
-    // A machine that is busy may be still reading, or done, at the first moments.
+    // On a busy machine, the first moments may be during reading, or after the end.
     for (double delay = 0.5; delay < 8 && !(status == 4 && contains(content(folder_ / ".err"), "not complete"));
          delay *= 1.2) {
       const auto begin = std::chrono::steady_clock::now();
@@ -298,7 +298,7 @@ TEST_F(Command_long_job, ends_within_a_second_where_nothing_asks)
       seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() - delay;
     }
     EXPECT_EQ(status, 4);
-    EXPECT_LT(seconds, 2); // one, on a machine that does nothing else
+    EXPECT_LT(seconds, 2); // one, on an idle machine
     EXPECT_EQ(files(), std::vector<std::string>{"sheet.ply"});
   }
 }
@@ -327,7 +327,7 @@ TEST_F(Command_long_job, ends_at_once_at_a_second_signal_without_half_files)
     while (!is_writing() && ::waitpid(child, nullptr, WNOHANG) == 0)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     ::kill(child, SIGINT);
-    std::this_thread::sleep_for(std::chrono::milliseconds(2)); // one that comes before the first was taken is lost
+    std::this_thread::sleep_for(std::chrono::milliseconds(2)); // one that comes before the first was handled is lost
     ::kill(child, SIGINT);
     int status = 0;
     was_writing = ::waitpid(child, &status, 0) == child && WIFSIGNALED(status) && WTERMSIG(status) == SIGINT;
@@ -338,14 +338,14 @@ TEST_F(Command_long_job, ends_at_once_at_a_second_signal_without_half_files)
   EXPECT_TRUE(contains(content(folder_ / ".err"), "cancelled")) << content(folder_ / ".err");
 }
 
-// What replaces a program in its process is told the memory of that program as its own, by getrusage().
+// getrusage() counts the memory of a program that was replaced in its process as its successor's.
 TEST_F(Command_long_job, reports_its_own_memory)
 {
   write("triangle.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   const pid_t child = ::fork();
   if (child == 0) {
     std::vector<char> large(std::size_t(500) << 20, 1);
-    ::close(large[random() % large.size()] + 1000); // the compiler does not know that nobody needs it
+    ::close(large[random() % large.size()] + 1000); // keeps the compiler from omitting it
     if (::chdir(folder_.c_str()) == 0 && ::freopen(".out", "w", stdout) != nullptr)
       ::execl(command_path().c_str(), "idt", "triangulate", "triangle.off", "--stats", "result.json", nullptr);
     ::_exit(127);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What becomes of results that cannot be written.
+// Results that cannot be written.
 
 #include "Command_test.h"
 
@@ -152,7 +152,7 @@ TEST_F(Command_output, does_not_wait_for_a_reader_of_a_pipe)
   const Command_run run = shell("mkfifo pipe; " + triangulate + "--edges pipe");
   EXPECT_EQ(run.status, 1);
   EXPECT_TRUE(contains(run.err, "pipe: cannot be written: no program reads from this pipe")) << run.err;
-  // One that is read from is a file as any other.
+  // A pipe with a reader is a file like any other.
   EXPECT_EQ(shell("cat pipe > got & sleep 0.3; " + triangulate + "--edges pipe; wait").status, 0);
   EXPECT_EQ(lines(content(folder_ / "got")).size(), 6u);
 }
@@ -165,7 +165,7 @@ TEST_F(Command_output, says_when_the_standard_output_is_closed)
   EXPECT_TRUE(contains(run.err, "standard output"));
   EXPECT_EQ(lines(run.err).size(), 1u) << run.err;
   EXPECT_EQ(lines(idt("compare kite.off kite.off --number-types double >&-").err).size(), 1u);
-  // The report must not have gone to a file that got the free descriptor.
+  // The report must not go to a file that got the free descriptor.
   EXPECT_EQ(lines(content(folder_ / "e.csv")).size(), 6u);
   EXPECT_EQ(idt("sample torus >&-").status, 1);
   EXPECT_EQ(idt("triangulate kite.off 2>&-").status, 0);
@@ -185,6 +185,6 @@ TEST_F(Command_output, says_when_nobody_reads_the_report)
     shell("{ sleep 0.3; '" + command_path() + "' triangulate kite.off --edges e.csv; echo $? > status; } | head -c 0");
   EXPECT_EQ(content(folder_ / "status"), "1\n");
   EXPECT_TRUE(contains(run.err, "the standard output cannot be written")) << run.err;
-  // What was complete before stays.
+  // An older complete file stays.
   EXPECT_EQ(lines(content(folder_ / "e.csv")).size(), 6u);
 }

@@ -70,7 +70,7 @@ protected:
     return result;
   }
 
-  // Everything that the files of one run say, compared with each other and with the input.
+  // The files of one run, compared with each other and with the input.
   void expect_consistent_files(const std::string& input_name) const
   {
     ASSERT_EQ(
@@ -112,7 +112,7 @@ protected:
         EXPECT_EQ(intrinsic_edge[v], -1);
         continue;
       }
-      // The row of `--crossings` that belongs to it.
+      // Its row of `--crossings`.
       const std::vector<std::string>& row = crossings.at(std::size_t(v) - input.number_of_vertices() + 1);
       EXPECT_EQ(std::to_string(intrinsic_edge[v]), row.at(2));
       EXPECT_EQ(edges_of_input.at(std::size_t(input_edge[v])),
@@ -190,7 +190,7 @@ TEST_F(Overlay_command, writes_the_kite)
   }
   const auto crossings = rows("c.csv");
   ASSERT_EQ(crossings.size(), 2u);
-  // From (2, -1) to (3, 2), which is met after a third.
+  // From (2, -1) to (3, 2), which meets the old edge after a third.
   EXPECT_EQ(std::vector<std::string>(crossings[1].begin(), crossings[1].begin() + 6),
             (std::vector<std::string>{"3", "2", "0", "0", "0", "1"}));
   EXPECT_NEAR(std::stod(crossings[1][6]), 1. / 3, 1e-16);
@@ -315,7 +315,7 @@ TEST_F(Overlay_command, needs_points_for_a_mesh_but_not_for_crossings)
   const Command_run mollified = idt("triangulate kite.off --mollify 0.9 --overlay o.ply");
   EXPECT_EQ(mollified.status, 3);
   EXPECT_TRUE(contains(mollified.err, "--mollify changed")) << mollified.err;
-  // What needs no change keeps its place.
+  // Parts that need no change keep their place.
   EXPECT_EQ(idt("triangulate kite.off --mollify 1e-9 --overlay o.ply").status, 0);
 }
 
@@ -338,7 +338,7 @@ TEST_F(Overlay_command, refuses_a_wrong_command_line)
 
 TEST_F(Overlay_command, works_with_number_types_that_are_not_exact)
 {
-  // Near ties the rounded decisions are wrong, and yet the result is a triangulation.
+  // Near ties, rounded decisions are wrong, but the result is a triangulation.
   ASSERT_EQ(idt("sample torus -o torus.off").status, 0);
   const Command_run run =
     idt("triangulate torus.off --number-type float --crossings c.csv --overlay o.ply --stats s.json");

@@ -39,7 +39,7 @@ protected:
   }
 };
 
-// What an OBJ file holds.
+// The contents of an OBJ file.
 struct Textured_mesh
 {
   std::vector<std::array<double, 3>> points;
@@ -74,8 +74,7 @@ Textured_mesh read_obj(const std::string& text)
   return mesh;
 }
 
-// The largest of the triangles that a face is a fan of: its sides from the first corner in space
-// and in the texture, as columns.
+// The largest triangle in the fan of a face: its sides from the first corner in space and in the texture, as columns.
 struct Sides
 {
   Eigen::Matrix<double, 3, 2> in_space;
@@ -102,7 +101,7 @@ Sides largest_sides(const Textured_mesh& mesh, std::size_t face)
   return best;
 }
 
-// The ratio of the singular values of the map that takes one triangle to the other.
+// The ratio of the singular values of the map from one triangle to the other.
 double distortion(const Sides& sides)
 {
   const Eigen::Matrix<double, 3, 2> q =
@@ -208,7 +207,7 @@ TEST_F(Parameterize_command, only_the_extrinsic_operator_flips_triangles_of_the_
   EXPECT_GT(clipped["over_input"]["mean_distortion"], 3);
 }
 
-// The distortion of each face, measured in the files, is that of the map that was promised.
+// The distortion of each face, measured in the files, is that of the promised map.
 TEST_F(Parameterize_command, writes_the_map_over_both_triangulations)
 {
   write_disk("bumpy-dome");

@@ -207,7 +207,7 @@ TEST_F(Refine_command, keeps_the_edges_that_it_is_told)
   EXPECT_TRUE(contains(content(folder_ / "k.vtp"), "NumberOfLines=\"1\"")) << content(folder_ / "k.vtp");
 }
 
-// A line between vertices, and one that ends in the middle of a face: the result has edges along them.
+// A line between vertices, and one that ends inside a face: the result has edges along both.
 TEST_F(Refine_command, keeps_straight_lines_across_faces)
 {
   write_roof("roof.off");
@@ -273,7 +273,7 @@ TEST_F(Refine_command, tells_what_it_left)
   EXPECT_GE(json["minimum_angle_degrees_of_refined_faces"], 25 * (1 - 1e-12));
 }
 
-// Below the smallest size nothing is inserted, and that is no failure.
+// Below the smallest size nothing is inserted, which is not a failure.
 TEST_F(Refine_command, leaves_what_is_smaller_than_matters)
 {
   write("sliver.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1e-9 0\n0 1e-9 0\n3 0 1 2\n3 0 2 3\n");
@@ -316,7 +316,7 @@ TEST_F(Refine_command, says_early_that_the_budget_will_not_suffice)
   EXPECT_TRUE(contains(run.err, "the budget of 3,000 may not suffice")) << run.err;
   EXPECT_TRUE(contains(run.err, "the budget of 3,000 new vertices is spent")) << run.err;
   EXPECT_EQ(stats()["minimum_size"], 0);
-  // What it advises is enough.
+  // Its advice is sufficient.
   const std::size_t advice = run.err.find("or --minimum-size ");
   ASSERT_NE(advice, std::string::npos) << run.err;
   const std::string size = run.err.substr(advice + 18, run.err.find(')', advice) - advice - 18);
@@ -377,10 +377,10 @@ TEST_F(Refine_command, stops_at_the_budget)
   EXPECT_EQ(json["verification"]["not_delaunay"], 0);
 }
 
-// Faces of no area that flips cannot remove leave no weights. What can be written is, and the report.
+// Faces without area that flips cannot remove leave no weights. All other files and the report are written.
 TEST_F(Refine_command, does_without_a_Laplacian)
 {
-  // Two beside each other at the border, and one at an edge that is kept.
+  // Two next to each other at the border, and one at a constrained edge.
   write("border.off",
         "OFF\n5 5 0\n0 0 0\n1 0 0\n0.3 0 0\n0.6 0 0\n0.5 1 0\n3 0 2 4\n3 2 3 4\n3 3 1 4\n3 2 0 1\n3 3 2 1\n");
   write("inner.off", "OFF\n5 4 0\n0 0 0\n1 0 0\n0.5 0 0\n0.5 1 0\n0.5 -1 0\n3 0 2 3\n3 2 1 3\n3 0 1 2\n3 0 4 1\n");

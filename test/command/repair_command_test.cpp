@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// `--repair`: without it the message says that it would help; with it, what was done is said and
-// the results belong to the repaired surface.
+// `--repair`: without it, the message says that it would help; with it, the repairs are reported and the results belong
+// to the repaired surface.
 
 #include "Command_test.h"
 
@@ -13,8 +13,7 @@ namespace {
 using Command_repair = Command_test;
 using Json = nlohmann::json;
 
-// A square pyramid: its base is a polygon, one face is turned over, one comes twice, and vertex 5
-// is unused.
+// A square pyramid: its base is a polygon, one face is turned over, one occurs twice, and vertex 5 is unused.
 const char* const pyramid = "OFF\n6 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 0.5 1\n7 7 7\n"
                             "4 3 2 1 0\n3 0 1 4\n3 1 4 2\n3 2 3 4\n3 3 0 4\n3 0 1 4\n";
 
@@ -98,7 +97,7 @@ TEST_F(Command_repair, stands_in_the_file_of_each_command_in_the_same_form)
   }
 }
 
-// What a reader warns of stands beside the repair.
+// Warnings of a reader appear beside the repair.
 TEST_F(Command_repair, stands_beside_the_warnings_of_the_reader)
 {
   write("cut.stl", "solid\nfacet\nvertex 0 0 0\nvertex 2 0 0\nvertex 0 2 0\nendfacet\n"
@@ -130,7 +129,7 @@ TEST_F(Command_repair, says_what_is_lost_of_faces_that_were_cut)
     const Command_run run = idt("triangulate q.off --repair --stats s.json");
     ASSERT_EQ(run.status, 0) << run.err;
     const Json stats = Json::parse(content(folder_ / "s.json"));
-    // Of the two diagonals one makes the triangle that is there.
+    // One of the two diagonals makes the existing triangle.
     EXPECT_EQ(contains(run.err, "face 1 was removed in part"), stats["faces"] == 2) << run.err;
     EXPECT_EQ(contains(content(folder_ / "s.json"), "duplicate parts of faces"), stats["faces"] == 2);
   }

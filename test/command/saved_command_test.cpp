@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Triangulations that are saved, and go on from there.
+// Saved triangulations, and work that continues from them.
 
 #include "Command_test.h"
 
@@ -19,7 +19,7 @@ protected:
   Json json(const std::string& name) const { return Json::parse(content(folder_ / name)); }
 };
 
-// The files that a command writes of a saved triangulation are those of the mesh that it was made of.
+// The files that a command writes for a saved triangulation equal those for its mesh.
 TEST_F(Saved_command, is_as_good_as_the_mesh)
 {
   for (const char* sample : {"prism", "bad-torus", "one-vertex-torus", "cap"}) {
@@ -54,7 +54,7 @@ TEST_F(Saved_command, is_read_from_the_standard_input)
   EXPECT_EQ(content(folder_ / "e.csv"), content(folder_ / "e2.csv"));
 }
 
-// A refinement goes on: with another bound it is not begun anew, and constrained edges stay.
+// A refinement continues: with another bound it does not begin anew, and constrained edges stay.
 TEST_F(Saved_command, is_refined_further)
 {
   ASSERT_EQ(idt("sample prism -o m.off").status, 0);

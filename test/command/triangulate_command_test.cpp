@@ -222,7 +222,7 @@ TEST_F(Triangulate_command, names_what_is_wrong_with_an_input)
   const Command_run square = idt("triangulate square.off");
   EXPECT_TRUE(contains(square.err, "face 0")) << square.err;
   EXPECT_TRUE(contains(square.err, "--repair")) << square.err;
-  // Who sits at a terminal cannot call functions.
+  // Messages must not name functions, which a user of the command cannot call.
   for (const char* name : {"square.off", "fan.off", "turned.off"})
     EXPECT_FALSE(contains(idt(std::string("triangulate ") + name).err, "CGAL::"));
   EXPECT_TRUE(contains(idt("triangulate flat.gluing").err, "face 0"));
@@ -415,7 +415,7 @@ TEST_F(Triangulate_command, writes_what_it_has_when_it_does_not_finish)
 TEST_F(Triangulate_command, can_be_interrupted)
 {
   ASSERT_EQ(idt("sample strip -o strip.off").status, 0);
-  // What takes longer to summarize than the command may take to end is not written, or whole.
+  // Results that take longer to summarize than the command may take to end are omitted, or complete.
   for (const std::string number_type : {"mpfr --precision 1024", "core"}) {
     fs::remove(folder_ / "s.json");
     const Command_run run = shell("'" + command_path() + "' triangulate strip.off --number-type " + number_type +

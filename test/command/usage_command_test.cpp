@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A command line that is wrong is refused by the name of what is wrong, before anything is done.
+// A wrong command line is refused, naming the mistake, before anything is done.
 
 #include "Command_test.h"
 
@@ -39,7 +39,7 @@ TEST_F(Command_usage, an_option_is_no_value)
   EXPECT_EQ(idt("triangulate kite.off --edges ./--stats").status, 0);
   EXPECT_TRUE(fs::exists(folder_ / "--stats"));
   write_kite("--edges");
-  EXPECT_EQ(idt("triangulate -- --edges --verify").status, 3); // two inputs, the second of which is no mesh
+  EXPECT_EQ(idt("triangulate -- --edges --verify").status, 3); // two inputs, the second of which is not a mesh
 }
 
 TEST_F(Command_usage, the_wrong_word_is_named)
@@ -129,7 +129,7 @@ TEST_F(Command_usage, results_go_to_the_standard_output)
   expect_refused("triangulate kite.off --edges - --crossings -", "both go to the standard output");
   expect_refused("triangulate kite.off --overlay - --overlay-format stl", "--overlay-triangles");
   EXPECT_EQ(idt("triangulate kite.off --edges - >&-").status, 1);
-  // What was there before stays.
+  // The old file stays.
   EXPECT_EQ(shell("echo first > log; '" + command_path() + "' triangulate kite.off -q --edges - >> log").status, 0);
   EXPECT_EQ(content(folder_ / "log"), "first\n" + edges.out);
   EXPECT_FALSE(fs::exists(folder_ / "-"));

@@ -74,7 +74,7 @@ protected:
     fs::remove(folder_ / "probe.vtp");
     return !contains(run.err, "built with VTK");
   }
-  // Refused with one line, which names the file, and nothing else.
+  // Expects a refusal in a single line that names the file.
   void expect_refused(const std::string& text, const std::string& part)
   {
     write("bad.vtp", text);
@@ -85,7 +85,7 @@ protected:
     EXPECT_EQ(run.err.find("idt: bad.vtp: "), 0u) << run.err;
     EXPECT_TRUE(contains(run.err, part)) << run.err;
   }
-  // What is known of the edges, with all digits.
+  // The numbers of the edges, with all digits.
   std::string edges(const std::string& name, const std::string& options = "")
   {
     const Command_run run = idt("triangulate " + name + " --edges edges.csv" + options);
@@ -170,7 +170,7 @@ TEST_F(Command_vtp, gives_the_same_bits_as_text_and_as_bytes)
     ASSERT_EQ(idt("triangulate " + name + " --overlay o.off").status, 0);
     EXPECT_EQ(content(folder_ / "o.off"), content(folder_ / "expected.off")) << name;
   }
-  // What is written comes back.
+  // Written files can be read back.
   ASSERT_EQ(idt("sample bumpy-dome -o dome.off").status, 0);
   ASSERT_EQ(idt("sample bumpy-dome -o dome.vtp").status, 0);
   EXPECT_EQ(edges("dome.vtp"), edges("dome.off"));
@@ -243,7 +243,7 @@ TEST_F(Command_vtp, is_refused_wherever_it_ends)
   }
   for (std::size_t size = 1; size + 12 < text.size(); size += 37)
     expect_refused(text.substr(0, size), "the file cannot be read");
-  // Behind the last array nothing is missed.
+  // Nothing after the last array is required.
   const std::size_t end = bytes.find("\n</AppendedData>");
   for (std::size_t size = 1; size < end; size += 41)
     expect_refused(bytes.substr(0, size), "the file cannot be read");

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What both translation units of the consumer include of the package.
+// The headers that both translation units of the consumer include.
 
 #if __has_include(<CGAL/Intrinsic_triangulations.h>)
 #include <CGAL/Intrinsic_triangulations.h>

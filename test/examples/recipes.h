@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the pieces of code in doc/recipes.md take for granted.
+// Declarations that the code in doc/recipes.md assumes.
 
 #ifndef RECIPES_H
 #define RECIPES_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bytes become triangles that are glued along their sides and have lengths or points: any
-// gluing of a few triangles, with numbers on which decisions are hard.
+// Turns bytes into triangles that are glued along their sides and have lengths or points: any gluing of a few
+// triangles, with numbers that make decisions hard.
 
 #ifndef IDT_TEST_FUZZ_METRIC_GLUING_H
 #define IDT_TEST_FUZZ_METRIC_GLUING_H
@@ -25,7 +25,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 struct Metric_gluing
 {
   enum class Metric {
-    LENGTHS,          // as they come: most violate the triangle inequality
+    LENGTHS,          // arbitrary: most violate the triangle inequality
     MENDED_LENGTHS,   // where they do, the longest is the sum of the others, rounded
     POINTS,           // of the vertices, on a small grid or near it; loops have length zero
     SQUARED_DISTANCES // of points as above, without the points
@@ -59,7 +59,7 @@ inline void decode_gluing(Bytes& bytes, Metric_gluing& result)
   result.connectivity = IT::make_Delta_complex_from_gluing(result.number_of_faces, result.glued_sides);
 }
 
-// A length of some kind, or one that depends on those before.
+// A length of some kind, or one that depends on earlier ones.
 inline double decode_length(Bytes& bytes, const std::vector<double>& before)
 {
   const unsigned kind = bytes.below(16), value = bytes.next();
@@ -90,7 +90,7 @@ inline double decode_length(Bytes& bytes, const std::vector<double>& before)
   case 13:
     return std::ldexp(earlier(value % 16), int(value / 16) - 8);
   case 14:
-    return 1 + std::ldexp(double(value), -60); // 1, but for the largest values
+    return 1 + std::ldexp(double(value), -60); // 1, except for the largest values
   default: {
     const double infinity = std::numeric_limits<double>::infinity();
     const std::array<double, 8> extreme{0,
@@ -106,7 +106,7 @@ inline double decode_length(Bytes& bytes, const std::vector<double>& before)
   }
 }
 
-// Shortens the longest side of a face to the sum of the others where it is longer.
+// Shortens the longest side of a face to the sum of the others if it is longer.
 inline bool shorten_longest_side(const IT::Delta_complex& complex, IT::Face_index f, std::vector<double>& lengths)
 {
   IT::Halfedge_index h = complex.halfedge(f);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What must be true of every intrinsic Delaunay triangulation, whatever it was made of.
+// Properties of every intrinsic Delaunay triangulation.
 
 #ifndef IDT_TEST_FUZZ_CHECK_CORE_H
 #define IDT_TEST_FUZZ_CHECK_CORE_H
@@ -53,7 +53,7 @@ struct Recording_visitor
   std::uint32_t budget;
 };
 
-// The overlay by the integers, by the flips one after the other, and what is read back from it.
+// The overlay from the integers and from single flips, and the triangulations read back from it.
 inline void check_overlay(const Filtered_triangulation& triangulation, const Recording_visitor& record,
                           const IT::Delta_complex& input)
 {
@@ -184,7 +184,7 @@ std::vector<std::vector<std::uint32_t>> named_edges(const Triangulation& triangu
       names.push_back({0, overlay.input_halfedge(first).idx() / 2});
       continue;
     }
-    // In one direction the input halfedges, in the other their opposites the other way round.
+    // In one direction the input halfedges, in the other their opposites in reverse order.
     std::vector<std::uint32_t> forward{1}, backward{1};
     for (IT::Overlay::Vertex x : overlay.intrinsic_crossings(e)) {
       forward.push_back(overlay.crossing_input_halfedge(x).idx());
@@ -197,8 +197,8 @@ std::vector<std::vector<std::uint32_t>> named_edges(const Triangulation& triangu
   return names;
 }
 
-// Where no four vertices lie on an empty circle, there is one Delaunay triangulation: if a
-// rounded result is proven to be one, it is the exact one.
+// If no four vertices lie on an empty circle, there is one Delaunay triangulation: a rounded result that is proven
+// Delaunay is the exact one.
 template <class Triangulation>
 void compare_results(const Triangulation& rounded, const Filtered_triangulation& exact)
 {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Glued triangles with any lengths: they are refused for a good reason, or their intrinsic
-// Delaunay triangulation and its overlay pass every check that there is.
+// Glued triangles with any lengths: they are refused for a good reason, or their intrinsic Delaunay triangulation and
+// its overlay pass every check.
 
 #include "Metric_gluing.h"
 #include "check_core.h"
@@ -58,7 +58,7 @@ IT::Intrinsic_triangulation<Traits> make_triangulation(const Metric_gluing& inpu
   return Triangulation(input.connectivity, input.points);
 }
 
-// What is wrong with the numbers, exactly.
+// Exact defects of the numbers.
 struct Faults
 {
   explicit Faults(const Metric_gluing& input)
@@ -110,7 +110,7 @@ struct Faults
   }
 };
 
-// Any number type ends, with a valid triangulation and numbers that are numbers.
+// Every number type ends with a valid triangulation and without NaN.
 template <class Traits>
 void check_inexact(const Metric_gluing& input, const Faults& faults, const Filtered* exact)
 {
@@ -120,7 +120,7 @@ void check_inexact(const Metric_gluing& input, const Faults& faults, const Filte
     triangulation.emplace(make_triangulation<Traits>(input));
   } catch (const IT::Invalid_surface_error& error) {
     require(error.what()[0] != 0, "an exception has a message");
-    // What has no area after rounding is as good as degenerate for it.
+    // Faces without area after rounding count as degenerate for it.
     require(!exact || faults.wide_range || error.defect() == Defect::DEGENERATE_FACE,
             std::string("an inexact number type accepts what is a surface: ") + error.what());
     return;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A file of any content, in any format that the command reads: it is refused with a message
-// that names it, or it is a surface that can be made Delaunay and has the faces that the file holds.
+// Files of any content, in any format that the command reads: each is refused with a message that names it, or it is a
+// surface that can be made Delaunay and has the faces of the file.
 
 #include "input/Surface.h"
 #include "check_core.h"
@@ -35,7 +35,7 @@ constexpr std::uint32_t most_faces = 40; // that are worth the time
 constexpr std::uint64_t flip_budget = 30;
 constexpr std::uint32_t crossing_budget = 80;
 
-// A file of this process, which goes away with it.
+// A temporary file of this process.
 class Input_file
 {
 public:

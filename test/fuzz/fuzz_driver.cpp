@@ -26,7 +26,7 @@ namespace {
 
 std::string in_progress;
 
-// Says, where a property does not hold, for which input: as bytes for printf.
+// Prints the input for which a property does not hold, as bytes for printf.
 void print_input(int)
 {
   std::fputs("the input, as printf writes it: '", stderr);

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a fuzz target is: a function of bytes that must return, inputs to begin with, and a way
-// to say that something is not as it must be.
+// A fuzz target: a function of bytes that must return, initial inputs, and a way to report violations.
 
 #ifndef IDT_TEST_FUZZ_TARGET_H
 #define IDT_TEST_FUZZ_TARGET_H
@@ -14,15 +13,15 @@
 #include <string>
 #include <vector>
 
-// The name and the type that libFuzzer asks for.
+// The name and the type that libFuzzer requires.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace fuzz {
 
-// Inputs that reach much of the code, for the target that is linked.
+// Inputs that reach much of the code, for the linked target.
 std::vector<std::string> seed_inputs();
 
-// Ends the program, as a sanitizer would, where a property does not hold.
+// Ends the program, as a sanitizer would, if a property does not hold.
 inline void require(bool condition, const std::string& property)
 {
   if (condition)
@@ -31,7 +30,7 @@ inline void require(bool condition, const std::string& property)
   std::abort();
 }
 
-// The bytes of an input one after the other, and zeros behind its end.
+// The bytes of an input in order, and zeros after its end.
 class Bytes
 {
 public:

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Files of triangulations, damaged so that their sizes stay right: they are refused for a reason, or what is read is a triangulation of
-// the surface that the file holds, and is written as it was read.
+// Files of triangulations, damaged without changing their sizes: they are refused for a reason, or are read as a
+// triangulation of the file's surface, which is written as it was read.
 
 #include "check_core.h"
 #include "fuzz_target.h"
@@ -27,11 +27,11 @@ namespace {
 using fuzz::require;
 namespace IT = fuzz::IT;
 
-// Each change takes up to eight bytes: what it is, where, and by which value.
+// Each change takes up to eight bytes: its kind, place and value.
 void change(std::string& file, fuzz::Bytes& bytes)
 {
   const unsigned kind = bytes.below(8);
-  // Seldom in the header: almost all that is changed there is refused at once.
+  // Seldom in the header, where almost every change is refused at once.
   const std::size_t header = file.find("end_header") + 11,
                     begin = bytes.below(16) == 0 || header + 8 > file.size() ? 0 : header;
   const auto place = [&] {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A common subdivision belongs to itself: flips, copies and the end of what it was made from do not change it.
+// A common subdivision is independent: flips, copies and the end of its source do not change it.
 
 #include "overlay_surfaces.h"
 
@@ -39,7 +39,7 @@ Triangulation Delaunay_triangulation(const samples::Indexed_triangles& surface)
   return t;
 }
 
-// What it tells: combinatorics, positions, areas (from the exact geometry) and locations (from all of it).
+// Its results: combinatorics, positions, areas (from the exact geometry) and locations (from all of it).
 std::vector<double> answers(const IT::Common_subdivision& s)
 {
   std::vector<double> result = IT::face_areas(s);
@@ -106,7 +106,7 @@ TEST(Common_subdivision, forgets_who_could_interrupt_what_was_given_up)
   EXPECT_NO_THROW(IT::internal::engine(subdivision).decisions().interruption.check());
 }
 
-// From a triangulation whose integers nobody has asked for yet.
+// From a triangulation whose integers were not computed yet.
 TEST(Common_subdivision, prepares_the_integers)
 {
   const samples::Indexed_triangles surface = samples::bad_torus(10, 12);
@@ -120,7 +120,7 @@ TEST(Common_subdivision, prepares_the_integers)
   while (is_changed) {
     is_changed = false;
     for (IT::Edge_index e : complex.edges()) {
-      // Asks a copy, so that there is a journal only.
+      // Queries a copy, so that only the journal exists.
       if (!complex.is_flippable(e) || decltype(rounded)(rounded).sign_of_cotangent_weight(e) != CGAL::NEGATIVE)
         continue;
       rounded.flip(e);
@@ -139,7 +139,7 @@ TEST(Common_subdivision, prepares_the_integers)
   EXPECT_NEAR(area, expected, 1e-12 * expected);
 }
 
-// Says of every hinge that it is convex.
+// Claims that every hinge is convex.
 struct Careless_traits : IT::Edge_length_traits<double>
 {
   struct Construct_flipped_hinge
@@ -153,7 +153,7 @@ struct Careless_traits : IT::Edge_length_traits<double>
   Construct_flipped_hinge construct_flipped_hinge_object() const { return {}; }
 };
 
-// The other diagonal of a dart runs beside it: there is no crossing whose position could be told.
+// The other diagonal of a dart runs outside of it, so there is no crossing to be located.
 TEST(Common_subdivision, of_what_is_no_triangulation_of_the_surface)
 {
   for (double height : {0., 0.25}) { // in a plane, and bent

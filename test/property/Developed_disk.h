@@ -28,8 +28,8 @@ using Rational = IT::Rational;
 using Real = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<6021>,
                                            boost::multiprecision::et_off>; // decimal digits
 
-// Each triangle is put at a side of one that was put before, by the distances of its third vertex
-// from both ends. All Delaunay tests are asked of the positions, in real arithmetic.
+// Each triangle is placed at a side of an earlier one, by the distances of its third vertex from both ends. Delaunay
+// tests are made on the positions, in high precision.
 class Developed_disk
 {
 public:
@@ -66,7 +66,7 @@ public:
   CGAL::Sign sign_of_cotangents(IT::Vertex_index i, IT::Vertex_index j, IT::Vertex_index k, IT::Vertex_index l) const
   {
     const Real sum = cotangent(k, i, j) + cotangent(l, j, i);
-    // The rounding errors are far below, and what the tests ask for is far above, or exactly zero.
+    // Rounding errors are far below this, and the tested values are far above it, or exactly zero.
     const Real smallest = ldexp(Real(1), -15000);
     return sum > smallest ? CGAL::POSITIVE : sum < -smallest ? CGAL::NEGATIVE : CGAL::ZERO;
   }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What an overlay graph that flips have changed must be, and its comparison with an overlay that is built at the end.
+// Requirements on an overlay graph that is updated by flips, and its comparison with an overlay built at the end.
 
 #ifndef IDT_TEST_PROPERTY_INCREMENTAL_OVERLAY_CHECK_H
 #define IDT_TEST_PROPERTY_INCREMENTAL_OVERLAY_CHECK_H
@@ -205,7 +205,7 @@ namespace overlay_check {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-// The first thing that is wrong goes to std::cerr.
+// The first defect goes to std::cerr.
 inline bool is_sound(const std::string& what_is_wrong)
 {
   if (!what_is_wrong.empty())
@@ -221,8 +221,8 @@ inline bool is_valid(const IT::Incremental_overlay& overlay)
   return is_sound(IT::internal::Incremental_overlay_check(overlay).defect());
 }
 
-// Says how the two differ, or nothing. Crossings have no numbers in common: those of
-// `incremental` are learnt along the intrinsic edges.
+// The difference between the two, or nothing. Crossings are numbered differently: the numbers of `incremental` are
+// found along the intrinsic edges.
 inline std::string difference_of_overlays(const IT::Overlay& overlay, const IT::Incremental_overlay& incremental)
 {
   using Halfedge = IT::Overlay::Halfedge;

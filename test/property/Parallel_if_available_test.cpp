@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All that takes a concurrency tag takes Parallel_if_available_tag, with the results of one thread. This program is
-// built with TBB and without.
+// All functions with a concurrency tag accept Parallel_if_available_tag, with the results of one thread. This program
+// is built with and without TBB.
 
 #include "samples/sample_surfaces.h"
 

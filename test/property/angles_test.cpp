@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Angles, cone angles and tangent vectors against coordinates in the plane and the theorem of Gauss and Bonnet, from
-// regular triangles to needles, caps and faces of zero area; and what is_Delaunay() says.
+// regular triangles to needles, caps and faces of zero area; and is_Delaunay().
 
 #include "samples/sample_surfaces.h"
 
@@ -109,7 +109,7 @@ TEST(Angles, are_those_of_the_plane_for_needles_and_caps)
     }
 }
 
-// Corners on a line but for the rounding of their coordinates: double-doubles keep half of the digits of such an area.
+// Corners on a line, up to the rounding of their coordinates: double-doubles keep half of the digits of such an area.
 TEST(Angles, of_the_thinnest_faces_come_from_multiple_precision)
 {
   using IT::Rational;

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Triangulations that are copied, moved and assigned between flips and questions go on as those
-// that they were made of.
+// Triangulations that are copied, moved and assigned between flips and queries continue like their sources.
 
 #include "samples/sample_surfaces.h"
 
@@ -30,7 +29,7 @@ Triangulation triangulation(const samples::Indexed_triangles& surface)
   return {IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points};
 }
 
-// Asks for every edge, so that all that speeds up questions is there.
+// Queries every edge, to fill all caches.
 void ask(Triangulation& t)
 {
   for (IT::Edge_index e : t.connectivity().edges())
@@ -43,7 +42,7 @@ void flip_some(Triangulation& t, std::uint64_t number)
   IT::flip_to_Delaunay(t, CGAL::parameters::maximum_number(number));
 }
 
-// (A copy of t would not do: what speeds up questions is not copied.)
+// (A copy of t would not do: caches are not copied.)
 void expect_same_end(Triangulation& t, Triangulation original)
 {
   IT::flip_to_Delaunay(t);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where images of corners in finite fields are carried along by the flips, they find ties among decisions that
-// are nearly ties, and only these, as points in the plane say.
+// Images of corners in finite fields, carried along by the flips, find exactly the ties among near ties, as points in
+// the plane confirm.
 
 #include "samples/sample_surfaces.h"
 
@@ -34,9 +34,9 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_trait
 using IT::internal::Integer;
 using IT::internal::Rational;
 
-// A sheared grid in the plane, whose Delaunay triangulation has unit squares: their diagonals are ties. Some of
-// its points are moved by so little that double-doubles do not see it. It is given by lengths alone, so
-// that nobody knows that it is flat, and all areas are rational.
+// A sheared grid in the plane, whose Delaunay triangulation has unit squares: their diagonals are ties. Some of its
+// points are moved by so little that double-doubles do not see it. It is given by lengths alone, so that its flatness
+// is not known, and all areas are rational.
 class Nearly_square_grid
 {
 public:
@@ -70,7 +70,7 @@ public:
     return Triangulation::from_metric(complex_, IT::metric_from_squared_lengths(squared_lengths));
   }
 
-  // By the points.
+  // Decided from the points.
   CGAL::Sign sign_of_cotangents(const IT::Delta_complex& complex, IT::Edge_index e) const
   {
     const IT::Halfedge_index h = complex.halfedge(e);

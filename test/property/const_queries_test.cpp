@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Eight threads ask one const triangulation at once, and hear what one thread hears.
+// Eight threads query one const triangulation at once, and get the answers of a single thread.
 
 #include "insert_random_vertices.h"
 #include "reference/length_interval.h"
@@ -73,7 +73,7 @@ std::vector<Named_triangulation> triangulations()
   return result;
 }
 
-// All that can be asked, beginning with a different edge in each thread.
+// All queries, beginning with a different edge in each thread.
 std::vector<double> answers(const Triangulation& t, const IT::Point_location* location, std::size_t thread)
 {
   const IT::Delta_complex& complex = t.connectivity();
@@ -153,7 +153,7 @@ TEST(Const_queries, eight_threads_hear_what_one_hears)
 {
   for (const Named_triangulation& named : triangulations()) {
     SCOPED_TRACE(named.name);
-    // Before anything was asked, so that the threads also meet where the integers are computed.
+    // Before any query, so that the threads also meet where the integers are computed.
     const Triangulation& asked_by_all = named.triangulation;
     const Triangulation asked_by_one = asked_by_all;
     const IT::Common_subdivision subdivision_for_one(asked_by_one);
@@ -197,7 +197,7 @@ TEST(Const_queries, sixty_four_threads_and_ten_thousand_short_ones)
   }
 }
 
-// Objects are made for those that are in use at once, however many threads there are.
+// Only as many objects are made as are in use at once, however many threads there are.
 TEST(Scratch_pool, no_more_objects_than_in_use_at_once)
 {
   IT::internal::Scratch_pool<int> pool;
@@ -231,7 +231,7 @@ TEST(Scratch_pool, no_more_objects_than_in_use_at_once)
   EXPECT_EQ(number_made, 200u);
 }
 
-// The same flips, logged in journals that queries fold in now and then, and followed one by one.
+// The same flips, logged in journals that occasional queries fold in, and followed one by one.
 TEST(Const_queries, journals_and_flips_one_by_one_lead_to_the_same)
 {
   using Whole = IT::internal::Whole_triangulation<IT::Filtered_edge_length_traits>;

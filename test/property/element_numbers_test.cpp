@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Numbers of all elements are those of single ones, with every kind of traits.
+// Numbers of all elements equal those of single queries, for every kind of traits.
 
 #include "flip_test_surfaces.h"
 
@@ -195,7 +195,7 @@ TEST(Exact_edge_lengths, do_not_depend_on_the_number_type)
   EXPECT_NE(lengths, IT::edge_lengths(rounded));
 }
 
-// Is told of each test, and of nothing else.
+// Counts tests, and nothing else.
 struct Watcher : IT::Default_visitor
 {
   void after_test(IT::Edge_index, CGAL::Uncertain<bool> is_Delaunay)
@@ -208,7 +208,7 @@ struct Watcher : IT::Default_visitor
 
 TEST(Flip_visitor, may_be_told_of_each_test)
 {
-  // An edge with the same face on both sides would count as tested, but there is nothing to test.
+  // An edge with the same face on both sides counts as tested, but needs no test.
   for (const Surface& surface :
        {from_triangles("torus", samples::torus(12, 8)), from_triangles("sphere", samples::bumpy_sphere(12, 8))}) {
     auto t = triangulation<Filtered>(surface), other = t;

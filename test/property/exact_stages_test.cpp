@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Each stage of the exact Delaunay test decides something here, and decides it rightly: the
-// verification, which takes the unfolding alone, and the tessellation agree.
+// Each stage of the exact Delaunay test decides something here, and correctly: the verification, which uses only the
+// unfolding, and the tessellation agree.
 
 #include "samples/sample_surfaces.h"
 
@@ -150,7 +150,7 @@ TEST(Exact_stages, ties_across_bent_edges_are_proven_in_the_rationals_or_by_symm
   }
 }
 
-// Without a root, the rationals decide whatever they are asked.
+// Without a root, the rationals decide everything.
 TEST(Exact_stages, the_rationals_decide_where_no_area_has_a_root)
 {
   const samples::Indexed_triangles surface = samples::pillow(20);
@@ -174,7 +174,7 @@ TEST(Exact_stages, the_rationals_decide_where_no_area_has_a_root)
     EXPECT_GT(n, 0);
 }
 
-// At will, edges may be flipped that are Delaunay: then the hinge may have no other diagonal.
+// Optionally, Delaunay edges are flipped, too: then the hinge may have no other diagonal.
 TEST(Exact_stages, hinges_that_are_not_convex_are_not_flipped)
 {
   using Outcome = Triangulation::Flip_outcome;

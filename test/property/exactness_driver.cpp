@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Compares the package with the reference on mesh files and sample surfaces, a line for each; or prints what other
-// builds of this program have to print as well.
+// Compares the package with the reference on mesh files and sample surfaces, a line for each; or prints results that
+// other builds of this program must reproduce.
 
 #include "reference/compare_with_reference.h"
 
@@ -83,7 +83,7 @@ bool report(const Surface& surface)
   return c.agrees();
 }
 
-// Where rounding is tried hardest: ties, near ties, and long strips.
+// The hardest cases for rounding: ties, near ties, and long strips.
 std::vector<std::pair<std::string, samples::Indexed_triangles>> families()
 {
   std::vector<std::pair<std::string, samples::Indexed_triangles>> result;

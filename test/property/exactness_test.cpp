@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The exact traits make the decisions, and report the numbers, of a reference that computes
-// in another way with 510 digits.
+// The exact traits make the same decisions, and report the same numbers, as a reference that computes differently with
+// 510 digits.
 
 #include "reference/compare_with_reference.h"
 
@@ -40,7 +40,7 @@ Comparison expect_agreement(const Surface& surface, const Comparison_options& op
     return c;
   }
   EXPECT_TRUE(c.agrees()) << c.message();
-  // Nothing lies between what was taken for zero and what was not.
+  // There is a wide gap between values taken for zero and all others.
   EXPECT_LT(c.largest_tie_sine, -400);
   EXPECT_GT(c.smallest_sine, -250);
   return c;
@@ -249,9 +249,9 @@ TEST(Exactness, RandomGluings)
   }
 }
 
-// Terraces, ramps and walls over a sheared grid with small integers: most edges are flat, ties
-// abound, and flips run through faces in one plane and across folds. Half of them are rotated,
-// so that hardly anything is exactly flat and nearly everything nearly so.
+// Terraces, ramps and walls over a sheared grid with small integers: most edges are flat, ties abound, and flips run
+// through faces in one plane and across folds. Half of them are rotated, so that almost everything is nearly but not
+// exactly flat.
 TEST(Exactness, RandomTerraces)
 {
   for (std::uint64_t seed = 0; seed < 300 && !HasFailure(); ++seed) {
@@ -291,8 +291,8 @@ TEST(Exactness, RandomGluingsWithNearTies)
   }
 }
 
-// Lengths m, ..., 2 m: ties abound, and the triangle m, m, 2 m has no area. Where everything
-// collapses, the package and the reference both say that vertices coincide.
+// Lengths m, ..., 2 m: ties abound, and the triangle m, m, 2 m has no area. If everything collapses, the package and
+// the reference both report that vertices coincide.
 TEST(Exactness, RandomGluingsWithIntegerLengths)
 {
   int collapsed = 0;

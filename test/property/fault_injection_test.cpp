@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Every operation is interrupted at each question that it asks, and at each of its allocations. Then the triangulation
-// is checked exactly, and the operation goes on.
+// is checked exactly, and the operation continues.
 //
 // Memory of GMP and MPFR is left alone: these end the program if there is none. So is that of CGAL::Mpzf, which frees
 // what it has not got.
@@ -87,7 +87,7 @@ bool goes_further()
   return !(fault == Fault::ANSWER && is_at_position);
 }
 
-// As long as it lives, faults happen.
+// Faults happen while it lives.
 class Fault_scope
 {
 public:
@@ -103,7 +103,7 @@ public:
   ~Fault_scope() { is_counting = false; }
 };
 
-// Asks `goes_further()` at each opportunity, not a hundred times a second.
+// Asks `goes_further()` at each opportunity, instead of a hundred times a second.
 class Faults : public ::testing::Test
 {
 protected:
@@ -215,15 +215,15 @@ void expect_input(const Triangulation& t, const IT::Delta_complex& input)
   }
 }
 
-// Connectivity and integers are those of a triangulation of the surface; what is stored is as near to the exact numbers
-// as it says, and what it implies is right.
+// Connectivity and integers form a triangulation of the surface; stored numbers are as close to the exact ones as their
+// bounds say, and their implications are right.
 void expect_valid(Triangulation& t, const IT::Delta_complex& input)
 {
   t.set_interruption({});
   const IT::Delta_complex& complex = t.connectivity();
   ASSERT_TRUE(complex.is_valid(true));
   expect_input(t, input);
-  Triangulation afresh = t; // nothing is remembered of decisions before
+  Triangulation afresh = t; // no memory of earlier decisions
   const IT::internal::Exact_engine& geometry = IT::internal::engine(afresh);
   const IT::internal::Whole_triangulation<IT::Filtered_edge_length_traits> whole(afresh);
   const auto number = [](const IT::internal::Bounded_double_double& x) { return x.hi(); };
@@ -255,7 +255,7 @@ void expect_valid(Triangulation& t, const IT::Delta_complex& input)
   ASSERT_EQ(std::int64_t(overlay.number_of_crossings()), crossings);
 }
 
-// Nothing at all is changed.
+// Nothing at all changes.
 void expect_same(const Triangulation& t, const Triangulation& before)
 {
   ASSERT_TRUE(t.connectivity() == before.connectivity());
@@ -672,13 +672,13 @@ TEST_F(Operations, on_several_threads)
 }
 #endif
 
-// What only speeds up queries is not kept where memory is short, and a query does without.
+// Caches are not kept if memory is short; queries work without them.
 TEST(Long_crossings, do_without_memory)
 {
   Triangulation t = triangulation_of(samples::pillow(40));
   IT::flip_to_Delaunay(t);
   const auto keep = [&](Fault kind, std::int64_t at) {
-    const Triangulation copy = t; // without what is kept
+    const Triangulation copy = t; // without caches
     const auto& engine = IT::internal::engine(copy);
     IT::internal::Long_crossings all(engine.connectivity(), engine.correspondence(), engine.decisions().interruption);
     {
@@ -713,7 +713,7 @@ TEST_F(Operations, DISABLED_at_many_points_of_larger_surfaces)
 
 // ---------------------------------------------------------------- memory
 
-// Where it inlines them, GCC warns of pairs that do not match.
+// If GCC inlines them, it warns of mismatched pairs.
 BOOST_NOINLINE void* operator new(std::size_t size)
 {
   if (void* const p = may_allocate() ? std::malloc(size != 0 ? size : 1) : nullptr)

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Small surfaces for every number type, and what flips must not change about them.
+// Small surfaces for every number type, and their invariants under flips.
 
 #ifndef IDT_TEST_PROPERTY_FLIP_TEST_SURFACES_H
 #define IDT_TEST_PROPERTY_FLIP_TEST_SURFACES_H
@@ -76,7 +76,7 @@ inline Surface from_gluing(const std::string& name, const samples::Glued_triangl
   return surface;
 }
 
-// Surfaces without a tie or anything near it.
+// Surfaces without ties and near ties.
 inline std::vector<Surface> generic_surfaces(bool small)
 {
   std::vector<Surface> surfaces{
@@ -110,8 +110,7 @@ IT::Intrinsic_triangulation<Traits> triangulation(const Surface& surface)
   return IT::Intrinsic_triangulation<Traits>(surface.connectivity, points);
 }
 
-// What a flip must not change. In double: sums of exact numbers with as many roots could
-// not be compared in finite time.
+// Invariants of a flip, in double: comparing sums of exact numbers with so many roots would take forever.
 struct Invariants
 {
   int euler_characteristic = 0;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The flip algorithm with the number type Number_type: what it must reach, what it must not
-// change, and how it ends where the number type cannot get there.
+// The flip algorithm with the number type Number_type: its result, its invariants, and how it ends if the number type
+// cannot get there.
 
 #include "property/flip_test_surfaces.h"
 
@@ -43,7 +43,7 @@ constexpr bool is_float = std::is_same<Number_type, float>::value;
 constexpr bool is_interval = std::is_same<IT::Edge_length_traits<Number_type>::Boolean, CGAL::Uncertain<bool>>::value;
 constexpr double tolerance = is_float ? 1e-3 : is_interval ? 1e-6 : 1e-9; // of an interval, the middle
 
-// Remembers the flips and checks what it is told.
+// Remembers the flips and checks all calls.
 struct Recorder
 {
   bool go_further(const IT::Progress& progress)
@@ -79,7 +79,7 @@ inline void expect_equal(const Invariants& a, const Invariants& b)
     EXPECT_NEAR(a.cone_angles[v], b.cone_angles[v], tolerance * b.cone_angles[v]) << "vertex " << v;
 }
 
-// Whether the report says the truth about the triangulation.
+// Whether the report is right about the triangulation.
 template <class Triangulation>
 void expect_truth(const Flip_report& report, const Triangulation& t)
 {
@@ -193,7 +193,7 @@ TYPED_TEST(Flip, four_times_is_the_identity)
       auto turned = t;
       if (turned.flip(e) != Outcome::FLIPPED)
         continue;
-      // Where a face nearly vanishes, rounding decides whether the way back exists.
+      // If a face nearly vanishes, rounding decides whether the reverse flip exists.
       const auto areas = std::minmax({CGAL::to_double(turned.area(faces[0])), CGAL::to_double(turned.area(faces[1]))});
       if (areas.first < 1e-2 * areas.second)
         continue;
@@ -217,7 +217,7 @@ TYPED_TEST(Flip, leaves_constrained_edges_alone)
   std::size_t number_of_constraints = 0;
   this->for_each_generic_surface([&](const Surface&, auto t) {
     const IT::Delta_complex& c = t.connectivity();
-    // Every other edge that the algorithm would like to flip, and some that it need not.
+    // Every other edge that the algorithm would flip, and some that it would not.
     std::vector<char> is_constrained(c.number_of_edges(), 0);
     bool is_next = true;
     for (IT::Edge_index e : c.edges())
@@ -294,7 +294,7 @@ TYPED_TEST(Flip, stops_when_the_budget_is_spent)
   });
 }
 
-// Traits by which no hinge has another diagonal, or for which this is uncertain.
+// Traits for which no hinge has another diagonal, or for which this is uncertain.
 template <class Base, bool is_certain>
 struct Traits_without_flips : Base
 {
@@ -370,7 +370,7 @@ TYPED_TEST(Flip, ends_on_ties)
   if (is_exact) {
     EXPECT_TRUE(is_every_run_complete);
   } else if (!std::is_same<Number_type, long double>::value) {
-    EXPECT_FALSE(is_every_run_complete); // else the test were worth nothing
+    EXPECT_FALSE(is_every_run_complete); // otherwise the test would prove nothing
   }
 }
 

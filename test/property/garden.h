@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A garden of small and bad surfaces, and the public algorithms that walk through it.
+// A garden of small, bad surfaces, and the public algorithms that are tried on them.
 
 #ifndef IDT_TEST_PROPERTY_GARDEN_H
 #define IDT_TEST_PROPERTY_GARDEN_H
@@ -26,14 +26,14 @@ namespace IT = CGAL::Intrinsic_triangulations;
 using Surface = std::variant<samples::Indexed_triangles, samples::Glued_triangles>;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 
-// Runs one thing on a surface; expects what must be true of the result; throws where there is none.
+// Runs one algorithm on a surface and checks its result; throws if there is none.
 struct Algorithm
 {
   std::string name;
   void (*run)(const Surface&);
 };
 
-// Thrown where an algorithm does not take surfaces of that kind, as those without points.
+// Thrown if an algorithm does not take surfaces of that kind, such as those without points.
 struct Not_applicable
 {};
 

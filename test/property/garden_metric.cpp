@@ -50,7 +50,7 @@ void triangulate(const Surface& surface)
   const int before = Euler_characteristic(t.connectivity());
   const double area = sum(IT::face_areas(t));
   const IT::Flip_report report = IT::flip_to_Delaunay(t, CGAL::parameters::maximum_number(100000));
-  // Rounded decisions may contradict each other, but they come to an end.
+  // Rounded decisions may contradict each other, but the run ends.
   EXPECT_NE(report.status, IT::Flip_status::BUDGET_EXHAUSTED);
   if (Traits::Has_exact_decisions::value) {
     EXPECT_EQ(report.status, IT::Flip_status::DELAUNAY);
@@ -110,7 +110,7 @@ void positions(const Surface& surface)
   }
 }
 
-// What is constant stays constant.
+// Constants stay constant.
 void transfer(const Surface& surface)
 {
   const Triangulation t = Delaunay_triangulation(surface);

@@ -68,7 +68,7 @@ void condition_number(const Surface& surface)
   EXPECT_TRUE(std::isfinite(values.condition_number()));
 }
 
-// What is constant stays constant.
+// Constants stay constant.
 void project(const Surface& surface)
 {
   const Triangulation t = Delaunay_triangulation(surface);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What grows in the garden: surfaces as small, as bad and as far out as there are.
+// The surfaces of the garden: as small, as bad and as extreme as possible.
 
 #ifndef IDT_TEST_PROPERTY_GARDEN_SURFACES_H
 #define IDT_TEST_PROPERTY_GARDEN_SURFACES_H

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Every public algorithm on every surface of the garden: it does its job, or says what is wrong.
+// Every public algorithm on every surface of the garden: it succeeds, or reports what is wrong.
 
 #include "property/garden_surfaces.h"
 
@@ -22,7 +22,7 @@ namespace {
 using namespace garden;
 using Defect = IT::Invalid_surface_error::Defect;
 
-// How a cell of the table says which exception there is.
+// The symbol of an exception in a cell of the table.
 const std::map<Defect, std::string>& defect_codes()
 {
   static const std::map<Defect, std::string> codes{{Defect::EMPTY, "EMPTY"},

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Geodesics on the evaluation meshes: the points of paths and lines are measured in space, independently of the
-// triangulation, and paths are compared with CGAL's globally shortest ones.
+// triangulation, and paths are compared with CGAL's globally shortest paths.
 
 #include "evaluation_data.h"
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// After every flip the overlay that the integers give is the one that is updated by the order
-// along the quadrilateral's sides alone.
+// After every flip, the overlay from the integers equals the one that is updated using only the order along the
+// quadrilateral's sides.
 
 #include "property/Incremental_overlay_check.h"
 #include "property/flip_test_surfaces.h"
@@ -378,7 +378,7 @@ TEST(Incremental_overlay, ListsWhatCrossesAnEdge)
   }
 }
 
-// The comparison is worth nothing if it cannot fail.
+// The comparison must be able to fail.
 TEST(Incremental_overlay, DiffersFromTheOverlayOfOtherFlips)
 {
   const auto gluing = samples::random_gluing(8, 3);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Edges that cross hundreds of input edges: what is kept of them, and what is proven across parallel folds.
+// Edges that cross hundreds of input edges: their caches, and proofs across parallel folds.
 
 #include "insert_random_vertices.h"
 #include "reference/length_interval.h"
@@ -111,7 +111,7 @@ Surface folded_strip(std::uint32_t n, double& length)
   return s;
 }
 
-// Compares what is kept with what is found by following input edges. Returns how many edges something is kept of.
+// Compares cached sequences with those found by following input edges. Returns the number of cached ones.
 std::size_t check_kept_crossings(const Triangulation& t)
 {
   const IT::Delta_complex& complex = t.connectivity();
@@ -169,7 +169,7 @@ std::size_t check_random_changes(Triangulation t, std::mt19937& random)
     kept += check_kept_crossings(t);
     remove_some_vertices(t, 5);
     check_kept_crossings(t);
-    IT::flip_to_Delaunay(t); // logs its flips, and keeps nothing of before
+    IT::flip_to_Delaunay(t); // logs its flips, and keeps no earlier caches
     check_kept_crossings(t);
   }
   return kept;
@@ -248,7 +248,7 @@ TEST(Long_strips, what_all_edges_cross_is_found_at_once_when_many_are_asked_for)
   }
 }
 
-// To find what a few edges cross takes less.
+// A few edges take less.
 TEST(Long_strips, what_all_edges_cross_is_not_found_for_a_few_of_them)
 {
   Triangulation t = triangulation_of(samples::sheared_grid(400, 1, 200));
@@ -266,8 +266,7 @@ TEST(Long_strips, what_all_edges_cross_is_not_found_for_a_few_of_them)
   EXPECT_EQ(check_kept_crossings(t), number_of_queries);
 }
 
-// The squared lengths and areas that flips and insertions leave are as good as their bounds say, however they were
-// carried.
+// The squared lengths and areas after flips and insertions are within their bounds, however they were carried.
 TEST(Long_strips, numbers_that_are_carried_keep_their_bounds)
 {
   Triangulation t = triangulation_of(fan_box(40, 320));

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The front door: every kind of mesh and kernel leads to the same triangulation, and each
-// named parameter arrives.
+// Every kind of mesh and kernel leads to the same triangulation, and each named parameter has its effect.
 
 #include "property/flip_test_surfaces.h"
 
@@ -104,7 +103,7 @@ struct Counter
   std::uint64_t flips = 0, tests = 0;
 };
 
-// The exact traits, but for coordinates with square roots, whose exact type is too slow here.
+// The exact traits, except for coordinates with square roots, whose exact type is too slow here.
 template <class TypeParam>
 using Test_traits = std::conditional_t<
   std::is_same<typename TypeParam::Kernel::FT, CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt::FT>::value,
@@ -197,7 +196,7 @@ TYPED_TEST(Mesh_input, vertex_point_map_is_used)
   auto mesh = mesh_of<TypeParam>(sphere());
   using Point = typename TypeParam::Kernel::Point_3;
   using Vertex = typename boost::graph_traits<typename TypeParam::Mesh>::vertex_descriptor;
-  // The mesh's own points are no surface at all.
+  // The mesh's own points do not form a surface.
   std::map<Vertex, Point> points;
   for (auto v : vertices(mesh)) {
     points.emplace(v, get(CGAL::vertex_point, mesh, v));

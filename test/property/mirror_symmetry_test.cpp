@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The proof of a tie by congruence finds the ties of mirrored surfaces, and nothing that finite fields
-// show to be no tie.
+// The proof of a tie by congruence finds the ties of mirrored surfaces, and none that finite fields disprove.
 
 #include "symmetric_surfaces.h"
 
@@ -123,7 +122,7 @@ TEST(Mirror_symmetry, does_not_depend_on_cuts_in_planes)
     EXPECT_TRUE(is_symmetric(t, e));
     ASSERT_EQ(t.flip(e), Triangulation::Flip_outcome::FLIPPED);
     EXPECT_TRUE(is_symmetric(t, e));
-    // Where only lengths are given, planes are not known.
+    // With lengths alone, planes are not known.
     Triangulation by_lengths = Triangulation::from_metric(
       connectivity(surface), IT::metric_from_squared_lengths(symmetric_surfaces::squared_lengths(surface)));
     IT::flip_to_Delaunay(by_lengths);
@@ -131,7 +130,7 @@ TEST(Mirror_symmetry, does_not_depend_on_cuts_in_planes)
   }
 }
 
-// Other symmetries make ties that are not seen by this proof.
+// This proof does not see ties from other symmetries.
 TEST(Mirror_symmetry, is_the_only_one_that_is_found)
 {
   for (const Surface& surface : {symmetric_surfaces::quarter_turns(5), symmetric_surfaces::sixth_turns(5),

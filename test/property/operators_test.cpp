@@ -95,7 +95,7 @@ Mesh upper_half(const Mesh& mesh)
   return mesh_of(half);
 }
 
-// What a map does that is linear on the faces of a triangulation.
+// Properties of a map that is linear on the faces of a triangulation.
 IT::Distortion_summary distortion(const Triangulation& t, const IT::Planar_points& uv)
 {
   const std::vector<double> areas = IT::face_areas(t);

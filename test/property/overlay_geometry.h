@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lays the overlay of a surface out in the plane, face by face, and says what must be true of it.
+// Lays the overlay of a surface out in the plane, face by face, and checks it.
 
 #ifndef IDT_TEST_PROPERTY_OVERLAY_GEOMETRY_H
 #define IDT_TEST_PROPERTY_OVERLAY_GEOMETRY_H

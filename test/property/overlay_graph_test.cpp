@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The overlay is the graph that section 2.3 of the paper says it is, and both triangulations can
-// be read back from it.
+// The overlay is the graph of section 2.3 of the paper, and both triangulations can be read back from it.
 
 #include "insert_random_vertices.h"
 #include "overlay_triangulations.h"
@@ -36,7 +35,7 @@ using IT::Segment_label;
 using IT::Vertex_index;
 using IT::internal::Correspondence;
 
-// What is asserted of an overlay; the first failure ends it.
+// Assertions about an overlay; the first failure ends them.
 class Overlay_check
 {
 public:
@@ -323,7 +322,7 @@ TEST(Overlay_graph, OfUnflippedAndIsolated)
   EXPECT_FALSE(check.overlay().halfedge(Overlay::Vertex(10)).is_valid());
 }
 
-// Straight or not: what the integers describe is a graph all the same.
+// Straight or not, the integers describe a graph.
 TEST(Overlay_graph, OfRandomGluingsAfterAnyFlips)
 {
   std::size_t crossings = 0;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where edges cross too many others the answer is right or there is a clear error.
+// If edges cross too many others, the answer is right or there is a clear error.
 
 #include "samples/sample_surfaces.h"
 

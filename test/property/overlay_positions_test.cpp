@@ -117,7 +117,7 @@ bool is_known(const IT::Delta_complex& input, const IT::internal::Points& points
   return true;
 }
 
-// Where it gives up, others take over: that has to be rare.
+// If it gives up, others take over, which must be rare.
 template <class Frame>
 void expect_most_positions_known(const Triangulation& t)
 {
@@ -147,7 +147,7 @@ TEST(Plane_frame, knows_most_positions)
   expect_most_positions_known<IT::internal::Plane_frame>(triangulated(samples::prism(120)));
 }
 
-// In a strip of zero area there is no position that could be called good.
+// In a strip of zero area no position is the right one.
 template <class Frame>
 void expect_nothing_without_area()
 {
@@ -166,8 +166,8 @@ TEST(Space_frame, gives_up_without_area) { expect_nothing_without_area<IT::inter
 
 TEST(Plane_frame, gives_up_without_area) { expect_nothing_without_area<IT::internal::Plane_frame>(); }
 
-// A strip that is asked for all of its corners ends where one does that is asked for nothing else, in exact
-// numbers: across bent edges and inside of flat parts.
+// A strip asked for all of its corners ends where one asked only for its end does, in exact numbers: across bent edges
+// and inside flat parts.
 TEST(Strip, ends_in_the_same_place_with_and_without_corners)
 {
   using Metric = IT::internal::Mpfr_metric;
@@ -194,7 +194,7 @@ TEST(Strip, ends_in_the_same_place_with_and_without_corners)
       EXPECT_EQ(vector.reference, Frame::reference(input, crossed.front()));
       const auto difference = squared_norm(strip.target() - vector.vector) / squared_norm(vector.vector);
       EXPECT_LT(difference.upper_double(), 0x1p-200) << e;
-      // What is behind the last edge is the target.
+      // The target lies behind the last edge.
       const auto last = strip.triangle_behind(crossed.size() - 1);
       EXPECT_LT(squared_norm(last.apex - strip.target()).upper_double(), 0x1p-200);
     }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Surfaces with their overlays, for the tests of what is carried across them.
+// Surfaces with their overlays, for tests of transfer.
 
 #ifndef IDT_TEST_PROPERTY_OVERLAY_SURFACES_H
 #define IDT_TEST_PROPERTY_OVERLAY_SURFACES_H

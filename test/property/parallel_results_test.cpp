@@ -244,7 +244,7 @@ TEST(Parallel_results, integers_that_are_too_large_are_an_error)
   EXPECT_THROW(engine.prepare(), IT::Integer_overflow_error);
 }
 
-// A thread that waits within the loop must not begin work of another one, which could ask for a lock that it holds.
+// A thread that waits within the loop must not begin other work, which could ask for a lock that it holds.
 TEST(Parallel_results, a_loop_begins_no_other_work)
 {
   static thread_local int loop_of_thread = 0;
@@ -295,7 +295,7 @@ TEST(Parallel_results, verifications)
   EXPECT_TRUE(verify(Delaunay(samples::self_glued_triangle())).is_Delaunay());
 }
 
-// Flips of any hinges, as a number type makes that decides wrongly.
+// Flips of any hinges, as by a number type that decides wrongly.
 struct Flipped_anyhow
 {
   explicit Flipped_anyhow(const Filtered& t) : engine_(IT::internal::engine(t))
@@ -416,7 +416,7 @@ TEST(Parallel_results, rounded_numbers)
   });
 }
 
-// Whatever thread meets them, it is the first face without an area that is named.
+// Whichever thread finds them, the first face without area is named.
 TEST(Parallel_results, the_first_bad_element_is_named)
 {
   samples::Indexed_triangles s = samples::sheared_grid(150, 120, 0);

@@ -150,8 +150,7 @@ TEST(Parallel, boundary_and_many_flips)
 
 TEST(Parallel, ties) { expect_same_with_any_number_of_threads(samples::random_diagonal_grid(200, 150, 1, 7)); }
 
-// Queries before, and flips and insertions before these: as many tests and flips in blocks, and none of them followed
-// one by one.
+// With earlier queries, flips and insertions: as many tests and flips in blocks, and none of them followed one by one.
 TEST(Parallel, after_queries_as_without)
 {
   const samples::Indexed_triangles surface = samples::bad_torus(200, 150);
@@ -271,7 +270,7 @@ TEST(Parallel, rounded_decisions)
   }
 }
 
-// Numbers that threads cannot share are left to one of them; the tag is allowed.
+// Numbers that threads cannot share are left to one thread; the tag is allowed.
 TEST(Parallel, other_traits)
 {
   const samples::Indexed_triangles torus = samples::bad_torus(160, 160);
@@ -376,7 +375,7 @@ TEST(Parallel, budget_is_kept)
     EXPECT_EQ(report.flips, budget);
     EXPECT_TRUE(copy.connectivity().is_valid(true));
     expect_input(copy, mesh);
-    // What is left is done by a second run.
+    // A second run does the rest.
     EXPECT_EQ(IT::flip_to_Delaunay<Parallel_tag>(copy).status, Flip_status::DELAUNAY);
     EXPECT_TRUE(IT::verify_Delaunay(copy).is_Delaunay());
   }
@@ -408,7 +407,7 @@ TEST(Parallel, visitor_is_told_of_each_flip)
   EXPECT_LE(counter.last_tests, report.tests);
 }
 
-// Stops once so many tests were made; asks whether it is asked by one thread at a time.
+// Stops after so many tests; checks that one thread at a time asks it.
 struct Test_limit
 {
   bool go_further(const IT::Progress& progress)
@@ -458,7 +457,7 @@ TEST(Parallel, interruption_stops_the_tests_that_were_left_open)
   bool goes_further = false;
   t.set_interruption([&] { return goes_further; });
   EXPECT_THROW(IT::flip_to_Delaunay<Parallel_tag>(t), IT::Cancelled_error);
-  EXPECT_THROW(IT::verify_Delaunay<Parallel_tag>(t), IT::Cancelled_error); // it is asked by others, too, afterwards
+  EXPECT_THROW(IT::verify_Delaunay<Parallel_tag>(t), IT::Cancelled_error); // afterwards, others ask it, too
   goes_further = true;
   EXPECT_EQ(IT::flip_to_Delaunay<Parallel_tag>(t).status, Flip_status::DELAUNAY);
 }

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Refinement of real meshes: no angle is below the bound but in listed faces, whose reasons an independent reading of
-// the lengths confirms.
+// Refinement of real meshes: only listed faces have angles below the bound, and the lengths alone confirm their
+// reasons.
 
 #include "evaluation_data.h"
 #include "refined_surface.h"

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Refinement of surfaces that are made to be difficult: it ends, nothing is rounded, and what is below the bound is
-// listed.
+// Refinement of difficult surfaces: it ends, nothing is rounded, and faces below the bound are listed.
 
 #include "refined_surface.h"
 #include "samples/sample_surfaces.h"

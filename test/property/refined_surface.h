@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What new vertices must not change.
+// Invariants under new vertices.
 
 #ifndef IDT_TEST_PROPERTY_REFINED_SURFACE_H
 #define IDT_TEST_PROPERTY_REFINED_SURFACE_H

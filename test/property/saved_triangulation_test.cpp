@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A triangulation that was written and read again: it answers alike, goes on alike, and a damaged file is no other triangulation.
+// A triangulation that was written and read again gives the same answers and continues alike, and a damaged file is not
+// taken for another triangulation.
 
 #include "evaluation_data.h"
 #include "flip_test_surfaces.h"
@@ -124,14 +125,14 @@ void flip_both(Triangulation& t, Triangulation& u, int number, std::mt19937& ran
 {
   for (int i = 0; i < number; ++i) {
     const IT::Edge_index e(std::uint32_t(random() % t.connectivity().number_of_edges()));
-    // Random flips of flips make strips that nobody can lay out.
+    // Random flips upon flips make strips that cannot be laid out.
     if (t.connectivity().is_flippable(e) && t.number_of_crossings(e) < 30) {
       EXPECT_EQ(t.flip(e), u.flip(e)) << e;
     }
   }
 }
 
-// Written and read, it is the same, and goes on as the one that was written.
+// Written and read, it is the same, and continues like the original.
 void check(Triangulation t, int number_of_flips = 100)
 {
   const std::string file = written(t);
@@ -280,7 +281,7 @@ TEST(SavedTriangulation, CutFiles)
   }
 }
 
-// A header that promises more than there is takes no memory.
+// A header that promises too much takes no memory.
 TEST(SavedTriangulation, HeaderThatPromisesTooMuch)
 {
   std::string file = written(triangulation_of(samples::torus(4, 3)));
@@ -308,7 +309,7 @@ struct Rows
   std::size_t inserted, faces, edges;
 };
 
-// What no bound vouches for is near to the truth all the same.
+// Numbers without a bound are close to the truth all the same.
 TEST(SavedTriangulation, NumbersWithoutBounds)
 {
   Triangulation t = triangulation_of(samples::torus(6, 5));

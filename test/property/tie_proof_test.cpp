@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where a proof is demanded of each tie, one that takes too long ends in an error, and one that takes long
-// can be ended from outside. Afterwards the triangulation is as it was, and the work goes on.
+// If a proof is demanded for each tie, one that takes too long ends in an error, and a long one can be ended from
+// outside. Afterwards the triangulation is as before, and the work can continue.
 
 #include "symmetric_surfaces.h"
 
@@ -241,7 +241,7 @@ TEST(Tie_proof, a_proof_is_found_or_an_error_says_that_there_is_none)
   EXPECT_THROW(IT::verify_Delaunay(t), IT::Undecided_error);
 }
 
-// What is not a tie needs no proof of zero, however near it is.
+// Near ties need no proof of zero, however close they are.
 TEST(Tie_proof, a_sign_other_than_zero_is_always_proven)
 {
   const Surface surface = parallel_folds(100);

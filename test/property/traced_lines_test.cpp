@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Straight lines over the faces of flipped and refined triangulations, against the same lines over the input.
+// Straight lines over the faces of flipped and refined triangulations, compared with the same lines over the input.
 
 #include "insert_random_vertices.h"
 #include "samples/sample_surfaces.h"

@@ -143,8 +143,8 @@ TEST(Remove_vertex, on_a_line_across_a_fold)
   EXPECT_DOUBLE_EQ(triangulation.length(removed.edge_after(line)), std::sqrt(8.));
 }
 
-// What is decided from positions in space, with flips and splits before it, is what the unfolding alone decides: on
-// surfaces with flat parts, where faces stay straight or become so again, and with ties everywhere.
+// Decisions from positions in space, after flips and splits, equal those of the unfolding alone: on surfaces with flat
+// parts, where faces stay straight or become straight again, and with ties everywhere.
 TEST(Remove_vertex, flat_parts_are_decided_as_by_unfolding)
 {
   std::mt19937 random(7);
