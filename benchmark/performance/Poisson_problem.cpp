@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What triangles do to a solution: a Poisson problem with a known one, by linear finite elements over the input, over
-// its intrinsic Delaunay triangulation, and over that after refinement. Prints a table.
+// The effect of triangles on a solution: a Poisson problem with a known solution, by linear finite elements over the
+// input, over its intrinsic Delaunay triangulation, and over that after refinement. Prints a table.
 //
 // The surfaces are isometric to a part of the plane, where u = cos(2x) exp(y) solves -Laplacian(u) = 3 u. Its values
 // are given on the border, and 3 u as a function that is linear on each triangle.
@@ -37,7 +37,7 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_trait
 using Matrix = Eigen::SparseMatrix<double>;
 using Point_2 = Eigen::Vector2d;
 
-// A surface, and where its vertices lie in the plane.
+// A surface, and the positions of its vertices in the plane.
 struct Flat_surface
 {
   samples::Indexed_triangles triangles;

@@ -27,9 +27,9 @@
 
 using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
 
-// Freed memory stays with the process, so that a run reuses the pages of the run before.
-// Otherwise each would get fresh ones, and the time in which the kernel clears these,
-// which varies a lot and is not that of an algorithm, would be a good part of the result.
+// Freed memory stays with the process, so that a run reuses the pages of the previous one. Otherwise the kernel would
+// clear new pages each time, which takes a good part of the time, varies a lot, and has nothing to do with the
+// algorithm.
 inline void keep_freed_memory()
 {
 #ifdef __GLIBC__

@@ -85,7 +85,7 @@ struct Run
   double seconds = 0;
 };
 
-// Flips the edges that are not Delaunay among `is_pending` ones, in the order of the container.
+// Flips the edges among `is_pending` that are not Delaunay, in the order of the container.
 template <class Container>
 Run flip_in_order(Triangulation& t)
 {

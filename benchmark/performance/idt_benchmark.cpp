@@ -94,7 +94,7 @@ Run run_heat_method(const Mesh& mesh)
   return run;
 }
 
-// The last one is what the others are compared with.
+// The last one is the reference for the others.
 const std::vector<Method> methods{
   {"Edge_length_traits<double>", run_package<IT::Edge_length_traits<double>>},
   {"Filtered_edge_length_traits", run_package<IT::Filtered_edge_length_traits>},
@@ -134,7 +134,7 @@ std::vector<Input> default_inputs()
   return inputs;
 }
 
-// The medians of all methods on one mesh, measured when the first of them is asked for.
+// The medians of all methods on one mesh, measured when the first of them is requested.
 class Comparison
 {
 public:

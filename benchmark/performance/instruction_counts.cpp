@@ -28,7 +28,7 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using Filtered = IT::Filtered_edge_length_traits;
 
-// What is counted is what happens in functions of this name.
+// Instructions in functions of this name are counted.
 template <class Function>
 BOOST_NOINLINE auto counted(const Function& f)
 {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the overlay costs: time for each of its elements (vertices, segments and faces), how the
-// time grows with their number, and what the integers cost that it is built from.
+// The cost of the overlay: time for each of its elements (vertices, segments and faces), its growth with their number,
+// and the cost of the integers from which it is built.
 //
 //   overlay_benchmark [ROUNDS]
 //
@@ -62,13 +62,13 @@ struct Costs
   double elements = 0; // of the overlay
   double graph = 0, positions = 0;
   double triangulation = 0;
-  double journal = 0;  // what noting the flips adds to the time in double, which needs no note
-  double integers = 0; // that, and to compute the integers from the notes
+  double journal = 0;  // the added time for logging flips, in double, which needs no log
+  double integers = 0; // the same, plus computing the integers from the log
   double input = 0;    // integers and input connectivity, when the flips are done
   double heat_method = 0;
 };
 
-// In double, from the mesh, noting the flips or not.
+// In double, from the mesh, with or without logging flips.
 double seconds_in_double(const Mesh& mesh, bool notes_flips)
 {
   return seconds([&] {
@@ -92,7 +92,7 @@ struct Recorder
   std::vector<IT::Hinge_halfedges> flips;
 };
 
-// The integers alone, from the notes.
+// The integers alone, from the log.
 double seconds_for_integers(const Mesh& mesh)
 {
   auto t = IT::intrinsic_triangulation(mesh);

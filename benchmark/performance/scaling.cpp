@@ -31,7 +31,7 @@ namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-// In bytes; 0 where it is not known.
+// In bytes; 0 if unknown.
 double resident(const char* what)
 {
   std::ifstream status("/proc/self/status");

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the programs of this folder hand to each other: surfaces and results, as files of one machine. It knows
-// neither this package nor any other, so that each system is built with nothing but its own headers.
+// The data that the programs of this folder exchange: surfaces and results, as files on one machine. This depends
+// neither on this package nor on any other, so that each system is built with only its own headers.
 
 #ifndef IDT_BENCHMARK_SYSTEMS_INTERCHANGE_H
 #define IDT_BENCHMARK_SYSTEMS_INTERCHANGE_H
@@ -50,7 +50,7 @@ struct Matrix_entry
 struct Result
 {
   double triangulation_seconds = 0;    // from the mesh to the finished intrinsic Delaunay triangulation
-  double task_seconds = 0;             // what overlay or Laplacian took after that
+  double task_seconds = 0;             // the additional time for overlay or Laplacian
   Triangles triangles;                 // for the tasks triangulation and overlay
   std::vector<std::int64_t> crossings; // for the overlay: how many input edges each side crosses
   // For the Laplacian: half of the sum of the cotangents, negative off the diagonal; entries in the same place add up.

@@ -51,7 +51,7 @@ Result run(Task task, const Surface& surface)
       side_of[h] = std::int64_t(halfedges.size());
       halfedges.push_back(h);
       result.triangles.corners.back()[i] = triangulation->v2v.at(flipped.source(h));
-      // All that the class publishes are the corners of each face in the plane.
+      // The class publishes only the corners of each face in the plane.
       const auto a = get(triangulation->hcmap(), flipped.prev(h)), b = get(triangulation->hcmap(), h);
       result.triangles.lengths.push_back(std::hypot(a.first - b.first, a.second - b.second));
     }

@@ -12,7 +12,7 @@
 
 namespace {
 
-// JSON knows no infinity.
+// JSON has no infinity.
 double finite_number(double number) { return std::isfinite(number) ? number : 1e308; }
 
 } // namespace

@@ -3,12 +3,10 @@
 //
 // Judges the result of a system by the exact one.
 //
-// RIGHT: the triangles are those of a Delaunay triangulation of the surface, which an exact test of all edges
-// confirms, and lengths (or entries of the Laplacian, or counts of crossings) are those of the exact result up to
-// rounding (`rounding_tolerance`).
-// CLOSE: some edges are no Delaunay edges, but within `tie_tolerance` of a tie, or numbers are off by at most
-// `close_tolerance`.
-// WRONG: everything else.
+// RIGHT: the triangles are those of a Delaunay triangulation of the surface, which an exact test of all edges confirms,
+// and lengths (or entries of the Laplacian, or counts of crossings) are those of the exact result up to rounding
+// (`rounding_tolerance`). CLOSE: some edges are not Delaunay, but within `tie_tolerance` of a tie, or numbers are off
+// by at most `close_tolerance`. WRONG: everything else.
 
 #ifndef IDT_BENCHMARK_SYSTEMS_JUDGE_H
 #define IDT_BENCHMARK_SYSTEMS_JUDGE_H
@@ -47,7 +45,7 @@ struct Judgement
   Verdict verdict = Verdict::RIGHT;
   std::string why;             // empty if right
   double largest_error = 0;    // of lengths, relative, or of the matrix, relative to the diagonal
-  std::size_t wrong_faces = 0; // of theirs, which no Delaunay triangulation of the surface has
+  std::size_t wrong_faces = 0; // edges of theirs in no Delaunay triangulation of the surface
   std::size_t wrong_edges = 0; // not Delaunay, but nearly ties
 
   void lower(Verdict to, const std::string& because)
@@ -107,7 +105,7 @@ inline Judgement judge_triangles(const Own_triangulation& exact, const Result& r
                                       : "sides are glued in another way");
     return judgement;
   }
-  // Ours, with their diagonals: so this is a verdict about theirs.
+  // Our triangulation with their diagonals, so this is a verdict about theirs.
   const IT::Delaunay_verification verification = IT::verify_Delaunay(match.triangulation());
   judgement.wrong_edges = verification.not_Delaunay.size();
   if (!verification.inverted.empty())
@@ -162,14 +160,14 @@ inline Judgement judge_Laplacian(const Own_triangulation& exact, const Result& r
 
 } // namespace internal
 
-// \exception IT::Error if the surface is none, or if the exact decisions cannot be made
+// \exception IT::Error if the input is not a surface, or if the exact decisions cannot be made
 inline Judgement judge(const std::string& task, const Surface& surface, const Result& result)
 {
   Own_triangulation exact = make_own_triangulation(surface);
   if (triangles_of(exact.connectivity()).corners != surface.triangles.corners)
     throw std::logic_error("the corners of the surface are numbered in another way");
   IT::flip_to_Delaunay(exact);
-  // Not taken for granted: the exact result is tested again by another way.
+  // Not taken for granted: the exact result is tested again in another way.
   if (!IT::verify_Delaunay(exact).is_Delaunay())
     throw std::logic_error("the exact result is not Delaunay");
   return task == "Laplacian" ? internal::judge_Laplacian(exact, result)

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Finds the triangles of another system in ours. Both are triangulations of the same surface with the same
-// vertices; sides are compared from face to face, outward from an edge that few others look like. Where faces have a
-// common circumcircle the choice of diagonals is free: there ours are flipped to theirs.
+// Finds the triangles of another system in ours. Both are triangulations of the same surface with the same vertices;
+// sides are compared from face to face, outward from an edge with few similar ones. Where faces have a common
+// circumcircle the choice of diagonals is free: there ours are flipped to theirs.
 
 #ifndef IDT_BENCHMARK_SYSTEMS_MATCH_TRIANGLES_H
 #define IDT_BENCHMARK_SYSTEMS_MATCH_TRIANGLES_H
@@ -22,8 +22,8 @@
 
 namespace systems {
 
-// An edge counts as a tie if its cotangents cancel up to this part of the larger one: rounded decisions may choose
-// either diagonal. What that means for a verdict is decided exactly afterwards.
+// An edge counts as a tie if its cotangents cancel up to this fraction of the larger one: rounded decisions may choose
+// either diagonal. The verdict is decided exactly afterwards.
 constexpr double tie_tolerance = 1e-5;
 
 class Match
@@ -38,9 +38,9 @@ public:
     }
   }
 
-  // How many faces of theirs are in ours.
+  // The number of their faces that are in ours.
   std::size_t number_of_faces() const { return state_.number_of_faces; }
-  // Whether all are, and are glued as ours.
+  // Whether all are, and are glued like ours.
   bool is_complete() const
   {
     if (state_.number_of_faces < theirs_.corners.size())
@@ -72,7 +72,7 @@ private:
     std::size_t number_of_faces = 0;
   };
 
-  // A corner that the face at a halfedge can get, after flips of these edges, the last one first.
+  // A corner that the face at a halfedge can get by flipping these edges, the last one first.
   struct Candidate
   {
     double error = std::numeric_limits<double>::infinity(); // of the lengths of its two other sides, relative
@@ -115,7 +115,7 @@ private:
       best = {error, path};
   }
 
-  // Looks for the corner of their face at `side`, in ours at `h` and through free diagonals.
+  // Looks for the corner of their face at `side` in ours, at `h` and across free diagonals.
   Candidate find_apex(std::size_t side, Halfedge h) const
   {
     constexpr std::size_t most_faces = 2000;
@@ -174,7 +174,7 @@ private:
     return true;
   }
 
-  // Matches what can be reached from one pair of sides. \return whether nothing contradicted
+  // Matches everything reachable from one pair of sides. \return whether there was no contradiction
   bool match_from(std::size_t first_side, Halfedge first)
   {
     bool is_same = true;
@@ -203,7 +203,7 @@ private:
     return (b * b + c * c - a * a) / std::sqrt((a + b + c) * (b + c - a) * (a + c - b) * (a + b - c));
   }
 
-  // Whether it is no diagonal in a tie, or near one, that may be missing in ours.
+  // Whether it is not the diagonal of a tie or near tie, which may be missing in ours.
   bool can_be_first(std::size_t side) const
   {
     if (theirs_.opposite[side] < 0)
@@ -219,7 +219,7 @@ private:
     std::vector<Halfedge> candidates;
   };
 
-  // Where fewest of our sides can be meant. Each side once.
+  // The sides with the fewest candidates among ours, each side once.
   std::vector<First_pair> first_pairs() const
   {
     constexpr std::size_t most_pairs = 8, most_candidates = 16;
@@ -288,7 +288,7 @@ private:
     return result;
   }
 
-  // More attempts than this would only count more precisely what is wrong.
+  // More attempts would only count the wrong faces more precisely.
   static constexpr int most_contradictions = 32;
 
   const Triangles& theirs_;

@@ -22,7 +22,7 @@ namespace systems {
 namespace IT = CGAL::Intrinsic_triangulations;
 using Own_triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 
-// Where the sides of faces are among the halfedges.
+// The halfedges of the sides of faces.
 inline std::vector<IT::Halfedge_index> halfedges_of_sides(const IT::Delta_complex& complex)
 {
   std::vector<IT::Halfedge_index> result;

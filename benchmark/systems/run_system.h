@@ -27,13 +27,13 @@ enum class Task {
   LAPLACIAN
 };
 
-// Thrown for what a system does not offer.
+// Thrown if a system does not offer something.
 struct Not_offered
 {
   const char* why;
 };
 
-// Runs for as long as it lives; the time is added to the result.
+// Runs while it lives; the time is added to the result.
 class Stopwatch
 {
 public:

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The surfaces that all systems get: samples of this package as they are, and families of bad triangles, of ties, of
-// extreme lengths and of gluings, each with a parameter that goes from harmless to hard.
+// The surfaces for all systems: samples of this package, and families of bad triangles, ties, extreme lengths and
+// gluings, each with a parameter that goes from harmless to hard.
 
 #ifndef IDT_BENCHMARK_SYSTEMS_SURFACES_H
 #define IDT_BENCHMARK_SYSTEMS_SURFACES_H

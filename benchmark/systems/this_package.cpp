@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// This package as one of the systems: judged as the others are.
+// This package as one of the systems, judged like the others.
 
 #include "own_triangulation.h"
 #include "run_system.h"

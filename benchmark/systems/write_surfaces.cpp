@@ -5,7 +5,7 @@
 //
 //   write_system_surfaces FOLDER [MESH...]
 //
-// Meshes that this package cannot take either, and those of more than 100,000 faces, are left out.
+// Meshes that this package cannot take either, and those with more than 100,000 faces, are omitted.
 
 #include "input/Surface.h"
 #include "surfaces.h"

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The gluing format: what is written returns, and damage is named, never believed.
+// The gluing format: written text can be read back, and damage is reported, never accepted.
 
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 

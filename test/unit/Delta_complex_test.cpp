@@ -315,7 +315,7 @@ TEST(Make_Delta_complex, refuses_a_face_that_is_not_a_triangle)
   expect_defect([&] { IT::make_Delta_complex(mesh); }, Defect::NOT_A_TRIANGLE, 0, "6 such faces");
 }
 
-// An edge that no face has: nothing that leads to it may be left out of the copy.
+// An edge without faces: the copy must keep everything that refers to it.
 TEST(Make_Delta_complex, copies_an_edge_without_faces)
 {
   Mesh mesh;
@@ -503,7 +503,7 @@ TEST(Delta_complex_flip, four_times_is_the_identity_and_twice_turns_the_edge_aro
       c.flip(e);
       EXPECT_EQ(link_table(c), link_table(original));
       EXPECT_EQ(c, original);
-      // But for the first halfedges of the two faces, from any start.
+      // Except for the first halfedges of the two faces, from any start.
       for (Halfedge_index g : hinge.halfedges()) {
         EXPECT_EQ(c.next(g), hinge.next(g));
         EXPECT_EQ(c.target(g), hinge.target(g));

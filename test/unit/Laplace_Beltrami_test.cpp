@@ -188,7 +188,7 @@ TEST(Cotangent_weights, as_near_to_the_exact_ones_as_stated)
   }
 }
 
-// Bit for bit, what is found from one corner of each face; where a number is missing, it has to be asked for.
+// Bit for bit, the numbers from one corner of each face; a missing number is queried.
 TEST(Rounded_numbers, are_those_of_single_edges_and_faces)
 {
   std::vector<Surface> surfaces = generic_surfaces(false);
@@ -258,7 +258,7 @@ TEST(Cotangent_weights, the_bound_of_a_stored_cotangent_holds)
   EXPECT_GE(close, corners / 2); // an infinite error would be a bound, too
 }
 
-// What cotangent_weights() knows of bounds, it knows from the traits: from any that have the functor.
+// cotangent_weights() gets bounds from any traits that have the functor.
 template <class Base, bool is_known>
 struct Traits_with_bounds : Base
 {
@@ -300,7 +300,7 @@ TEST(Cotangent_weights, any_traits_may_bound_cotangents)
   expect_same_weights<Filtered, false>();
 }
 
-// Where nothing that is stored will do, one corner of each face gives the weights of its edges.
+// If no stored number suffices, one corner of each face gives the weights of its edges.
 TEST(Cotangent_weights, from_one_corner_of_each_face)
 {
   using Traits = Traits_with_bounds<Filtered, false>;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The MPFR number type: precisions that hold, and a triangulation at each of them.
+// The MPFR number type: scopes of precision, and a triangulation at each precision.
 
 #include <CGAL/Intrinsic_triangulations/Mpfr_float.h>
 
@@ -35,7 +35,7 @@ static_assert(std::is_same<Real::Boolean, bool>::value, "");
 
 namespace {
 
-// The precision that is in force anyway.
+// The default precision.
 int default_bits() { return precision_in_bits(Mpfr_float()); }
 
 template <class Kernel>
@@ -75,7 +75,7 @@ void expect_triangulation_of(int bits)
     IT::intrinsic_triangulation(sphere, CGAL::parameters::geom_traits(IT::Edge_length_traits<Mpfr_float>()));
   for (IT::Face_index f : before.connectivity().faces())
     area_before += before.area(f);
-  // The error of the area shows that all these bits are computed with.
+  // The error of the area shows that all these bits are used.
   const Mpfr_float error = CGAL::abs(area - area_before) / area_before;
   EXPECT_LT(error, Mpfr_float(std::ldexp(64., -bits)));
 }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The arithmetic behind the positions of crossings keeps the bounds that its users count on.
+// The arithmetic behind the positions of crossings keeps its promised bounds.
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 #include "library/arithmetic/Split_double_double.h"

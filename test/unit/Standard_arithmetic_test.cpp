@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Results do not depend on how the program has set the processor, and leave that as it was.
+// Results do not depend on the processor modes that the program has set, and leave them unchanged.
 
 #include "samples/sample_surfaces.h"
 

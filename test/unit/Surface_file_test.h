@@ -43,8 +43,8 @@ protected:
     fs::remove_all(folder_, ignored);
   }
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  // Removes the file before: file systems write a file to the disk at once when
-  // its content is replaced, which made thousands of damaged files take minutes.
+  // Removes the file first: file systems flush a file to the disk when its content is replaced, so that thousands of
+  // damaged files took minutes.
   std::string write(const std::string& name, const std::string& content) const
   {
     fs::remove(path(name));

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The algorithms with types that offer what the concepts grant, and nothing else. That this
-// compiles is the test; what it computes shows that the code is reached.
+// The algorithms with types that offer only what the concepts require. Compiling is the test; the results show that the
+// code is reached.
 
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>

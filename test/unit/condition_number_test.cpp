@@ -21,7 +21,7 @@ namespace {
 using namespace test_surfaces;
 using Traits = IT::Edge_length_traits<double>;
 
-// Of the inner vertices, by the definition, and without the zeros, which are told by their size.
+// Of the inner vertices, by definition, without the zeros, which are recognized by their size.
 IT::Extreme_eigenvalues dense_eigenvalues(const IT::Delta_complex& c, const Eigen::MatrixXd& stiffness)
 {
   std::vector<Eigen::Index> inner;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// At the ends of the range of double: the examination refuses what the constructors would refuse,
-// for the same reason, and nothing else.
+// At the ends of the range of double, the examination refuses exactly the surfaces that the constructors refuse, for
+// the same reason.
 
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
@@ -70,7 +70,7 @@ std::optional<Defect> refusal_of_constructor(const Points& points, const Triangl
   });
 }
 
-// Returns what all of them say.
+// Returns their common message.
 std::optional<Defect> common_refusal(const Points& points, const Triangles& triangles)
 {
   const IT::Surface_report report = IT::examine_polygons(points, triangles);
@@ -152,7 +152,7 @@ TEST(Coordinate_range, Is_the_same_for_coordinates_of_any_magnitude)
           x = std::ldexp(number(-8, 8) / 8., (std::max)(-1071, (std::min)(1023, middle + number(-width, width) / 2)));
     }
     const Triangles triangles = {{0, 1, 2}, {2, 1, 3}};
-    // Where several things are wrong, each has its own order in which it looks for them.
+    // If there are several defects, each function looks for them in its own order.
     bool has_coincidence = false;
     for (const auto& [a, b] : std::vector<std::array<std::size_t, 2>>{{0, 1}, {1, 2}, {2, 0}, {1, 3}, {3, 2}})
       has_coincidence = has_coincidence || points[a] == points[b];
@@ -207,8 +207,8 @@ TEST(Coordinate_range, Of_numbers_of_a_face_far_smaller_than_the_surface)
   }
 }
 
-// A square one of whose corners is moved by the smallest number is no tie: beside the others, its coordinate underflows
-// when it is scaled.
+// A square with one corner moved by the smallest number is not a tie, but its coordinate underflows when it is scaled
+// with the others.
 TEST(Coordinate_range, Of_decisions_that_the_smallest_number_makes)
 {
   const double q = 0x1p25;

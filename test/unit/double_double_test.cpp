@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Sums of two doubles, and doubles, against rational numbers: no result is farther from the truth than its bound says.
+// Sums of two doubles, and doubles, against rational numbers: no error exceeds its bound.
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double.h>

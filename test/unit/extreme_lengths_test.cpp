@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lengths whose squares and products leave the range of double: what is no surface is refused all
-// the same, and bounds and areas hold.
+// Lengths whose squares and products leave the range of double: defects are still refused, and bounds and areas hold.
 
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
@@ -155,7 +154,7 @@ TEST(Extreme_lengths, AsExactSquaresAreRefusedBeyondTheRangeOfDoubleAlone)
   }
 }
 
-// What is below is the sign of a number far below its rounding errors.
+// This is the sign of a number far below its rounding errors.
 void expect_sign_of_weight(const IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>& t, IT::Edge_index e,
                            CGAL::Sign sign)
 {

@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What each floating-point type must do as the number type of the traits: reach the triangulation that
-// exact decisions reach, from whatever the surface is given by, with numbers of its own precision. The
-// header uses `Number_types`, a list of types for GoogleTest.
+// Requirements on each floating-point type as the number type of the traits: it must reach the triangulation of exact
+// decisions, from any form of input, with numbers of its own precision. The header uses `Number_types`, a list of types
+// for GoogleTest.
 
 #include "samples/sample_surfaces.h"
 
@@ -55,7 +55,7 @@ template <>
 constexpr int precision<__float128> = 113; // the standard library does not always know it
 #endif
 
-// Have flips and no tie, all numbers in them are near one, and exact numbers get on with the smaller one.
+// Surfaces with flips and without ties, whose numbers are near one; the smaller one is small enough for exact numbers.
 inline const samples::Indexed_triangles& surface()
 {
   static const samples::Indexed_triangles triangles = samples::bad_torus(9, 8);
@@ -102,8 +102,7 @@ void expect_close(const Triangulation& triangulation, const Exact& exact, double
   EXPECT_LT(largest, bound);
 }
 
-// Whether the surface, which `construct` makes for any traits, becomes the triangulation that exact
-// decisions make of it.
+// Whether the surface, which `construct` makes for any traits, becomes the same triangulation as by exact decisions.
 template <class FT, class ExactTraits = IT::Filtered_edge_length_traits, class Construct>
 void expect_triangulation(const Construct& construct)
 {
@@ -192,7 +191,7 @@ TYPED_TEST(Float_type, takes_meshes_with_points_of_doubles)
   expect_triangulation<TypeParam>(from(mesh_of<CGAL::Polyhedron_3<Kernel>, Kernel::Point_3>(surface(), 1.)));
 }
 
-// A third is none of the numbers of any of the types.
+// A third is not representable in any of the types.
 TYPED_TEST(Float_type, takes_meshes_with_rational_points)
 {
   using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -208,7 +207,7 @@ TYPED_TEST(Float_type, takes_meshes_with_algebraic_points)
     from(mesh_of<CGAL::Surface_mesh<Kernel::Point_3>, Kernel::Point_3>(small_surface(), CGAL::sqrt(Kernel::FT(2)))));
 }
 
-// What is computed in them is to be decided exactly where no traits are given.
+// Without traits, surfaces given in these types are decided exactly.
 TYPED_TEST(Float_type, takes_meshes_with_its_own_points)
 {
   using Point = typename CGAL::Simple_cartesian<TypeParam>::Point_3;

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The flags that the package's target hands on: no contraction to fused
-// multiply-adds, and an optimizer that respects the rounding mode.
+// The flags of the package's target: no contraction to fused multiply-adds, and an optimizer that respects the rounding
+// mode.
 
 #include <CGAL/Interval_nt.h>
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Numbers are read alike with any standard library, bit for bit.
+// Numbers are read in the same way with any standard library, bit for bit.
 
 #include "library/files/text_file.h"
 

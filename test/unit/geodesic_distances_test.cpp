@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The interface of CGAL's package Heat_method_3: the same calls on both, with the namespace alone changed.
+// The interface of CGAL's package Heat_method_3: the same calls on both, with only the namespace changed.
 
 #include "samples/sample_surfaces.h"
 
@@ -54,8 +54,8 @@ double arc(const Mesh& mesh, Vertex v, std::size_t w)
                1., std::sqrt(CGAL::squared_distance(mesh.point(v), mesh.point(Vertex(Vertex::size_type(w))))) / 2));
 }
 
-// What a program does that uses the class, with both. In its mode Intrinsic_Delaunay, CGAL's class returns a mesh and
-// sources of other types than those of the program.
+// Typical uses of both classes. In its mode Intrinsic_Delaunay, CGAL's class returns a mesh and sources of types other
+// than the program's.
 template <class Distances>
 std::vector<std::vector<double>> run(Mesh& mesh)
 {
@@ -146,7 +146,7 @@ TEST(Surface_mesh_geodesic_distances_3, modes_differ)
     direct_error += std::abs(direct[v] - exact);
     sum += exact;
   }
-  // In a plane that is convex, the bounds of all distances make up for needles.
+  // In a convex plane region, the bounds of all distances make up for needles.
   EXPECT_LT(error, 0.0005 * sum);
   EXPECT_LT(direct_error, 0.0005 * sum);
 }
@@ -272,7 +272,7 @@ TEST(Surface_mesh_geodesic_distances_3, faces_without_area_on_the_border)
   EXPECT_NEAR(result[Vertex(2)], 1, 1e-12);
 }
 
-// Where CGAL 5.5 returns not a number, or does not return.
+// Cases where CGAL 5.5 returns NaN, or does not return.
 TEST(Surface_mesh_geodesic_distances_3, what_CGAL_cannot_do)
 {
   Mesh mesh = mesh_of(samples::prism(80));

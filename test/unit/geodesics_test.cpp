@@ -148,7 +148,7 @@ std::vector<IT::Halfedge_index> cycle(const IT::Delta_complex& complex, const st
   return result;
 }
 
-// As where a loop cannot be led round a corner: flips are undone, the last one first.
+// As if a loop cannot be led round a corner: flips are undone, the last one first.
 TEST(Undone_flips, leave_each_face_with_a_side_of_its_own)
 {
   const std::vector<std::array<double, 3>> points{{0, 0, 0},   {2, 0, 0},   {3, 1.7, 0},
@@ -213,7 +213,7 @@ TEST(GeodesicPath, AcrossAPlaneIsTheStraightLine)
 
 TEST(GeodesicPath, AnglesOfExactlyPiAreStraight)
 {
-  // Along the sides of squares every angle on a path is π: nothing is to be done.
+  // Along the sides of squares every angle on a path is π: there is nothing to do.
   Triangulation t = triangulation_of(grid(9, 1, [](double, double y) { return y; }));
   std::vector<IT::Halfedge_index> side;
   for (std::uint32_t x = 0; x < 9; ++x)
@@ -552,7 +552,7 @@ TEST(GeodesicLoop, IsPutBackIfTheWayRoundIsLonger)
     network.add_closed_path(loop);
     EXPECT_FALSE(network.is_geodesic());
     if (is_corner_fixed)
-      network.fix(corner); // it keeps the curve from being taken off the corner again, round which it is led
+      network.fix(corner); // it keeps the curve from leaving the corner again, round which it is led
     const IT::Geodesic_report report = network.shorten();
     EXPECT_TRUE(t.connectivity().is_valid());
     if (is_corner_fixed) {
@@ -587,7 +587,7 @@ TEST(GeodesicNetwork, PathsShareEdges)
     EXPECT_EQ(network.halfedges(p), network.halfedges(p + 1));
 }
 
-// Whether both are the same to the last bit, and know the same.
+// Whether both are equal to the last bit, caches included.
 void expect_same(const Triangulation& t, const Triangulation& before)
 {
   const IT::Delta_complex& complex = t.connectivity();

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Distances by heat against what is known of them.
+// Distances by heat against known distances.
 
 #include "samples/sample_surfaces.h"
 
@@ -199,7 +199,7 @@ Triangles shuffled_by_flips(const Grid& grid)
   return result;
 }
 
-// Where the Delaunay triangulation is not unique, places decide.
+// If the Delaunay triangulation is not unique, positions decide.
 TEST(Heat_method, numbers_do_not_matter)
 {
   Grid grid(14, 11);
@@ -425,7 +425,7 @@ TEST(Heat_method, rows_are_about_sorted_whatever_the_distances)
   }
 }
 
-// Whatever the order is in which rows have their turn.
+// For any order of the rows.
 TEST(Heat_method, bounds_are_shortest_paths_whatever_the_distances)
 {
   const samples::Indexed_triangles surface = samples::bad_torus(20, 20);
@@ -458,7 +458,7 @@ TEST(Heat_method, bounds_are_shortest_paths_whatever_the_distances)
   }
 }
 
-// But for some beside the source.
+// Except for some next to the source.
 TEST(Heat_method, needs_no_bounds_on_fine_surfaces)
 {
   const Grid grid(40, 40);
@@ -651,7 +651,7 @@ TEST(Heat_method, source_in_a_face)
     for (std::size_t v = 0; v < grid.points.size(); ++v)
       EXPECT_NEAR(heat.distances()[v], grid.distance(v, x, y), 1.2);
   }
-  // Behind a side of the face, the way leads across the side: it is not that over its ends.
+  // Beyond a side of the face, the shortest way crosses the side: it does not run through its ends.
   const Grid small(4, 4);
   const Triangulation squares = Delaunay(small.points, small.triangles);
   for (bool keeps_ridges : {true, false}) {
@@ -699,7 +699,7 @@ TEST(Heat_method, on_the_cover_of_any_triangles)
   EXPECT_NEAR(heat.distances()[5], heat.distances()[7], 1e-9);
   EXPECT_NEAR(heat.distances()[5], 2, 0.4);
 
-  // What is closed is its own cover.
+  // A closed surface is its own cover.
   const samples::Indexed_triangles torus = samples::torus(20, 12);
   IT::Tufted_cover closed = IT::make_tufted_cover(torus.points, torus.triangles);
   IT::flip_to_Delaunay(closed.triangulation);

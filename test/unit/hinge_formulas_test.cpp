@@ -84,8 +84,7 @@ Real angle(const Real& a, const Real& b, const Real& c)
   return 2 * atan2(Real(sqrt((a - b + c) * (a + b - c))), Real(sqrt((a + b + c) * (b + c - a))));
 }
 
-// Random hinges: the lengths of triangles in space, and slivers whose height is a tiny part
-// of their length, of both kinds: needles and caps.
+// Random hinges: lengths of triangles in space, and slivers of both kinds, needles and caps.
 std::vector<Lengths> random_hinges(std::size_t n, bool slivers)
 {
   std::mt19937_64 random(n);
@@ -110,8 +109,8 @@ double relative_error(const Real& x, const Real& reference, const Real& scale)
 
 } // namespace
 
-// Points with small whole coordinates: every number in the formulas is whole and below
-// 2^53 but for the division, so that double has no excuse.
+// Points with small integer coordinates: except for the division, every number in the formulas is an integer below
+// 2^53, so double must be exact.
 TEST(Hinge_formulas, are_exact_on_small_whole_coordinates)
 {
   std::mt19937_64 random(1);
@@ -190,7 +189,7 @@ TEST(Hinge_formulas, lose_a_few_roundings_in_double)
   const IT::Mpfr_precision guard(200);
   for (bool slivers : {false, true})
     for (const Lengths& l : random_hinges(1000, slivers)) {
-      // Both start from the same doubles: what differs is the rounding of the formulas.
+      // Both start from the same doubles; only the rounding of the formulas differs.
       const Numbers<double> n = squares(l).to<double>();
       const Numbers<Real> exact = n.to<Real>();
       const Flipped<double> f = flipped(n);

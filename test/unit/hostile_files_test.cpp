@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Files that CGAL's readers would take for another surface, read for ever or without end, are refused with the
-// line and with what to do.
+// Files that CGAL's readers would take for another surface, or never finish reading, are refused with the line and the
+// remedy.
 
 #include "Surface_file_test.h"
 #include "input/gluing_file.h"
@@ -52,8 +52,8 @@ struct Bad_text
   Defect defect = Defect::UNREADABLE;
 };
 
-// CGAL's readers take of a word what looks like a number, and go on with the rest or without it: each of these
-// was another surface than the one that the file seems to hold.
+// CGAL's readers take the part of a word that looks like a number, and continue with or without the rest: each of these
+// files gave a surface other than it seems to hold.
 TEST_F(Hostile_files, words_that_only_begin_as_numbers)
 {
   const std::string v = "v 0 0 0\nv 1 0 0\nv 0 1 0\n", points = "0 0 0\n1 0 0\n0 1 0\n", off = "OFF\n3 1 0\n" + points;
@@ -120,7 +120,7 @@ TEST_F(Hostile_files, words_that_only_begin_as_numbers)
   refused("a.ply", binary + "\xff", "element face 0: the list vertex_indices claims a negative number of entries");
 }
 
-// A mistake behind the first piece of a file that is read is found, and the pieces are joined without a seam.
+// A mistake after the first piece of a file is found, and pieces are joined seamlessly.
 TEST_F(Hostile_files, long_files_are_looked_at_to_their_end)
 {
   const std::size_t n = 60000;
@@ -149,7 +149,7 @@ TEST_F(Hostile_files, vertices_of_ts_have_names)
                     v4 = "VRTX 4 0 0 1\n", faces = "TRGL 1 2 3\nTRGL 1 4 2\n";
   const std::vector<std::array<double, 3>> points = {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}};
   const std::vector<std::array<std::uint32_t, 3>> triangles = {{{0, 1, 2}}, {{0, 3, 1}}};
-  // The corners by their positions, in whatever order the vertices are.
+  // The corners by their positions, for any order of the vertices.
   const auto corners = [](const idt::Surface_input& input) {
     std::vector<std::array<double, 3>> result;
     for (const auto& triangle : input.triangles)
@@ -218,7 +218,7 @@ TEST_F(Hostile_files, elements_of_ply_fit_into_the_file)
             1u);
 }
 
-// What makes a file of the size of a binary one is its size, whatever it begins with.
+// A file with the size of a binary one is binary, whatever it begins with.
 TEST_F(Hostile_files, beginnings_of_stl)
 {
   const std::string text =
@@ -232,7 +232,7 @@ TEST_F(Hostile_files, beginnings_of_stl)
   for (const std::string begin : {"SOLID\n", "solid\tx\n", "\xef\xbb\xbfsolid x\n", "\n Solid x facet\n"})
     EXPECT_EQ(idt::read_surface(write("a.stl", begin + text)).triangles.size(), 1u) << begin;
   refused("a.stl", "solids\n" + text, "neither text STL (the first word is \"solids\" and not solid) nor binary STL");
-  // The number of facets is wrong, and the file is no text all the same.
+  // The number of facets is wrong, but the file is still not a text.
   binary.resize(binary.size() - 50);
   refused("a.stl", binary,
           "the file begins as text STL does, but has bytes that are in no text; nor is it binary STL (the header"
@@ -302,7 +302,7 @@ TEST_F(Hostile_files, gluings_are_files)
   refused_gluing(path("absent.gluing"), "there is no such file");
   refused_gluing(write("empty.gluing", ""), "the file is empty");
 #ifndef _WIN32
-  // To open a pipe would wait for who writes.
+  // Opening a pipe would wait for a writer.
   ASSERT_EQ(::mkfifo(path("pipe.gluing").c_str(), 0600), 0);
   refused_gluing(path("pipe.gluing"), "this is not a regular file");
   fs::create_symlink("/dev/zero", path("zero.gluing"));

@@ -69,7 +69,7 @@ public:
     EXPECT_NEAR(area() / area_, 1, 1e-13);
   }
 
-  // Where a vertex lies in space.
+  // The position of a vertex in space.
   std::array<double, 3> position(IT::Vertex_index v) const
   {
     const IT::internal::Correspondence& correspondence = IT::internal::engine(triangulation).correspondence();

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Long texts, which several threads put together: the same bytes as from a stream, in order.
+// Long texts put together by several threads: the same bytes as from a stream, in order.
 
 #include "system/Long_text.h"
 #include "system/text.h"

@@ -87,7 +87,7 @@ TEST(Multigrid_solver, Poisson_problem_on_a_closed_surface)
   EXPECT_LT(relative_difference(IT::Multigrid_solver(a).solve(b), Eigen::SimplicialLDLT<Matrix>(a).solve(b)), 1e-8);
 }
 
-// Several solutions do not disturb each other, nor do their threads.
+// Several solutions do not disturb each other, even on different threads.
 TEST(Multigrid_solver, solves_again)
 {
   const Matrix a = heat_matrix(sphere(), 1);

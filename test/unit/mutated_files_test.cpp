@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Thousands of small damages to valid files of every format: each is read with exactly the faces that the file holds,
-// by a reading that has nothing to do with the readers, or is refused with a message that says where.
+// Thousands of small damages to valid files of every format: each file is read with exactly its faces, as an
+// independent reading finds them, or is refused with a message that says where.
 
 #include "Surface_file_test.h"
 #include "faces_of_file.h"
@@ -198,8 +198,7 @@ TEST_F(Mutated_files, are_read_with_their_faces_or_refused)
   std::cout << read << " were read, " << refused << " refused, " << losses << " lost faces or gained some" << std::endl;
 }
 
-// What is wrong with a gluing that was read; empty if nothing is. A row is a face or an edge, and there is none but
-// those.
+// The defect of a gluing that was read, or empty. Each row is a face or an edge.
 std::string difference_of_gluing(std::string content, const IT::Exact_gluing& gluing)
 {
   using namespace faces_of_file;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the package asks of every number type, whatever it is.
+// Requirements on every number type.
 
 #include <CGAL/number_utils.h>
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Maps of disks to the plane: harmonic ones, circle patterns, and what is said about them.
+// Maps of disks to the plane: harmonic ones, circle patterns, and their checks.
 
 #include "property/flip_test_surfaces.h"
 
@@ -350,8 +350,8 @@ TEST(Circle_pattern, a_flat_Delaunay_sheet_comes_out_similar)
   EXPECT_LE(largest_distance(aligned(pattern.uv, points), points), 1e-4);
 }
 
-// What was found is checked without the energy: the circumcircles of the image meet at the
-// angles that were asked for, and each inner vertex is surrounded once.
+// The result is checked without the energy: the circumcircles of the image meet at the requested angles, and each inner
+// vertex is surrounded once.
 TEST(Circle_pattern, circles_meet_at_the_given_angles)
 {
   for (bool is_Delaunay : {false, true}) {
@@ -421,6 +421,6 @@ TEST(Circle_pattern, its_angles_are_all_that_is_asked_of_them_and_as_near_as_can
       const IT::Halfedge_index h = c.halfedge(e);
       EXPECT_LE(found.angles[h.idx()] + found.angles[c.opposite(h).idx()], M_PI - 0.999e-3);
     }
-  // Projection onto a convex set: what it leaves unchanged is the nearest to itself.
+  // Projection onto a convex set: points of the set stay unchanged.
   EXPECT_LE(IT::internal::find_coherent_angles(c, found.angles).largest_change, 1e-4);
 }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Arrays of points and triangles give what a mesh gives, whatever they are made of, and files become such arrays.
+// Arrays of points and triangles of any types give the same results as a mesh, and files become such arrays.
 
 #include "Surface_file_test.h"
 #include "samples/sample_surfaces.h"

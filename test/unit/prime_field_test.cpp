@@ -23,7 +23,7 @@ using IT::internal::Integer;
 using IT::internal::Prime_field;
 using IT::internal::Random_bits;
 
-// x for the number that is kept for x: what is kept is a product with the number 1.
+// Recovers x from its stored form, by a product with the number 1.
 Integer integer(const Prime_field& f, Prime_field::Number a) { return Integer(f.product(a, 1)); }
 
 Integer modulo(const Prime_field& f, const Integer& x)
@@ -147,7 +147,7 @@ TEST(Prime_field, agrees_with_integers)
         EXPECT_EQ(integer(f, f.sum(a, b)), modulo(f, x + y));
         EXPECT_EQ(integer(f, f.difference(a, b)), modulo(f, x - y));
         EXPECT_EQ(integer(f, f.product(a, b)), modulo(f, x * y));
-        // Numbers are compared as they are kept.
+        // Numbers are compared in their stored form.
         for (const auto c : {f.sum(a, b), f.difference(a, b), f.product(a, b)})
           EXPECT_LT(c, f.prime());
       }

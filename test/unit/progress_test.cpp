@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Long computations tell how far they are, in order and to the end, and stop whenever they are told
-// to.
+// Long computations report progress, in order and to the end, and stop on request at any time.
 
 #include "samples/sample_surfaces.h"
 

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Numbers of quadruple precision: Boost's own, and where there are any, those of the compiler and
-// Boost's wrapper of them.
+// Numbers of quadruple precision: Boost's own, and the compiler's with Boost's wrapper, if there are any.
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #if __has_include(<quadmath.h>)

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Numbers survive every format; every way in which a file can be unusable has
-// its own message; the collection of bad files, if it is there.
+// Numbers survive every format; each way in which a file can be unusable has its own message; the collection of bad
+// files, if present.
 
 #include "Surface_file_test.h"
 #include "input/mesh_file.h"
@@ -137,7 +137,7 @@ TEST_F(Read_surface, what_the_command_writes_comes_back)
     idt::write_mesh(out, points, triangles, idt::find_mesh_format(name).value());
     out.close();
     const idt::Surface_input input = idt::read_surface(path(name));
-    // STL has no vertices: what comes back are the corners, in the order of the faces.
+    // STL has no vertices: reading gives the corners, in the order of the faces.
     expect_same_bits(points, input.points);
     EXPECT_EQ(input.triangles, triangles);
     // And once more.
@@ -351,7 +351,7 @@ TEST_F(Read_surface, unusual_numbers)
     expect_same_bits(input.points, points);
     EXPECT_EQ(input.triangles, (Triangles{{{0, 1, 2}}}));
   }
-  // The nearest float to a number is not that of the nearest double.
+  // The nearest float to a number may differ from that of the nearest double.
   const idt::Surface_input input = idt::read_surface(
     write("a.ply", ply_header("ascii", 3, 1, "float") + "1.00000005960464477540 0 0\n1 1e-60 0\n0 1 3e38\n3 0 1 2\n"));
   EXPECT_EQ(input.points[0][0], double(std::nextafter(1.f, 2.f)));
@@ -393,7 +393,7 @@ TEST_F(Read_surface, files_that_are_none)
   refused("name.vtp", "<VTKFile/>", "only if the command is built with VTK");
   const std::string locked = write("locked.off", "OFF\n0 0 0\n");
   fs::permissions(locked, fs::perms::none);
-  if (!std::ifstream(locked)) // root opens it all the same
+  if (!std::ifstream(locked)) // root can open it anyway
     refused(locked, "cannot be opened (Permission denied)");
 }
 
@@ -549,8 +549,7 @@ TEST_F(Read_surface, broken_ts)
   refused("a.ts", "GOCAD TSurf 1\n", "there is no vertex", Defect::EMPTY);
 }
 
-// Files cut off anywhere and files with bytes changed are read or refused,
-// and nothing else.
+// Files cut off anywhere and files with changed bytes are either read or refused.
 TEST_F(Read_surface, damaged_files)
 {
   std::string binary = ply_header("binary_little_endian", 3, 1, "double", "int int");
@@ -599,7 +598,7 @@ TEST_F(Read_surface, damaged_files)
 
 // ---- the collection of bad files --------------------------------------------
 
-// The folder of evaluation data, empty if there is none.
+// The folder of evaluation data, or empty.
 fs::path data_folder()
 {
   const char* const variable = std::getenv("IDT_DATA_DIR");

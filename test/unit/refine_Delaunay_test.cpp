@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Refinement: what is below the bound is on the list, with a reason.
+// Refinement: faces below the bound are listed with a reason.
 
 #include "samples/sample_surfaces.h"
 
@@ -110,7 +110,7 @@ TEST(Refine_Delaunay, makes_no_edge_shorter_than_all)
     }
 }
 
-// Whoever makes them, the same flips are reported.
+// The same flips are reported, whoever makes them.
 TEST(Refine_Delaunay, counts_all_flips)
 {
   Triangulation triangulation = triangulation_of(samples::pillow(60)), other = triangulation;
@@ -161,7 +161,7 @@ TEST(Refine_Delaunay, leaves_small_corners_of_the_border)
     EXPECT_EQ(f.reason, IT::Refinement_obstacle::SMALL_INPUT_ANGLE);
 }
 
-// Two sides of a box, far closer to each other than what matters.
+// Two sides of a box, much closer to each other than the smallest size.
 TEST(Refine_Delaunay, leaves_what_is_too_small)
 {
   samples::Indexed_triangles plate;
@@ -257,7 +257,7 @@ TEST(Refine_Delaunay, estimates_how_many_vertices_are_needed)
   }
 }
 
-// A smallest size ends the splits of edges for their own sake as well.
+// A smallest size also ends the splitting of edges for their own sake.
 TEST(Refine_Delaunay, splits_no_edge_below_the_smallest_size)
 {
   const samples::Indexed_triangles needle = {{{0, 0, 0}, {1, 0, 0}, {0.6, 1e-5, 0}, {0.3, 1e-5, 0}},

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Vertices in flat sides and on straight edges are removed, no others, and the sides stay what they are.
+// Exactly the vertices in flat sides and on straight edges are removed, and the sides do not change.
 
 #include "samples/sample_surfaces.h"
 
@@ -175,7 +175,7 @@ TEST(Remove_flat_vertices, leaves_the_corners_of_blocks)
   for (const auto& [cells, corners] : {std::pair{block, 8}, {ring, 16}, {stairs, 16}})
     for (int flips : {0, 20, 5000}) {
       Surface s = cubes(cells);
-      for (Point& p : s.points) // an affine map keeps flat what is flat
+      for (Point& p : s.points) // an affine map keeps flat parts flat
         p = {3 * p[0] + p[1], 2 * p[1] - p[2] + p[0], 5 * p[2] + p[0]};
       flip_flat_edges(s, random, flips);
       expect_the_same_sides_without_flat_vertices(s);
@@ -408,8 +408,8 @@ TEST(Remove_nearly_flat_vertices, leaves_the_corners_of_a_block_that_was_turned)
   }
 }
 
-// Heights at random on a block: the more of them are allowed, the fewer vertices are left, and no point is farther away
-// than was said.
+// Random heights on a block: with a larger tolerance fewer vertices are left, and no point is farther away than
+// reported.
 TEST(Remove_nearly_flat_vertices, keeps_the_distance)
 {
   std::mt19937 random(3);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Vertices that were inserted are removed: what is left is the triangulation before.
+// Inserted vertices are removed again, which restores the triangulation.
 
 #include "insert_random_vertices.h"
 #include "samples/sample_gluings.h"

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Every kind of repair by a small example, and random polygons: what comes out is a surface, and
-// each of its elements is where the map says that it comes from.
+// Each kind of repair on a small example, and random polygons: the result is a surface, and each of its elements lies
+// where the map says.
 
 #include <CGAL/Intrinsic_triangulations/repair_polygons.h>
 
@@ -50,7 +50,7 @@ void expect_true_map(const Points& points, const Polygons& polygons, const IT::R
   EXPECT_TRUE(std::is_sorted(repaired.input_faces.begin(), repaired.input_faces.end()));
 }
 
-// Repairs, and expects a surface on which exactly this was done.
+// Repairs, and expects a surface with exactly these repairs.
 IT::Repaired_polygons expect_repaired(const Points& points, const Polygons& polygons,
                                       const std::vector<Expected>& expected)
 {
@@ -286,7 +286,7 @@ TEST(Repair_polygons, cuts_polygons_at_vertices_that_they_name_twice)
 TEST(Repair_polygons, says_which_parts_of_faces_it_removes)
 {
   const Points square = {{{0, 0, 0}}, {{1, 0, 0}}, {{1, 1, 0}}, {{0, 1, 0}}};
-  // Wherever the square is cut, one of the triangles is there already.
+  // Wherever the square is cut, one of the triangles already exists.
   const Polygons both_cuts[] = {{{1, 2, 3}, {0, 1, 2, 3}}, {{0, 1, 2}, {0, 1, 2, 3}}};
   std::size_t losses = 0;
   for (const Polygons& polygons : both_cuts) {
@@ -301,7 +301,7 @@ TEST(Repair_polygons, says_which_parts_of_faces_it_removes)
       }
   }
   EXPECT_EQ(losses, 1u);
-  // A square that is all there before, and a loop that is cut off and there as well.
+  // A square whose triangles all exist already, and a loop that is cut off and exists as well.
   expect_repaired(square, {{0, 1, 2}, {1, 2, 3}, {0, 1, 3}, {0, 2, 3}, {0, 1, 2, 3}},
                   {{Kind::DUPLICATE_PART, {4}}, {Kind::REVERSED_FACE, {1, 2}}});
   const Points bow = {{{0, 0, 0}}, {{1, 0, 0}}, {{1, 1, 0}}, {{-1, 0, 0}}, {{-1, -1, 0}}};

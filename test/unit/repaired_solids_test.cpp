@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Solids that touch themselves along edges: what is closed stays closed, and each piece bounds a part of the solid.
+// Solids that touch themselves along edges: closed surfaces stay closed, and each piece bounds a part of the solid.
 
 #include <CGAL/Intrinsic_triangulations/repair_polygons.h>
 
@@ -370,7 +370,7 @@ std::vector<std::set<Cell>> few_cells()
   return result;
 }
 
-// Each cell is closed by itself, and so is what comes out; only so many faces are gone.
+// Each cell is closed by itself, and so is the result; only so many faces are gone.
 template <class Faces>
 void expect_rooms(const Points& points, const Faces& faces, std::size_t number_of_cells, std::size_t surplus = 0)
 {

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Images in finite fields: those of a number that is zero are zero, also where roots depend on each other, and
-// those of another number are not.
+// Images in finite fields: the images of zero are zero, even if roots depend on each other, and those of other numbers
+// are not.
 
 #include "library/arithmetic/Residues.h"
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
@@ -75,7 +75,7 @@ TEST(Residues, do_not_take_small_numbers_for_zero)
   }
 }
 
-// Where a prime divides what is divided by, or a generator, the images mean nothing.
+// If a prime divides a divisor or a generator, the images mean nothing.
 TEST(Residues, tell_where_they_are_not_defined)
 {
   Interruption none;
@@ -223,7 +223,7 @@ TEST(Residues, certainty_is_that_of_the_documentation)
     }
   EXPECT_GT(Residue_rings::certainty(1e4, 200), 128);
   EXPECT_LT(Residue_rings::certainty(1e6, 6000), 128);
-  // What says nothing is worth nothing, and never less.
+  // Fields without information add nothing to the bound, and never subtract.
   EXPECT_EQ(Residue_rings::certainty(1e9, 1e9), 0);
   EXPECT_EQ(Residue_rings::certainty(1e300, 1e300), 0);
 }

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The sample surfaces are what they claim to be: oriented manifolds of the
-// stated counts and topology, with a metric, and with the stated badness.
+// The sample surfaces keep their promises: oriented manifolds of the stated counts and topology, with a metric and the
+// stated defects.
 
 #include "samples/sample_surfaces.h"
 
@@ -163,7 +163,7 @@ double volume(const Indexed_triangles& surface)
   return sum;
 }
 
-// What every triangle sample obeys, and the stated counts.
+// The requirements on every triangle sample, and the stated counts.
 void check(const Indexed_triangles& surface, std::size_t vertices, std::size_t faces, long Euler_characteristic,
            std::size_t boundary_edges)
 {

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Lengths of shortest paths against what is known of them.
+// Lengths of shortest paths against known lengths.
 
 #include "samples/sample_surfaces.h"
 
@@ -67,7 +67,7 @@ void make_polygon(std::uint32_t n, Points& points, Triangles& triangles)
     triangles.push_back({0, i, i + 1});
 }
 
-// Heights by chance on a grid: cones of positive and of negative curvature, and a border.
+// Random heights on a grid: cones of positive and negative curvature, and a border.
 void make_hills(std::uint32_t n, double height, Points& points, Triangles& triangles)
 {
   std::mt19937 random(7);

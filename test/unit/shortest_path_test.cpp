@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Shortest paths, points that are picked, and surfaces that are cut open.
+// Shortest paths, picked points, and surfaces that are cut open.
 
 #include "evaluation_data.h"
 #include "samples/sample_surfaces.h"
@@ -50,7 +50,7 @@ Triangulation Delaunay(const samples::Indexed_triangles& surface)
   return result;
 }
 
-// How much longer the path is than the distance, as a part of that; and the path on the input.
+// The relative excess of the path over the distance; and the path on the input.
 double excess(Triangulation& triangulation, Vertex_index s, Vertex_index t,
               std::vector<Surface_point>* points = nullptr)
 {
@@ -135,7 +135,7 @@ std::vector<double> lengths_of_edge_paths(const T& triangulation, Vertex_index s
   return result;
 }
 
-// Also without the positions of a kept input, which tell the way.
+// Also without the positions of a kept input, which would show the way.
 TEST(Shortest_edge_path, is_not_longer_than_another)
 {
   const samples::Indexed_triangles surface = samples::bumpy_dome();

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Eigenvalues of surfaces that are no manifolds, and of point clouds, against those that are known.
+// Eigenvalues of surfaces that are not manifolds, and of point clouds, against known ones.
 
 #include "samples/sample_surfaces.h"
 

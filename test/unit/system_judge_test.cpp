@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The judge of benchmark/systems calls a right result right, whatever diagonals it has, and a wrong one wrong.
+// The judge of benchmark/systems calls a right result right, with any diagonals of ties, and a wrong one wrong.
 
 #include "judge.h"
 #include "surfaces.h"
@@ -226,7 +226,7 @@ TEST(SystemJudge, ComparesEachEntryOfTheLaplacian)
   }
 }
 
-// What the table of the manual says about surfaces is about as many of them, and each can be made.
+// There are as many surfaces as the manual says, and each can be made.
 TEST(SystemSurfaces, AreMany)
 {
   std::vector<std::string> names;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The operator of any triangles against what is computed by hand or in another way.
+// The operator of any triangles against results computed by hand or in another way.
 
 #include "samples/sample_surfaces.h"
 
@@ -34,7 +34,7 @@ using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 Eigen::Vector3d vector(const Point& p, const Point& q) { return {q[0] - p[0], q[1] - p[1], q[2] - p[2]}; }
 
-// The cotangent matrix of the triangles as they are, each for itself.
+// The cotangent matrix of the triangles as they are, one by one.
 Dense cotangent_matrix(const Points& points, const Triangles& triangles)
 {
   Dense result = Dense::Zero(Eigen::Index(points.size()), Eigen::Index(points.size()));
@@ -65,7 +65,7 @@ void expect_near(const Dense& a, const Dense& b, double bound)
   EXPECT_LE((a - b).cwiseAbs().maxCoeff(), bound * (1 + b.cwiseAbs().maxCoeff()));
 }
 
-// What is promised for all triangles.
+// The promises for all triangles.
 void check_operator(const IT::Tufted_Laplacian& result)
 {
   const Matrix& L = result.stiffness;

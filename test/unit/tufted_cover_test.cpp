@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is glued to what in a tufted cover, in which order, and what is dropped before.
+// The gluing of a tufted cover, its order, and what is dropped before.
 
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Faces_around_edge.h>
@@ -69,7 +69,7 @@ long Euler_characteristic(const Tufted_cover& cover)
   return long(number_of_used_vertices(complex)) - long(complex.number_of_edges()) + long(complex.number_of_faces());
 }
 
-// What holds for each cover: it lies over the input, and glued sides have the same ends.
+// Requirements on each cover: it lies over the input, and glued sides have the same ends.
 void check_cover(const Tufted_cover& cover, const Points& points)
 {
   const IT::Delta_complex& complex = cover.triangulation.connectivity();
@@ -329,7 +329,7 @@ TEST(Tufted_cover, soups_are_welded_on_request_only)
 
 TEST(Tufted_cover, parts_without_area_are_dropped)
 {
-  // A fin that joins nothing, and one that is given twice, so that the two enclose one more part.
+  // A fin that is attached to nothing, and one that is given twice, so that the copies enclose one more part.
   const Points points = {{0, 0, 0}, {4, 0, 0}, {1, 3, 0}, {2, 0, 0}, {7, 0, 0}, {8, 0, 0}, {9, 0, 0}};
   const Tufted_cover cover = IT::make_tufted_cover(points, Triangles{{0, 1, 2}, {4, 5, 6}, {0, 1, 3}, {0, 1, 3}});
   check_cover(cover, points);

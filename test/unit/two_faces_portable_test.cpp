@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// As on a processor that has nothing for two numbers at once. The library was compiled for another one, so its sources are compiled here, too.
+// As on a processor without operations on two numbers at once. The library was compiled for another processor, so its
+// sources are compiled here, too.
 
 #include <CGAL/FPU.h>
 #undef CGAL_HAS_SSE2

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is computed for two faces at once is, bit for bit, what is computed for each.
+// Results for two faces at once equal those for each, bit for bit.
 
 #include "samples/sample_surfaces.h"
 
@@ -29,7 +29,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 using IT::internal::Two_doubles;
 using Point = std::array<double, 3>;
 
-// Tells zeros apart, and takes all that is no number for the same.
+// Distinguishes zeros by sign, and treats all NaNs as equal.
 template <class T>
 bool are_same(T a, T b)
 {
@@ -162,7 +162,7 @@ TYPED_TEST(Two_faces, have_the_numbers_of_each)
   }
 }
 
-// Whether the bounds of the two corners opposite to e, computed from what is stored, prove it Delaunay.
+// Whether the bounds of the two corners opposite e, computed from stored numbers, prove it Delaunay.
 template <class Triangulation>
 bool is_known(const Triangulation& t, IT::Edge_index e)
 {
@@ -234,7 +234,7 @@ TYPED_TEST(Two_faces, are_left_to_the_functors_of_derived_traits)
     EXPECT_EQ(area(t.face_data(f)), 2);
 }
 
-// Where not all vertices are used, nor an even number of them.
+// If not all vertices are used, nor an even number of them.
 TEST(Two_doubles, find_the_box_of_points)
 {
   std::mt19937 random(6);

@@ -23,7 +23,7 @@
 
 namespace {
 
-// What is to be expected of a file: all faces unless there is an error.
+// The expected outcome for a file: all faces unless there is an error.
 struct Expected
 {
   std::string error, warning;
@@ -958,7 +958,7 @@ class Unusual_files : public Surface_file_test
 TEST_F(Unusual_files, are_read_or_refused_at_the_place)
 {
   std::size_t files = 0;
-  // No more vertices than a short integer counts.
+  // No more vertices than a short integer can count.
   const bool is_night = std::getenv("IDT_FILE_MUTATIONS") != nullptr;
   for (const std::uint32_t n : {2u, is_night ? 180u : 50u}) {
     const Sheet_in_files sheet(n);

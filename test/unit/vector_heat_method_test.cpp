@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tangent vectors carried by heat, and logarithmic maps, against what is known of planes, cones and spheres.
+// Tangent vectors transported by heat, and logarithmic maps, against known results on planes, cones and spheres.
 
 #include "samples/sample_surfaces.h"
 
@@ -83,7 +83,8 @@ Triangulation cone(double angle, std::size_t sides, std::size_t rings, double ra
   for (Edge_index e : complex.edges()) {
     const Halfedge_index h = complex.halfedge(e);
     const Complex a = place(complex.source(h)), b = place(complex.target(h));
-    // Between neighbors, whatever the numbers say where the ring is closed.
+    // Vertices on different rings are in one direction or in neighboring ones, whatever their numbers where the ring
+    // closes.
     const bool is_radial =
       std::abs(a) == 0 || std::abs(b) == 0 ||
       (complex.source(h).idx() + sides - 1) % sides == (complex.target(h).idx() + sides - 1) % sides;
@@ -158,7 +159,7 @@ samples::Indexed_triangles sphere_of_octahedron(int cuts)
   return cut_on_sphere(result, cuts);
 }
 
-// What a loop of halfedges does to a vector at the end.
+// The rotation of a vector transported around a loop of halfedges.
 Complex turn_around(const Delta_complex& complex, const std::vector<Vector>& vectors,
                     const std::vector<Halfedge_index>& loop)
 {
