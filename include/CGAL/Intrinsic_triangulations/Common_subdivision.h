@@ -145,7 +145,7 @@ public:
 private:
   using size_type = Overlay::size_type;
 
-  // Of the intrinsic edges from `first` to `last`.
+  // Locates the crossings of the intrinsic edges from `first` to `last`.
   void find_crossings(const internal::Exact_engine& engine, const Overlay& overlay, std::size_t first, std::size_t last,
                       const internal::Loop_progress& progress);
 
@@ -172,7 +172,7 @@ private:
     }
   }
 
-  // Of a crossing, or of a vertex that was inserted on an edge.
+  // The position of a crossing, or of a vertex inserted on an edge.
   double on_its_input_edge(Overlay::Vertex v) const
   {
     if (v.idx() >= number_of_original_vertices_)
@@ -181,7 +181,7 @@ private:
     return along(p.halfedge, p.coordinates[1]);
   }
 
-  // Of points on an edge, the third coordinate is zero.
+  // The third coordinate of points on an edge is zero.
   static Surface_point normalized(const Delta_complex& input, const Surface_point& point)
   {
     const Halfedge_index side = point.dimension() == 1 ? internal::side_of(input, point) : point.halfedge;
@@ -298,7 +298,7 @@ public:
   }
 
   /// \cond SKIP_IN_MANUAL
-  // Of the progress that is reported: the positions take longer than the graph.
+  // The share of the graph in the reported progress: the positions take longer.
   static constexpr double part_of_graph = 0.3;
   /// \endcond
 

@@ -34,12 +34,12 @@ namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
 ///
-/// \brief the elements that the removal of a vertex took away, by their descriptors before it.
+/// \brief the elements that the removal of a vertex took away, by their previous descriptors.
 ///
-/// Descriptors have no holes: for each element of a list in turn, the last element takes its place. The lists
-/// are in descending order, so that an element that is removed never moves. `remove_entries()` does the same with an
-/// array. Halfedges move with their edges: `2e + i` becomes `2f + i`. The lists need no memory of their own, so that
-/// to copy them, and to remove entries, never throws.
+/// Descriptors have no holes: for each element of a list in turn, the last element takes its place. The lists are in
+/// descending order, so that an element that is removed never moves. `remove_entries()` does the same with an array.
+/// Halfedges move with their edges: `2e + i` becomes `2f + i`. The lists need no memory of their own, so copying them,
+/// and removing entries, never throws.
 struct Removed_elements
 {
   boost::container::static_vector<Vertex_index, 1> vertices; ///< one vertex
@@ -69,8 +69,8 @@ struct Removed_elements
 /// \ingroup PkgIntrinsicTriangulationsConnectivity
 /// \brief removes from an array with one entry for each element those of `holes`, a list of `Removed_elements`.
 /// \param array the array
-/// \param holes what was removed, not before `first`
-/// \param first the number of the element that the first entry belongs to
+/// \param holes the removed elements, none before `first`
+/// \param first the number of the element of the first entry
 template <class Array, class Descriptors>
 void remove_entries(Array& array, const Descriptors& holes, std::size_t first = 0)
 {
@@ -287,7 +287,7 @@ public:
   }
 
   /// \cond SKIP_IN_MANUAL
-  // A copy, most of which the threads of a loop make: run(n, f) calls f(first, last) for ranges that make up [0, n).
+  // A copy, made mostly by the threads of a loop: run(n, f) calls f(first, last) for ranges that make up [0, n).
   template <class Run>
   Delta_complex copied(const Run& run) const
   {
@@ -300,14 +300,14 @@ public:
     result.face_halfedges_ = face_halfedges_;
     return result;
   }
-  // Makes room for the elements of one split, which does not throw then.
+  // Makes room for the elements of one split, which then does not throw.
   // \exception Integer_overflow_error as `split_face()`
   void make_room_for_vertex();
   // Chooses `halfedge(f)`. \pre `face(h) == f`
   void set_halfedge(Face_index f, Halfedge_index h) { face_halfedges_[f.idx()] = h; }
   // Chooses `halfedge(v)`. \pre `target(h) == v`, and `h` is on the border if `v` is
   void set_halfedge(Vertex_index v, Halfedge_index h) { vertex_halfedges_[v.idx()] = h; }
-  // Has what `flip(around)` changes fetched to the cache.
+  // Prefetches the data that `flip(around)` changes.
   void prefetch(const Hinge_halfedges& around) const
   {
     for (Halfedge_index h : {around.jk, around.ki, around.il, around.lj})
@@ -430,7 +430,7 @@ private:
 
   // Sorts and counts.
   void complete(Removed_elements& removed) const;
-  // Nothing that stays refers to what is removed. The last elements move into the holes.
+  // No remaining element refers to a removed one. The last elements move into the holes.
   void erase(const Removed_elements& removed);
 
   void move_edge(Edge_index from, Edge_index to);
@@ -446,9 +446,8 @@ private:
     face_halfedges_[f.idx()] = a;
   }
 
-  // Flips of hinges without a common edge may run at the same time. They can meet at a vertex:
-  // but its halfedge is replaced only by the one flip that moves it, which at most one of
-  // them does.
+  // Flips of hinges without a common edge may run at the same time. They can meet at a vertex, but only the flip that
+  // moves the vertex's halfedge replaces it, and at most one of them does.
   void replace_vertex_halfedge(Vertex_index v, Halfedge_index old, Halfedge_index replacement)
   {
     if (internal::relaxed_load(vertex_halfedges_[v.idx()]) == old)
@@ -511,8 +510,8 @@ private:
   Halfedge_index first_;
 };
 
-// The side of a face with the largest value(h), the first of them from halfedge(f) on. Inlined by force: refinement asks
-// for the longest side all the time.
+// The side of a face with the largest value(h), the first one from halfedge(f) on if there are several. Inlined by
+// force: refinement asks for the longest side all the time.
 template <class Value>
 BOOST_FORCEINLINE Halfedge_index side_with_largest(const Delta_complex& complex, Face_index f, const Value& value)
 {

@@ -174,8 +174,7 @@ public:
       return internal::cotangent_bounds(ij, jk, ki, ijk);
     }
   };
-  // What is computed in float can be too far from what it stands for to be bounded in float,
-  // and other number types are not made for speed.
+  // Results computed in float can be too inaccurate for bounds in float, and other number types are not made for speed.
   using Compute_cotangent_bounds =
     std::conditional_t<std::is_same<FT_, double>::value, Compute_cotangent_bounds_in_double, void>;
   Compute_cotangent_bounds compute_cotangent_bounds_object() const { return Compute_cotangent_bounds(); }

@@ -46,7 +46,7 @@ struct Bounded_area
 /// \cond SKIP_IN_MANUAL
 namespace internal {
 
-// What is kept for two faces.
+// The data of two faces.
 struct Two_bounded_areas
 {
   Two_doubles value, error;
@@ -88,10 +88,10 @@ inline internal::Two_bounded_areas two(const Bounded_area& a, const Bounded_area
 class Filtered_edge_length_traits
 {
   static constexpr double u = 0x1p-53;
-  // Covers underflow; the unit of length is such that ordinary values are far above.
+  // Covers underflow; in the unit of length, ordinary values are far above this.
   static constexpr double tiny = 1e-200;
-  // Covers the underflow of the radicand of an area: where factors up to 2^104 come after it,
-  // the radicand is wrong by less than 2^-970.
+  // Covers the underflow of the radicand of an area: with factors up to 2^104 after it, the radicand is wrong by less
+  // than 2^-970.
   static constexpr double tiny_root = 1e-140;
   // A divisor must be this far from underflow.
   static constexpr double smallest_divisor = 1e-100;
@@ -204,7 +204,7 @@ public:
     Boolean operator()(const Hinge_data& h, Flipped_hinge_data& flipped) const
     {
       const double s = h.ij;
-      // x and y, and what comes of them: the faces ilk and jkl
+      // x and y, and the faces ilk and jkl computed from them
       using Two = internal::Two_doubles;
       const Two at_k = Two(h.ki, h.jk) + Two(s) - Two(h.jk, h.ki);
       const Two at_l = Two(h.il, h.lj) + Two(s) - Two(h.lj, h.il);
@@ -221,17 +221,16 @@ public:
         flipped.ilk.error = flipped.jkl.error = std::numeric_limits<double>::infinity();
         return true;
       }
-      // The side ij belongs to both faces: it is wrong by at most min(e, f) / 1.5 <= sum / 3, so r
-      // relatively by at most 0.67 sum r + 1.01 u. `along` is wrong by at most 0.84 sum and its
-      // rounding, together 0.93 sum; `across` by less. Hence s_kl is wrong by at most
-      // 0.94 sum r (|along| + |across| + sum) + s_kl (0.68 sum r + 4.1 u). For (1), 1.5 times that
-      // and 9 u s_kl are added to the bounds of the two faces, of which the other two sides are;
-      // 16 u s_kl makes up for the last terms, and for (3).
+      // The side ij belongs to both faces: it is wrong by at most min(e, f) / 1.5 <= sum / 3, so r relatively by at
+      // most 0.67 sum r + 1.01 u. `along` is wrong by at most 0.84 sum and its rounding, together 0.93 sum; `across` by
+      // less. Hence s_kl is wrong by at most 0.94 sum r (|along| + |across| + sum) + s_kl (0.68 sum r + 4.1 u). For
+      // (1), 1.5 times that and 9 u s_kl are added to the bounds of the two faces to which the other sides belong; 16 u
+      // s_kl makes up for the last terms, and for (3).
       const double of_sides =
         sum + sum * r * (1.42 * (std::abs(along) + std::abs(across) + sum) + 1.03 * s_kl) + 16 * u * s_kl;
-      // x_k b and x_l a together are wrong by at most 0.78 (|x_k| f + |x_l| e) +
-      // 0.84 (e b + f a + 4/3 e f), rounding of product and sum included. For (2), take 1.5 times
-      // that, and as much of the area as r and the last product are wrong.
+      // x_k b and x_l a together are wrong by at most 0.78 (|x_k| f + |x_l| e) + 0.84 (e b + f a + 4/3 e f), rounding
+      // of product and sum included. For (2), take 1.5 times that, and the part of the area by which r and the last
+      // product are wrong.
       const double of_products = e * b + f * a + 1.4 * e * f;
       const Two of_area =
         r * (1.27 * (abs(at_k) * f + abs(at_l) * e + of_products) + 1.03 * abs(area) * sum) + 4 * u * abs(area);
@@ -299,7 +298,7 @@ public:
     }
 
   private:
-    // What is cut off at hi() is at most u hi().
+    // The part cut off from hi() is at most u hi().
     template <class Number>
     static bool is_tight(const Number& s)
     {

@@ -220,7 +220,7 @@ private:
     Geodesic_status status = Geodesic_status::GEODESIC;
     Vertex_index contraction; // if the path was shrunk to a point
   };
-  // What may be shortened between two segments; or a loop, which both of them are.
+  // A place between two segments that may be shortened, or a loop, which is both segments.
   struct Bend
   {
     double angle;
@@ -232,7 +232,7 @@ private:
 
   const Delta_complex& complex() const { return triangulation_.connectivity(); }
 
-  // On one side of the way from a to b.
+  // The corners on one side of the way from a to b.
   internal::Wedge wedge_between(Halfedge_index a, Halfedge_index b, bool is_on_left) const
   {
     return is_on_left ? internal::Wedge{b, complex().opposite(a)} : internal::Wedge{complex().opposite(a), b};
@@ -279,7 +279,7 @@ private:
   }
 
   // Replaces two consecutive segments, or a loop if they are the same.
-  // \param is_on_left on which side of them the others lie
+  // \param is_on_left whether the new ones lie on their left
   void replace(Segment_index a, Segment_index b, const std::vector<Halfedge_index>& halfedges, bool is_on_left,
                Queue& queue)
   {
@@ -291,7 +291,8 @@ private:
       outcomes_[p] = {Geodesic_status::CONTRACTIBLE, start};
       return;
     }
-    // On the side of the old segments, no angle between the new ones is below π, and those at their ends have grown.
+    // On the side of the old segments, no angle between the new ones is below π, and the angles at their ends have
+    // grown.
     const bool are_convex = a != b && first != Linked_paths::none;
     if (before != Linked_paths::none) {
       std::array<bool, 2>& is_straight = paths_.is_straight(before);
@@ -314,7 +315,7 @@ private:
       push(s, queue);
   }
 
-  // Puts both sides of the vertex after a segment on the queue where the path bends there.
+  // Queues the sides of the vertex after a segment on which the path bends.
   void push(Segment_index a, Queue& queue)
   {
     if (a == Linked_paths::none || paths_[a].next == Linked_paths::none)
@@ -357,7 +358,7 @@ private:
       });
   }
 
-  // The outer side of a wedge, from the end of its last halfedge to that of the first; or the other way.
+  // The outer side of a wedge, from the end of its last halfedge to that of the first, or in reverse.
   std::vector<Halfedge_index> outer_side(const internal::Wedge& wedge, bool is_backward) const
   {
     std::vector<Halfedge_index> result;
@@ -371,7 +372,7 @@ private:
     return result;
   }
 
-  // Works off a queue. What is blocked is tried again as long as something else moves.
+  // Processes a queue. Blocked places are tried again as long as anything else moves.
   void settle(Queue& queue)
   {
     std::vector<Bend> blocked;
@@ -419,8 +420,8 @@ private:
 
   // A loop of one edge bends at its vertex, but a step there would move both of its ends at once. If the triangle on
   // that side is glued to itself, the loop goes round a single vertex. Otherwise it is led round the third corner of
-  // the triangle, which makes it longer, then taken off its vertex and shortened as any path; all that is undone unless
-  // the result is certainly shorter.
+  // the triangle, which makes it longer, then taken off its vertex and shortened like any path. All of this is undone
+  // unless the result is certainly shorter.
   bool straighten_loop(Segment_index s, bool is_on_left, Queue& queue)
   {
     const std::uint32_t p = paths_[s].path;
@@ -458,9 +459,9 @@ private:
     return is_shorter;
   }
 
-  // Replaces a loop by the outer side of a wedge, and shortens the path as far as it goes without leading a loop round
+  // Replaces a loop by the outer side of a wedge, and shortens the path as far as possible without leading a loop round
   // a corner.
-  // \return whether that was done
+  // \return whether that succeeded
   bool leads_round(Segment_index s, const internal::Wedge& wedge, bool is_on_left)
   {
     paths_.remove(s);
@@ -479,7 +480,7 @@ private:
     return !is_stopped_;
   }
 
-  // Makes of a path the loop again that it was when so much was changed. Never throws.
+  // Turns a path back into the loop that it was after so many changes. Never throws.
   void undo(Segment_index s, Halfedge_index loop, std::size_t changes_before)
   {
     geometry_.flips().undo(changes_before);

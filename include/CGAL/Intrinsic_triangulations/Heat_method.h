@@ -311,7 +311,7 @@ private:
 
   Eigen::VectorXd zero_heat() const { return Eigen::VectorXd::Zero(Eigen::Index(surface_->size())); }
 
-  // The distances of the sources: zero, and for points those of the corners of their faces.
+  // The distances at the sources: zero, and for points the distances of the corners of their faces.
   internal::Pins find_pins() const
   {
     internal::Pins result;
@@ -354,7 +354,7 @@ private:
     }
   }
 
-  // In the unit that all components have in common.
+  // In the common unit of all components.
   std::vector<double> within_bounds(const Eigen::VectorXd& phi, internal::Pins pins)
   {
     const Eigen::VectorXd before =
@@ -370,9 +370,9 @@ private:
   }
 
   // Heat of the sources: 1, and less at corners of a source inside a face, as it decreases with the distance. The rate
-  // is that on a row of edges of mean length, where cosh(rate) = 1 + 1 / (2 t): for short times heat on a mesh
-  // decreases far less than on a smooth surface, where the rate is 1 / sqrt(t), and corners with too little of it would
-  // draw heat from their neighbors.
+  // is that of a row of edges of mean length, where cosh(rate) = 1 + 1 / (2 t): for short times heat on a mesh
+  // decreases far less than on a smooth surface, where the rate is 1 / sqrt(t), and corners with too little heat would
+  // draw it from their neighbors.
   internal::Pins heat_of_sources(const internal::Pins& pins) const
   {
     double nearest = std::numeric_limits<double>::infinity();
@@ -400,7 +400,7 @@ private:
     return internal::flux_of_unit_gradient(*surface_, spread, spread);
   }
 
-  // How much heat a single source has does not matter.
+  // The amount of heat of a single source does not matter.
   internal::Layered_heat warm_spread(const internal::Pins& pins, const std::vector<bool>& is_reachable)
   {
     if (pins.size() > 1 || boundary_ == Heat_boundary::AVERAGED)
@@ -419,7 +419,7 @@ private:
   double time_coefficient_;
   bool keeps_ridges_;
   std::unique_ptr<const internal::Interruption> interruption_; // the solvers refer to it
-  std::unique_ptr<const internal::Heat_surface> surface_;      // a move of a matrix would copy it
+  std::unique_ptr<const internal::Heat_surface> surface_;      // moving a matrix would copy it
   std::unique_ptr<Diffusion> diffusion_;
   std::unique_ptr<Diffusion> cold_border_;
   std::unique_ptr<Poisson> poisson_;

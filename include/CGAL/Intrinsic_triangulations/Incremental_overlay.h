@@ -160,18 +160,17 @@ private:
   const Segment_record& segment(Halfedge h) const { return segments_[h.idx() >> 1]; }
   Segment_record& segment(Halfedge h) { return segments_[h.idx() >> 1]; }
   bool is_in_use(Halfedge h) const { return segment(h).intrinsic.is_valid() || segment(h).input.is_valid(); }
-  // What h is part of if 2s is part of `of_first`, and the other way round.
+  // The halfedge that h is part of, if 2s is part of `of_first`; and vice versa.
   static Halfedge_index directed(Halfedge_index of_first, Halfedge h)
   {
     return of_first.is_valid() ? Halfedge_index(of_first.idx() ^ (h.idx() & 1)) : of_first;
   }
 
-  // Removes intrinsic edge ij. What it crossed is left in one piece.
+  // Removes intrinsic edge ij, and merges the segments that it crossed.
   void take_out(Halfedge_index ij);
 
-  // Makes ij, which was taken out, the other diagonal of its quadrilateral i, l, j, k, from l to k.
-  // Within it there are only parts of input edges now, called chords: straight lines that do not
-  // meet.
+  // Makes ij, which was removed, the other diagonal of its quadrilateral i, l, j, k, from l to k. The quadrilateral now
+  // contains only parts of input edges, called chords: straight lines that do not meet.
   void put_diagonal(Halfedge_index ij);
 
   // Draws the diagonal from l to k through the chords that it crosses.
@@ -179,27 +178,27 @@ private:
 
   bool is_chord(Halfedge h) const { return label(h) == Segment_label::INPUT; }
 
-  // Collects the chords that leave two consecutive sides of the quadrilateral, their common corner
-  // included and the two other ends not.
+  // Collects the chords that leave two consecutive sides of the quadrilateral, including their common corner but not
+  // the two other ends.
   void note_chords(std::vector<Halfedge>& chords, Halfedge_index first, Halfedge_index second, Side side);
 
-  // Of the halfedges that point to the corner in which a side ends, the one whose next is behind
-  // the diagonal: chords to that side come before it.
+  // The halfedge, of those that point to the end of a side, whose next one is behind the diagonal: chords to that side
+  // come before it.
   Halfedge before_diagonal(Halfedge_index arriving, Side side) const;
 
   void link(Halfedge h, Halfedge next);
 
-  // Adds a part of an intrinsic halfedge, through one face: from its corner behind `before` to
-  // that behind `arriving`.
+  // Adds a part of an intrinsic halfedge through one face, from the corner after `before` to the corner after
+  // `arriving`.
   Halfedge add_intrinsic_part(Halfedge_index h, Halfedge before, Halfedge arriving);
 
-  // Takes a segment out. \pre something else is left at both ends
+  // Removes a segment. \pre other segments are left at both ends
   void remove(Halfedge h);
 
   // Cuts the part h of an input edge in two at a new crossing, the target of h afterwards.
   void split(Halfedge h);
 
-  // Joins the part h of an input edge with the next one. \pre nothing else is left at the crossing in which h ends
+  // Joins the part h of an input edge with the next one. \pre no other segment is left at the crossing where h ends
   void join(Halfedge h);
 
   Vertex new_crossing();
@@ -218,7 +217,7 @@ private:
   std::vector<Halfedge> first_intrinsic_parts_; // out of the source of each halfedge
   std::vector<Halfedge> first_input_parts_;
 
-  // Of use during a flip only.
+  // Used only during a flip.
   std::vector<Halfedge> parts_, crossed_, right_chords_, left_chords_;
   std::vector<Side> sides_; // of the sources of chords
 };

@@ -206,7 +206,7 @@ public:
   ///
   /// An empty function, the default, never ends a decision. Copies of the triangulation do not inherit it. It is called
   /// by the deciding threads, possibly by several at once.
-  /// \return the function that was set before
+  /// \return the previous function
   /// \pre `keeps_input()`
   std::function<bool()> set_interruption(std::function<bool()> go_further)
   {
@@ -394,7 +394,7 @@ private:
   }
   const internal::Correspondence& correspondence() const { return prepared_engine().correspondence(); }
 
-  // What error bounds assume; interval types set the rounding mode themselves.
+  // The arithmetic that error bounds assume; interval types set the rounding mode themselves.
   struct Any_arithmetic
   {
     Any_arithmetic() {}
@@ -438,8 +438,8 @@ private:
             face_data(connectivity().face(around.ji))};
   }
 
-  // Computes all numbers from the old hinge, and replaces it. `flip()` flips the connectivity, once it is certain that
-  // the flip exists; an exception of it leaves everything as it was.
+  // Computes all numbers from the old hinge, and replaces them. `flip()` flips the connectivity, once it is certain
+  // that the flip exists; if it throws, nothing changes.
   template <class Construct, class Flip>
   Flip_outcome flip_hinge(const Hinge_halfedges& around, const Hinge_data& old, const Construct& construct,
                           const Flip& flip)
@@ -458,8 +458,8 @@ private:
 
   // As `flip()`, for an edge that is not Delaunay.
   //
-  // The quadrilateral around such an edge is always strictly convex. So traits whose decisions are exact need not look,
-  // and the flip takes O(1) unless both old faces may have zero area.
+  // The quadrilateral around such an edge is always strictly convex. So traits with exact decisions need not check, and
+  // the flip takes O(1) unless both old faces may have zero area.
   // \pre `connectivity().is_flippable(e)` and not `is_locally_Delaunay(e)`
   Flip_outcome flip_not_Delaunay(Edge_index e)
   {
@@ -472,7 +472,7 @@ private:
   {
     return flip_convex(around, traits_.construct_flipped_hinge_object());
   }
-  // As above, for a strictly convex quadrilateral. \param construct computes the numbers, as that functor of the traits
+  // As above, for a strictly convex quadrilateral. \param construct computes the numbers, like the traits' functor
   template <class Construct>
   Flip_outcome flip_convex(const Hinge_halfedges& around, const Construct& construct)
   {
@@ -532,14 +532,14 @@ private:
     measure_star(v, [&] { remove(engine_.unsplit_edge(h, {first, second})); });
     return v;
   }
-  // Replaces the triangulation, which is still its input, by one that a file says has come from it.
+  // Replaces the triangulation, which is still its input, by the saved triangulation, once checked to derive from it.
   // \exception Invalid_surface_error if it has not; then this can only be destroyed
   template <class ConcurrencyTag, class Saved>
   void restore(Saved saved)
   {
     const Arithmetic arithmetic;
     const std::size_t number_of_input_faces = connectivity().number_of_faces();
-    // Most faces are those of the input, with the numbers that were just computed.
+    // Most faces are input faces, with the numbers just computed.
     const auto is_known = [&](Face_index f) {
       if (f.idx() >= number_of_input_faces || faces_[f.idx()].value != saved.areas[f.idx()][0] ||
           faces_[f.idx()].error != saved.areas[f.idx()][1])
@@ -561,7 +561,7 @@ private:
   }
 
   // Removes an inserted vertex in the middle of three faces, which become one. See `remove_vertex()`.
-  // \return what was removed, as `unsplit_face(v)` of `Delta_complex`
+  // \return the removed elements, as `unsplit_face(v)` of `Delta_complex`
   Removed_elements unsplit_face(Vertex_index v)
   {
     const Arithmetic arithmetic;
@@ -576,8 +576,8 @@ private:
     return removed;
   }
   // Removes an inserted vertex on a straight line of two edges.
-  // \param h a halfedge to the vertex. What continues it forms an angle of π with it
-  // \return what was removed, as `unsplit_edge(h)` of `Delta_complex`
+  // \param h a halfedge to the vertex, which its continuation leaves at an angle of π
+  // \return the removed elements, as `unsplit_edge(h)` of `Delta_complex`
   // \exception Integer_overflow_error as above
   Removed_elements unsplit_edge(Halfedge_index h)
   {
@@ -592,7 +592,7 @@ private:
       replace(after(removed, side), corner);
     return removed;
   }
-  // Replaces the stored numbers of `f` by those that follow from the input, where these are better.
+  // Replaces the stored numbers of `f` by numbers computed from the input, if these are better.
   //
   // After many flips their error bounds are so wide that filters decide little. For traits with exact geometry. Costs
   // time proportional to the number of input edges that the sides cross.
@@ -606,7 +606,7 @@ private:
     return recompute(h, engine_.kept_corner(h));
   }
 
-  // Replaces the stored numbers of all faces around `v` by those that follow from the input.
+  // Replaces the stored numbers of all faces around `v` by numbers computed from the input.
   //
   // As `recompute(Face_index)` for each of them, but each edge from `v` is laid out once. `v` lies inside the surface
   // or on its border.
@@ -618,7 +618,7 @@ private:
     measure(engine_.kept_corners_at(v));
   }
 
-  // The numbers of both faces are replaced by better ones where they leave it open: more flips beside them may follow.
+  // If the numbers of both faces leave it open, they are replaced by better ones: more flips next to them may follow.
   bool is_convex(Edge_index e)
   {
     const auto by_filter = traits_.is_convex_object();
@@ -630,7 +630,7 @@ private:
     return is_certain(answer) ? certainly(answer) : engine_.is_convex(e);
   }
 
-  // Decides by the exact geometry, and replaces what was stored.
+  // Decides by the exact geometry, and replaces the stored numbers.
   BOOST_NOINLINE bool decide_and_recompute(Edge_index e)
   {
     std::optional<internal::Exact_engine::Opposite_corners> corners;
@@ -660,7 +660,7 @@ private:
       };
       if (is_given(face.h) && is_given(face.next) && is_given(face.prev))
         return true;
-      recompute(face.h, engine_.kept_corner(face.h)); // the points of inserted vertices are no doubles
+      recompute(face.h, engine_.kept_corner(face.h)); // the points of inserted vertices are not doubles
       return false;
     };
     const bool measures_one = measures(one), measures_two = measures(two);
@@ -682,7 +682,7 @@ private:
     return true;
   }
 
-  // Numbers that cannot be relied on are not stored for the sides, which other faces share.
+  // Unreliable numbers are not stored for the sides, which other faces share.
   void replace(Halfedge_index h, const internal::Exact_engine::Corner& c)
   {
     const auto refined = traits_.construct_refined_data_object();
@@ -696,7 +696,7 @@ private:
     bound_corners(h);
   }
 
-  // Corners, each after the side opposite to it.
+  // Corners, each after its opposite side.
   using Corners = std::vector<std::pair<Halfedge_index, internal::Exact_engine::Corner>>;
 
   // Afterwards a split does not throw.
@@ -726,7 +726,7 @@ private:
     }
   }
 
-  // Drops what was kept for removed elements. Never throws.
+  // Drops the data of removed elements. Never throws.
   void remove(const Removed_elements& removed)
   {
     remove_entries(edges_, removed.edges);
@@ -747,12 +747,13 @@ private:
     return {s_first + s_second - s_opposite, four_areas, s_first, s_second, s_opposite};
   }
 
-  // Two halfedges, one behind the other, that become one, and what that is called.
+  // Two consecutive halfedges that become one, and the name of that one.
   struct Straight_line
   {
     Halfedge_index result, first, second;
   };
-  // The triangles on both sides of a straight line, from the corners at the vertex in its middle: opposite to the line.
+  // The triangles on both sides of a straight line, computed from the corners at the vertex in its middle, which lie
+  // opposite the line.
   Corners joined(const Corners& parts, const std::array<Straight_line, 2>& sides) const
   {
     const auto at = [&](Halfedge_index side) -> const internal::Exact_engine::Corner& {
@@ -797,8 +798,8 @@ private:
                             edge_data(edge(next)), edge_data(edge(prev)), bounds_);
   }
 
-  // The new edge leads from one side of the old one to the other: its ends can only coincide if
-  // both lie on the old edge.
+  // The new edge runs from one side of the old one to the other: its ends can only coincide if both lie on the old
+  // edge.
   bool is_new_edge_known_to_have_length(const Hinge_data& old) const
   {
     if constexpr (uses_exact_geometry) {
@@ -828,7 +829,7 @@ private:
     bound_corners(h);
   }
 
-  // What a flip replaces.
+  // The data that a flip replaces.
   struct Replaced
   {
     Face_numbers ijk, jil;
@@ -839,7 +840,7 @@ private:
     return {numbers_of_face(around.ij), numbers_of_face(around.ji), engine_.forgotten_by_flip(around)};
   }
 
-  // Of the edge that a flip has made. An exception undoes it.
+  // Checks the edge that a flip has made. An exception undoes the flip.
   BOOST_NOINLINE void check_length(const Hinge_halfedges& around, const Replaced& before)
   {
     try {
@@ -851,7 +852,7 @@ private:
     }
   }
 
-  // Undoes a flip, the last one that was not undone: all numbers are those that they were. Never throws.
+  // Undoes the last flip that was not undone yet; restores all stored numbers. Never throws.
   // \param around the halfedges around the edge before the flip
   void flip_back(const Hinge_halfedges& around, const Replaced& before)
   {
@@ -877,11 +878,11 @@ private:
 
 namespace internal {
 
-// What is left of a triangulation that was given up.
+// The rest of a triangulation that was given up.
 struct Released_engine
 {
   internal::Exact_engine engine;
-  std::function<bool()> go_further; // what was given to `set_interruption()`
+  std::function<bool()> go_further; // the argument of `set_interruption()`
 };
 
 struct Engine_access
@@ -902,8 +903,8 @@ struct Engine_access
   }
 };
 
-// The engine of a triangulation, or of what was made from one, ready for its queries. It throws if the input was not kept,
-// which is easily forgotten with a number type of one's own.
+// The engine of a triangulation, or of an object made from one, ready for queries. Throws if the input was not kept,
+// which is easily forgotten with a custom number type.
 template <class ConcurrencyTag = Sequential_tag, class Triangulation>
 const internal::Exact_engine& engine(const Triangulation& triangulation)
 {

@@ -194,7 +194,7 @@ Laplace_Beltrami_operator extrinsic_Laplacian(const TriangleMesh& mesh,
 
 namespace internal {
 
-// What turns a vector at the target of h into the parallel one at its source.
+// The factor that turns a vector at the target of h into the parallel one at its source.
 inline std::complex<double> transport_to_source(const Delta_complex& complex,
                                                 const std::vector<Planar_vector<double>>& vectors, Halfedge_index h)
 {
@@ -202,12 +202,12 @@ inline std::complex<double> transport_to_source(const Delta_complex& complex,
     const Planar_vector<double>& v = vectors[side.idx()];
     return std::arg(std::complex<double>(v.x(), v.y()));
   };
-  // The same halfedge as both ends see it: backwards at the target.
+  // The same halfedge seen from both ends: backwards at the target.
   return -std::polar(1., direction(h) - direction(complex.opposite(h)));
 }
 
-// \param vectors those of `halfedge_vectors_in_vertex()`
-// \param weight gives that of an edge
+// \param vectors the result of `halfedge_vectors_in_vertex()`
+// \param weight returns the weight of an edge
 template <class Weight>
 Eigen::SparseMatrix<std::complex<double>>
 assemble_connection_Laplacian(const Delta_complex& complex, const std::vector<Planar_vector<double>>& vectors,

@@ -63,7 +63,7 @@ public:
   int bits() const { return bits_; }
 
 private:
-  // Boost's default: that of the thread, where it keeps one for each.
+  // Boost's default, for this thread if Boost keeps one for each.
   template <class Number, class = void>
   struct Default
   {

@@ -33,8 +33,8 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Begins the use of MPI and hypre where the program has not, and ends it with the program. hypre has one state for all
-// that uses it, so one thread at a time does.
+// Initializes MPI and hypre unless the program has, and finalizes them with the program. hypre has a single global
+// state, so one thread at a time uses it.
 inline std::mutex& hypre_mutex()
 {
   static struct Session
@@ -234,7 +234,7 @@ private:
       HYPRE_IJMatrixSetRowSizes(hypre_.matrix, lengths.data());
     }
     HYPRE_IJMatrixInitialize(hypre_.matrix);
-    if (rank_ == 0) { // which may add to rows of others. A symmetric matrix has its columns as rows.
+    if (rank_ == 0) { // which may add to rows of others. The rows of a symmetric matrix are its columns.
       std::vector<int> columns;
       std::vector<double> values;
       for (int row = 0; row < size_; ++row) {
@@ -283,7 +283,7 @@ private:
     return static_cast<HYPRE_ParVector>(result);
   }
 
-  // How many rows each process has.
+  // The number of rows of each process.
   std::vector<int> numbers_of_rows() const
   {
     std::vector<int> result;
@@ -292,7 +292,7 @@ private:
     return result;
   }
 
-  // Makes this the right side, and zero the solution to begin with.
+  // Sets this right side, and zero as the initial solution.
   void scatter(const Vector& b) const
   {
     std::vector<double> own(rows_.size());
@@ -315,7 +315,7 @@ private:
     return result;
   }
 
-  // Of right side, solution and residual, which replaces the right side.
+  // Norms of the right side, the solution, and the residual, which replaces the right side.
   std::array<double, 3> norms() const
   {
     const HYPRE_ParVector b = parallel(hypre_.right), x = parallel(hypre_.solution);

@@ -3,8 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Which point of one surface is a point of the other one, and which point of the surface is nearest to a point in
-// space.
+// Maps points of one surface to the other, and finds the point of a surface that is nearest to a point in space.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_POINT_LOCATION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_POINT_LOCATION_H
@@ -110,7 +109,7 @@ private:
                              : in_face(from, to, from.overlay.face(found.part), point);
   }
 
-  // Which input faces have inserted vertices inside or on their sides.
+  // The input faces with inserted vertices inside or on their sides.
   void note_inserted_vertices()
   {
     const Delta_complex& input = input_.complex;
@@ -217,7 +216,7 @@ private:
     return {to.complex.opposite(to.complex.halfedge(v)), {1, 0, 0}};
   }
 
-  // The part is that of the side that the point lies on.
+  // The part of the side on which the point lies.
   template <class From, class To>
   static Surface_point on_common_edge(const From& from, const To& to, Overlay::Halfedge part,
                                       const Surface_point& point)
@@ -269,7 +268,7 @@ private:
     return {h, {positive(source), positive(target), 0}};
   }
 
-  // A coordinate that is known to be positive: rounding may have lost it.
+  // A coordinate that is known to be positive, even if rounding has lost it.
   static double positive(double x) { return x > 0 ? x : 0x1p-60; }
 
   internal::Input_layer input_;

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// What CGAL's package Heat_method_3 offers, with the same names and parameters.
+// The interface of CGAL's package Heat_method_3, with the same names and parameters.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_MESH_GEODESIC_DISTANCES_3_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_MESH_GEODESIC_DISTANCES_3_H
@@ -46,7 +46,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// A solver of CGAL, as Heat_method calls it.
+// A solver of CGAL, with the interface that Heat_method calls.
 // \tparam LA a model of SparseLinearAlgebraWithFactorTraits_d
 template <class LA>
 class Solver_traits_adaptor
@@ -87,7 +87,7 @@ public:
 private:
   const char* what_;
   std::unique_ptr<typename LA::Matrix> matrix_;
-  mutable LA solver_; // CGAL's have no function for constant ones
+  mutable LA solver_; // CGAL's solvers have no const function
 };
 
 } // namespace internal
@@ -109,7 +109,7 @@ struct Intrinsic_Delaunay
 
 namespace internal {
 
-// The mesh as it is: from its points, or if these do not show their coordinates, from their distances.
+// The mesh as it is: from its points, or from their distances if their coordinates are not accessible.
 template <class Traits, class TriangleMesh, class VertexPointMap>
 auto copy_mesh(const TriangleMesh& mesh, const VertexPointMap& map)
 {
@@ -260,7 +260,7 @@ private:
     return result;
   }
 
-  // Or the cover, where that triangulation does not exist, or heat would be negative on it.
+  // Or the cover, if that triangulation does not exist or heat would be negative on it.
   void use_Delaunay_triangulation(const Vertex_point_map& vpm)
   {
     try {

@@ -164,7 +164,7 @@ Tufted_cover build_cover_of_complex(const Delta_complex& complex, const std::vec
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsCover
-/// \brief builds an oriented surface without border over any triangles, for operators that want one.
+/// \brief builds an oriented surface without border over any triangles, for operators that need one.
 ///
 /// Each face gets two copies, the second turned over. At each edge the copies are glued in the order of the faces
 /// around it: the copy with the face on its left to the copy of the next face, counterclockwise, with the face on its

@@ -45,9 +45,9 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// A copy in which the border has so many vertices that no angle opposite to it is obtuse; nothing, if there is none
-// before. A needle on the border asks for as many as it is longer than wide: beyond some for each vertex, its angles
-// stay obtuse.
+// A copy with enough vertices on the border that no angle opposite it is obtuse; nothing if none is obtuse already. A
+// needle on the border needs as many as it is times longer than wide: beyond some for each vertex, its angles stay
+// obtuse.
 // \exception Cancelled_error
 template <class Traits>
 std::optional<Intrinsic_triangulation<Traits>>
@@ -82,8 +82,8 @@ class Vector_diffusion
   using Vector = Eigen::VectorXcd;
 
 public:
-  // \param vectors those of `halfedge_vectors_in_vertex()`
-  // \param interruption is asked before the factorization and each solution; has to live as long
+  // \param vectors the result of `halfedge_vectors_in_vertex()`
+  // \param interruption is asked before the factorization and each solution; must outlive this
   Vector_diffusion(const Delta_complex& complex, const std::vector<Planar_vector<double>>& vectors,
                    const Heat_surface& surface, const Interruption& interruption)
     : interruption_(interruption),
@@ -106,7 +106,7 @@ public:
     }
   }
 
-  // Vectors that are sent on where the heat of the same sources is, which they never exceed.
+  // Vectors that are passed on together with the heat of the same sources, which they never exceed.
   std::vector<Vector> spread_likewise(const Vector& vectors, const Layered_heat& heat) const
   {
     return internal::spread_likewise(
@@ -227,7 +227,7 @@ public:
     const std::vector<bool> is_reachable = surface_->connected_with(from);
     const internal::Layered_heat spread = scalars_->spread(heat, is_reachable);
     const std::vector<Eigen::VectorXcd> vectors = vectors_->spread_likewise(directions, spread);
-    // Where all have the same length, as a single one does, there is no mean to find.
+    // If all have the same length, as a single vector does, there is no mean to find.
     const bool are_equal =
       std::all_of(from.begin(), from.end(), [&](const auto& f) { return f.second == from.front().second; });
     const std::vector<double> length =
@@ -287,7 +287,7 @@ public:
     heat[row] = 1;
     const internal::Layered_heat spread = scalars_->spread(heat, is_reachable);
     const std::vector<Eigen::VectorXcd> axis = vectors_->spread_likewise(direction, spread);
-    // What comes over an edge has gone further by that edge, which is turned back on all the ways from the source.
+    // Heat that crosses an edge has gone further by that edge, rotated back along the ways from the source.
     const auto add_steps = [&](Positions& right, std::size_t layer) {
       const auto turned_back = [&](const Complex& step, std::size_t l, std::uint32_t v) {
         return step * std::conj(axis[l][v]);
@@ -343,9 +343,9 @@ private:
       triangulation.connectivity(), halfedge_vectors_in_vertex(triangulation), *surface_, *interruption_);
   }
 
-  // Let edges be h long, on a surface of size 1, and t = c h². Heat that spreads over a width of about √√t errs by
-  // about √t = √c h; and as it sees in which directions edges run, by about 1/c. The sum of both is least if c is as
-  // h^(-2/3). The factor is measured.
+  // Let edges be h long, on a surface of size 1, and t = c h². Spreading over a width of about √√t causes an error of
+  // about √t = √c h, and the directions of edges cause one of about 1/c. Their sum is least for c proportional to
+  // h^(-2/3). The factor was measured.
   static std::vector<double> square_roots_of_times(const std::vector<std::uint32_t>& component,
                                                    const std::optional<double>& coefficient)
   {
@@ -364,7 +364,7 @@ private:
 
   std::size_t number_of_vertices_;
   std::unique_ptr<const internal::Interruption> interruption_; // the solvers refer to it
-  std::unique_ptr<const internal::Heat_surface> surface_;      // a move of a matrix would copy it
+  std::unique_ptr<const internal::Heat_surface> surface_;      // moving a matrix would copy it
   std::unique_ptr<const internal::Heat_diffusion<internal::Sparse_Cholesky<>>> scalars_;
   std::unique_ptr<const internal::Vector_diffusion> vectors_;
 };

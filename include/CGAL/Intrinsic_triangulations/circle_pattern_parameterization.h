@@ -80,16 +80,16 @@ public:
     return result;
   }
 
-  // The second derivatives: a weighted graph Laplacian of the faces. Scaling all radii changes
-  // nothing, so that the row and the column of face 0 are left out.
+  // The second derivatives: a weighted graph Laplacian of the faces. Scaling all radii changes nothing, so the row and
+  // the column of face 0 are omitted.
   Eigen::SparseMatrix<double> hessian(const Eigen::VectorXd& rho) const
   {
     return Laplacian([&](Halfedge_index h) { return weight(h, difference(h, rho)); });
   }
 
-  // The logarithms of radii for which the given angles themselves fit best along each edge. Two
-  // faces have them exactly if their difference is that of the logarithms of the sines; where
-  // that goes around no vertex, least squares with the weights of the Hessian share out the rest.
+  // The logarithms of radii for which the given angles fit best along each edge. Two faces fit exactly if their
+  // difference is that of the logarithms of the sines; since that is not consistent around vertices, least squares with
+  // the weights of the Hessian distribute the rest.
   Eigen::VectorXd first_guess() const
   {
     const auto wanted = [&](Halfedge_index h) {
@@ -168,10 +168,9 @@ private:
 
 constexpr double circle_pattern_tolerance = 1e-10;
 
-// Newton's method. Where radii differ much the energy is all but linear, and its Hessian good
-// for nothing, so no step may change their ratios too much at once. The energy is convex, so
-// that its slope along the direction grows: a step is short enough as soon as the slope at
-// its end is at most half as steep upwards as it was downwards at the start.
+// Newton's method. If radii differ much, the energy is almost linear and its Hessian useless, so no step may change
+// their ratios too much. The energy is convex, so its slope along the direction grows: a step is short enough as soon
+// as the upward slope at its end is at most half as steep as the downward slope at its start.
 inline void minimize(const Circle_pattern_energy& energy, Eigen::VectorXd& rho, Circle_pattern& result,
                      const Progress_function& progress)
 {
@@ -206,9 +205,8 @@ inline void minimize(const Circle_pattern_energy& energy, Eigen::VectorXd& rho, 
   }
 }
 
-// Lays the triangles out side by side, face by face, breadth first. Sides are passed on as
-// vectors and not as differences of positions, so that small triangles among large ones keep their
-// digits.
+// Lays the triangles out side by side, face by face, breadth first. Sides are passed on as vectors, not as differences
+// of positions, so that small triangles among large ones keep their digits.
 inline Planar_points lay_out(const Delta_complex& complex, const Circle_pattern_energy& energy,
                              const Eigen::VectorXd& rho)
 {

@@ -35,7 +35,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Solves (L + M) x = b, as Spectra asks for it: the shift is -1 always.
+// Solves (L + M) x = b, as Spectra requires; the shift is always -1.
 class Shifted_inverse
 {
 public:
@@ -217,7 +217,7 @@ struct Extreme_eigenvalues
 
 namespace internal {
 
-// Which rows of the stiffness matrix count, and where it is singular.
+// The rows of the stiffness matrix that count, and where it is singular.
 class Spectrum_domain
 {
 public:
@@ -300,9 +300,8 @@ private:
   std::vector<int> component_sizes_;
 };
 
-// The pseudoinverse of the stiffness matrix, as Spectra applies it: a right side without
-// constant part has a solution that vanishes at the grounded vertices, and only the
-// constant part of that is still to be taken away.
+// The pseudoinverse of the stiffness matrix, as Spectra applies it: a right side without constant part has a solution
+// that vanishes at the grounded vertices, from which only the constant part remains to be removed.
 class Pseudoinverse
 {
 public:
@@ -375,13 +374,13 @@ inline Extreme_eigenvalues extreme_eigenvalues(const Delta_complex& complex,
                                 "the surface has too few inner vertices for an operator with a "
                                 "condition number");
   Eigen::SparseMatrix<double> interior = domain.interior(stiffness);
-  if (interior.rows() <= 32) { // the least that leaves room for a Krylov space
+  if (interior.rows() <= 32) { // the smallest size that leaves room for a Krylov space
     const Eigen::VectorXd all =
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(interior), Eigen::EigenvaluesOnly).eigenvalues();
     return {all[domain.number_of_closed_components()], all[all.size() - 1]};
   }
-  // Spectra takes eigenvalues far below 1 for zeros. With a largest one of about 1, those of
-  // the matrix and of the pseudoinverse that are wanted are at least about 1.
+  // Spectra takes eigenvalues far below 1 for zeros. If the largest one is about 1, the wanted eigenvalues of the
+  // matrix and of the pseudoinverse are at least about 1.
   const double unit = std::ldexp(1., std::ilogb(interior.diagonal().maxCoeff()));
   interior /= unit;
   Spectra::SparseSymMatProd<double> product(interior);

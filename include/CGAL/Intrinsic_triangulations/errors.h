@@ -3,8 +3,8 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The exceptions of the package: what a user can cause by input throws one of
-// these in every build; what a programmer does wrong is a CGAL precondition.
+// The exceptions of the package: errors that users can cause by input throw one of these in every build; programming
+// errors are CGAL preconditions.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_ERRORS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_ERRORS_H
@@ -158,7 +158,7 @@ inline void require_vertex(Vertex_index v, std::size_t n)
                                  " vertices, counted from 0");
 }
 
-// What a triangulation in a file says that cannot be true.
+// Throws for a contradiction in the file of a triangulation.
 [[noreturn]] inline void throw_not_a_triangulation(const char* kind, std::size_t element, const std::string& what)
 {
   throw Invalid_surface_error(Invalid_surface_error::Defect::UNREADABLE, element, 1,

@@ -44,7 +44,7 @@ inline std::uint64_t default_maximum_number_of_flips(std::size_t number_of_edges
 
 namespace internal {
 
-// \param triangulation a Whole_triangulation, or what has its members
+// \param triangulation a Whole_triangulation, or a class with its members
 template <class ConcurrencyTag, class Triangulation, class ConstraintMap, class Visitor>
 Flip_report flip_all(Triangulation triangulation, const ConstraintMap& is_constrained, Visitor& visitor,
                      std::uint64_t budget)
@@ -74,7 +74,7 @@ Flip_report flip_all(Triangulation triangulation, const ConstraintMap& is_constr
   return flipper.finish(flipper.settle(0, n));
 }
 
-// As flip_to_Delaunay(), with the constraints beside the other parameters.
+// As flip_to_Delaunay(), with the constraints separate from the other parameters.
 template <class ConcurrencyTag, class Traits, class ConstraintMap, class NamedParameters>
 Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation, const ConstraintMap& is_constrained,
                                   const NamedParameters& np)
@@ -124,20 +124,14 @@ Flip_report flip_to_Delaunay_with(Intrinsic_triangulation<Traits>& triangulation
 /// \param triangulation the triangulation, which is flipped
 /// \param np an optional sequence of named parameters
 ///
-/// \cgalNamedParamsBegin
-///   \cgalParamConstraints{which edges must not be flipped; with `Parallel_tag` several threads read it at once}
-///   \cgalParamVisitor{is called after each flip and can cancel; pass `std::ref()` to keep its state}
-///   \cgalParamNBegin{tie_proof}
-///     \cgalParamDescription{what exact decisions accept as a tie, in this run and later ones. It has no effect without
-///       exact geometry}
-///     \cgalParamType{`Tie_proof`}
-///     \cgalParamDefault{the current setting, initially `Tie_proof::PROBABLE_IF_COSTLY`}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{maximum_number}
-///     \cgalParamDescription{the flip budget: the number of flips after which the algorithm gives up}
-///     \cgalParamType{`std::uint64_t`}
-///     \cgalParamDefault{unlimited for an exact number type, `default_maximum_number_of_flips()` otherwise}
-///   \cgalParamNEnd
+/// \cgalNamedParamsBegin \cgalParamConstraints{which edges must not be flipped; with `Parallel_tag` several threads
+///   read it at once} \cgalParamVisitor{is called after each flip and can cancel; pass `std::ref()` to keep its state}
+///   \cgalParamNBegin{tie_proof} \cgalParamDescription{which proof exact decisions require for a tie, in this run and
+///   later ones. It has no effect without exact geometry} \cgalParamType{`Tie_proof`} \cgalParamDefault{the current
+///   setting, initially `Tie_proof::PROBABLE_IF_COSTLY`} \cgalParamNEnd \cgalParamNBegin{maximum_number}
+///   \cgalParamDescription{the flip budget: the number of flips after which the algorithm gives up}
+///   \cgalParamType{`std::uint64_t`} \cgalParamDefault{unlimited for an exact number type,
+///   `default_maximum_number_of_flips()` otherwise} \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return the report. The triangulation is valid with any status.

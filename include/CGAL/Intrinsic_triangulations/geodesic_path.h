@@ -46,8 +46,8 @@ namespace CGAL::Intrinsic_triangulations {
 ///   nearly the same length may be returned
 /// \exception Invalid_argument_error if there is no such vertex, or no path
 ///
-/// O(n log n) for the n edges that are nearer to the source than the target is; of those, the ones are left out from
-/// which the straight line to the target in space is too long, if the input has points.
+/// O(n log n) for the n edges that are nearer to the source than the target is. If the input has points, edges from
+/// which the straight line to the target is too long are skipped.
 template <class Traits>
 std::vector<Halfedge_index> shortest_edge_path(const Intrinsic_triangulation<Traits>& triangulation,
                                                Vertex_index source, Vertex_index target)
@@ -56,7 +56,7 @@ std::vector<Halfedge_index> shortest_edge_path(const Intrinsic_triangulation<Tra
   for (Vertex_index v : {source, target})
     internal::require_vertex(v, complex.number_of_vertices());
   const internal::Accurate_shapes<Traits> shapes(triangulation);
-  // No path to the target is shorter than the straight line.
+  // If the input has points, the straight-line distance to the target prunes the search.
   std::function<double(Vertex_index)> distance_in_space = [](Vertex_index) { return 0.; };
   if (triangulation.keeps_input() && !internal::engine(triangulation).metric().points().empty()) {
     const internal::Correspondence& correspondence = internal::engine(triangulation).correspondence();
@@ -73,7 +73,7 @@ std::vector<Halfedge_index> shortest_edge_path(const Intrinsic_triangulation<Tra
       return std::ldexp(std::hypot(x - end[0], y - end[1], z - end[2]), unit);
     };
   }
-  // The length of the path that it can be at least, that to the vertex, and the vertex.
+  // A lower bound on the total length, the length so far, and the vertex.
   using Entry = std::tuple<double, double, Vertex_index::size_type>;
   std::vector<double> distance(complex.number_of_vertices(), std::numeric_limits<double>::infinity());
   std::vector<Halfedge_index> arrival(complex.number_of_vertices());
@@ -129,10 +129,10 @@ Vertex_index index_of_vertex(const TriangleMesh& mesh, typename boost::graph_tra
 {
   const auto all = vertices(mesh);
   const auto before = std::distance(all.begin(), std::find(all.begin(), all.end(), v));
-  return Vertex_index(Vertex_index::size_type(before)); // one too many is refused by shortest_edge_path()
+  return Vertex_index(Vertex_index::size_type(before)); // shortest_edge_path() refuses one too many
 }
 
-// A point on an edge relative to the same halfedge, from whichever face it was given.
+// A point on an edge relative to the same halfedge, whichever face it was given in.
 inline Surface_point seen_from_one_side(const Delta_complex& input, const Surface_point& point)
 {
   if (point.dimension() != 1)
@@ -183,7 +183,7 @@ Vertex_index vertex_at_point(Intrinsic_triangulation<Traits>& triangulation, con
 
 namespace internal {
 
-// From a triangulation of the mesh that has both vertices.
+// In a triangulation of the mesh that has both vertices.
 template <class TriangleMesh, class Traits, class NamedParameters>
 Geodesic_path shortened_edge_path(const TriangleMesh& mesh, Intrinsic_triangulation<Traits>& triangulation,
                                   Vertex_index source, Vertex_index target, const NamedParameters& np)

@@ -280,7 +280,7 @@ inline std::pair<Oriented_edge, bool> edge(Vertex_index u, Vertex_index v, const
 
 } // namespace CGAL::Intrinsic_triangulations
 
-// PropertyGraph: the positions of one kind of elements, and what is stored for each of them.
+// PropertyGraph: the positions of one kind of elements, and dynamic properties.
 #define CGAL_INTRINSIC_TRIANGULATIONS_MAPS(ELEMENT, DESCRIPTOR, NUMBER)                                                \
   namespace CGAL {                                                                                                     \
   namespace Intrinsic_triangulations {                                                                                 \

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Maps of a disk to the plane: harmonic with a fixed boundary, or natural, and how good a map is.
+// Maps of a disk to the plane: harmonic with a fixed boundary, or natural, and measures of quality.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_HARMONIC_PARAMETERIZATION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_HARMONIC_PARAMETERIZATION_H
@@ -130,7 +130,7 @@ inline Planar_points positions_on_polygon(const std::vector<double>& boundary_le
     throw Invalid_argument_error("a polygon with " + std::to_string(m) + " corners for a boundary with " +
                                  std::to_string(n) + " vertices: there must be 3 at least, and no more than vertices");
 
-  // Arc lengths from the first vertex and corner on; the last is the whole.
+  // Arc lengths from the first vertex and corner on; the last one is the total.
   std::vector<double> along_boundary{0}, along_polygon{0};
   for (double l : lengths)
     along_boundary.push_back(along_boundary.back() + l);
@@ -153,7 +153,7 @@ inline Planar_points positions_on_polygon(const std::vector<double>& boundary_le
   positions.reserve(n);
   for (std::size_t i = 0; i < m; ++i) {
     const auto &p = corners[i], &q = corners[(i + 1) % m];
-    // Summed up for each side alone, so that short edges count after long ones.
+    // Summed up for each side separately, so that short edges after long ones count.
     double side = 0, along_side = 0;
     for (std::size_t v = vertex_at[i]; v < vertex_at[i + 1]; ++v)
       side += lengths[v];

@@ -67,8 +67,8 @@ inline void check_new_vertex(const Delta_complex& input, const Surface_point& po
     fail("lies at a vertex of the input: use that");
 }
 
-// The halfedge of the current triangulation that coincides with the part of an input edge which contains a point of
-// that, if there is one. Vertices that were inserted cut the edge into parts.
+// The halfedge of the current triangulation along the part of an input edge that contains a given point, if there is
+// one. Inserted vertices divide the edge into parts.
 inline std::optional<Halfedge_index> halfedge_along(const internal::Exact_engine& engine, const Surface_point& point)
 {
   const Delta_complex& complex = engine.connectivity();
@@ -102,7 +102,7 @@ inline std::optional<Halfedge_index> halfedge_along(const internal::Exact_engine
   }
 }
 
-// The vertex that was inserted at the point before, if it is a corner of the face of h.
+// The vertex already inserted at the point, if it is a corner of the face of h.
 inline std::optional<Vertex_index> vertex_at(const Delta_complex& complex,
                                              const internal::Correspondence& correspondence, Halfedge_index h,
                                              const Surface_point& point)

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The front door: from a mesh, or from points and triangles, to the intrinsic Delaunay triangulation.
+// From a mesh, or from points and triangles, to the intrinsic Delaunay triangulation.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTRINSIC_DELAUNAY_TRIANGULATION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTRINSIC_DELAUNAY_TRIANGULATION_H
@@ -56,15 +56,15 @@ struct Triangulation_and_report
 
 namespace internal {
 
-// Points and triangles are ranges, a mesh and named parameters are none.
+// Points and triangles are ranges; a mesh and named parameters are not.
 template <class... Ranges>
 using If_ranges = std::enable_if_t<(boost::has_range_const_iterator<Ranges>::value && ...)>;
 template <class T>
 using If_no_range = std::enable_if_t<!boost::has_range_const_iterator<T>::value>;
 
 // The metric exactly, or nothing if all coordinates are doubles, or not all finite.
-// \param elements what there is a point for
-// \param coordinates_of three numbers for each
+// \param elements the elements that have points
+// \param coordinates_of returns three numbers for each
 template <class ElementRange, class CoordinatesOf>
 std::optional<Input_metric> rational_metric(const ElementRange& elements, const CoordinatesOf& coordinates_of,
                                             const Delta_complex& connectivity)

@@ -39,8 +39,7 @@ struct Mollification_report
 
 namespace internal {
 
-// Sums of lengths are rounded, so each condition is checked as it will be checked by
-// others, on the final doubles.
+// Sums of lengths are rounded, so each condition is checked on the final doubles, as others will check it.
 class Length_mollifier
 {
 public:
@@ -54,15 +53,15 @@ public:
     const std::vector<double> old = lengths_;
     double epsilon = 0;
     for (double missing = largest_deficit(); missing > 0; missing = largest_deficit()) {
-      // The second round and later ones only make up for rounding.
+      // Later rounds only make up for rounding.
       epsilon = (std::max)(epsilon + missing, next_up(epsilon));
       for (std::size_t e = 0; e < old.size(); ++e)
         lengths_[e] = old[e] + epsilon;
     }
   }
 
-  // See mollify_lengths() for the scheme. A side that rounding raised beyond the length
-  // that decided over it can ask for a second sweep.
+  // See mollify_lengths() for the scheme. A side that rounding raised beyond the length that determined it can require
+  // a second sweep.
   void add_where_needed()
   {
     do
@@ -100,7 +99,7 @@ private:
 
   static double next_up(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
 
-  // How far `a + b >= c + delta` is from holding; not positive if it holds.
+  // By how much `a + b >= c + delta` is violated; not positive if it holds.
   double deficit(double a, double b, double c) const
   {
     const double left = a + b, right = c + delta_;
@@ -117,8 +116,8 @@ private:
     return result;
   }
 
-  // Raises the shorter one of the two sides beside `h`, at most up to the longer one, then
-  // both, until the corner opposite to `h` is satisfied. Returns what was raised.
+  // Raises the shorter one of the two sides beside `h`, at most up to the longer one, then both, until the corner
+  // opposite `h` is satisfied. Returns the raised sides.
   std::vector<Edge_index> raise_other_sides(Halfedge_index h)
   {
     const double c = length(complex_.edge(h));

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// How a long computation tells how far it is and what it does, and how it is stopped: one visitor for all.
+// Progress, events and cancellation of long computations: one visitor for all.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_OBSERVER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_OBSERVER_H
@@ -62,16 +62,15 @@ using Progress_function = std::function<bool(double fraction)>;
 
 namespace internal {
 
-// Whether a V can be given to a generic lambda, whose return type says what that has to have.
+// Whether a V can be passed to a generic lambda, whose return type states the requirements.
 template <class V, class Call>
 constexpr bool can_call(Call)
 {
   return std::is_invocable<Call, V&>::value;
 }
 
-// What is called in place of a visitor that was given as a named parameter: a model of IntrinsicTriangulationVisitor,
-// whose events may be missing, or a function of the progress, of its fraction, or of nothing. By value, or as a
-// std::reference_wrapper.
+// Adapts the visitor given as a named parameter: a model of IntrinsicTriangulationVisitor, whose events may be missing,
+// or a function of the progress, of its fraction, or without parameters; by value, or as a std::reference_wrapper.
 template <class Given>
 class Observer
 {
@@ -154,7 +153,7 @@ auto observer_of(const NamedParameters& np)
   return Observer<decltype(given)>(std::move(given));
 }
 
-// For what is compiled once. Empty if nobody is to be asked.
+// For functions that are compiled once. Empty if there is no visitor.
 template <class NamedParameters>
 Progress_function progress_function_of(const NamedParameters& np)
 {
@@ -175,8 +174,8 @@ std::function<bool()> go_further_function_of(const NamedParameters& np)
     return observer_of(np);
 }
 
-// As long as it lives, exact decisions that take long ask a function whether to go on, after the one that
-// they asked before; an empty one is not asked.
+// While it lives, long exact decisions ask a function whether to go on, after the previous one; an empty function is
+// not asked.
 template <class Triangulation>
 class Interruption_scope
 {
@@ -210,7 +209,7 @@ inline void report_progress(const Progress_function& progress, double fraction, 
     throw Cancelled_error(std::string(what) + " was cancelled");
 }
 
-// For a computation that is the part from `begin` to `end` of another one.
+// For a computation that is the part from `begin` to `end` of a larger one.
 inline Progress_function part_of_progress(const Progress_function& progress, double begin, double end)
 {
   if (!progress)
@@ -218,7 +217,7 @@ inline Progress_function part_of_progress(const Progress_function& progress, dou
   return [&progress, begin, end](double fraction) { return progress(begin + (end - begin) * fraction); };
 }
 
-// Asks at every so many of the elements of a loop, which is a part of the computation.
+// Asks once for every so many elements of a loop, which is a part of the computation.
 class Loop_progress
 {
 public:

@@ -35,8 +35,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// The triangles that the points around each point suggest: those around it in the Delaunay triangulation of its
-// neighbours' projections to a plane.
+// The triangles around each point in the Delaunay triangulation of its neighbours' projections to a plane.
 class Local_triangulations
 {
   using Kernel = Exact_predicates_inexact_constructions_kernel;
@@ -77,7 +76,7 @@ public:
     const auto insert = [&](const Eigen::Vector2d& p, std::uint32_t number) {
       const std::size_t before = triangulation.number_of_vertices();
       const auto v = triangulation.insert(Kernel::Point_2(p[0], p[1]));
-      if (triangulation.number_of_vertices() > before) // else something nearer is at the same place
+      if (triangulation.number_of_vertices() > before) // otherwise a nearer point is at the same place
         v->info() = number;
       return v;
     };
@@ -160,7 +159,7 @@ Tufted_Laplacian point_cloud_Laplacian(const PointRange& points, std::size_t n_n
   std::map<std::array<double, 3>, std::uint32_t> number_of_place;
   for (const auto& p : points) {
     const std::uint32_t number = std::uint32_t(representative.size());
-    // Adding zero makes one number of two zeros.
+    // Adding zero turns -0 into 0.
     const std::array<double, 3> place = {to_double(p[0]) + 0., to_double(p[1]) + 0., to_double(p[2]) + 0.};
     for (double x : place)
       if (!std::isfinite(x))

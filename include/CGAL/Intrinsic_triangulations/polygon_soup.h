@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Points and polygons as arrays, and how a file becomes them, or a message that says what is wrong with it and where.
+// Points and polygons as arrays, and reading them from files, with messages that say what is wrong and where.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_POLYGON_SOUP_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_POLYGON_SOUP_H
@@ -60,7 +60,7 @@ std::string conversion_advice(const std::string& file_name);
 
 namespace internal {
 
-// \exception Invalid_surface_error that names the file and a face that is no triangle
+// \exception Invalid_surface_error that names the file and a face that is not a triangle
 void require_triangles(const std::string& file_name, const Polygon_soup& soup);
 
 } // namespace internal

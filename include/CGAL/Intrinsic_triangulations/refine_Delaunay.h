@@ -31,7 +31,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Asks the observer of a refinement while edges are flipped before it.
+// Asks the observer of a refinement during the flips before it.
 template <class Observer>
 struct Flips_before_refinement
 {
@@ -135,7 +135,7 @@ Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation
     is_segment[e.idx()] = complex.is_border(e) || get(is_constrained, e);
   const internal::Standard_arithmetic arithmetic;
   const internal::Exact_engine& engine = internal::engine(triangulation);
-  // Ties ask for what many edges cross.
+  // Ties need the crossings of many edges.
   internal::Long_crossings(complex, engine.correspondence(), engine.decisions().interruption).keep();
   auto observer = internal::observer_of(np);
   using Observer = decltype(observer);

@@ -69,7 +69,7 @@ struct Repaired_polygons
 
 namespace internal {
 
-// A kind of repair in files, and what it counts.
+// A kind of repair in files, and the elements that it counts.
 struct Repair_words
 {
   const char *name, *singular, *plural;

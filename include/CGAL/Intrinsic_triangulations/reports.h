@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// What algorithms report: how a run ended, what it counted, and what it found.
+// The reports of algorithms: how a run ended, its counts and its findings.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_REPORTS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_REPORTS_H
@@ -143,7 +143,7 @@ struct Stage_counts
     ++decided[std::size_t(stage)];
     ties += is_tie;
   }
-  /// adds the numbers of others.
+  /// adds the counts of another object.
   Stage_counts& operator+=(const Stage_counts& other)
   {
     for (std::size_t i = 0; i < number_of_stages; ++i)
@@ -154,7 +154,7 @@ struct Stage_counts
 };
 
 /// \ingroup PkgIntrinsicTriangulationsMetric
-/// \brief what exact decisions accept as a proof that a number is zero, that is, as a tie.
+/// \brief which proof exact decisions require that a number is zero, that is, for a tie.
 ///
 /// That a number is *not* zero, and its sign, is always proven.
 enum class Tie_proof {

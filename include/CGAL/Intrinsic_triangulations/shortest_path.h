@@ -56,7 +56,7 @@ struct Geodesic_distances
 
 namespace internal {
 
-// How many bundles of straight ways may be followed.
+// The maximum number of bundles of straight ways.
 template <class NamedParameters>
 std::uint64_t number_of_ways(const NamedParameters& np, const Delta_complex& complex)
 {
@@ -64,7 +64,7 @@ std::uint64_t number_of_ways(const NamedParameters& np, const Delta_complex& com
                                       1000000 + 500 * std::uint64_t(complex.number_of_faces()));
 }
 
-// \param sources vertices: for a cover, those of its input, as in the result
+// \param sources vertices: for a cover, vertices of its input, as in the result
 // \tparam Row gives the row of a vertex, as Row_of_vertex
 template <class Traits, class Row, class NamedParameters>
 Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& triangulation, const Row& row,
@@ -173,7 +173,7 @@ struct Shortest_path
 
 namespace internal {
 
-// From a vertex back along the straight ways by which distances were found, which become edges.
+// From a vertex back along the straight ways that gave the distances, which become edges.
 template <class Traits>
 class Way_back
 {
@@ -183,17 +183,16 @@ public:
     : triangulation_(triangulation), faces_(faces), windows_(windows), interruption_(interruption)
   {}
 
-  // The edge from v to the vertex where the straight way to it comes from. The faces that other straight ways cross
-  // remain.
-  // \return the null descriptor if that was not found
+  // The edge from v to the vertex from which the straight way comes. Faces that other straight ways cross stay
+  // unchanged.
+  // \return the null descriptor if it was not found
   Halfedge_index follow(std::uint32_t v)
   {
     const std::uint32_t side = windows_.arrival(v).side;
     if (side == Laid_out_faces::none)
       return {};
     v_ = v;
-    // v lies in the origin, and the way along the axis. It runs between the last corner on the left and that on the
-    // right.
+    // v lies at the origin, and the way on the axis. It runs between the last corners on the left and on the right.
     const double sine = std::sin(windows_.arrival(v).angle), cosine = std::cos(windows_.arrival(v).angle);
     const Laid_out_faces::Side& first = faces_.side(side);
     corners_ = {{first.apex_x * cosine + first.apex_y * sine, first.apex_y * cosine - first.apex_x * sine},
@@ -244,7 +243,7 @@ private:
     return Laid_out_faces::none;
   }
 
-  // Whether the way meets a vertex at a point, and what remains of it is as long as the way from there.
+  // Whether the way meets a vertex at a point, and the rest of it is as long as the way from that vertex.
   bool comes_from(std::uint32_t vertex, const Point& p) const
   {
     const double gone = std::hypot(p.x, p.y), whole = windows_.distances()[v_];
@@ -252,14 +251,14 @@ private:
            std::abs(windows_.distances()[vertex] + gone - whole) <= 1e-9 * whole;
   }
 
-  // Flips the edges that are crossed, until none is: those after whose flip there is one less, and those that are not
-  // Delaunay if all distances along the way are shortened by the same large factor. The way is then an edge of the
-  // constrained Delaunay triangulation of the faces that it crosses, which can be laid out in the plane: its ends come
-  // as near to each other as to nothing else. So there is always an edge to flip.
+  // Flips crossed edges until there are none: edges whose flip reduces the number of crossings, and edges that are not
+  // Delaunay once all distances along the way are shortened by the same large factor. After that shortening, the ends
+  // of the way are nearer to each other than to anything else, so the way is an edge of the constrained Delaunay
+  // triangulation of the faces that it crosses, which can be laid out in the plane. So there is always an edge to flip.
   Halfedge_index join_with(std::uint32_t u)
   {
     Edge_index last;
-    std::size_t budget = crossed_.size() * crossed_.size() + 100; // more flips come of rounding
+    std::size_t budget = crossed_.size() * crossed_.size() + 100; // more flips are due to rounding
     for (std::size_t i = 0; i < crossed_.size() && budget > 0;) {
       const Edge_index e = crossed_[i].edge;
       const std::size_t before = i == 0 ? none : other_corner(i - 1, i),
@@ -297,7 +296,7 @@ private:
     return px * qy * ry * (ry - qy) + qx * ry * py * (py - ry) + rx * py * qy * (qy - py) > 0;
   }
 
-  // Of one crossing, the corner that is none of its neighbor's.
+  // The corner of one crossing that it does not share with its neighbor.
   std::size_t other_corner(std::size_t i, std::size_t neighbor) const
   {
     return crossed_[i].left == crossed_[neighbor].left ? crossed_[i].right : crossed_[i].left;

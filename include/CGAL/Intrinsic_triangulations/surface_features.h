@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The sides of a part: the sharp edges between them, and the vertices in their middle that the surface does not need.
+// The sides of a part: the sharp edges between them, and unneeded vertices inside them.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_FEATURES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_FEATURES_H

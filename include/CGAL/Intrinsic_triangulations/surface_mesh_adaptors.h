@@ -41,8 +41,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// Gives a mesh that has vertices alone the edges and faces of a complex or an overlay, by
-// their links.
+// Gives a mesh that has only vertices the edges and faces of a complex or an overlay, with their links.
 template <class Graph, class Mesh>
 void copy_links(const Graph& graph, Mesh& mesh)
 {
@@ -329,7 +328,7 @@ void triangulate_overlay_faces(CGAL::Surface_mesh<Point>& mesh)
       corners.push_back({CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
     }
     internal::for_each_diagonal(corners, [&](std::size_t a, std::size_t b) {
-      // The corners from a to b are cut off; links alone are used, since edges may be loops.
+      // Cuts off the corners from a to b. Uses only links, because edges may be loops.
       const Halfedge at_a = mesh.prev(sides[a + 1]), at_b = sides[b];
       CGAL::Euler::split_face(at_a, at_b, mesh);
       const Halfedge to_a = mesh.prev(sides[a + 1]), to_b = mesh.opposite(to_a);

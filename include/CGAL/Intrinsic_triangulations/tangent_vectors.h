@@ -51,8 +51,7 @@ inline Halfedge_index first_axis(const Delta_complex& input, Vertex_index v)
   return result;
 }
 
-// The direction of a halfedge at its source, which is no vertex of the border: the angle from the first axis, before it
-// is scaled.
+// The direction of a halfedge at its source, which is not on the border: the angle from the first axis, before scaling.
 inline double direction_on_input(const internal::Exact_engine& engine, Halfedge_index h)
 {
   const Delta_complex& complex = engine.connectivity();
@@ -67,7 +66,7 @@ inline double direction_on_input(const internal::Exact_engine& engine, Halfedge_
       sum += numbers.input_angle(side);
     return sum;
   }
-  // From a side of the face to the next one, one turns left by π minus the angle between them.
+  // From a side of the face to the next one, the direction turns left by π minus the angle between them.
   const auto turn = [&](Halfedge_index& side) {
     side = input.next(side);
     return CGAL_PI - numbers.input_angle(side);
@@ -97,7 +96,7 @@ std::pair<Halfedge_index, double> halfedge_with_direction(const Intrinsic_triang
     const Halfedge_index first = complex.opposite(complex.halfedge(v));
     if (complex.is_border(complex.halfedge(v)) && !correspondence.is_inserted(v))
       return {first, 0};
-    Halfedge_index best = first; // that with the fewest crossings: -1 means that it lies on an edge of the input
+    Halfedge_index best = first; // the one with the fewest crossings; -1 means that it lies on an input edge
     const auto crossings = [&](Halfedge_index h) { return correspondence.coordinates().crossings(complex.edge(h)); };
     for_each_halfedge_from(complex, v, [&](Halfedge_index h) { best = crossings(h) < crossings(best) ? h : best; });
     return {best, direction_on_input(engine, best)};
@@ -200,7 +199,7 @@ namespace internal {
 
 using Space_vector = Vector_3<double>;
 
-// Zero remains zero; what is short or long is scaled first.
+// Zero remains zero; short and long vectors are scaled first.
 inline Space_vector normalized(Space_vector a)
 {
   const double largest = (std::max)({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
@@ -214,7 +213,7 @@ inline Space_vector normalized(Space_vector a)
   return a;
 }
 
-// From the normal and a vector that is not parallel to it; whatever is zero or parallel is replaced.
+// From the normal and a vector that is not parallel to it; zero or parallel vectors are replaced.
 inline Vertex_frame frame_of(Space_vector normal, const Space_vector& first)
 {
   const auto any_perpendicular = [](const Space_vector& a) {

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Data at vertices and faces, carried from one of the two surfaces to the other, and the areas that faces share.
+// Transfer of data at vertices and faces between the two surfaces, and the areas that faces share.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_TRANSFER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_TRANSFER_H
@@ -30,7 +30,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// The fraction that the triangle of three points takes of the face in whose coordinates they are.
+// The fraction of a face covered by the triangle of three points, given in the face's coordinates.
 inline double area_fraction(const Coordinates& a, const Coordinates& b, const Coordinates& c)
 {
   return determinant(b[1] - a[1], b[2] - a[2], c[1] - a[1], c[2] - a[2]);
@@ -39,8 +39,8 @@ inline double area_fraction(const Coordinates& a, const Coordinates& b, const Co
 // A face of the overlay, as a fan of triangles around its first corner.
 struct Overlay_fan
 {
-  // The coordinates `from` are those in the input face, relative to the halfedge that it names,
-  // `to` those in the intrinsic face.
+  // The coordinates `from` belong to the input face, relative to the halfedge that they name, and `to` to the intrinsic
+  // face.
   Corners_in_both corners;
   double input_area;
   double intrinsic_area;
@@ -116,7 +116,7 @@ namespace internal {
 template <class Value>
 using Mean = decltype(Value(0.5 * std::declval<const Value&>() + 0.5 * std::declval<const Value&>()));
 
-// The type of values between which it is possible to interpolate.
+// The type of values that can be interpolated.
 template <class Range>
 struct Interpolated
 {
@@ -128,7 +128,7 @@ struct Interpolated
 template <class Range>
 using Value_of = typename Interpolated<Range>::Value;
 
-// The values at the vertices of the overlay, by those at the vertices of a layer.
+// The values at the vertices of the overlay, from those at the vertices of a layer.
 template <class Layer, class VertexValues>
 auto interpolate_in_layer(const Layer& layer, const VertexValues& values)
 {

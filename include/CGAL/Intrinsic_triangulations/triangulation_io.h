@@ -105,7 +105,7 @@ void write_triangulation(std::ostream& os, const Common_subdivision& subdivision
                          const NamedParameters& np = parameters::default_values())
 {
   const internal::Exact_engine& engine = internal::engine(subdivision);
-  // A subdivision keeps no numbers of the traits: without bounds, a reader replaces them by the true ones.
+  // A subdivision keeps no numbers of the traits: without bounds, a reader replaces them by true ones.
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const internal::Stored_numbers numbers{
     first_sides, [](Edge_index) { return unknown; },
@@ -117,7 +117,7 @@ void write_triangulation(std::ostream& os, const Common_subdivision& subdivision
 
 /// \ingroup PkgIntrinsicTriangulationsIO
 ///
-/// \brief reads a triangulation that `write_triangulation()` has written.
+/// \brief reads a triangulation written by `write_triangulation()`.
 ///
 /// The result has the same descriptors, and every query returns the same bits. You can continue to flip, insert and
 /// remove.

@@ -62,7 +62,7 @@ public:
   std::uint32_t operator()(Vertex_index v) const { return cover_.vertex_of[v.idx()]; }
   // The row of a vertex of the input.
   std::uint32_t of_input(Vertex_index v) const { return cover_.representative[v.idx()]; }
-  // What a face counts, or each at an edge: half if it has a second copy.
+  // The weight of a face, or of each face at an edge: one half if it has a second copy.
   double share(Face_index f) const { return cover_.is_half[f.idx()] ? 0.5 : 1; }
   double share(Edge_index e) const
   {
@@ -75,7 +75,7 @@ private:
   const Tufted_cover& cover_;
 };
 
-// The areas of the faces, as they count.
+// The areas of the faces, with their weights.
 inline std::vector<double> shares_of_area(const Tufted_cover& cover)
 {
   const Row_of_cover_vertex row(cover);

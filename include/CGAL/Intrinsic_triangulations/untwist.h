@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Gluings whose edges wind around thin parts any number of times: where they wind, and their Delaunay triangulation.
+// Gluings whose edges wind around thin parts any number of times, and their Delaunay triangulation.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_UNTWIST_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_UNTWIST_H
@@ -127,7 +127,7 @@ private:
   {
     if (!is_squared_)
       return Gluing_reader::take_number(field);
-    // GMP would read 010 in octal, and ask for any amount of memory.
+    // GMP would read 010 as octal, and allocate any amount of memory.
     if (field.size() > maximum_size)
       fail(Defect::OUT_OF_RANGE, "has a squared length of more than a million digits");
     const std::size_t slash = (std::min)(field.find('/'), field.size());

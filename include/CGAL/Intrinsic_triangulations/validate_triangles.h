@@ -3,8 +3,8 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Is a list of polygons a surface that the package can work on? If not, which
-// element is at fault, how many are there like it, and what can be done?
+// Whether a list of polygons is a surface that the package can work on; if not, which elements are at fault, and the
+// remedy.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_VALIDATE_TRIANGLES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_VALIDATE_TRIANGLES_H
@@ -116,7 +116,7 @@ void throw_if_fatal(const Surface_report& report, const std::string& name = std:
 
 namespace internal {
 
-// What is found in polygons that were copied.
+// The findings in copied polygons.
 Surface_report examine(const std::vector<std::array<double, 3>>& points, Polygon_sides& polygons);
 
 } // namespace internal

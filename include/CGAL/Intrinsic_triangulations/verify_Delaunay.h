@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Whether a triangulation is Delaunay, exactly or as its numbers tell, and the cells that its ties form.
+// Whether a triangulation is Delaunay, exactly or by its numbers, and the cells formed by its ties.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_VERIFY_DELAUNAY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_VERIFY_DELAUNAY_H
@@ -64,10 +64,10 @@ public:
   }
 
 private:
-  // A decision takes a microsecond, but some take a thousand: small blocks share them out well.
+  // A decision takes a microsecond, but some take a thousand; small blocks distribute them well.
   static constexpr std::size_t elements_of_block = 1024;
 
-  // What was found in a block, or what ended it.
+  // The findings in a block, or the exception that ended it.
   struct Part
   {
     Delaunay_verification found;
@@ -78,7 +78,7 @@ private:
   void verify_elements(std::size_t n, Delaunay_verification& result) const
   {
     std::vector<Part> parts((n + elements_of_block - 1) / elements_of_block);
-    // Blocks before this one go on: of the decisions that fail, the first is to be named.
+    // Earlier blocks go on, because the first failing decision must be reported.
     std::atomic<std::size_t> end{parts.size()};
     for_each_block<ConcurrencyTag>(n, elements_of_block, [&](std::size_t first, std::size_t last) {
       const std::size_t block = first / elements_of_block;

@@ -80,7 +80,7 @@ public:
   Flip_outcome flip_not_Delaunay(const Hinge_halfedges& around) { return triangulation_.flip_not_Delaunay(around); }
   Flip_outcome flip_not_Delaunay(Edge_index e) { return triangulation_.flip_not_Delaunay(e); }
 
-  // \pre the quadrilateral is strictly convex. \param construct computes the numbers, as that functor of the traits
+  // \pre the quadrilateral is strictly convex. \param construct computes the numbers, like the traits' functor
   template <class Construct>
   Flip_outcome flip_convex(const Hinge_halfedges& around, const Construct& construct)
   {
