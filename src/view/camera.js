@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One camera for all pictures. It looks at a point from some distance; it is turned, moved and brought nearer by mouse or fingers.
+// One camera for all pictures. It looks at a point from some distance; mouse or fingers turn, move and zoom it.
 
 "use strict";
 
@@ -48,7 +48,7 @@ class Orbit_camera {
   }
 
   get is_dragged() { return this.pointers.size > 0; }
-  // The size of a pixel at the point that is looked at.
+  // The size of a pixel at the point in view.
   get pixel() {
     return 2 * this.distance * Math.tan(half_angle) / Math.min(this.element.clientWidth / this.views, this.element.clientHeight);
   }
@@ -100,7 +100,7 @@ class Orbit_camera {
     this.update();
   }
 
-  // What is seen at (x, y) stays there.
+  // The point seen at (x, y) stays there.
   zoom(factor, x, y) {
     const width = this.element.clientWidth / this.views, height = this.element.clientHeight;
     const at = new THREE.Vector3((x % width) - width / 2, height / 2 - y, 0).multiplyScalar(this.pixel);

@@ -9,10 +9,10 @@ const edge_colours = [[0, 0, 0], [0.85, 0, 0.105], [1, 1, 1]]; // input alone, r
 const plain_colour = [0.60, 0.65, 0.70];
 const highlight_colour = [1, 0.75, 0];
 const path_colour = [0.92, 0.35, 0.0];
-// Lighter than black, darker than white, and told apart by brightness as well as by hue.
+// Lighter than black, darker than white, and distinct in brightness as well as in hue.
 const face_colours = [[0.47, 0.60, 0.72], [0.72, 0.66, 0.50], [0.55, 0.72, 0.62], [0.70, 0.56, 0.68], [0.78, 0.76, 0.74], [0.42, 0.50, 0.52]];
 
-// From dark blue over green to yellow: brightness grows all the way, and blue and yellow differ for everybody.
+// From dark blue over green to yellow: brightness grows all the way, and everybody can tell blue from yellow.
 const scale_colours = [[0.16, 0.10, 0.40], [0.13, 0.34, 0.56], [0.12, 0.54, 0.55], [0.42, 0.74, 0.42], [0.97, 0.90, 0.33]];
 const no_number_colour = [0.5, 0.5, 0.5];
 

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the page shows: its arrays, and the two triangulations with their numbers.
+// The contents of the page: its arrays, and the two triangulations with their numbers.
 
 "use strict";
 
@@ -16,7 +16,7 @@ function from_base64(text) {
   return bytes;
 }
 
-// All arrays stand in the page as one text. It is taken out, so that it is in memory once.
+// All arrays are one text in the page. It is removed from there, so that it is in memory only once.
 let packed = null;
 async function unpack() {
   const element = document.getElementById("arrays");
@@ -52,7 +52,7 @@ function read_integers(name) {
 
 function read_floats(name) { return new Float32Array(read_words(name).buffer); }
 
-// What differs from the bits of the same number of the input.
+// Differences from the bits of the same number of the input.
 function read_words_like_input(name, index) {
   const words = read_words(name + "-" + index);
   if (index > 0) {
@@ -89,7 +89,7 @@ class Triangulation {
     this.number_of_faces = this.corners.length / 3;
     this.number_of_edges = this.lengths.length;
     this.number_of_vertices = page.vertices[index];
-    // Two sides of each edge, 3 F where there is none, and how many it has.
+    // Two sides of each edge, 3 F for a missing one, and their number.
     this.edge_sides = new Uint32Array(2 * this.number_of_edges).fill(this.corners.length);
     this.counts = new Uint8Array(this.number_of_edges);
     for (let s = 0; s < this.sides.length; ++s) {
@@ -111,7 +111,7 @@ class Triangulation {
     return [this.corners[s], this.corners[next(s)]];
   }
   corners_of(f) { return [...this.corners.subarray(3 * f, 3 * f + 3)]; }
-  // In degrees; not a number in a face without area.
+  // In degrees; NaN in a face without area.
   opposite_angle(s) { return Math.atan2(1, this.cotangents[s]) * 180 / Math.PI; }
   angle_at(s) { return this.opposite_angle(next(s)); }
   area(f) {

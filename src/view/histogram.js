@@ -5,7 +5,7 @@
 
 "use strict";
 
-// The parts of the numbers in each interval; what is below or above goes into the first or the last one.
+// The fraction of the numbers in each interval; the first and the last one include everything beyond.
 function count_intervals(numbers, low, high, n) {
   const counts = new Array(n).fill(0);
   let total = 0;
@@ -36,7 +36,7 @@ function draw_histogram(element, all, low, high, n, ticks) {
 
 function all_angles(t) { return t.cotangents.map(c => Math.atan2(1, c) * 180 / Math.PI); }
 
-// Border edges have one angle, and say nothing.
+// Border edges have only one angle, and are not counted.
 function inner_weights(t) {
   const weights = new Float32Array(t.number_of_edges);
   let n = 0;

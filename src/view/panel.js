@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The panel beside the picture, and what the mouse does without a button.
+// The panel beside the picture, and pointing with the mouse.
 
 "use strict";
 
@@ -42,13 +42,13 @@ async function start_page() {
   by_id("isolines").addEventListener("change", set_colours);
   set_colours();
 
-  // A large surface is seen before it is counted.
+  // A large surface appears before it is counted.
   if (picture.is_slow) {
     picture.request(true);
     await new Promise(done => requestAnimationFrame(() => setTimeout(done)));
   }
 
-  // Edges, points and lines, each with how many there are.
+  // Edges, points and lines, each with its number.
   const numbers = [0, 0, 0, 0], is_met = triangulations.map(t => new Uint8Array(t.number_of_edges));
   for (let s = 0; s < surface.sides.length; ++s) {
     const label = label_of_side(s), t = label & 2 ? 1 : 0;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which element is pointed at or looked for, and its numbers in words.
+// The element that is pointed at or searched for, and its numbers in words.
 
 "use strict";
 
@@ -80,7 +80,7 @@ function mark_element(picture, element) {
 }
 
 // The element that a text names, as element_at() does: "v 12", "e 5", "f 3", the latter two of the input with "input" in front.
-// \exception Error that says what is wrong
+// \exception Error that names the mistake
 function find_element(text) {
   const words = /^\s*(input\s+|i)?(v|vertex|e|edge|f|face)\s*(\d+)\s*$/i.exec(text);
   if (!words)

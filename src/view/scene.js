@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is drawn: the surface with its edges, lines and points upon it, in one picture or in two side by side.
+// The drawing: the surface with its edges, lines and points on it, in one picture or in two side by side.
 
 "use strict";
 
@@ -39,7 +39,7 @@ function make_points(places, colour, width) {
     { colour: { value: colour }, width: { value: width }, size: { value: null } }), THREE.Points);
 }
 
-// The surface in few triangles, for pictures with fewer pixels while it moves: what lies in one cell of a grid is one vertex.
+// The surface in few triangles, for pictures with fewer pixels while it moves: all vertices in one cell of a grid become one.
 function make_rough_surface() {
   const n = 48, { places, corners } = surface, first = new Int32Array(n ** 3).fill(-1), moved = new Uint32Array(places.length / 3);
   const step = x => Math.min(n - 1, Math.floor((x + 1) / 2 * n));
@@ -119,7 +119,7 @@ class Picture {
     const make_part = part => Object.assign(make_mesh(make_surface_arrays(part, normals, colours), material), { part });
     this.surface = make_part(surface);
     this.parts = [this.surface];
-    // Where a picture takes long, another part is drawn while it moves.
+    // If a picture takes long, a coarse one is drawn while it moves.
     this.is_slow = surface.corners.length > 3 * 50000;
     if (this.is_slow)
       this.parts.push(make_part(make_rough_surface()));
@@ -144,7 +144,7 @@ class Picture {
     new ResizeObserver(() => this.request()).observe(canvas);
   }
 
-  // Draws soon, once for all that asked for it.
+  // Draws soon, once for all requests.
   request(is_moving = false) {
     this.is_moving = this.is_moving || is_moving;
     if (!this.is_requested) {
@@ -182,7 +182,7 @@ class Picture {
       this.renderer.setScissor(view.x, 0, view.w, h);
       this.renderer.clear();
       this.uniforms.layer.value = view.layer;
-      // Beside each other, each picture has its own edges.
+      // Side by side, each picture has its own edges.
       this.uniforms.shown.value = this.shown.map((x, i) => (this.is_split && i === 1 - view.layer ? 0 : x));
       if (this.points)
         this.points.visible = this.show_points !== false && view.layer === 1;
@@ -223,7 +223,7 @@ class Picture {
     return { view, triangle: (pixel[0] | pixel[1] << 8 | pixel[2] << 16 | pixel[3] << 24) - 1 };
   }
 
-  // Where a place is seen, in pixels of the canvas.
+  // The position of a place on the canvas, in pixels.
   pixel_of(place, view) {
     const p = place.clone().project(this.set_camera(view));
     return [view.x + (p.x + 1) / 2 * view.w, (1 - p.y) / 2 * view.h];

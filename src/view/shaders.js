@@ -83,7 +83,7 @@ void main() {
 }`;
 const number_fragment_shader = "flat varying vec4 number; void main() { gl_FragColor = number; }";
 
-// Where something of a width in pixels is drawn: as much nearer to the eye, so that the surface does not hide it.
+// The position of something of a width in pixels: moved by that width towards the eye, so that the surface does not hide it.
 const front = `
 uniform vec2 size;            // half of that of the picture in pixels
 uniform float width;

@@ -96,7 +96,7 @@ class Triangulation:
 
     def __init__(self, V: ArrayLike, F: ArrayLike) -> None:
         points, faces = _arrays.points_and_faces(V, F)
-        # Kept for positions: a copy, which nobody can change.
+        # Kept for positions: a copy, which callers cannot change.
         self._points: Optional[numpy.ndarray] = numpy.array(points)
         self._points.flags.writeable = False
         self._surface = _core.Surface.from_points(points, faces)
@@ -122,7 +122,7 @@ class Triangulation:
         faces = _arrays.indices(F, "F", (None, 3))
         sides = _arrays.doubles(lengths, "lengths", (len(faces), 3))
         number = int(faces.max()) + 1 if faces.size else 0
-        # Else a single face could ask for any amount of memory.
+        # Otherwise a single face could allocate any amount of memory.
         if number > 3 * len(faces):
             raise ValueError(f"F names vertex {number - 1}, but {len(faces)} triangles have at most {3 * len(faces)} vertices")
         return cls._of(_core.Surface.from_lengths(faces, sides, number))
