@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A smooth field on a mesh that is no manifold: a box with an open compartment, whose walls meet three and four at an
-// edge. Heat enters at one corner and leaves at another; the field in between is harmonic.
+// A smooth field on a nonmanifold mesh: a box with an open compartment, whose walls meet three and four at an edge.
+// Heat enters at one corner and leaves at another; the field in between is harmonic.
 
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 
@@ -70,7 +70,7 @@ int main()
             << Laplacian.report.border_edges << " with one; " << Laplacian.flips.flips << " flips\n"
             << "smallest weight: " << Laplacian.minimum_weight << '\n';
 
-  // L u = 0 but at two vertices, where u is 0 and 1.
+  // L u = 0 except at two vertices, where u is 0 and 1.
   const auto cold = Eigen::Index(walls.number({0, 0, 0})), hot = Eigen::Index(walls.number({n, n, n}));
   Eigen::SparseMatrix<double> system = Laplacian.stiffness;
   Eigen::VectorXd right = -system.col(hot);
@@ -82,7 +82,8 @@ int main()
   const Eigen::VectorXd u = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(system).solve(right);
   std::cout << "the field is between " << u.minCoeff() << " and " << u.maxCoeff() << '\n';
 
-  // With non-negative weights, each value is a mean of its neighbours': none is beyond those that were given.
+  // With nonnegative weights, each value is a mean of its neighbours' values: none is outside the range of the given
+  // ones.
   const bool is_good = Laplacian.report.nonmanifold_edges > 0 && Laplacian.minimum_weight >= 0 &&
                        u.minCoeff() >= -1e-12 && u.maxCoeff() <= 1 + 1e-12;
   return is_good ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -1,12 +1,11 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Editing with the bi-Laplacian: some vertices are fixed or moved, and the displacement u of the
-// others minimizes the integral of (Δu)², that is uᵀ L M⁻¹ L u (M. Botsch, L. Kobbelt, "An
-// intuitive framework for real-time freeform modeling", 2004). Here a sheet is given such a
-// rim, two rings wide, that the exact answer is known: the paraboloid x² + y², for which
-// Δ²u = 0. The rows of the sheet are shifted against each other, so that its triangles are long
-// and obtuse, while its points are spread well: the intrinsic operator feels the points alone.
+// Editing with the bi-Laplacian: some vertices are fixed or moved, and the displacement u of the others minimizes the
+// integral of (Δu)², that is uᵀ L M⁻¹ L u (M. Botsch, L. Kobbelt, "An intuitive framework for real-time freeform
+// modeling", 2004). Here a sheet is given such a rim, two rings wide, that the exact answer is known: the paraboloid x²
+// + y², for which Δ²u = 0. The rows of the sheet are shifted against each other, so that its triangles are long and
+// obtuse, while its points are spread well: the intrinsic operator depends on the points alone.
 
 #include "samples/sample_surfaces.h"
 

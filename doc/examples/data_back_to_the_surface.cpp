@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Heat is spread on the intrinsic Delaunay triangulation of a bad mesh, and the result brought
-// back: onto the overlay, to single points of the mesh, and to its vertices.
+// Heat spreads on the intrinsic Delaunay triangulation of a bad mesh, and the result is transferred: to the overlay, to
+// single points of the mesh, and to its vertices.
 
 #include "samples/sample_surfaces.h"
 
@@ -57,7 +57,7 @@ int main()
                           middle = location.input_to_intrinsic({h, {1, 1, 0}});
   std::cout << "in the middle of input edge " << h.idx() / 2 << ": " << IT::interpolate(complex, heat, middle) << '\n';
 
-  // For the vertices of the mesh, the function on its triangles that is nearest in the mean square.
+  // For the vertices of the mesh, the least-squares nearest function on its triangles.
   const Eigen::VectorXd on_mesh = IT::L2_projection_to_input(mass)(heat);
   const double before = (mass.intrinsic * heat).sum(), after = (mass.input * on_mesh).sum();
   std::cout << "heat " << before << " on the intrinsic triangulation, " << after << " on the mesh\n";

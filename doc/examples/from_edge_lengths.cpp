@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A surface without a place in space: a flat torus of one vertex, three edges and two
-// triangles that are glued to each other, given by the lengths of the edges alone.
+// A surface without positions in space: a flat torus of one vertex, three edges and two triangles that are glued to
+// each other, given by the lengths of the edges alone.
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>

@@ -69,7 +69,7 @@ int main()
   std::cout << "paths are at most " << input_stretch << " times as long as straight lines along input edges, "
             << intrinsic_stretch << " times along intrinsic edges\n";
 
-  // The other maps: weights of the Laplace-Beltrami operator, and how many input edges an edge crosses.
+  // The other maps: weights of the Laplace-Beltrami operator, and the number of input edges that an edge crosses.
   const auto weight = get(IT::edge_cotangent_weight, idt);
   const auto crossings = get(IT::edge_normal_coordinate, idt);
   double smallest_weight = 1;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Geodesic distance by heat on the intrinsic Delaunay triangulation, and brought back to the input. The surface is a
+// Geodesic distance by heat on the intrinsic Delaunay triangulation, transferred back to the input. The surface is a
 // flat torus of needles, given by lengths alone, on which the distance is known.
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>

@@ -36,7 +36,7 @@ using Points = std::vector<std::array<double, 3>>;
 
 namespace {
 
-// Where a vertex of the refined triangulation lies.
+// The position of a vertex of the refined triangulation.
 std::array<double, 3> place(const Triangulation& t, const Points& points, IT::Vertex_index v)
 {
   return t.is_inserted(v) ? IT::point_in_space(t.input(), points, t.location(v)) : points[v.idx()];
@@ -113,7 +113,7 @@ int main(int argc, char** argv)
             << report.insertions + report.segment_splits << " new vertices, " << report.unrefined.size()
             << " faces left\n";
 
-  // The matrix has natural borders: without more, they are insulated. Heat flows in at 1 for each unit of length.
+  // The matrix has natural borders, which are insulated by default. Heat flows in at 1 for each unit of length.
   const Eigen::SparseMatrix<double> stiffness = IT::stiffness_matrix(t);
   const Eigen::Index size = stiffness.rows();
   Eigen::VectorXd load = Eigen::VectorXd::Zero(size);
@@ -143,7 +143,7 @@ int main(int argc, char** argv)
   const Eigen::VectorXd temperature = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(load);
 
   // Laid flat, the bracket is a strip: the temperature is the distance from the cold end, and linear elements find it
-  // but for rounding.
+  // up to rounding.
   double error = 0;
   for (IT::Vertex_index v : complex.vertices()) {
     const auto p = place(t, points, v);

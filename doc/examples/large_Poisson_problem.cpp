@@ -26,7 +26,7 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 
-// \param number_of_faces about so many
+// \param number_of_faces approximately
 Triangulation torus(int number_of_faces)
 {
   const double turn = 2 * std::acos(-1.);

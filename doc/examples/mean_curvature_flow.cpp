@@ -52,8 +52,7 @@ Eigen::MatrixXd flow(const IT::Laplace_Beltrami_operator& Laplacian, const Eigen
   return solver.solve(Laplacian.mass * x);
 }
 
-// How far below zero the flow makes a function that is 1 at one vertex and 0 at all others, at
-// the worst of all vertices.
+// How far below zero the flow takes a function that is 1 at one vertex and 0 at all others, for the worst vertex.
 double worst_dent(const IT::Laplace_Beltrami_operator& Laplacian, double h)
 {
   const Eigen::Index n = Laplacian.mass.rows();
@@ -73,7 +72,7 @@ int main()
   std::cout << "spike of height 1, deepest dent after one step: extrinsic " << dent_extrinsic << ", intrinsic "
             << dent_intrinsic << '\n';
 
-  // The flow makes the area smaller, and moves the center of mass not at all.
+  // The flow makes the area smaller, and does not move the center of mass.
   const double dirichlet_before = (before.transpose() * intrinsic.stiffness * before).trace(),
                dirichlet_after = (after.transpose() * intrinsic.stiffness * after).trace();
   const double drift = (Eigen::VectorXd(intrinsic.mass.diagonal()).transpose() * (after - before)).norm();

@@ -1,11 +1,10 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A discrete minimal surface: the inner vertices go where the Dirichlet energy of the position is
-// least, on the surface of the step before, until nothing moves (U. Pinkall, K. Polthier,
-// "Computing discrete minimal surfaces and their conjugates", 1993). The boundary is two
-// circles, between which a catenoid would hang; the start is a lantern of flat obtuse
-// triangles.
+// A discrete minimal surface: the inner vertices go where the Dirichlet energy of the position is least, on the
+// previous surface, until nothing moves (U. Pinkall, K. Polthier, "Computing discrete minimal surfaces and their
+// conjugates", 1993). The boundary is two circles, between which a catenoid would hang; the start is a lantern of flat
+// obtuse triangles.
 
 #include "samples/sample_surfaces.h"
 

@@ -32,7 +32,7 @@ int main()
   const auto idt = IT::intrinsic_Delaunay_triangulation(mesh).triangulation;
 
   Mesh overlay = IT::overlay_to_surface_mesh(IT::Common_subdivision(idt), mesh);
-  // Each of these maps is there already: that, and no new one, is returned.
+  // Each of these maps exists already: that one is returned, not a new one.
   const auto input_face = overlay.add_property_map<Mesh::Face_index, std::uint32_t>("f:input_face").first;
   const auto intrinsic_face = overlay.add_property_map<Mesh::Face_index, std::uint32_t>("f:intrinsic_face").first;
   for (auto f : overlay.faces())
@@ -50,7 +50,7 @@ int main()
   const Mesh::Vertex_index crossing(4);
   std::cout << "at " << overlay.point(crossing) << ": " << value[crossing] << '\n';
 
-  IT::triangulate_overlay_faces(overlay); // for a program that takes triangles alone
+  IT::triangulate_overlay_faces(overlay); // for a program that takes only triangles
   std::ostringstream file;
   CGAL::IO::write_PLY(file, overlay); // with kinds, labels, faces and values
   std::cout << file.str();

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A number type of one's own: numbers that carry a derivative along. With it the lengths of the
-// intrinsic Delaunay triangulation say how they change when a vertex of the mesh is moved.
+// A custom number type: numbers that carry a derivative along. With it the lengths of the intrinsic Delaunay
+// triangulation say how they change when a vertex of the mesh is moved.
 
 #include "samples/sample_surfaces.h"
 
@@ -37,7 +37,7 @@ struct Dual
   friend bool operator>=(Dual a, Dual b) { return !(a < b); }
 };
 
-// What CGAL has to know of a number type.
+// What CGAL has to know about a number type.
 namespace CGAL {
 template <>
 class Algebraic_structure_traits<Dual> : public Algebraic_structure_traits_base<Dual, Field_with_sqrt_tag>

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A vector carried over a fold, and the folded sheet laid out around a corner.
+// A vector transported over a fold, and the folded sheet laid out around a corner.
 
 #include <CGAL/Intrinsic_triangulations.h>
 #include <CGAL/Intrinsic_triangulations/Vector_heat_method.h>

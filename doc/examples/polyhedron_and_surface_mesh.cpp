@@ -25,7 +25,7 @@ using Polyhedron = CGAL::Polyhedron_3<CGAL::Exact_predicates_inexact_constructio
 
 namespace {
 
-// The result as what does not depend on how edges are numbered.
+// The part of the result that does not depend on how edges are numbered.
 template <class TriangleMesh>
 std::vector<double> sorted_lengths(const TriangleMesh& mesh)
 {

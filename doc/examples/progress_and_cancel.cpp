@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A visitor that shows progress and stops the flips when time is up. What was reached until then
-// is a valid triangulation of the surface, and another run continues from there.
+// A visitor that shows progress and stops the flips when time is up. The triangulation reached by then is valid, and
+// another run continues from there.
 
 #include "samples/sample_surfaces.h"
 

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A dome of bad triangles is refined until no angle is below 25 degrees. One more vertex is inserted where it is
-// wanted.
+// A dome of bad triangles is refined until no angle is below 25 degrees. One more vertex is inserted at a given point.
 
 #include "samples/sample_surfaces.h"
 

@@ -45,7 +45,7 @@ int main(int argc, char* argv[])
   // Each corner of the overlay knows its place in an intrinsic triangle.
   Mesh overlay = IT::overlay_to_surface_mesh(IT::Common_subdivision(idt), mesh);
   IT::triangulate_overlay_faces(overlay);
-  // The map is there already: that, and no new one, is returned.
+  // The map exists already: that one is returned, not a new one.
   const auto place = overlay.add_property_map<Mesh::Halfedge_index, IT::Surface_point>("h:intrinsic_point").first;
   std::ostringstream obj;
   obj.precision(17);

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From a CGAL::Surface_mesh to its intrinsic Delaunay triangulation, and what can be asked
-// of the result.
+// From a CGAL::Surface_mesh to its intrinsic Delaunay triangulation, and queries of the result.
 
 #include "samples/sample_surfaces.h"
 
@@ -37,7 +36,7 @@ int main()
   std::cout << "vertices " << mesh.number_of_vertices() << ", edges " << mesh.number_of_edges() << ", flips "
             << report.flips << '\n';
 
-  // An edge keeps its number: it is the edge of the mesh, or what flips have made of that.
+  // An edge keeps its number: it is the edge of the mesh, or the edge that flips have made of it.
   const IT::Element_numbers numbers = IT::element_numbers(idt);
   const double longest = *std::max_element(numbers.lengths.begin(), numbers.lengths.end()),
                smallest_weight = *std::min_element(numbers.cotangent_weights.begin(), numbers.cotangent_weights.end());

@@ -66,7 +66,7 @@ Mesh folded_sheet()
 // The point of the paper that lies at a point in space.
 std::array<double, 2> on_paper(const Point& p) { return {p.x() / std::cos(slope), p.y()}; }
 
-// Without heat through the borders, -Δu = 2π² u.
+// With no heat flow through the border, -Δu = 2π² u.
 double wave(const std::array<double, 2>& p) { return std::cos(CGAL_PI * p[0]) * std::cos(CGAL_PI * p[1]); }
 
 template <class Triangulation>
@@ -136,7 +136,7 @@ int main(int argc, char** argv)
   // 5. Back to the surface in space: on each face of the overlay, the solution is linear.
   const Eigen::VectorXd u = solve(t, (1 + 2 * CGAL_PI * CGAL_PI) * wave_of_all);
   Mesh overlay = IT::overlay_to_surface_mesh(subdivision, mesh);
-  // That map is there already, and is returned; property_map() does the same, but its result changed with CGAL 6.
+  // That map exists already, and is returned; property_map() does the same, but its result changed with CGAL 6.
   const auto intrinsic_point =
     overlay.add_property_map<Mesh::Halfedge_index, IT::Surface_point>("h:intrinsic_point").first;
   auto value = overlay.add_property_map<Mesh::Vertex_index, double>("v:value").first;

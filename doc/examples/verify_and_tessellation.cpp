@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A result is checked exactly from the input alone, whatever number type made it; and what
-// all Delaunay triangulations of a surface have in common is its Delaunay tessellation.
+// A result of any number type is checked exactly from the input alone; and the common part of all Delaunay
+// triangulations of a surface, its Delaunay tessellation.
 
 #include "samples/sample_surfaces.h"
 
@@ -25,7 +25,7 @@ IT::Intrinsic_triangulation<Traits> triangulate(const samples::Indexed_triangles
 {
   IT::Intrinsic_triangulation<Traits> triangulation(
     IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
-  if (!triangulation.keeps_input()) // the exact traits keep it unasked
+  if (!triangulation.keeps_input()) // the exact traits keep it by default
     triangulation.keep_input(
       IT::Input_metric::from_points(IT::Input_metric::Point_vector(surface.points.begin(), surface.points.end())));
   IT::flip_to_Delaunay(triangulation);

@@ -1,8 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Edges that must not flip, a visitor that follows the flips and can stop them, and how a
-// run is taken up again.
+// Edges that must not flip, a visitor that follows the flips and can stop them, and a run that is continued.
 
 #include "samples/sample_surfaces.h"
 

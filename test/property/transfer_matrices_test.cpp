@@ -29,8 +29,8 @@ using Vector = Eigen::VectorXd;
 
 double norm(const Matrix& a) { return a.norm(); }
 
-// The mass matrix of the functions that are linear on the triangles into which fans cut the faces
-// of the overlay. Areas are those of the places of the corners in the plane of the input face.
+// The mass matrix of the functions that are linear on the triangles into which fans cut the faces of the overlay. Areas
+// are computed from the positions of the corners in the plane of the input face.
 Matrix overlay_mass_matrix(const Overlaid& s)
 {
   const IT::Overlay& overlay = s.overlay();
@@ -172,8 +172,8 @@ TEST(Transfer_matrices, the_projection_is_optimal)
   });
 }
 
-// A function that is linear on both triangulations is its own projection, and so is every one
-// where nothing was flipped.
+// A function that is linear on both triangulations is its own projection, and so is every function if nothing was
+// flipped.
 TEST(Transfer_matrices, the_projection_leaves_functions_of_the_target_as_they_are)
 {
   const samples::Indexed_triangles grid = samples::sheared_grid(12, 12, 3.3);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is carried onto the overlay is what it was: faces of the overlay have one shape in both
+// Transfer to the overlay preserves shapes and functions: faces of the overlay have the same shape in both
 // triangulations, linear functions stay linear, and a textured surface looks the same.
 
 #include "evaluation_data.h"
@@ -39,7 +39,7 @@ std::vector<Part> around(const IT::Overlay& overlay, IT::Overlay::Face f)
   return parts;
 }
 
-// Where the target of a part lies, on a side of the input face.
+// The position of the target of a part on a side of the input face.
 IT::Surface_point in_input(const Overlaid& s, Part h)
 {
   const double t = s.positions().on_input_side(s.overlay(), h);
@@ -193,7 +193,7 @@ TEST(Transfer, along_a_loop_vertex_data_are_constant)
   EXPECT_GT(on_loops, 50);
 }
 
-// Texture coordinates with a seam at some edges, or at all.
+// Texture coordinates with a seam at some edges, or at all edges.
 std::vector<Vector_2> texture_coordinates(const Overlaid& s, bool all_seams)
 {
   std::mt19937 random(1);
@@ -276,7 +276,7 @@ TEST(Transfer, a_textured_surface_looks_the_same)
     }
 }
 
-// No seam appears where there was none: along a part whose input edge is none, both sides agree.
+// No new seam appears: both sides agree along a part whose input edge is not a seam.
 TEST(Transfer, seams_stay_where_they_were)
 {
   const Overlaid s(samples::bumpy_sphere(20, 12));

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What twists jump over is what flips do one by one.
+// Twists skip exactly the flips that would be made one by one.
 
 #include "samples/sample_exact_gluings.h"
 #include "samples/sample_gluings.h"
@@ -74,8 +74,8 @@ std::vector<Rational> untwisted(Exact_gluing gluing)
   return sorted(std::move(squares));
 }
 
-// What two Delaunay triangulations of a surface have in common: the edges that are no ties, by how often they cross the
-// input, and their lengths.
+// The common part of two Delaunay triangulations of a surface: the edges that are not ties, with their numbers of
+// crossings and their lengths.
 using Edges = std::vector<std::tuple<Integer, double>>;
 
 Edges edges_of(const IT::Gluing_triangulation<IT::Filtered_edge_length_traits>& result)
@@ -338,7 +338,7 @@ TEST(Untwist, leaves_what_is_no_flat_tube_alone)
     EXPECT_EQ(IT::untwist(gluing.complex, gluing.squared_lengths).number_of_flips, 0);
     EXPECT_EQ(gluing.squared_lengths, before);
   }
-  // Lengths of no surface come back as they are, for others to complain about.
+  // Lengths that are not those of a surface are returned as they are, for others to report.
   for (const int number : {-5, 0, 9}) {
     Exact_gluing torus = samples::sheared_one_vertex_torus(Integer(0));
     torus.squared_lengths[1] = number;
@@ -390,7 +390,7 @@ TEST(Untwist, is_ended_by_a_visitor)
       IT::untwist(torus.complex, torus.squared_lengths, CGAL::parameters::visitor(std::ref(visitor)));
     EXPECT_FALSE(untwisting.is_complete);
     EXPECT_EQ(untwisting.twists.size(), std::size_t(patience));
-    // What is left is the same torus.
+    // The rest is the same torus.
     EXPECT_EQ(untwisted(torus), (std::vector<Rational>{1, 1, 2}));
     visitor.patience = patience;
     EXPECT_THROW(IT::intrinsic_Delaunay_triangulation(samples::Fibonacci_torus(60),
