@@ -7,10 +7,11 @@
 //
 // The surface is a torus. The first process makes the matrix; all solve.
 
+#include "Multigrid_solver.h"
+
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
-#include <CGAL/Intrinsic_triangulations/Multigrid_solver.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
@@ -47,6 +48,7 @@ Triangulation torus(int number_of_faces)
 int main(int argc, char** argv)
 {
   MPI_Init(&argc, &argv);
+  HYPRE_Init();
   int rank = 0, number_of_processes = 1, status = EXIT_SUCCESS;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &number_of_processes);
@@ -62,8 +64,8 @@ int main(int argc, char** argv)
       right = mass * Eigen::VectorXd::LinSpaced(mass.rows(), -1, 1);
       std::cout << triangulation.connectivity().number_of_faces() << " faces, " << matrix.rows() << " unknowns\n";
     }
-    const IT::Multigrid_solver solver(matrix, MPI_COMM_WORLD);
-    IT::Multigrid_solver::Report report;
+    const Multigrid_solver solver(matrix, MPI_COMM_WORLD);
+    Multigrid_solver::Report report;
     const Eigen::VectorXd u = solver.solve(right, report);
     if (rank == 0) {
       std::cout << "solved by " << number_of_processes << " processes in " << report.iterations
@@ -76,6 +78,7 @@ int main(int argc, char** argv)
     std::cerr << error.what() << "\n";
     MPI_Abort(MPI_COMM_WORLD, EXIT_FAILURE);
   }
+  HYPRE_Finalize();
   MPI_Finalize();
   return status;
 }

@@ -1,18 +1,13 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
-// SPDX-License-Identifier: LGPL-3.0-or-later
+// SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Author(s)     : The Intrinsic_triangulations developers
-//
-// Linear systems that are too large to be factorized, by algebraic multigrid of hypre.
+// Linear systems that are too large to be factorized, by the algebraic multigrid solver of hypre
+// (Debian: libhypre-dev; compile by mpicxx with -I/usr/include/hypre, link with -lHYPRE). The program calls
+// MPI_Init() and HYPRE_Init() before.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_MULTIGRID_SOLVER_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_MULTIGRID_SOLVER_H
+#ifndef MULTIGRID_SOLVER_H
+#define MULTIGRID_SOLVER_H
 
-#include <CGAL/Intrinsic_triangulations/internal/require_Eigen.h>
-#if !__has_include(<HYPRE_parcsr_ls.h>)
-#error                                                                                                                 \
-  "This header needs hypre: install it (Debian: libhypre-dev), add its folder (-I/usr/include/hypre), compile by mpicxx and link with -lHYPRE"
-#endif
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
 #include <Eigen/SparseCore>
@@ -25,45 +20,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <mutex>
 #include <string>
 #include <vector>
-
-namespace CGAL::Intrinsic_triangulations {
-
-namespace internal {
-
-// Initializes MPI and hypre unless the program has, and finalizes them with the program. hypre has a single global
-// state, so one thread at a time uses it.
-inline std::mutex& hypre_mutex()
-{
-  static struct Session
-  {
-    Session()
-    {
-      int is_initialized = 0;
-      MPI_Initialized(&is_initialized);
-      is_own = is_initialized == 0;
-      int provided = 0;
-      if (is_own)
-        MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
-      HYPRE_Init();
-    }
-    ~Session()
-    {
-      int is_finalized = 0;
-      MPI_Finalized(&is_finalized);
-      if (is_finalized != 0)
-        return;
-      HYPRE_Finalize();
-      if (is_own)
-        MPI_Finalize();
-    }
-    bool is_own;
-    std::mutex mutex;
-  } session;
-  return session.mutex;
-}
 
 struct Hypre_objects
 {
@@ -76,7 +34,6 @@ struct Hypre_objects
   Hypre_objects& operator=(const Hypre_objects&) = delete;
   ~Hypre_objects()
   {
-    const std::lock_guard<std::mutex> lock(hypre_mutex());
     if (gradients != nullptr)
       HYPRE_ParCSRPCGDestroy(gradients);
     if (multigrid != nullptr)
@@ -89,10 +46,6 @@ struct Hypre_objects
   }
 };
 
-} // namespace internal
-
-/// \ingroup PkgIntrinsicTriangulationsOperators
-///
 /// \brief solves large sparse systems by the conjugate gradient method, preconditioned by algebraic multigrid (BoomerAMG
 /// of hypre).
 ///
@@ -105,13 +58,9 @@ struct Hypre_objects
 /// by a mass matrix or by given values at some vertices. Entries far from the largest one are as accurate as that one,
 /// and not relative to themselves: heat after a short time (`Heat_method`) needs a factorization.
 ///
-/// Under MPI, all processes of the communicator make the solver and call its functions together. The first one has the
-/// matrix and the right sides, and gets the solutions; the others give empty ones, and get empty ones. Rows are
-/// distributed in blocks. If the program has not initialized MPI, the first solver does, and the program's end finalizes
-/// it; otherwise solvers have to be destroyed before the program finalizes MPI. Threads wait for each other, whichever
-/// solvers they use; with more than one thread, a program that initializes MPI asks for `MPI_THREAD_SERIALIZED`.
-///
-/// Needs Eigen, hypre and MPI. Not copyable.
+/// All processes of the communicator make the solver and call its functions together. The first one has the matrix
+/// and the right sides, and gets the solutions; the others give and get empty ones. Rows are distributed in blocks.
+/// Not copyable, and for one thread at a time, as hypre has one state.
 class Multigrid_solver
 {
 public:
@@ -135,7 +84,6 @@ public:
   /// \exception Numerical_error if hypre fails
   explicit Multigrid_solver(const Matrix& matrix, MPI_Comm communicator = MPI_COMM_SELF) : communicator_(communicator)
   {
-    const std::lock_guard<std::mutex> lock(internal::hypre_mutex());
     MPI_Comm_rank(communicator_, &rank_);
     int number_of_processes = 1;
     MPI_Comm_size(communicator_, &number_of_processes);
@@ -168,7 +116,6 @@ public:
   /// as above. \param b the right side, at the first process \param report receives how the system was solved, at all processes
   Vector solve(const Vector& b, Report& report) const
   {
-    const std::lock_guard<std::mutex> lock(internal::hypre_mutex());
     require(rank_ != 0 || (b.size() == size_ && b.allFinite()),
             "the right side of a linear system must be finite, with an entry for each row of its matrix");
     report = {};
@@ -183,11 +130,13 @@ public:
     const auto [of_b, of_x, of_residual] = norms();
     report.relative_residual = of_residual / of_b;
     if (!(of_residual <= largest_error * (of_x + of_b)))
-      throw Numerical_error("a linear system is not solved after " + std::to_string(report.iterations) +
-                            " iterations: the matrix must be symmetric and positive definite");
+      throw CGAL::Intrinsic_triangulations::Numerical_error(
+        "a linear system is not solved after " + std::to_string(report.iterations) +
+        " iterations: the matrix must be symmetric and positive definite");
     const Vector x = gathered() * (largest / unit_);
     if (!holds_everywhere(x.allFinite()))
-      throw Numerical_error("a linear system cannot be solved: the solution is beyond the range of double");
+      throw CGAL::Intrinsic_triangulations::Numerical_error(
+        "a linear system cannot be solved: the solution is beyond the range of double");
     return x;
   }
 
@@ -205,7 +154,7 @@ private:
   void require(bool condition, const char* message) const
   {
     if (!holds_everywhere(condition))
-      throw Invalid_argument_error(message);
+      throw CGAL::Intrinsic_triangulations::Invalid_argument_error(message);
   }
 
   static bool is_square_and_finite(const Matrix& matrix)
@@ -234,7 +183,7 @@ private:
       HYPRE_IJMatrixSetRowSizes(hypre_.matrix, lengths.data());
     }
     HYPRE_IJMatrixInitialize(hypre_.matrix);
-    if (rank_ == 0) { // which may add to rows of others. The rows of a symmetric matrix are its columns.
+    if (rank_ == 0) { // which may add to rows of others. A symmetric matrix has its columns as rows.
       std::vector<int> columns;
       std::vector<double> values;
       for (int row = 0; row < size_; ++row) {
@@ -267,7 +216,7 @@ private:
     const bool has_failed = HYPRE_GetError() != 0;
     HYPRE_ClearAllErrors();
     if (!holds_everywhere(!has_failed))
-      throw Numerical_error("a linear system cannot be set up by hypre");
+      throw CGAL::Intrinsic_triangulations::Numerical_error("a linear system cannot be set up by hypre");
   }
 
   HYPRE_ParCSRMatrix parallel_matrix() const
@@ -283,7 +232,7 @@ private:
     return static_cast<HYPRE_ParVector>(result);
   }
 
-  // The number of rows of each process.
+  // How many rows each process has.
   std::vector<int> numbers_of_rows() const
   {
     std::vector<int> result;
@@ -292,7 +241,7 @@ private:
     return result;
   }
 
-  // Sets this right side, and zero as the initial solution.
+  // Makes this the right side, and zero the solution to begin with.
   void scatter(const Vector& b) const
   {
     std::vector<double> own(rows_.size());
@@ -315,7 +264,7 @@ private:
     return result;
   }
 
-  // Norms of the right side, the solution, and the residual, which replaces the right side.
+  // Of right side, solution and residual, which replaces the right side.
   std::array<double, 3> norms() const
   {
     const HYPRE_ParVector b = parallel(hypre_.right), x = parallel(hypre_.solution);
@@ -335,9 +284,7 @@ private:
   double unit_ = 1;             // the largest diagonal entry, so that nothing overflows
   std::vector<int> first_rows_; // of each process, and the number of rows
   std::vector<int> rows_;       // of this process
-  internal::Hypre_objects hypre_;
+  Hypre_objects hypre_;
 };
 
-} // namespace CGAL::Intrinsic_triangulations
-
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_MULTIGRID_SOLVER_H
+#endif // MULTIGRID_SOLVER_H
