@@ -244,7 +244,7 @@ Curve trace(const Geodesic_options& options, const Triangulation& triangulation)
     reference(triangulation.connectivity(), vertex(triangulation, *Stop("--from", options.from).vertex));
   IT::Traced_geodesic line =
     IT::trace_geodesic(triangulation, IT::direction_at_vertex(triangulation, h, *options.direction), *options.length,
-                       std::size_t(options.maximum_number_of_faces));
+                       CGAL::parameters::maximum_number(options.maximum_number_of_faces));
   Curve curve;
   curve.length = line.length;
   curve.points = std::move(line.points);

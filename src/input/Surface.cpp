@@ -134,8 +134,8 @@ Surface load_surface(const std::string& path, bool is_repaired,
   const Stopwatch stopwatch;
   std::vector<double> lengths = lengths_of(surface);
   try {
-    surface.mollification =
-      IT::mollify_lengths(surface.connectivity, lengths, mollification->delta, mollification->is_local);
+    surface.mollification = (mollification->is_local ? IT::mollify_lengths_locally : IT::mollify_lengths)(
+      surface.connectivity, lengths, mollification->delta);
   } catch (const IT::Invalid_surface_error& error) {
     throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(), path + ": " + error.what());
   }

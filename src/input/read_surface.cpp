@@ -50,7 +50,7 @@ IT::Polygon_soup read(const std::string& path, const IT::Progress_function& prog
   if (find_mesh_format(path) == Mesh_format::VTP)
     return read_vtp(path);
 #endif
-  return IT::read_polygon_soup(path, progress);
+  return IT::read_polygon_soup(path, CGAL::parameters::visitor(std::ref(progress)));
 }
 
 } // namespace

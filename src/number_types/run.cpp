@@ -207,7 +207,8 @@ std::optional<Shape_summary> summarize_shapes(const Triangulation& triangulation
     for (const IT::Unrefined_face& f : refinement->report.unrefined)
       is_listed[f.face.idx()] = true;
   // More digits than needed.
-  const std::vector<double> angles = IT::opposite_angles<Concurrency_tag>(triangulation, 0x1p-24);
+  const std::vector<double> angles =
+    IT::opposite_angles<Concurrency_tag>(triangulation, CGAL::parameters::relative_error(0x1p-24));
   Shape_summary summary;
   summary.minimum_angle = 180;
   for (IT::Face_index f : complex.faces()) {

@@ -25,8 +25,9 @@ namespace {
 // Points, corners of all faces, and where those of each face begin (empty if all are triangles); and warnings.
 py::tuple read_mesh(const std::string& file_name)
 {
+  const auto goes_on = [](double) { return Signal_watch::goes_on(); };
   IT::Polygon_soup soup =
-    without_lock([&] { return IT::read_polygon_soup(file_name, [](double) { return Signal_watch::goes_on(); }); });
+    without_lock([&] { return IT::read_polygon_soup(file_name, CGAL::parameters::visitor(goes_on)); });
   std::vector<std::int64_t> corners;
   for (std::size_t f = 0; f < soup.number_of_faces(); ++f)
     corners.insert(corners.end(), soup.polygon(f).begin(), soup.polygon(f).end());

@@ -244,8 +244,8 @@ private:
   Path trace(const Triangulation& t, const Tangent_direction& start,
              const std::optional<std::uint64_t>& maximum_number) const
   {
-    const IT::Traced_geodesic line =
-      IT::trace_geodesic(t, start.direction, start.length, std::size_t(maximum_number.value_or(most_faces)));
+    const IT::Traced_geodesic line = IT::trace_geodesic(
+      t, start.direction, start.length, CGAL::parameters::maximum_number(maximum_number.value_or(most_faces)));
     if (line.status == IT::Trace_status::BUDGET_EXHAUSTED && !maximum_number)
       throw IT::Invalid_point_error("the line crosses more than a million faces within " + std::to_string(line.length) +
                                     " of its length " + std::to_string(start.length) +

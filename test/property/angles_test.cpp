@@ -70,7 +70,8 @@ long double planar_angle(const Triangulation& t, const samples::Indexed_triangle
 
 void expect_planar_angles(const Triangulation& t, const samples::Indexed_triangles& surface)
 {
-  const std::vector<double> all = IT::opposite_angles(t), rough = IT::opposite_angles(t, 0x1p-20);
+  const std::vector<double> all = IT::opposite_angles(t),
+                            rough = IT::opposite_angles(t, CGAL::parameters::relative_error(0x1p-20));
   ASSERT_EQ(all.size(), t.connectivity().number_of_halfedges());
   for (Halfedge_index h : t.connectivity().halfedges())
     if (!t.connectivity().is_border(h)) {

@@ -540,8 +540,11 @@ protected:
       traced.triangulation.set_interruption(goes_further);
       for (std::uint32_t f : {0u, input.number_of_faces() / 2}) {
         const IT::Surface_direction direction{{input.halfedge(IT::Face_index(f)), {1, 1, 1}}, {0.3, 0.1}};
-        traced.lengths.push_back(IT::trace_geodesic(traced.triangulation, direction, far, 200).length);
-        traced.lengths.push_back(IT::trace_geodesic_in_triangulation(traced.triangulation, direction, far, 200).length);
+        traced.lengths.push_back(
+          IT::trace_geodesic(traced.triangulation, direction, far, CGAL::parameters::maximum_number(200)).length);
+        traced.lengths.push_back(IT::trace_geodesic_in_triangulation(traced.triangulation, direction, far,
+                                                                     CGAL::parameters::maximum_number(200))
+                                   .length);
       }
     };
     sweep(

@@ -183,7 +183,8 @@ void mollify(const Surface& surface)
   const std::vector<double> before = IT::edge_lengths(triangulation<IT::Edge_length_traits<double>>(surface));
   for (bool is_local : {false, true}) {
     std::vector<double> lengths = before;
-    const IT::Mollification_report report = IT::mollify_lengths(complex, lengths, 1e-3, is_local);
+    const IT::Mollification_report report =
+      (is_local ? IT::mollify_lengths_locally : IT::mollify_lengths)(complex, lengths, 1e-3);
     for (IT::Face_index f : complex.faces()) {
       IT::Halfedge_index h = complex.halfedge(f);
       for (int i = 0; i < 3; ++i, h = complex.next(h)) {

@@ -18,6 +18,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <boost/property_map/function_property_map.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -681,7 +682,9 @@ TEST(GeodesicNetwork, FixedVerticesConstrainedEdgesAndBudgets)
     Triangulation t = plane;
     const IT::Edge_index a = t.connectivity().edge(halfedge_between(t.connectivity(), 10, 11)),
                          b = t.connectivity().edge(halfedge_between(t.connectivity(), 11, 12));
-    Network network(t, [&](IT::Edge_index e) { return e == a || e == b; });
+    const auto wall =
+      boost::make_function_property_map<IT::Edge_index>([&](IT::Edge_index e) { return e == a || e == b; });
+    Network network(t, CGAL::parameters::edge_is_constrained_map(wall));
     network.add_path(corner_path(t));
     EXPECT_EQ(network.shorten().status, Status::GEODESIC);
     EXPECT_TRUE(network.is_geodesic());
@@ -895,7 +898,8 @@ TEST(TracedLine, ClosesOnATetrahedron)
   for (int i = 0; i < 3; ++i)
     EXPECT_NEAR(from[i], to[i], 1e-12);
   for (std::size_t number : {std::size_t(1), std::size_t(100), line.points.size() - 2}) {
-    const IT::Traced_geodesic first = IT::trace_geodesic(t, {{h, {0.3, 0.45, 0.25}}, {a, b}}, length, number);
+    const IT::Traced_geodesic first =
+      IT::trace_geodesic(t, {{h, {0.3, 0.45, 0.25}}, {a, b}}, length, CGAL::parameters::maximum_number(number));
     EXPECT_EQ(first.status, IT::Trace_status::BUDGET_EXHAUSTED);
     ASSERT_EQ(first.points.size(), number + 1);
     for (std::size_t i = 0; i <= number; ++i)
@@ -904,7 +908,9 @@ TEST(TracedLine, ClosesOnATetrahedron)
     EXPECT_LT(first.length, length);
   }
   const std::size_t all = line.points.size() - 1;
-  EXPECT_EQ(IT::trace_geodesic(t, {{h, {0.3, 0.45, 0.25}}, {a, b}}, length, all).status, IT::Trace_status::AT_LENGTH);
+  EXPECT_EQ(
+    IT::trace_geodesic(t, {{h, {0.3, 0.45, 0.25}}, {a, b}}, length, CGAL::parameters::maximum_number(all)).status,
+    IT::Trace_status::AT_LENGTH);
 }
 
 // On finer meshes of a sphere, a line stays nearer to the great circle that it starts on.

@@ -58,13 +58,19 @@ Case sample(const std::string& name)
   return result;
 }
 
+IT::Mollification_report mollify(const IT::Delta_complex& complex, std::vector<double>& lengths, double delta,
+                                 bool is_local)
+{
+  return (is_local ? IT::mollify_lengths_locally : IT::mollify_lengths)(complex, lengths, delta);
+}
+
 } // namespace
 
 TEST(Mollify, leaves_good_triangles_alone)
 {
   for (const bool is_local : {false, true}) {
     std::vector<double> lengths = {3, 4, 5};
-    const IT::Mollification_report report = IT::mollify_lengths(one_triangle(), lengths, 1e-3, is_local);
+    const IT::Mollification_report report = mollify(one_triangle(), lengths, 1e-3, is_local);
     EXPECT_EQ(lengths, (std::vector<double>{3, 4, 5}));
     EXPECT_EQ(report.epsilon, 0);
     EXPECT_EQ(report.number_of_changed_edges, 0u);
@@ -77,7 +83,7 @@ TEST(Mollify, global_adds_the_smallest_epsilon)
 {
   // The deficit of the flat corner is delta: one half of the mean length, 8/3.
   std::vector<double> lengths = {2, 2, 4};
-  const IT::Mollification_report report = IT::mollify_lengths(one_triangle(), lengths, 0.5, false);
+  const IT::Mollification_report report = IT::mollify_lengths(one_triangle(), lengths, 0.5);
   EXPECT_DOUBLE_EQ(report.epsilon, 4. / 3);
   EXPECT_EQ(report.number_of_changed_edges, 3u);
   EXPECT_DOUBLE_EQ(report.largest_relative_change, 2. / 3);
@@ -87,7 +93,7 @@ TEST(Mollify, global_adds_the_smallest_epsilon)
 TEST(Mollify, local_raises_the_shorter_side_first)
 {
   std::vector<double> lengths = {1, 3, 4}; // delta = 0.25 * 8/3 = 2/3
-  const IT::Mollification_report report = IT::mollify_lengths(one_triangle(), lengths, 0.25, true);
+  const IT::Mollification_report report = IT::mollify_lengths_locally(one_triangle(), lengths, 0.25);
   EXPECT_DOUBLE_EQ(lengths[0], 1 + 2. / 3);
   EXPECT_EQ(lengths[1], 3);
   EXPECT_EQ(lengths[2], 4);
@@ -101,7 +107,7 @@ TEST(Mollify, repairs_lengths_that_no_triangle_has)
   for (const bool is_local : {false, true})
     for (const double delta : {0., 1e-6, 0.1, 1., 10.}) {
       std::vector<double> lengths = {1, 1, 7};
-      const IT::Mollification_report report = IT::mollify_lengths(one_triangle(), lengths, delta, is_local);
+      const IT::Mollification_report report = mollify(one_triangle(), lengths, delta, is_local);
       EXPECT_TRUE(has_margin(one_triangle(), lengths, report.delta)) << delta;
     }
 }
@@ -110,7 +116,7 @@ TEST(Mollify, accepts_an_edge_of_length_zero)
 {
   for (const bool is_local : {false, true}) {
     std::vector<double> lengths = {0, 1, 1};
-    const IT::Mollification_report report = IT::mollify_lengths(one_triangle(), lengths, 0.1, is_local);
+    const IT::Mollification_report report = mollify(one_triangle(), lengths, 0.1, is_local);
     EXPECT_TRUE(has_margin(one_triangle(), lengths, report.delta));
     EXPECT_TRUE(std::isinf(report.largest_relative_change));
   }
@@ -128,7 +134,7 @@ TEST(Mollify, reaches_the_margin_on_every_gluing)
         for (std::size_t e = 0; e < complex.number_of_edges(); ++e)
           lengths.push_back(std::ldexp(double(random() >> 11), -53 - int(random() % 12)));
         const std::vector<double> old = lengths;
-        const IT::Mollification_report report = IT::mollify_lengths(complex, lengths, delta, is_local);
+        const IT::Mollification_report report = mollify(complex, lengths, delta, is_local);
         EXPECT_TRUE(has_margin(complex, lengths, report.delta)) << seed << ' ' << delta;
         const double longest = *std::max_element(old.begin(), old.end());
         for (std::size_t e = 0; e < old.size(); ++e) {
@@ -147,8 +153,8 @@ TEST(Mollify, local_changes_fewer_edges_than_global)
   const std::pair<const char*, double> cases[] = {{"cap", 1e-2}, {"disk-with-spike", 0.5}, {"bad-torus", 0.2}};
   for (const auto& [name, delta] : cases) {
     Case global = sample(name), local = global;
-    const IT::Mollification_report of_global = IT::mollify_lengths(global.complex, global.lengths, delta, false);
-    const IT::Mollification_report of_local = IT::mollify_lengths(local.complex, local.lengths, delta, true);
+    const IT::Mollification_report of_global = IT::mollify_lengths(global.complex, global.lengths, delta);
+    const IT::Mollification_report of_local = IT::mollify_lengths_locally(local.complex, local.lengths, delta);
     EXPECT_TRUE(has_margin(global.complex, global.lengths, of_global.delta)) << name;
     EXPECT_TRUE(has_margin(local.complex, local.lengths, of_local.delta)) << name;
     EXPECT_EQ(of_global.number_of_changed_edges, global.lengths.size()) << name;
@@ -163,13 +169,13 @@ TEST(Mollify, refuses_what_is_no_length)
   for (const double bad : {nan, infinity, -1.}) {
     std::vector<double> lengths = {1, bad, bad};
     try {
-      IT::mollify_lengths(one_triangle(), lengths, 0.1, true);
+      IT::mollify_lengths_locally(one_triangle(), lengths, 0.1);
       FAIL() << bad;
     } catch (const IT::Invalid_surface_error& error) {
       EXPECT_EQ(error.element(), 1u);
       EXPECT_EQ(error.count(), 2u);
     }
     std::vector<double> good = {1, 1, 1};
-    EXPECT_THROW(IT::mollify_lengths(one_triangle(), good, bad, false), IT::Invalid_surface_error);
+    EXPECT_THROW(IT::mollify_lengths(one_triangle(), good, bad), IT::Invalid_surface_error);
   }
 }

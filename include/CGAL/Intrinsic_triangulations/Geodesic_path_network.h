@@ -65,11 +65,23 @@ public:
 
   /// \brief constructs a network without paths.
   /// \param triangulation is flipped by `shorten()` and must outlive the network
-  /// \param is_constrained tells whether paths must not cross an edge; without it, no edge is constrained
-  explicit Geodesic_path_network(Triangulation& triangulation, std::function<bool(Edge_index)> is_constrained = {})
-    : triangulation_(triangulation), geometry_(triangulation), is_constrained_(std::move(is_constrained)),
-      paths_(complex()), is_fixed_(complex().number_of_vertices(), false)
-  {}
+  /// \param np an optional sequence of named parameters
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{edge_is_constrained_map}
+  ///     \cgalParamDescription{which edges paths must not cross; copied}
+  ///     \cgalParamType{a model of `ReadablePropertyMap` with `Edge_index` as key and `bool` as value}
+  ///     \cgalParamDefault{none}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  template <class NamedParameters = parameters::Default_named_parameters>
+  explicit Geodesic_path_network(Triangulation& triangulation, const NamedParameters& np = parameters::default_values())
+    : triangulation_(triangulation), geometry_(triangulation), paths_(complex()),
+      is_fixed_(complex().number_of_vertices(), false)
+  {
+    if constexpr (internal::has_edge_constraints<NamedParameters>)
+      is_constrained_ = [map = internal::edge_constraints_of(np)](Edge_index e) { return bool(get(map, e)); };
+  }
   /// \cond SKIP_IN_MANUAL
   Geodesic_path_network(const Geodesic_path_network&) = delete;
   Geodesic_path_network& operator=(const Geodesic_path_network&) = delete;
@@ -130,12 +142,9 @@ public:
   template <class NamedParameters = parameters::Default_named_parameters>
   Geodesic_report shorten(const NamedParameters& np = parameters::default_values())
   {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
     const internal::Standard_arithmetic arithmetic;
     auto observer = internal::observer_of(np);
-    budget_ =
-      choose_parameter(get_parameter(np, internal_np::maximum_number), (std::numeric_limits<std::uint64_t>::max)());
+    budget_ = internal::maximum_number_of(np);
     report_ = {};
     is_stopped_ = false;
     go_further_ = [&] { return observer.go_further(report_.tests, report_.flips); };

@@ -235,17 +235,26 @@ double angle(const Intrinsic_triangulation<Traits>& triangulation, Halfedge_inde
 ///
 /// As `angle()`, with the same bounds, and otherwise as `element_numbers()`.
 /// \param triangulation the triangulation
-/// \param relative_error a sufficient accuracy, if larger than the error of `angle()`: for slivers, multiple precision
-///   takes most of the time
-/// \param np as for `element_numbers()`
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{relative_error}
+///     \cgalParamDescription{a sufficient accuracy, if larger than the error of `angle()`: for slivers, multiple
+///       precision takes most of the time}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{2^-49}
+///   \cgalParamNEnd
+///   \cgalParamVisitor{as for `element_numbers()`}
+/// \cgalNamedParamsEnd
+///
 /// \tparam ConcurrencyTag as for `element_numbers()`
 /// \exception Undecided_error as `angle()`
 template <class ConcurrencyTag = Sequential_tag, class Traits,
           class NamedParameters = parameters::Default_named_parameters>
 std::vector<double> opposite_angles(const Intrinsic_triangulation<Traits>& triangulation,
-                                    double relative_error = 0x1p-49,
                                     const NamedParameters& np = parameters::default_values())
 {
+  const double relative_error = internal::value_of<internal::Parameter::RELATIVE_ERROR>(np, 0x1p-49);
   return internal::Element_measurer<ConcurrencyTag, Traits>(triangulation, internal::progress_function_of(np))
     .angles(relative_error, [&](Halfedge_index h) { return angle(triangulation, h); });
 }

@@ -143,45 +143,10 @@ private:
 
 } // namespace internal
 
-/// \ingroup PkgIntrinsicTriangulationsRef
-/// \brief lengthens edges until every triangle satisfies the triangle inequality with a
-/// margin: `l_ij + l_jk >= l_ki + delta` at each corner j.
-///
-/// Nearly degenerate triangles lose digits in an inexact number type, and lengths that violate
-/// the triangle inequality slightly are not a metric at all. Mollification repairs both, but it
-/// changes the surface: use it only if that is better than the alternatives. Exact
-/// decisions do not need it.
-///
-/// *Global* (Sharp and Crane 2020, section 4.5): the same ε is added to every length, the
-/// smallest that satisfies all corners. Two linear passes.
-///
-/// *Local*: only edges of triangles that lack the margin become longer. The margins of all
-/// three corners imply lengths of at least delta, so shorter edges are first raised to
-/// delta. Then edges are processed in the order of decreasing length. If the current
-/// edge, of length c, lacks the margin against the other two sides of a triangle, the
-/// shorter of these is raised, at most up to the longer one. If that is not enough, both are
-/// raised to (c + delta)/2. As delta ≤ c, no side is raised beyond c: a processed edge
-/// never changes again. So each edge is processed once, and the function terminates in
-/// O(n log n). In each triangle the longest side has the margin against the other two,
-/// which implies the same for these.
-///
-/// A triangle that has the margin, and no edge that a neighbor had to raise, keeps its
-/// lengths bit for bit. If all triangles have the margin, nothing changes.
-///
-/// \param complex the triangles
-/// \param lengths the length of each edge, in the order of the edges; they need not
-///   satisfy the triangle inequality
-/// \param delta_relative the margin as a multiple of the mean edge length; 0 repairs
-///   only the triangle inequality, with equality
-/// \param is_local whether only edges of triangles without the margin are lengthened
-///
-/// \return the changes
-/// \exception Invalid_surface_error if a length, or the margin, is negative or not finite
-/// \pre there is one length for each edge
-///
-/// Source: N. Sharp, K. Crane, "A Laplacian for nonmanifold triangle meshes", 2020.
-inline Mollification_report mollify_lengths(const Delta_complex& complex, std::vector<double>& lengths,
-                                            double delta_relative, bool is_local)
+namespace internal {
+
+inline Mollification_report mollify(const Delta_complex& complex, std::vector<double>& lengths, double delta_relative,
+                                    void (Length_mollifier::*lengthen)())
 {
   CGAL_precondition(lengths.size() == complex.number_of_edges());
   const auto is_usable = [](double x) { return x >= 0 && x < std::numeric_limits<double>::infinity(); };
@@ -203,11 +168,8 @@ inline Mollification_report mollify_lengths(const Delta_complex& complex, std::v
                                 "the margin of the mollification is negative or not finite");
 
   const std::vector<double> old = lengths;
-  internal::Length_mollifier mollifier(complex, lengths, delta);
-  if (is_local)
-    mollifier.add_where_needed();
-  else
-    mollifier.add_to_all();
+  Length_mollifier mollifier(complex, lengths, delta);
+  (mollifier.*lengthen)();
 
   Mollification_report report;
   report.delta = delta;
@@ -221,6 +183,63 @@ inline Mollification_report mollify_lengths(const Delta_complex& complex, std::v
       (std::max)(report.largest_relative_change, old[e] > 0 ? added / old[e] : std::numeric_limits<double>::infinity());
   }
   return report;
+}
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// \brief lengthens edges until every triangle satisfies the triangle inequality with a
+/// margin: `l_ij + l_jk >= l_ki + delta` at each corner j.
+///
+/// Nearly degenerate triangles lose digits in an inexact number type, and lengths that violate
+/// the triangle inequality slightly are not a metric at all. Mollification repairs both, but it
+/// changes the surface: use it only if that is better than the alternatives. Exact
+/// decisions do not need it.
+///
+/// The same ε is added to every length, the smallest that satisfies all corners (Sharp and Crane 2020, section 4.5). Two
+/// linear passes. If all triangles have the margin, nothing changes.
+///
+/// \param complex the triangles
+/// \param lengths the length of each edge, in the order of the edges; they need not
+///   satisfy the triangle inequality
+/// \param delta_relative the margin as a multiple of the mean edge length; 0 repairs
+///   only the triangle inequality, with equality
+///
+/// \return the changes
+/// \exception Invalid_surface_error if a length, or the margin, is negative or not finite
+/// \pre there is one length for each edge
+///
+/// Source: N. Sharp, K. Crane, "A Laplacian for nonmanifold triangle meshes", 2020.
+inline Mollification_report mollify_lengths(const Delta_complex& complex, std::vector<double>& lengths,
+                                            double delta_relative)
+{
+  return internal::mollify(complex, lengths, delta_relative, &internal::Length_mollifier::add_to_all);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// \brief as `mollify_lengths()`, but only edges of triangles that lack the margin become longer.
+///
+/// The margins of all
+/// three corners imply lengths of at least delta, so shorter edges are first raised to
+/// delta. Then edges are processed in the order of decreasing length. If the current
+/// edge, of length c, lacks the margin against the other two sides of a triangle, the
+/// shorter of these is raised, at most up to the longer one. If that is not enough, both are
+/// raised to (c + delta)/2. As delta ≤ c, no side is raised beyond c: a processed edge
+/// never changes again. So each edge is processed once, and the function terminates in
+/// O(n log n). In each triangle the longest side has the margin against the other two,
+/// which implies the same for these.
+///
+/// A triangle that has the margin, and no edge that a neighbor had to raise, keeps its
+/// lengths bit for bit. If all triangles have the margin, nothing changes.
+///
+/// \param complex, lengths, delta_relative as for `mollify_lengths()`
+/// \return the changes
+/// \exception Invalid_surface_error as `mollify_lengths()`
+/// \pre as for `mollify_lengths()`
+inline Mollification_report mollify_lengths_locally(const Delta_complex& complex, std::vector<double>& lengths,
+                                                    double delta_relative)
+{
+  return internal::mollify(complex, lengths, delta_relative, &internal::Length_mollifier::add_where_needed);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/files/Polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 
 #include <array>
 #include <cstddef>
@@ -21,6 +22,14 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+namespace internal {
+
+Polygon_soup read_polygon_soup(const std::string& file_name, const Progress_function& progress);
+// \exception Invalid_surface_error that names the file and a face that is no triangle
+void require_triangles(const std::string& file_name, const Polygon_soup& soup);
+
+} // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsIO
 /// \brief reads the points and polygons of an OFF, OBJ, PLY, STL or TS file; its extension, in lower or upper case,
@@ -33,17 +42,25 @@ namespace CGAL::Intrinsic_triangulations {
 /// Each coordinate becomes the nearest double; in PLY files with properties `float`, the nearest float.
 ///
 /// \param file_name the name of a file that does not change while it is read
-/// \param progress is called for each megabyte of the file with the fraction that was read
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamVisitor{is called for each megabyte of the file with the fraction that was read, and can cancel}
+/// \cgalNamedParamsEnd
 ///
 /// \return the points and polygons, which need not form a surface; see `examine_polygons()`
 ///
 /// \exception Invalid_surface_error if the file cannot be read. The message begins with the name of the file, and
 ///   names the line or the element at fault. Header counts are checked against the file size, so the size of the file
 ///   bounds the memory
-/// \exception Cancelled_error if `progress` returns `false`
+/// \exception Cancelled_error if the visitor asks for it
 ///
 /// O(size of the file); in STL files, vertices are found by hashing.
-Polygon_soup read_polygon_soup(const std::string& file_name, const Progress_function& progress = {});
+template <class NamedParameters = parameters::Default_named_parameters>
+Polygon_soup read_polygon_soup(const std::string& file_name, const NamedParameters& np = parameters::default_values())
+{
+  return internal::read_polygon_soup(file_name, internal::progress_function_of(np));
+}
 
 /// \ingroup PkgIntrinsicTriangulationsIO
 /// \brief returns the size of a regular file that can be opened, in bytes.
@@ -57,13 +74,6 @@ std::uintmax_t readable_file_size(const std::string& file_name);
 /// \return for example "; Assimp reads it: assimp export a.glb a.obj", with a command for the shell; the empty string
 /// if no program is known
 std::string conversion_advice(const std::string& file_name);
-
-namespace internal {
-
-// \exception Invalid_surface_error that names the file and a face that is not a triangle
-void require_triangles(const std::string& file_name, const Polygon_soup& soup);
-
-} // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsIO
 /// \brief reads the points and triangles of a file, as `read_polygon_soup()`.
@@ -82,16 +92,16 @@ void require_triangles(const std::string& file_name, const Polygon_soup& soup);
 /// \param file_name as for `read_polygon_soup()`
 /// \param points receives the points of the file
 /// \param triangles receives the triangles of the file, as indices into `points`
-/// \param progress as for `read_polygon_soup()`
+/// \param np as for `read_polygon_soup()`
 ///
 /// \exception Invalid_surface_error as `read_polygon_soup()`, and if a face is not a triangle. The ranges are unchanged
 /// then.
-/// \exception Cancelled_error if `progress` returns `false`
-template <class PointRange, class TriangleRange>
+/// \exception Cancelled_error if the visitor asks for it
+template <class PointRange, class TriangleRange, class NamedParameters = parameters::Default_named_parameters>
 void read_triangles(const std::string& file_name, PointRange& points, TriangleRange& triangles,
-                    const Progress_function& progress = {})
+                    const NamedParameters& np = parameters::default_values())
 {
-  Polygon_soup soup = read_polygon_soup(file_name, progress);
+  Polygon_soup soup = read_polygon_soup(file_name, np);
   internal::require_triangles(file_name, soup);
   if constexpr (std::is_same<PointRange, decltype(soup.points)>::value)
     points = std::move(soup.points);

@@ -13,10 +13,10 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -59,8 +59,17 @@ Surface_direction direction_at_vertex(const internal::Exact_engine& engine, Half
 /// \param triangulation a triangulation that keeps its input; flips do not affect the line
 /// \param start a point of the input and a direction. On an edge or at a vertex, the direction must not leave the face
 /// \param length the length of the line, in the unit of the input
-/// \param maximum_number the maximum number of faces, at least one. Each takes memory, and near the tip of a needle a
-///   short line can cross any number of them
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{maximum_number}
+///     \cgalParamDescription{the number of faces after which the line ends, at least one. Each takes memory, and near
+///       the tip of a needle a short line can cross any number of them}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{no limit}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \return the line
 /// \exception Invalid_argument_error if `length` is not finite or is negative
 /// \exception Invalid_point_error if `start` is not finite, the point does not lie on the surface, or the direction
@@ -69,11 +78,11 @@ Surface_direction direction_at_vertex(const internal::Exact_engine& engine, Half
 ///
 /// O(number of points) arithmetic operations, after the preparation of the exact geometry; tests too close for
 /// double-doubles lay out the whole line once more.
-template <class Traits>
+template <class Traits, class NamedParameters = parameters::Default_named_parameters>
 Traced_geodesic trace_geodesic(const Intrinsic_triangulation<Traits>& triangulation, const Surface_direction& start,
-                               double length, std::size_t maximum_number = (std::numeric_limits<std::size_t>::max)())
+                               double length, const NamedParameters& np = parameters::default_values())
 {
-  return internal::trace(internal::engine(triangulation), start, length, maximum_number);
+  return internal::trace(internal::engine(triangulation), start, length, std::size_t(internal::maximum_number_of(np)));
 }
 
 /// \brief follows the same line over the faces of the current triangulation.
@@ -89,15 +98,16 @@ Traced_geodesic trace_geodesic(const Intrinsic_triangulation<Traits>& triangulat
 /// \param triangulation the triangulation
 /// \param start a point of the input and a direction, as for `trace_geodesic()`
 /// \param length the length of the line, in the unit of the input
-/// \param maximum_number as for `trace_geodesic()`, of faces of the triangulation
+/// \param np as for `trace_geodesic()`; `maximum_number` counts faces of the triangulation
 /// \return the line
 /// \exception Invalid_point_error, Undecided_error, Cancelled_error as `trace_geodesic()`
-template <class Traits>
+template <class Traits, class NamedParameters = parameters::Default_named_parameters>
 Traced_geodesic trace_geodesic_in_triangulation(const Intrinsic_triangulation<Traits>& triangulation,
                                                 const Surface_direction& start, double length,
-                                                std::size_t maximum_number = (std::numeric_limits<std::size_t>::max)())
+                                                const NamedParameters& np = parameters::default_values())
 {
-  return internal::trace_in_triangulation(internal::engine(triangulation), start, length, maximum_number);
+  return internal::trace_in_triangulation(internal::engine(triangulation), start, length,
+                                          std::size_t(internal::maximum_number_of(np)));
 }
 
 /// \brief returns a direction at the source of an input halfedge.

@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -85,6 +86,23 @@ inline std::vector<double> shares_of_area(const Tufted_cover& cover)
   return areas;
 }
 
+// The stiffness matrix, and the smallest (cot k + cot l)/2 of an edge between different vertices of the input, or 0.
+inline std::pair<Eigen::SparseMatrix<double>, double> stiffness_and_minimum_weight(const Tufted_cover& cover)
+{
+  const Cotangent_weight<Filtered_edge_length_traits> weight(cover.triangulation);
+  const Row_of_cover_vertex row(cover);
+  double minimum = std::numeric_limits<double>::infinity();
+  Eigen::SparseMatrix<double> result = assemble_symmetric_matrix(
+    cover.triangulation.connectivity(), row,
+    [&](Edge_index e) {
+      const double w = weight(e);
+      minimum = (std::min)(minimum, w);
+      return -0.5 * row.share(e) * w;
+    },
+    [](int, double sum_of_others) { return 0 - sum_of_others; });
+  return {std::move(result), minimum < std::numeric_limits<double>::infinity() ? minimum / 2 : 0};
+}
+
 } // namespace internal
 /// \endcond
 
@@ -95,25 +113,10 @@ inline std::vector<double> shares_of_area(const Tufted_cover& cover)
 /// where there are two copies of each face. If the cover was made Delaunay and has no border, no entry off the diagonal
 /// is positive. O(size).
 /// \param cover the cover, flipped or not
-/// \param minimum_weight if not null, becomes the smallest `(cot k + cot l)/2` of an edge between different vertices of
-///   the input; 0 if there is none
 /// \exception Invalid_surface_error as `cotangent_weights()`
-inline Eigen::SparseMatrix<double> stiffness_matrix(const Tufted_cover& cover, double* minimum_weight = nullptr)
+inline Eigen::SparseMatrix<double> stiffness_matrix(const Tufted_cover& cover)
 {
-  const internal::Cotangent_weight<Filtered_edge_length_traits> weight(cover.triangulation);
-  const internal::Row_of_cover_vertex row(cover);
-  double minimum = std::numeric_limits<double>::infinity();
-  Eigen::SparseMatrix<double> result = internal::assemble_symmetric_matrix(
-    cover.triangulation.connectivity(), row,
-    [&](Edge_index e) {
-      const double w = weight(e);
-      minimum = (std::min)(minimum, w);
-      return -0.5 * row.share(e) * w;
-    },
-    [](int, double sum_of_others) { return 0 - sum_of_others; });
-  if (minimum_weight)
-    *minimum_weight = minimum < std::numeric_limits<double>::infinity() ? minimum / 2 : 0;
-  return result;
+  return internal::stiffness_and_minimum_weight(cover).first;
 }
 
 /// \ingroup PkgIntrinsicTriangulationsCover
@@ -160,7 +163,7 @@ Tufted_Laplacian operator_of_cover(Tufted_cover cover, const NamedParameters& np
   Tufted_Laplacian result;
   result.flips = flip_to_Delaunay(cover.triangulation, np);
   cover.triangulation.set_interruption(go_further_function_of(np));
-  result.stiffness = stiffness_matrix(cover, &result.minimum_weight);
+  std::tie(result.stiffness, result.minimum_weight) = stiffness_and_minimum_weight(cover);
   result.mass = value_of<Parameter::MASS_TYPE>(np, Mass_type::LUMPED) == Mass_type::LUMPED
                   ? lumped_mass_matrix(cover)
                   : Galerkin_mass_matrix(cover);

@@ -279,8 +279,7 @@ auto intrinsic_Delaunay_triangulation(const Exact_gluing& gluing,
   const bool is_fast = internal::value_of<internal::Parameter::FAST_FORWARD>(np, false);
   const auto is_constrained = internal::edge_constraints_of(np);
   auto observer = internal::observer_of(np);
-  const std::uint64_t budget =
-    choose_parameter(get_parameter(np, internal_np::maximum_number), (std::numeric_limits<std::uint64_t>::max)());
+  const std::uint64_t budget = internal::maximum_number_of(np);
 
   Untwisting untwisting;
   const auto triangulation = [&] {

@@ -452,7 +452,7 @@ private:
       const auto& q = points[complex.target(complex.halfedge(e)).idx()];
       lengths.push_back(std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]));
     }
-    report().mollification = mollify_lengths(complex, lengths, options_.mollification, false);
+    report().mollification = mollify_lengths(complex, lengths, options_.mollification);
     return Intrinsic_triangulation<Filtered_edge_length_traits>::from_lengths(std::move(complex), std::move(lengths));
   }
 
@@ -561,7 +561,7 @@ Tufted_cover build_cover_of_complex(const Delta_complex& complex, const std::vec
     is_back.resize(2 * n, true);
   }
   if (options.mollification > 0)
-    report.mollification = mollify_lengths(cover, cover_lengths, options.mollification, false);
+    report.mollification = mollify_lengths(cover, cover_lengths, options.mollification);
   return {Triangulation::from_lengths(std::move(cover), std::move(cover_lengths)),
           std::move(vertex_of),
           std::move(face_of),

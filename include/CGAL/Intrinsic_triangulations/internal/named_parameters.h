@@ -15,6 +15,8 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <cstdint>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -38,7 +40,8 @@ namespace Intrinsic_triangulations::internal {
   F(coincident_vertices, COINCIDENT_VERTICES)                                                                          \
   F(is_welded, IS_WELDED)                                                                                              \
   F(mollification, MOLLIFICATION)                                                                                      \
-  F(mass_type, MASS_TYPE)
+  F(mass_type, MASS_TYPE)                                                                                              \
+  F(relative_error, RELATIVE_ERROR)
 
 #define CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(name, tag) tag,
 enum class Parameter {
@@ -142,6 +145,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(is_welded, IS_WELDED)
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(mollification, MOLLIFICATION)
 /// \brief which mass matrix is returned: a `Mass_type`.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(mass_type, MASS_TYPE)
+/// \brief the relative error that a number may have.
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(relative_error, RELATIVE_ERROR)
 /// @}
 #undef CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER
 
@@ -154,6 +159,14 @@ template <Parameter parameter, class NamedParameters, class D>
 D value_of(const NamedParameters& np, const D& otherwise)
 {
   return D(parameters::choose_parameter(parameters::get_parameter(np, Parameter_tag<parameter>()), otherwise));
+}
+
+// The maximum number of steps; without it there is no limit.
+template <class NamedParameters>
+std::uint64_t maximum_number_of(const NamedParameters& np)
+{
+  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_number),
+                                      (std::numeric_limits<std::uint64_t>::max)());
 }
 
 // The map of the edges that must not be flipped, or one without constraints.
