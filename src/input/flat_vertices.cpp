@@ -27,8 +27,8 @@ double remove_flat_vertices(Surface& surface, std::optional<double> tolerance)
                       ": --remove-flat-vertices needs a surface in space, but this one has only edge lengths");
   Progress progress(surface.path, "removing flat vertices");
   const std::size_t number_before = surface.points.size();
-  const IT::Flat_vertex_removal removal =
-    IT::remove_nearly_flat_vertices(surface.connectivity, surface.points, tolerance.value_or(0), std::ref(progress));
+  const IT::Flat_vertex_removal removal = IT::remove_nearly_flat_vertices(
+    surface.connectivity, surface.points, tolerance.value_or(0), CGAL::parameters::visitor(std::ref(progress)));
   surface.number_of_removed_vertices = number_before - removal.vertices.size();
   surface.input_vertices.emplace();
   for (IT::Vertex_index v : removal.vertices)

@@ -103,18 +103,14 @@ public:
               ConcurrencyTag())
   {}
 
-  /// \brief builds the overlay from the current connectivity and its correspondence to the input.
-  /// \tparam ConcurrencyTag as above
-  /// \param intrinsic, correspondence the connectivity and the correspondence
-  /// \param np as above
-  /// \pre `correspondence.is_prepared()`
-  /// \exception Integer_overflow_error as above
-  /// \exception Cancelled_error as above
+  /// \cond SKIP_IN_MANUAL
+  // From the current connectivity and its correspondence to the input, which is prepared.
   template <class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>
   Overlay(const Delta_complex& intrinsic, const internal::Correspondence& correspondence,
           const NamedParameters& np = parameters::default_values(), ConcurrencyTag = ConcurrencyTag())
     : arrays_(internal::build_overlay<ConcurrencyTag>(intrinsic, correspondence, internal::progress_function_of(np)))
   {}
+  /// \endcond
 
   /// \name Size
   /// @{

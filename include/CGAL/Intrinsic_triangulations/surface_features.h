@@ -10,12 +10,28 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/Index.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <array>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsInsertion
+/// \brief the result of `remove_nearly_flat_vertices()`.
+struct Flat_vertex_removal
+{
+  std::vector<Vertex_index> vertices; ///< for each remaining vertex, its previous descriptor
+  double deviation = 0; ///< a bound on how far the surface has moved, in the unit of the points: at most the tolerance
+};
+
+namespace internal {
+std::vector<Vertex_index> remove_flat_vertices(Delta_complex& complex, std::vector<std::array<double, 3>>& points,
+                                               const Progress_function& progress);
+Flat_vertex_removal remove_nearly_flat_vertices(Delta_complex& complex, std::vector<std::array<double, 3>>& points,
+                                                double tolerance, const Progress_function& progress);
+} // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
 /// \brief removes vertices from a surface in space without moving any point of it.
@@ -30,24 +46,25 @@ namespace CGAL::Intrinsic_triangulations {
 ///
 /// \param complex the connectivity; its last elements take the place of those that are removed
 /// \param points the positions of the vertices, which follow them
-/// \param progress is called from time to time
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamVisitor{is called from time to time with the fraction that is done, and can cancel}
+/// \cgalNamedParamsEnd
+///
 /// \return for each remaining vertex, its previous descriptor
 ///
 /// \pre there is one point for each vertex, and the coordinates are finite
-/// \exception Cancelled_error if `progress` returns `false`; then `complex` and `points` describe the surface with some
+/// \exception Cancelled_error if the visitor asks for it; then `complex` and `points` describe the surface with some
 ///   vertices removed
 ///
 /// O(number of halfedges), with filtered exact predicates.
+template <class NamedParameters = parameters::Default_named_parameters>
 std::vector<Vertex_index> remove_flat_vertices(Delta_complex& complex, std::vector<std::array<double, 3>>& points,
-                                               const Progress_function& progress = {});
-
-/// \ingroup PkgIntrinsicTriangulationsInsertion
-/// \brief the result of `remove_nearly_flat_vertices()`.
-struct Flat_vertex_removal
+                                               const NamedParameters& np = parameters::default_values())
 {
-  std::vector<Vertex_index> vertices; ///< for each remaining vertex, its previous descriptor
-  double deviation = 0; ///< a bound on how far the surface has moved, in the unit of the points: at most the tolerance
-};
+  return internal::remove_flat_vertices(complex, points, internal::progress_function_of(np));
+}
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
 /// \brief as `remove_flat_vertices()`, for vertices that are slightly off their planes and lines, for instance after a
@@ -61,15 +78,24 @@ struct Flat_vertex_removal
 /// \param complex the connectivity; its last elements take the place of those that are removed
 /// \param points the positions of the vertices, which follow them
 /// \param tolerance the largest distance by which a point of the surface may move
-/// \param progress is called from time to time
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamVisitor{is called from time to time with the fraction that is done, and can cancel}
+/// \cgalNamedParamsEnd
 ///
 /// \pre as `remove_flat_vertices()`, `tolerance >= 0`
 /// \exception Cancelled_error as `remove_flat_vertices()`
 ///
 /// O(sum of the squared degrees). It is decided exactly that triangles are not turned over, seen along the axis closest
 /// to their normal. Widths are rounded.
+template <class NamedParameters = parameters::Default_named_parameters>
 Flat_vertex_removal remove_nearly_flat_vertices(Delta_complex& complex, std::vector<std::array<double, 3>>& points,
-                                                double tolerance, const Progress_function& progress = {});
+                                                double tolerance,
+                                                const NamedParameters& np = parameters::default_values())
+{
+  return internal::remove_nearly_flat_vertices(complex, points, tolerance, internal::progress_function_of(np));
+}
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
 /// \brief returns the spacing of the coordinates: a unit in the last place of the largest one, as a `float` if all of

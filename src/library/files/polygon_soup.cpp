@@ -128,7 +128,7 @@ std::string conversion_advice(const std::string& file_name)
   return std::string();
 }
 
-Polygon_soup read_polygon_soup(const std::string& file_name, const Progress_function& progress)
+Polygon_soup internal::read_polygon_soup(const std::string& file_name, const Progress_function& progress)
 {
   static constexpr std::pair<const char*, internal::Soup_reader*> readers[] = {
     {".off", internal::read_by<internal::Off_reader>},

@@ -486,16 +486,18 @@ inline void drop_short_chains(const Delta_complex& complex, const Face_direction
 
 } // namespace internal
 
-std::vector<Vertex_index> remove_flat_vertices(Delta_complex& complex, std::vector<std::array<double, 3>>& points,
-                                               const Progress_function& progress)
+std::vector<Vertex_index> internal::remove_flat_vertices(Delta_complex& complex,
+                                                         std::vector<std::array<double, 3>>& points,
+                                                         const Progress_function& progress)
 {
   const internal::Standard_arithmetic arithmetic;
   internal::Flat_star star(complex, points);
   return internal::remove_vertices_of(star, complex, points, progress);
 }
 
-Flat_vertex_removal remove_nearly_flat_vertices(Delta_complex& complex, std::vector<std::array<double, 3>>& points,
-                                                double tolerance, const Progress_function& progress)
+Flat_vertex_removal internal::remove_nearly_flat_vertices(Delta_complex& complex,
+                                                          std::vector<std::array<double, 3>>& points, double tolerance,
+                                                          const Progress_function& progress)
 {
   const internal::Standard_arithmetic arithmetic;
   internal::Flat_star star(complex, points, tolerance);
