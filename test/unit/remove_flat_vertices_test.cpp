@@ -445,7 +445,8 @@ TEST(Remove_nearly_flat_vertices, without_a_tolerance_is_exact)
 TEST(Remove_flat_vertices, can_be_cancelled)
 {
   Surface s = cubes({{0, 0, 0}, {0, 0, 1}});
-  EXPECT_THROW(IT::remove_flat_vertices(s.complex, s.points, [](double) { return false; }), IT::Cancelled_error);
+  EXPECT_THROW(IT::remove_flat_vertices(s.complex, s.points, CGAL::parameters::visitor([](double) { return false; })),
+               IT::Cancelled_error);
 }
 
 } // namespace
