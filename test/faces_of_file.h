@@ -222,7 +222,7 @@ inline Faces of_ts(const std::string& text)
   Collector result;
   std::map<std::string, long long> names; // of the vertices of a part
   std::vector<Row> triangles;
-  bool is_other = false; // the part is no surface
+  bool is_other = false; // the part is not a surface
   const auto end_part = [&] {
     for (const Row& row : triangles) {
       std::vector<long long> face;

@@ -38,10 +38,10 @@ inline bool is_good_weight(const Bounded_double_double& weight)
 }
 inline bool is_good_area(const Bounded_double_double& a) { return a.is_zero() || a.relative_error() < 0x1p-54; }
 
-// Of an interval around a number that is wanted to the last places.
+// The precision of an interval around a number that is needed to the last places.
 inline bool is_narrow(double width, double magnitude) { return width <= 0x1p-51 * magnitude; }
 
-// Vectors that evaluate(metric) computes, each with an error of at most 2^-50 of its length, or of that of the last one
+// Vectors computed by evaluate(metric), each with an error of at most 2^-50 of its length, or of the last one's length
 // if that is longer.
 template <std::size_t N, class Evaluate>
 std::array<std::complex<double>, N> Engine_numbers::rounded_vectors(Input_surface& surface, const Evaluate& evaluate)
@@ -129,7 +129,7 @@ double Engine_numbers::cotangent(Halfedge_index h, const Corner& corner, Input_s
     h, [](double width, double magnitude) { return width <= 0x1p-51 * (1 + magnitude); });
 }
 
-// As cotangent(), and zero only for a right angle, else with the right sign.
+// As cotangent(), with the right sign, and zero only for a right angle.
 double Engine_numbers::signed_cotangent(Halfedge_index h, Input_surface& surface) const
 {
   const Corner c = engine_.corner(h, surface);
@@ -240,7 +240,7 @@ void Engine_numbers::find_cotangents(Face_index f, Face_cotangents& result) cons
     .get_cotangents(complex_, f, result);
 }
 
-// Nothing but the input and the integers is used, so that flips need not be repeated to find straight faces.
+// Uses only the input and the integers, so that flips need not be repeated to find straight faces.
 std::optional<Engine_numbers::Side_and_corner<Double_with_bound>> Engine_numbers::rounded_corner(Face_index f) const
 {
   const Standard_arithmetic arithmetic;

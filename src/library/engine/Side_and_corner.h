@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The corner of a face that its numbers are computed from.
+// The corner of a face from which its numbers are computed.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_SIDE_AND_CORNER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_SIDE_AND_CORNER_H
@@ -17,15 +17,15 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A corner of a face, and the side that is opposite to it.
+// A corner of a face, and the opposite side.
 template <class Real>
 struct Engine_numbers::Side_and_corner
 {
   Halfedge_index side;
   Triangle_corner<Real> corner;
 
-  // The cotangents of the angles opposite to the side and to those that follow. The errors are infinite where the area
-  // is not known to be positive.
+  // The cotangents of the angles opposite to the side and the next ones. The errors are infinite if the area is not
+  // known to be positive.
   std::array<Real, 3> cotangents() const
   {
     if (!certainly(corner.four_areas.sign() == POSITIVE))
@@ -34,7 +34,7 @@ struct Engine_numbers::Side_and_corner
     return {corner.p * inverse, (corner.s_first.scaled(2) - corner.p) * inverse,
             (corner.s_second.scaled(2) - corner.p) * inverse};
   }
-  // Those opposite to the first halfedge of a face and to those that follow.
+  // The cotangents opposite to the first halfedge of a face and the next ones.
   void get_cotangents(const Delta_complex& complex, Face_index f, std::array<Real, 3>& result) const
   {
     const std::array<Real, 3> from_side = cotangents();

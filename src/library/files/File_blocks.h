@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Room for what a file may hold; and the file in large pieces. It is gone through once, never held as a whole, and asks
+// Room for the contents of a file, and the file in large pieces. It is read once, never held as a whole, and asks
 // before each piece whether to go on.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_FILE_BLOCKS_H
@@ -25,8 +25,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Makes room for n more elements, in huge pages: what is not used of it costs address space alone, and page faults
-// would take as long as reading.
+// Makes room for n more elements, in huge pages: unused room costs only address space, and page faults would take as
+// long as reading.
 template <class T>
 void reserve(std::vector<T>& elements, const std::uintmax_t n)
 {
@@ -45,32 +45,32 @@ class File_blocks
 {
 public:
   // \param size the size of the file, not 0
-  // \param begin the first byte that is wanted
-  // \param line_end what ends a line
+  // \param begin the first byte to read
+  // \param line_end the end of a line
   File_blocks(const std::string& path, std::uintmax_t size, std::uintmax_t begin, const Progress_function& progress,
               const char line_end = '\n')
     : path_(path), size_(size), begin_(begin), taken_(begin), progress_(progress), buffer_(size_of_piece),
       line_end_(line_end)
   {
-    file_.pubsetbuf(nullptr, 0); // reads go where they are wanted
+    file_.pubsetbuf(nullptr, 0); // reads go directly to their destination
     file_.open(path, std::ios::in | std::ios::binary);
     file_.pubseekpos(static_cast<std::streampos>(static_cast<std::streamoff>(begin)), std::ios::in);
   }
   File_blocks(const File_blocks&) = delete;
   File_blocks& operator=(const File_blocks&) = delete;
 
-  // What was taken from the file and not used: the caller moves `first` on. Pointers hold until the next piece comes.
+  // The unused bytes taken from the file: the caller advances `first`. Pointers are valid until the next piece.
   const char* first = nullptr;
   const char* last = nullptr;
 
   std::size_t available() const { return static_cast<std::size_t>(last - first); }
-  // The place of `first` in the file.
+  // The position of `first` in the file.
   std::uintmax_t offset() const { return taken_ - static_cast<std::uintmax_t>(end_ - first); }
-  // How many bytes there are from `first` to the end of the file.
+  // The number of bytes from `first` to the end of the file.
   std::uintmax_t left() const { return size_ - (std::min)(size_, offset()); }
 
-  // Makes available the rest of the last piece and the next one; false if there is none.
-  // \exception Cancelled_error if that is wanted
+  // Makes the rest of the last piece and the next one available; false if there is none.
+  // \exception Cancelled_error on request
   bool take_piece()
   {
     if (is_at_end_) {
@@ -93,14 +93,14 @@ public:
     return true;
   }
 
-  // The same for a text: nothing is available but whole lines, or whole words if they are shorter.
+  // The same for a text: only whole lines are available, or whole words if they are shorter.
   bool take_lines()
   {
     return take_up_to([this](char c) { return c == line_end_; });
   }
   bool take_words() { return take_up_to(is_white); }
 
-  // Goes over a line, which is [begin, end) without what ends it; false if there is none.
+  // Skips a line, [begin, end) without its line end; false if there is none.
   bool take_line(const char*& begin, const char*& end)
   {
     if (first == last && !take_lines())
@@ -112,7 +112,7 @@ public:
     return true;
   }
 
-  // Makes bytes available; false if the file ends before.
+  // Makes bytes available; false if the file ends earlier.
   bool require(const std::size_t bytes)
   {
     while (available() < bytes)
@@ -121,7 +121,7 @@ public:
     return true;
   }
 
-  // Goes over bytes; false if the file ends before.
+  // Skips bytes; false if the file ends earlier.
   bool skip(std::uintmax_t bytes)
   {
     while (bytes > available()) {
@@ -165,7 +165,7 @@ private:
   const Progress_function& progress_;
   std::vector<char> buffer_;
   const char line_end_;
-  const char* end_ = nullptr; // of what was taken, which may be behind `last`
+  const char* end_ = nullptr; // of the bytes taken, possibly beyond `last`
   std::filebuf file_;
   bool is_at_end_ = false;
   bool is_end_told_ = false;

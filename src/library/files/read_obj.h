@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// OBJ: lines that begin with a word that tells what they are; vertices and faces are read, the others skipped.
+// OBJ: lines whose first word tells their kind; vertices and faces are read, the others skipped.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_OBJ_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_OBJ_H
@@ -23,8 +23,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Whether a line may begin with a word that is neither `v` nor `f`: what is there is valid, and is no vertex and no
-// face.
+// Whether a line may begin with this word, other than `v` and `f`: it is valid, and neither a vertex nor a face.
 inline bool is_other_obj_keyword(const std::string_view word)
 {
   return is_one_of(word,
@@ -34,7 +33,7 @@ inline bool is_other_obj_keyword(const std::string_view word)
                     // curves and surfaces
                     "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv", "sp",
                     "end", "con", "surf_1", "q0_1", "q1_1", "curv2d_1", "surf_2", "q0_2", "q1_2", "curv2d_2",
-                    // those that were superseded
+                    // superseded ones
                     "bsp", "bzp", "cdc", "cdp", "res"});
 }
 
@@ -54,7 +53,7 @@ public:
         join_lines(end);
       take_line();
     }
-    // Faces may come before their vertices: whether all are there is known at the end.
+    // Faces may come before their vertices: missing ones are found at the end.
     const std::size_t vertices = soup_.points.size();
     for (const Forward_reference& r : forward_references_)
       if (r.index > vertices)
@@ -64,13 +63,13 @@ public:
   }
 
 private:
-  // Where a face names a vertex that has not come yet and is greater than all that were named before.
+  // The place where a face names a vertex that has not come yet and is greater than all named before.
   struct Forward_reference
   {
     std::size_t index, face, line; // the index counted from 1
   };
 
-  // Before the backslash at the end of the line, or where the line ends if there is none.
+  // The position of the backslash at the end of the line, or the end of the line if there is none.
   const char* end_before_backslash() const
   {
     const char* end = lines_.last;
@@ -79,8 +78,8 @@ private:
     return end != lines_.p && end[-1] == '\\' ? end - 1 : lines_.last;
   }
 
-  // A line that goes on is one with the next, also if it is a comment. But a path may end with a backslash, too:
-  // vertices and faces do not disappear behind one.
+  // A continued line includes the next one, even in a comment. But a path may end with a backslash, too: vertices and
+  // faces must not disappear after one.
   void join_lines(const char* end)
   {
     const std::size_t first = lines_.number();
@@ -144,7 +143,8 @@ private:
                              ": this and all other curved surfaces are left out, because they are not polygons");
   }
 
-  // A vertex or face behind something else would be lost, also where a line end is missing before it: s offf 1 2 3.
+  // A vertex or face after something else on its line would be lost, also if a line end is missing before it: s offf 1
+  // 2 3.
   void check_others(const std::string_view keyword)
   {
     lines_.p = skip_word(skip_white(lines_.p, lines_.last), lines_.last);
@@ -153,7 +153,7 @@ private:
       return;
     if (is_keyword(keyword, "parm") || is_keyword(keyword, "bmat"))
       return;
-    // A name may have any words. A CR or LF that ends no line of this file shows what they are.
+    // A name may have any words. A CR or LF that is not this file's line end shows that they are more.
     const char* const end = std::find_if(lines_.p, lines_.last, [](const char c) { return c == '\r' || c == '\n'; });
     const bool may_be_name =
       is_one_of(keyword, {"g", "o", "usemtl", "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj"}) &&
@@ -206,7 +206,7 @@ private:
     soup_.add_face(corners_.data(), corners_.data() + corners_.size());
   }
 
-  // The vertex, counted from 1, at a corner with a sign, or with texture and normal behind slashes.
+  // The vertex, counted from 1, at a corner with a sign, or with texture and normal after slashes.
   std::uint32_t index_of_corner(const char* const p, const char* const end) const
   {
     long long index = 0;
@@ -252,7 +252,7 @@ private:
            Defect::BAD_INDEX, first.face, count);
   }
 
-  // Behind an index, null if there is none.
+  // The end of an index, null if there is none.
   static const char* read_index(const char* p, const char* const end, long long& index)
   {
     const std::from_chars_result result =

@@ -23,8 +23,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Parts from a line GOCAD to a line END: a header, which is skipped, then vertices and triangles. Vertices have numbers
-// as names, which count within their part.
+// Parts from a line GOCAD to a line END: a header, which is skipped, then vertices and triangles. Vertex numbers are
+// names, valid within their part.
 class Ts_reader : Text_reader
 {
 public:
@@ -96,10 +96,10 @@ private:
       check_rest();
   }
 
-  // A triangle behind something else would be lost.
+  // A triangle after something else would be lost.
   void check_rest()
   {
-    int corners = -1; // behind the word, if it was there
+    int corners = -1; // after the word, if present
     while (lines_.find_word_on_line()) {
       const std::string_view word = lines_.take_word();
       if (is_keyword(word, "trgl"))
@@ -109,7 +109,7 @@ private:
     }
   }
 
-  // The header may have any words: this is a triangle that is misspelt, and would be lost.
+  // The header may have any words, but this is a misspelt triangle, which would be lost.
   static bool is_nearly_trgl(const std::string_view word)
   {
     const std::string letters = in_small_letters(std::string(word)), keyword = "trgl";
@@ -247,7 +247,7 @@ private:
   std::size_t properties_ = 0; // of a triangle of this part
   std::size_t brace_line_ = 0; // of a brace that is still open
   std::size_t part_line_ = 0;  // on which the part begins
-  bool is_other_ = false;      // the part is no surface
+  bool is_other_ = false;      // the part is not a surface
   bool is_begun_ = false;      // the part has more than its header
   bool is_ended_ = false;      // the part has its line END
 };

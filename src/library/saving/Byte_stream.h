@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Rows of numbers, least byte first, whatever the processor does.
+// Rows of numbers, least byte first on any processor.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SAVING_BYTE_STREAM_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SAVING_BYTE_STREAM_H
@@ -59,7 +59,7 @@ private:
   std::string bytes_;
 };
 
-// Reads no more than it is asked for, and keeps a block of it at most.
+// Reads no more than requested, and keeps at most one block.
 class Byte_reader
 {
 public:
@@ -94,7 +94,7 @@ public:
     fail(offset_, "there is no header of an intrinsic triangulation");
   }
 
-  // The rows that follow belong to this element, and there are so many of them, with so many bytes.
+  // Announces this many rows of an element, with this many bytes each.
   void begin(const char* element, std::size_t number, std::size_t size)
   {
     element_ = element;
@@ -103,13 +103,13 @@ public:
     row_ = 0;
     left_ = 0;
   }
-  // So many rows, or as many as the stream can have if it knows: for them, there is room.
+  // This many rows, or as many as the stream can have, if known, to reserve room for.
   std::size_t rows_to_expect() const
   {
     const std::uint64_t rest = size_of_stream_ > offset_ ? size_of_stream_ - offset_ : 0;
     return std::size_t((std::min<std::uint64_t>)(number_, rest / size_));
   }
-  // Goes to the next row, from which `get` takes the numbers.
+  // Goes to the next row, from which `get` reads the numbers.
   void next_row()
   {
     if (left_ == 0) {
@@ -135,10 +135,10 @@ public:
     next_ += sizeof(Number);
     return boost::endian::endian_load<Number, sizeof(Number), boost::endian::order::little>(at);
   }
-  // Whether this row is the first of those that were read at once.
+  // Whether this row is the first of the current block.
   bool begins_block() const { return next_ == bytes_.data(); }
 
-  // A text of so many bytes.
+  // A text of this many bytes.
   std::string text(std::size_t size)
   {
     std::string result;
@@ -169,7 +169,7 @@ private:
   static constexpr std::size_t block = 1 << 16;
 
   std::istream& is_;
-  std::uint64_t size_of_stream_ = 0; // or 0 if it does not tell
+  std::uint64_t size_of_stream_ = 0; // or 0 if unknown
   std::uint64_t offset_ = 0;         // of what was read from the stream
   const char* element_ = nullptr;
   std::size_t number_ = 0, size_ = 0, row_ = 0, left_ = 0;

@@ -74,7 +74,7 @@ void Normal_coordinates::split_face(const Delta_complex& complex, const Triangle
 void Normal_coordinates::split_edge(const Delta_complex& complex, Halfedge_index h, Halfedge_index along)
 {
   CGAL_precondition(is_original(complex.edge(h)));
-  make_room(4); // of edges at most three, and a record for that which is split
+  make_room(4); // at most three edges, and a record for the one that is split
   const Halfedge_index g = complex.opposite(h), back(along.idx() ^ 1);
   const Roundabout at_i = roundabout(h), at_j = roundabout(g);
   const auto append_spoke = [&](Halfedge_index side, Halfedge_index first_from_v) {
@@ -110,7 +110,7 @@ void Normal_coordinates::unsplit_edge(const Delta_complex& complex, Halfedge_ind
 
 void Normal_coordinates::remove(const Removed_elements& removed)
 {
-  // What moves was never an input edge: as many edges as the input has stay, and all others have records.
+  // A moved edge was never an input edge: as many edges as the input has stay, and all others have records.
   for (Edge_index e : removed.edges) {
     const std::uint32_t i = record_of_[e.idx()];
     records_[i].crossings = first_free_record_;

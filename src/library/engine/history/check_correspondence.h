@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Whether integers that nobody vouches for say how an input lies in a triangulation.
+// Checks untrusted integers that describe how an input lies in a triangulation.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_CHECK_CORRESPONDENCE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_CHECK_CORRESPONDENCE_H
@@ -28,9 +28,10 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Checks what needs no metric: that the input edges, followed through the triangles, are those of the input, in the same order around
-// each vertex, and that both surfaces have the same topology. Then the input edges cut the surface into the input faces, up to
-// isotopy: their rotation system determines the faces, and no region between them has room for a handle or a hole.
+// Makes the checks that need no metric: that the input edges, followed through the triangles, are those of the input,
+// in the same order around each vertex, and that both surfaces have the same topology. Then the input edges cut the
+// surface into the input faces, up to isotopy: their rotation system determines the faces, and no region between them
+// has room for a handle or a hole.
 //
 // \exception Invalid_surface_error if not
 // Time: proportional to the size and the number of crossings
@@ -43,7 +44,7 @@ public:
       input_(correspondence.input()), interruption_(interruption)
   {}
 
-  // What may be asked before all else is known.
+  // Queries that are valid before everything else is known.
   void check_locations() const
   {
     const std::size_t first = input_.number_of_vertices();
@@ -80,7 +81,7 @@ public:
     std::uint64_t number_of_crossings = 0;
     for (Edge_index e : complex_.edges())
       number_of_crossings += std::uint64_t(coordinates_.number_of_crossings(e));
-    // Both ends of an input edge have followed it.
+    // An input edge was followed from both ends.
     if (number_of_met != 2 * number_of_crossings)
       fail("edge", first_edge_with_crossings(), "is crossed by a curve that is no input edge");
     check_topology();
@@ -92,7 +93,8 @@ private:
     throw_not_a_triangulation(kind, element, what);
   }
 
-  // No two vertices in one place inside of an input face; those on edges are compared with their neighbours there.
+  // Checks that no two vertices are at one place inside an input face; those on edges are compared with their
+  // neighbours there.
   void check_places() const
   {
     struct Place
@@ -140,7 +142,7 @@ private:
     }
   }
 
-  // The halfedges around a vertex name the input halfedges around it, in their order and once each.
+  // Checks that the halfedges around a vertex name the input halfedges around it, in their order and once each.
   void check_vertex(Vertex_index v, const Rotation_system& around, std::uint64_t& number_of_met) const
   {
     if (!complex_.halfedge(v).is_valid()) {
@@ -210,7 +212,7 @@ private:
       fail("halfedge", h.idx(), "does not coincide with the input halfedge that it names");
     check_order(along, complex_.source(h), complex_.target(h));
   }
-  // Of two vertices along an input halfedge.
+  // Compares two vertices along an input halfedge.
   void check_order(Halfedge_index along, Vertex_index u, Vertex_index v) const
   {
     if (!correspondence_.is_inserted(u) && !correspondence_.is_inserted(v))
@@ -253,7 +255,8 @@ private:
     return 0;
   }
 
-  // Each piece of the triangulation has the vertices of one piece of the input, and the same Euler characteristic in all.
+  // Checks that each component of the triangulation has the vertices of one component of the input, and the same Euler
+  // characteristic.
   void check_topology() const
   {
     const std::size_t number_of_vertices = complex_.number_of_vertices();

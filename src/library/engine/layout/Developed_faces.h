@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Faces laid out in the plane once, and carried along by the flips.
+// Faces laid out in the plane once, and carried along by flips.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_DEVELOPED_FACES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_DEVELOPED_FACES_H
@@ -32,7 +32,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The corner opposite to a halfedge in both forms, one of which is not always known.
+// The corner opposite to a halfedge in both forms, one of which may be unknown.
 struct Known_corner
 {
   Halfedge_index side;
@@ -40,17 +40,16 @@ struct Known_corner
   std::optional<Triangle_corner<Residues>> image;
 };
 
-// To lay out a face over the input costs as much as its edges cross input edges. Where tests
-// are close for long, as in the caps of a prism or along the folds of a pillow, that would be
-// done again and again for strips of thousands of triangles. So a face that was laid out is
-// kept, as the positions of its corners in some plane. If both faces of a flip lie in one plane,
-// side by side, there is nothing to compute: a flip moves no vertex. Otherwise the smaller plane
-// is moved to the other one: all of its points have true positions in which each of its faces is
-// congruent to the true one, so that one motion moves them all. So most flips change two numbers,
-// and a corner is moved seldom, while errors of lengths would be multiplied by each flip.
+// Laying out a face over the input costs time proportional to the crossings of its edges. If many tests are close, as
+// in the caps of a prism or along the folds of a pillow, strips of thousands of triangles would be laid out again and
+// again. So a face that was laid out is kept, as the positions of its corners in some plane. If both faces of a flip
+// lie in one plane, side by side, there is nothing to compute: a flip moves no vertex. Otherwise the smaller plane is
+// moved to the other one: its points have true positions in which each of its faces is congruent to the true one, so
+// one motion moves them all. So most flips change two numbers, and corners are moved seldom, while each flip would
+// multiply errors of lengths.
 //
-// Only faces of close calls, and those that flips make of them, are kept. Beside the positions, their images
-// in finite fields can be carried along: these have no errors at all, and tell ties at once.
+// Only faces of close calls, and faces that flips make of them, are kept. Besides the positions, their images in finite
+// fields can be carried along: these have no errors at all, and reveal ties at once.
 class Developed_faces
 {
   using Real = Bounded_double_double;
@@ -64,12 +63,12 @@ class Developed_faces
   {
     Vector position;
     std::uint32_t plane;
-    std::uint32_t copy; // in the plane to which it was moved last, if that was since the last compaction
+    std::uint32_t copy; // in the plane to which it was last moved, if that was after the last compaction
     std::unique_ptr<const Image> image; // seldom known, and large
   };
   struct Plane
   {
-    std::uint32_t size;                   // so many points
+    std::uint32_t size;                   // the number of points
     std::unique_ptr<const Residues> unit; // the squared length that is 1 in the images, if these are known
   };
   // The numbers of the points at the source, the target and opposite to a halfedge.
@@ -107,7 +106,7 @@ public:
       keep(complex, c.side, *t);
   }
 
-  // To be called before the flip of the connectivity. Follows it if both faces lie in one plane, side by side: then
+  // Must be called before the flip of the connectivity. Follows it if both faces lie in one plane, side by side: then
   // there is nothing to compute. Returns whether they do.
   bool flip_in_plane(const Hinge_halfedges& around)
   {
@@ -118,8 +117,8 @@ public:
     source(around.ji) = source(around.ki);
     return true;
   }
-  // Likewise, where they do not: brings them together if it can. lay_out(h) gives a corner of the face of h, or none if
-  // that is not worth its price. Where that fails, and after an exception, nothing is known of the two faces.
+  // Likewise if they do not: brings them together if possible. lay_out(h) gives a corner of the face of h, or none if
+  // that is not worth its cost. If this fails, and after an exception, the two faces are forgotten.
   template <class LayOut>
   void flip(const Delta_complex& complex, const Hinge_halfedges& around, const LayOut& lay_out)
   {
@@ -158,8 +157,8 @@ public:
   {
     return {{h, complex.next(h), complex.prev(h)}, triangle(complex, h)};
   }
-  // Keeps its three parts, of which a corner is known, that at the new vertex in one of them: not where errors have
-  // become too large.
+  // Keeps its three parts, given a corner, the one at the new vertex in one of them; not if errors have become too
+  // large.
   void keep_parts(const Delta_complex& complex, const Whole& whole, const Known_corner& c)
   {
     const std::optional<Triangle> part = laid_out(c);
@@ -170,14 +169,14 @@ public:
       keep(complex, whole.sides[n], {whole.corners[n], whole.corners[(n + 1) % 3], v});
   }
 
-  // What is known of the face of h is no longer true. Never throws.
+  // Forgets the face of h, whose data is no longer valid. Never throws.
   void forget(const Delta_complex& complex, Halfedge_index h)
   {
-    if (!sources_.empty()) // of a flip that was not followed, some sides may be known
+    if (!sources_.empty()) // some sides of a flip that was not followed may be known
       for (Halfedge_index side : {h, complex.next(h), complex.prev(h)})
         source(side) = none;
   }
-  // Makes room for so many edges more, ...
+  // Makes room for this many more edges, ...
   void make_room(std::size_t number)
   {
     if (!sources_.empty())
@@ -255,8 +254,8 @@ private:
     return std::uint32_t(points_.size() - 1);
   }
 
-  // As seen from its side ij, in a plane of its own: the origin is the opposite corner k, and ki leads along the first
-  // axis. In the images ki is the unit. None where the error would be too large.
+  // Relative to its side ij, in a plane of its own: the origin is the opposite corner k, and ki runs along the first
+  // axis. In the images ki is the unit. None if the error would be too large.
   std::optional<Triangle> laid_out(const Known_corner& known)
   {
     const Corner& c = known.corner;
@@ -281,7 +280,7 @@ private:
                     add_point(Vector(Real(0), Real(0)), plane, std::move(image_of_k))};
   }
 
-  // What takes an edge to one of the same length in another plane, and all of its own plane with it.
+  // The motion that takes an edge, and its whole plane, to an edge of the same length in another plane.
   struct Motion
   {
     std::array<std::uint32_t, 2> from, to;
@@ -300,10 +299,10 @@ private:
       result.turn_of_images = turn(image);
     return result;
   }
-  // A point that is moved: none where the error would be too large beside the distance from another one.
+  // A moved point; none if the error would be too large relative to the distance from another one.
   std::uint32_t moved(std::uint32_t point, const Motion& m, std::uint32_t other)
   {
-    // From the nearer end of the edge, as a turn that is not known exactly moves it less.
+    // From the nearer end of the edge, so that the error of the rotation moves it less.
     const auto from_end = [&](std::size_t end) { return points_[point].position - points_[m.from[end]].position; };
     const std::size_t end = from_end(1).modulus() < from_end(0).modulus() ? 1 : 0;
     const Vector position = points_[m.to[end]].position + from_end(end) * m.turn;
@@ -316,8 +315,8 @@ private:
     return points_[point].copy = add_point(position, points_[m.to[0]].plane, std::move(image));
   }
 
-  // Moves the face of h into the plane of that beyond h, beside it, and with it those with which it lies side by side in
-  // its plane, where their errors allow. Returns whether it was moved itself.
+  // Moves the face of h into the plane of the face beyond h, next to it, together with its adjacent faces in its plane,
+  // as far as their errors allow. Returns whether it was moved itself.
   bool join(const Delta_complex& complex, Halfedge_index h)
   {
     const Halfedge_index beyond = complex.opposite(h);
@@ -351,7 +350,7 @@ private:
     return source(h) == i && source(complex.next(h)) == j;
   }
 
-  // Forgets the points and planes that no face lies in any more. What stays keeps its order.
+  // Removes unused points and planes. The others keep their order.
   void compact()
   {
     std::vector<std::uint32_t> new_point(points_.size(), none), new_plane(planes_.size(), none);

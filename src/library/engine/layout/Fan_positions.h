@@ -19,7 +19,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 // Edges that cross hundreds of input edges do so in fans: in the caps of a prism, or in the sides of a box whose edges
 // were divided. So the halfedges around a vertex are laid out once, and a fan of any number of triangles is a quotient
-// of two of them. Each vertex has a first halfedge, so that results do not depend on what was asked before.
+// of two of them. Each vertex has a first halfedge, so that results do not depend on earlier queries.
 class Fan_positions
 {
   using Vector = Double_double_disk;
@@ -28,9 +28,9 @@ public:
   // For shorter ones, products take no longer.
   static constexpr std::size_t long_fan = 8;
 
-  // The ratio of `to` to `from`, which have the same source, counterclockwise or clockwise: that of a whole turn if
-  // both are the same.
-  // \param corner_ratio gives the ratio of the halfedge that follows one counterclockwise to that
+  // The ratio of `to` to `from`, which have the same source, counterclockwise or clockwise; that of a full turn if they
+  // are equal.
+  // \param corner_ratio gives the ratio of the next halfedge counterclockwise to a halfedge
   template <class Corner_ratio>
   Vector ratio(const Delta_complex& input, Halfedge_index from, Halfedge_index to, bool is_counterclockwise,
                const Corner_ratio& corner_ratio)
@@ -40,7 +40,7 @@ public:
         clear();
       try {
         lay_out(input, from, corner_ratio);
-      } catch (...) { // half of a fan would be taken for all of it
+      } catch (...) { // half of a fan would be taken for the whole fan
         clear();
         throw;
       }
@@ -61,7 +61,8 @@ private:
     Vector position;
     std::size_t number;
   };
-  // Bounds the memory, some 100 bytes for each. Two vertices with more halfedges than that would be laid out in turn.
+  // Bounds the memory, some 100 bytes for each. Two vertices with more halfedges than that would be laid out
+  // alternately.
   static constexpr std::size_t most_places = std::size_t(1) << 21;
 
   void clear()

@@ -29,8 +29,8 @@ struct Corner_ratios
   Vector at_target;
 };
 
-// The frame (see `Strip`) of any ring with a metric of the input: numbers that are exact, or know their errors.
-// The unit is the first side of the first triangle, an input halfedge out of the source.
+// The frame (see `Strip`) for any ring with a metric of the input: numbers that are exact or have error bounds. The
+// unit is the first side of the first triangle, an input halfedge that leaves the source.
 //
 // \tparam Metric as of `Unfolding`
 template <class Metric>
@@ -42,7 +42,7 @@ public:
 
   Metric_frame(const Delta_complex& input, Metric& metric) : input_(input), metric_(metric) {}
 
-  // The unit, where an edge crosses that halfedge first.
+  // The unit, if an edge crosses that halfedge first.
   static Halfedge_index reference(const Delta_complex& input, Halfedge_index first_crossed)
   {
     return input.prev(input.opposite(first_crossed));
@@ -59,8 +59,8 @@ public:
 
   void turn_left(Run& run, std::size_t) const { run.direction = run.direction * ratios(run.base).at_source; }
 
-  // The left end moves along a side of the triangle. By the right end, there would be a product less, but where
-  // long thin triangles have short sides on the left, the error of a long vector would be added for each.
+  // The left end moves along a side of the triangle. Using the right end would save a product, but if long thin
+  // triangles have short sides on the left, each would add the error of a long vector.
   void turn_right(Run& run, std::size_t i, const Vector&) const
   {
     const Corner_ratios<Vector>& r = ratios(run.base);
@@ -126,8 +126,8 @@ public:
     });
   }
 
-  // The ratio from a halfedge to one of those behind it around its source: to that behind `at_most`
-  // triangles, or fewer where they leave the plane of the first. `from` and `at_most` follow.
+  // The ratio from a halfedge to a later one around its source: after `at_most` triangles, or fewer if they leave the
+  // plane of the first. Updates `from` and `at_most`.
   Vector fan_ratio(Halfedge_index& from, std::int64_t& at_most) const
   {
     const Halfedge_index base = from;

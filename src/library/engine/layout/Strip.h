@@ -26,7 +26,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // The input edges that an edge crosses, in order, as halfedges from the left end to the right end.
 using Crossed_edges = std::vector<Halfedge_index>;
 
-// Whether an edge that is crossed has its left end in common with that before.
+// Whether a crossed edge shares its left end with the previous one.
 inline bool keeps_left_end(const Delta_complex& input, Halfedge_index before, Halfedge_index crossed)
 {
   return crossed == input.next_around_source(before);
@@ -35,8 +35,8 @@ inline bool keeps_left_end(const Delta_complex& input, Halfedge_index before, Ha
 // The third corner of the face of h.
 inline Vertex_index apex(const Delta_complex& complex, Halfedge_index h) { return complex.target(complex.next(h)); }
 
-// The last triangles that were laid out. They lie in one plane, so that a corner can be found from the first
-// edge of the run at once.
+// The last triangles laid out. They lie in one plane, so that a corner can be computed directly from the first edge of
+// the run.
 template <class Vector>
 struct Strip_run
 {
@@ -46,7 +46,7 @@ struct Strip_run
   std::size_t length;  // number of triangles
 };
 
-// The first run, and where the target of its base lies.
+// The first run, and the position of its base's target.
 template <class Vector>
 struct Strip_start
 {
@@ -61,10 +61,10 @@ auto area_between(const Complex& a, const Complex& b)
   return times_conjugate(b, a).y();
 }
 
-// The edge starts at 0, and the first triangle is there. Each edge that is crossed keeps one end of the edge
-// before. Directions are products alone, and positions sums of such products: so errors add up.
+// The edge starts at 0, in the first triangle. Each crossed edge keeps one end of the previous one. Directions are
+// products, and positions are sums of such products, so errors only add up.
 //
-// A number type and what it is computed from make a frame:
+// A number type and the data from which it computes make a frame:
 //
 // \tparam Frame with a type `Vector` of complex numbers;
 //   `start(crossed)`, a `Strip_start`: of the first side of the first triangle, to the right end of the first
@@ -88,10 +88,10 @@ public:
 
   Strip(const Delta_complex& input, Frame frame) : input_(input), frame_(std::move(frame)) {}
 
-  // Where the edge ends. Inside of flat parts, nothing is computed.
-  // \tparam Crossed as `Crossed_edges`, but for iterators
-  // \param n so many are crossed, and at least one
-  // \param end in the triangle behind them, or null for its third corner
+  // The end of the edge. Inside flat parts, nothing is computed.
+  // \tparam Crossed like `Crossed_edges`, except for iterators
+  // \param n the number of crossed edges, at least one
+  // \param end in the triangle after them, or null for its third corner
   template <class Crossed>
   Vector end(const Crossed& crossed, std::size_t n, const Surface_point* end)
   {
@@ -106,16 +106,16 @@ public:
     corners_.clear();
     walk<true>(crossed, crossed.size(), end);
   }
-  // Lays out the same for an edge that starts within the first triangle.
+  // Does the same for an edge that starts within the first triangle.
   void move_source(const Vector& source)
   {
     for (Corner& corner : corners_)
       corner.position = corner.position - source;
   }
 
-  // What was laid out:
+  // The layout:
   const Vector& target() const { return corners_.back().position; }
-  // The ends of the first edge; the source and they are the corners of the first triangle.
+  // The ends of the first edge; together with the source they are the corners of the first triangle.
   const Vector& first_right() const { return corners_[0].position; }
   const Vector& first_left() const { return corners_[1].position; }
   std::size_t number_of_edges() const { return corners_.size() - 2; }
@@ -287,8 +287,8 @@ private:
     run.length = 1;
   }
 
-  // Crosses many triangles at once that have an end of the base in common, from edge i to the last one, and returns
-  // whether there are so many.
+  // Crosses at once many triangles that share an end of the base, from edge i to the last one; returns whether there
+  // are that many.
   template <class Crossed>
   bool cross_fan(const Crossed& all, std::size_t n, Run& run, Halfedge_index& crossed, std::size_t& i, bool turns_left)
   {

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Lengths, areas and cotangents of triangles in space, of two at a time.
+// Lengths, areas and cotangents of triangles in space, two at a time.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_TWO_STRAIGHT_FACES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_TWO_STRAIGHT_FACES_H
@@ -58,8 +58,8 @@ public:
     shortest_ = min_of(s_ij.hi, min_of(s_jk.hi, s_ki.hi));
   }
 
-  // Those of the first face, or of the second. Returns whether they are far from underflow, and the face far from flat,
-  // as the bounds require.
+  // The numbers of the first or the second face. Returns whether they are far from underflow, and the face far from
+  // flat, as the bounds require.
   bool get(bool is_second, Numbers& numbers) const
   {
     const auto one = [&](const Two_doubles& both) { return is_second ? both.second() : both.first(); };
@@ -71,7 +71,7 @@ public:
     };
     for (std::size_t c = 0; c < 3; ++c) {
       numbers.lengths[c] = bounded(lengths_[c], unit * one(lengths_[c].hi));
-      // Scalar products are good to `unit` of both squares together, and so is twice the area.
+      // Errors of scalar products, and of twice the area, are at most `unit` times the sum of both squares.
       numbers.cotangents[c] = bounded(cotangents_[c], unit * squares / area * (1 + std::abs(one(cotangents_[c].hi))));
     }
     numbers.twice_area = bounded(twice_area_, unit * squares);

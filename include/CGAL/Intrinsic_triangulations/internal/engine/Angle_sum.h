@@ -26,10 +26,10 @@ struct Bounded_angle
   double value = 0;
   double error = 0;
 
-  // π is no double, but nearer than 2^-52 to one.
+  // π is not a double, but nearer than 2^-52 to one.
   bool is_below_pi() const { return value + error < 3.1415926535897932 - 0x1p-50; }
   bool is_above_pi() const { return value - error > 3.1415926535897932 + 0x1p-50; }
-  // Whether it is π if it is a multiple of π, and neither known to be below nor above.
+  // Whether it is π, provided that it is a multiple of π; false if it is known to be below or above.
   bool is_near_pi() const { return error < 1; }
 
   // Each sum is rounded by less than 2^-50.
@@ -41,7 +41,8 @@ struct Bounded_angle
   }
 };
 
-// The angle of a corner from twice the scalar product of its sides and four times the area. A true area is not negative.
+// The angle of a corner from twice the scalar product of its sides and four times the area. A true area is not
+// negative.
 inline Bounded_angle bounded_angle(const Double_with_bound& p, const Double_with_bound& four_areas)
 {
   const double a = (std::max)(four_areas.hi(), 0.), modulus = 0.7 * (std::abs(p.hi()) + a), // at most
@@ -51,7 +52,7 @@ inline Bounded_angle bounded_angle(const Double_with_bound& p, const Double_with
   return {std::atan2(a, p.hi()), 1.1 * error / modulus + 0x1p-50};
 }
 
-// A corner, by the halfedge that it is opposite to, and an estimate of its angle.
+// A corner, named by the opposite halfedge, and an estimate of its angle.
 struct Estimated_corner
 {
   Halfedge_index opposite;
@@ -59,7 +60,7 @@ struct Estimated_corner
 };
 
 // Compares the sum of the angles of corners with π.
-// \pre `engine.prepare()` was called, and no corner has a face that is turned over
+// \pre `engine.prepare()` was called, and no corner belongs to a face that is turned over
 // \exception Undecided_error, Cancelled_error as `sign_of_cotangent_weight()`
 Comparison_result compare_angle_sum_with_pi(const Exact_engine& engine, const std::vector<Estimated_corner>& corners);
 

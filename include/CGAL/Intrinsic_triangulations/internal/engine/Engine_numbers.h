@@ -18,12 +18,12 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Numbers of all elements, with one corner laid out for each face. NaN where that is not accurate enough to
-// be rounded as where each corner and edge is laid out.
+// Numbers of all elements, with one corner laid out for each face. NaN if that is not accurate enough to round as
+// individual layouts do.
 struct Rounded_numbers
 {
   explicit Rounded_numbers(const Delta_complex& complex);
-  // As cotangent_weight() up to the last digits, or NaN. \pre e is no border edge
+  // As cotangent_weight() up to the last digits, or NaN. \pre e is not a border edge
   double cotangent_weight(const Delta_complex& complex, Edge_index e) const;
   // As angle() up to this relative error, or NaN. \pre h is not a border halfedge
   double angle(Halfedge_index h, double relative_error) const;
@@ -35,7 +35,7 @@ struct Rounded_numbers
   Large_vector<std::array<double, 3>> cotangents;
 };
 
-// It only refers to the engine. Its functions are queries of that: see there for threads and exceptions.
+// Only refers to the engine. Its functions are queries of the engine: see there for threads and exceptions.
 class Engine_numbers
 {
 public:
@@ -53,9 +53,9 @@ public:
 
   // The cotangents of the angles of a face: opposite to `halfedge(f)` and to the halfedges that follow.
   using Face_cotangents = std::array<Bounded_double_double, 3>;
-  // Finds them with one corner laid out. The errors are infinite where the area is not known to be positive.
+  // Finds them by laying out one corner. The errors are infinite if the area is not known to be positive.
   void find_cotangents(Face_index f, Face_cotangents& result) const;
-  // The same in doubles, in a fraction of the time. The errors are infinite for long strips, too.
+  // The same in doubles, in a fraction of the time. The errors are also infinite for long strips.
   using Rounded_face_cotangents = std::array<Double_with_bound, 3>;
   void find_cotangents(Face_index f, Rounded_face_cotangents& result) const;
   // Likewise four times the area of a face.
@@ -86,7 +86,7 @@ public:
   //   `double`
   double area(Face_index f) const;
 
-  // Finds what belongs to faces from first to before last: any number of threads may do that for other faces.
+  // Finds the numbers of the faces from first to before last; other threads may do this for other faces.
   void find_numbers(std::size_t first, std::size_t last, Rounded_numbers& numbers) const;
 
   // As `edge_beginning()` of `Unfolding`, with errors of at most 2^-50 of the vector, or of the source if that is
@@ -102,7 +102,7 @@ public:
   // border halfedge
   double input_angle(Halfedge_index h) const;
 
-  // Whether a face is known to be a triangle in space. Numbers that are rounded depend on that in the last place.
+  // Whether a face is known to be a triangle in space. Rounded numbers depend on that in the last place.
   bool is_known_to_be_straight(Face_index f) const;
 
 private:

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Points and polygons as they stand in a file.
+// Points and polygons as they are in a file.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_POLYGON_SOUP_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_POLYGON_SOUP_H
@@ -17,17 +17,17 @@
 namespace CGAL::Intrinsic_triangulations {
 
 /// \ingroup PkgIntrinsicTriangulationsIO
-/// \brief points and polygons as they stand in a file, whether they are a surface or not.
+/// \brief points and polygons as they are in a file, whether they are a surface or not.
 ///
 /// Faces are in `triangles` if all of them have three corners, and in `corners` and `first_corner` otherwise. Indices
-/// count from 0; any value may occur, in particular one of a vertex that is not there.
+/// count from 0; any value may occur, including one of a vertex that does not exist.
 struct Polygon_soup
 {
   /// \brief the corners of a face, as a range.
   struct Polygon
   {
     const std::uint32_t* first;                          ///< the first corner
-    const std::uint32_t* last;                           ///< behind the last corner
+    const std::uint32_t* last;                           ///< past the last corner
     const std::uint32_t* begin() const { return first; } ///< returns `first`.
     const std::uint32_t* end() const { return last; }    ///< returns `last`.
     /// returns the number of corners.
@@ -39,7 +39,7 @@ struct Polygon_soup
   std::vector<std::uint32_t> corners;                  ///< those of all faces if not all are triangles; empty otherwise
   /// face `i` has the corners from `first_corner[i]` to before `first_corner[i + 1]`; empty if all faces are triangles
   std::vector<std::size_t> first_corner;
-  /// what is unusual about the file though it can be read, a sentence for each
+  /// warnings about a readable file, a sentence for each
   std::vector<std::string> warnings;
 
   /// returns whether all faces are triangles.
@@ -78,7 +78,7 @@ struct Polygon_soup
   }
 
 private:
-  // A face comes that is none.
+  // Called for the first face that is not a triangle.
   void give_up_triangles()
   {
     corners.reserve(3 * triangles.size() + 4);

@@ -27,7 +27,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Points of the path on edges and inside of faces are new vertices, behind those of the input.
+// Points of the path on edges and inside faces are new vertices, after those of the input.
 class Cut_faces
 {
   using Coordinates = std::array<double, 3>;
@@ -84,14 +84,14 @@ private:
 
   std::array<Halfedge_index, 3> sides_from(Halfedge_index h) const { return {h, complex_.next(h), complex_.prev(h)}; }
 
-  // Where a point of dimension 0 lies.
+  // The vertex at a point of dimension 0.
   Vertex_index vertex_at(const Surface_point& p) const
   {
     const auto corner = std::max_element(p.coordinates.begin(), p.coordinates.end()) - p.coordinates.begin();
     return complex_.source(sides_from(p.halfedge)[std::size_t(corner)]);
   }
 
-  // The vertex at a point. Points on an edge are one if they are equal as seen from one of its halfedges.
+  // The vertex at a point. Points on an edge coincide if they are equal relative to one of its halfedges.
   Node node(const Surface_point& p)
   {
     const int dimension = p.dimension();

@@ -23,8 +23,8 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // The faces at the edge from u to v in space, in the order in which a half-plane that turns counterclockwise about u→v
-// meets them. The cyclic order is decided exactly. It does not depend on numbers, on how the faces are
-// turned or on how everything lies in space, if that is possible:
+// meets them. The cyclic order is decided exactly. It does not depend on numbering, on the orientation of faces, or on
+// rotations in space, as far as possible:
 //
 // - Faces in one half-plane are ordered by where along the edge their third vertices lie, from u to v. If
 //   that is the same place, then by the distance of the third vertex from the edge, the nearer first if the place is
@@ -37,7 +37,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 class Faces_around_edge
 {
 public:
-  // Where a half-plane is, seen from the first: in front means counterclockwise, by less than π.
+  // The position of a half-plane relative to the first one: in front means counterclockwise, by less than π.
   enum Sector {
     SAME,
     IN_FRONT,
@@ -48,7 +48,7 @@ public:
   struct Face
   {
     std::uint32_t third_vertex;
-    std::uint32_t side;   // what the caller knows it by; orders the sheets
+    std::uint32_t side;   // the caller's number; orders the sheets
     Sector sector = SAME; // found by sort()
   };
 
@@ -63,7 +63,7 @@ public:
     std::sort(faces.begin(), faces.end(), [this](const Face& a, const Face& b) { return precedes(a, b); });
   }
 
-  // Whether no turn leads from one face to the other. A face without area is in every half-plane.
+  // Whether both faces are in the same half-plane. A face without area is in every half-plane.
   bool are_in_one_half_plane(const Face& a, const Face& b) const
   {
     return sector(a.third_vertex, b.third_vertex) == SAME;
@@ -71,8 +71,7 @@ public:
   bool is_on_edge_line(const Face& a) const { return is_on_edge_line(a.third_vertex); }
 
 private:
-  // The first vertex of those farthest from the line through the edge, if one of them is on that line: else any will
-  // do.
+  // The first of the vertices farthest from the line through the edge, if one vertex is on that line; otherwise any.
   std::uint32_t find_reference(const std::vector<Face>& faces) const
   {
     std::uint32_t reference = faces[0].third_vertex;
@@ -115,8 +114,8 @@ private:
   {
     const std::uint32_t w = a.third_vertex, x = b.third_vertex;
     if (w == x) {
-      // A sheet with a larger number is further out, as seen from the side on which smallest, middle and largest vertex
-      // turn counterclockwise. This is forward about u→v unless w is the middle one.
+      // A sheet with a larger number is further out, seen from the side on which smallest, middle and largest vertex
+      // are counterclockwise. This is forward about u→v unless w is the middle one.
       const bool is_backward = u_ < w && w < v_;
       return is_backward ? b.side < a.side : a.side < b.side;
     }

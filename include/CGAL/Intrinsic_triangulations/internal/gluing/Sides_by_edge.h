@@ -82,9 +82,9 @@ private:
   Large_vector<Side> sides_;
 };
 
-// A piece is what edges with two faces join. The faces of each are turned so that they agree with its first, as far as
-// possible: the search is breadth-first, so that faces which disagree lie far from the first and the line between them
-// is short.
+// A piece consists of faces joined by edges with two faces. They are turned to agree with the first one, as far as
+// possible: the search is breadth-first, so that faces that disagree lie far from the first one and the line between
+// them is short.
 class Triangle_pieces
 {
   using Index = std::uint32_t;
@@ -105,7 +105,7 @@ public:
   Triangle_pieces(const Sides_by_edge& sides, std::size_t number_of_faces)
     : piece_of(number_of_faces, none), is_turned(number_of_faces, false)
   {
-    // Of each side twice the other one of its edge, plus 1 if both run in the same direction.
+    // For each side, twice the number of the other side of its edge, plus 1 if both run in the same direction.
     Large_vector<Index> neighbor(3 * number_of_faces, none);
     sides.for_each_edge([&](Index, const Sides_by_edge::Side* begin, const Sides_by_edge::Side* end) {
       if (end - begin != 2)

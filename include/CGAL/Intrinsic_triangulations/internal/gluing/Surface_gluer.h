@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// From triangles in space to an oriented surface that is cut as little as possible.
+// From triangles in space to an oriented surface with as few cuts as possible.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_SURFACE_GLUER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_SURFACE_GLUER_H
@@ -32,7 +32,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Decides which triangles are turned over, which sides become one edge, and which vertices have to be copied for that.
+// Decides which triangles are turned over, which sides become one edge, and which vertices have to be copied.
 //
 // - The two sides of an edge with two faces become one, unless a one-sided surface has to be cut there.
 // - At other edges, the faces are taken in their order around the edge. Counterclockwise about the edge, material lies
@@ -82,11 +82,11 @@ public:
   // Whether a triangle is turned over: its corners 0 and 2 are exchanged. The first of each part that edges join is
   // not.
   bool is_turned(std::size_t face) const { return is_turned_[face]; }
-  // The vertices of the surface: first those that were given, then copies; for each which one it was.
+  // The vertices of the surface: first the given ones, then copies; for each, the original.
   const std::vector<Index>& vertices() const { return fans_.first; }
-  // The vertex of the surface at a corner of a triangle, after it was turned.
+  // The vertex of the surface at a corner of a triangle, after turning.
   Index vertex(std::size_t corner) const { return fans_.second[corner]; }
-  // The side that is glued to that from a corner to the next after the triangles were turned; none at the border.
+  // The side glued to the one from a corner to the next, after turning the triangles; none at the border.
   Index neighbor(std::size_t corner) const { return glued_to_[corner]; }
 
 private:
@@ -144,7 +144,7 @@ private:
     });
   }
 
-  // A piece hangs if it has a border, or is alone at an edge once the others that hang are taken away.
+  // A piece hangs if it has a border, or is the only one left at an edge once other hanging pieces are removed.
   void find_hanging_pieces()
   {
     std::vector<std::array<std::size_t, 2>> edges_of_pieces; // piece, edge; once for each face
@@ -176,7 +176,7 @@ private:
     }
   }
 
-  // What is not glued yet; none if it is one alone.
+  // The sides not glued yet; none if there is only one.
   Entries entries_left(Crowded_edge& edge, bool are_hanging)
   {
     Entries result;
@@ -188,7 +188,7 @@ private:
     return result;
   }
 
-  // A network is what these edges join.
+  // A network consists of pieces joined by these edges.
   void turn_pieces(bool are_hanging)
   {
     const std::size_t n = is_hanging_.size();
@@ -268,7 +268,7 @@ private:
         return a->half_plane < b->half_plane;
       return runs_backward(*a) == is_material_forward && runs_backward(*b) != is_material_forward;
     });
-    // Begins of material that has not ended: all of them, and those of each piece. Around the edge twice, as it may
+    // Starts of material that has not ended: all, and those of each piece. Goes around the edge twice, because it may
     // begin in material.
     Entries begun;
     std::map<Index, Entries> begun_of_piece;
@@ -301,7 +301,7 @@ private:
       }
   }
 
-  // From here on, sides are those of the turned triangles.
+  // From here on, sides belong to the turned triangles.
   void turn_triangles()
   {
     for (std::size_t f = 0; f < triangles_.size(); ++f)
@@ -326,7 +326,7 @@ private:
     constexpr int number_of_trials = 20;
     for (int trial = 0;; ++trial) {
       bool is_changed = false;
-      std::vector<bool> is_near(points_.size(), false); // to a change: what is decided there may differ now
+      std::vector<bool> is_near(points_.size(), false); // to a change: decisions there may differ now
       for (Crowded_edge& edge : crowded_edges_) {
         if (edge.rule == CUT || !(is_double(edge) || (!edge.has_been_void && joins_sides_of_wall(edge))))
           continue;
@@ -348,7 +348,7 @@ private:
         break;
       fans_ = separate_fans(points_.size(), corners_, glued_to_);
     }
-    // Two sides that are left with the same ends are one edge.
+    // Two remaining sides with the same ends are one edge.
     for (Crowded_edge& edge : crowded_edges_)
       for (Entry& entry : edge.entries)
         for (Entry& other : edge.entries)
@@ -377,7 +377,7 @@ private:
     });
   }
 
-  // Of which networks the volume is negative.
+  // The networks with negative volume.
   std::vector<bool> find_inside_out(Disjoint_sets& networks)
   {
     const std::size_t n = is_hanging_.size();
@@ -403,7 +403,7 @@ private:
     };
     std::vector<Double_with_bound> bounded(n);
     add_volumes(bounded, [](Index) { return true; });
-    std::vector<bool> result(n, false), is_open(n, false); // where the bounds do not tell it
+    std::vector<bool> result(n, false), is_open(n, false); // if the bounds leave it open
     for (Index i = 0; i < n; ++i) {
       const Uncertain<Sign> sign = bounded[i].sign();
       result[i] = certainly(sign == NEGATIVE);
@@ -427,7 +427,7 @@ private:
 
   bool turns(Index piece) { return (turns_.find(2 * piece) & 1) != 0; }
   bool runs_backward(const Entry& e) { return e.runs_backward != turns(e.piece); }
-  // One of both pieces, or none of them, is to be turned, unless that is decided already.
+  // Decides whether exactly one of the two pieces is turned, unless that is decided already.
   void tie(Index piece, Index other, bool is_one_turned)
   {
     const Index same = 2 * other + is_one_turned, opposite = 2 * other + !is_one_turned;

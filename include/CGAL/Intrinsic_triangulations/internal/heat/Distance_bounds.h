@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// What no distance on a surface can be.
+// Bounds for all distances on a surface.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_DISTANCE_BOUNDS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_DISTANCE_BOUNDS_H
@@ -28,8 +28,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The nearest first, by an eighth as many intervals of the same length as there are rows; of the same interval, the
-// smallest row. \pre none is negative or NaN
+// The nearest first, by intervals of equal length, an eighth as many as rows; within an interval, the smallest row
+// first. \pre none is negative or NaN
 template <class Distances>
 std::vector<std::uint32_t> rows_by_distance(const Distances& distances)
 {
@@ -50,8 +50,8 @@ std::vector<std::uint32_t> rows_by_distance(const Distances& distances)
   return result;
 }
 
-// Longer than the shortest path along edges, of the triangulation and of its input; or, where the surface lies in
-// space, shorter than the straight line. Lengths are in the unit of Accurate_shapes.
+// Corrects distances longer than the shortest path along edges of the triangulation and of its input, or, for a surface
+// in space, shorter than the straight line. Lengths are in the unit of Accurate_shapes.
 class Distance_bounds
 {
 public:
@@ -87,7 +87,7 @@ public:
   }
 
   // \param distances by rows; infinite ones become finite where edges lead
-  // \param sources rows, and how far they are from the source that they stand for
+  // \param sources rows, and their distances from the source that they represent
   void apply(std::vector<double>& distances, const std::map<std::uint32_t, double>& sources) const
   {
     std::vector<double> paths(first_.size() - 1, not_yet);
@@ -108,8 +108,8 @@ public:
         queue.push({paths[neighbor], neighbor});
       }
     };
-    // First in the order of the distances, in which nearly all paths are found at once. What gets a shorter path after
-    // its turn follows by Dijkstra's algorithm.
+    // First in the order of the distances, which finds nearly all paths at once. Rows that get a shorter path after
+    // their turn follow by Dijkstra's algorithm.
     const std::vector<std::uint32_t> order = rows_by_distance(distances);
     for (std::size_t i = 0; i < order.size(); ++i) {
       const std::uint32_t row = order[i], soon = order[(std::min)(i + 8, order.size() - 1)];
@@ -119,7 +119,7 @@ public:
       double path = paths[row];
       std::uint32_t from = row;
       for (std::uint32_t k = first_[row]; k < first_[row + 1]; ++k) {
-        // Without jumps, as it is anyone's guess which is shorter.
+        // Without branches, because which is shorter is unpredictable.
         const double other = paths[neighbors_[k]] + lengths_[k];
         from = other < path ? neighbors_[k] : from;
         path = other < path ? other : path;
@@ -150,10 +150,10 @@ public:
 
 private:
   static constexpr double not_yet = std::numeric_limits<double>::infinity();  // the path of a row before its turn
-  static constexpr double nowhere = (std::numeric_limits<double>::max)();     // and where no path leads
-  static constexpr double no_point = std::numeric_limits<double>::infinity(); // of rows that the input does not have
+  static constexpr double nowhere = (std::numeric_limits<double>::max)();     // and of unreachable rows
+  static constexpr double no_point = std::numeric_limits<double>::infinity(); // of rows that are not in the input
 
-  // Whether an edge is also one of the input, which is added anyway.
+  // Whether an edge is also an input edge, which is added anyway.
   template <class Traits>
   static bool is_input_edge(const Intrinsic_triangulation<Traits>& triangulation, Edge_index e)
   {
@@ -193,8 +193,8 @@ private:
     }
   }
 
-  // A distance that is not positive says nothing: then half the path, which no Delaunay triangulation of the plane is
-  // further from.
+  // A distance that is not positive is useless: use half the edge path, a lower bound for planar Delaunay
+  // triangulations.
   double within(double distance, double path, std::uint32_t row, std::uint32_t origin,
                 const std::map<std::uint32_t, double>& sources) const
   {
@@ -217,7 +217,7 @@ private:
     return square > 0x1p-900 && square < 0x1p900 ? std::sqrt(square) : std::hypot(x, y, z);
   }
 
-  std::vector<std::uint32_t> first_; // the neighbors of a row are those from this number on
+  std::vector<std::uint32_t> first_; // the first neighbor of a row
   std::vector<std::uint32_t> neighbors_;
   std::vector<double> lengths_; // of the edges to them
   std::vector<std::array<double, 3>> points_;

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// How heat spreads in a short time, also to where it is below the range of double.
+// Heat after a short time, including regions where it is below the range of double.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_HEAT_DIFFUSION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_HEAT_DIFFUSION_H
@@ -24,20 +24,20 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Heat, layer by layer: each is, far from where it was sent on, a large multiple of the one before.
+// Heat in layers: each layer is, far from where it was passed on, a large multiple of the previous one.
 struct Layered_heat
 {
   std::vector<Eigen::VectorXd> layers;
   std::vector<int> exponents;            // for each layer, the exponent of 2 in that multiple, from the first layer on
   std::vector<std::uint32_t> layer_of;   // for each row, the first layer in which it is not lost
-  std::vector<std::vector<bool>> behind; // for each layer that was sent on, the rows where it was sent on from
+  std::vector<std::vector<bool>> behind; // for each layer that was passed on, the rows from which it was
 
   double operator[](std::size_t row) const { return layers[layer_of[row]][Eigen::Index(row)]; }
 
-  // The exponent of 2 by which a layer was multiplied when it was sent on.
+  // The exponent of 2 by which a layer was multiplied when it was passed on.
   int factor(std::size_t layer) const { return exponents[layer + 1] - exponents[layer]; }
 
-  // The mean of this and less heat with the same sources.
+  // The mean of this heat and a smaller one with the same sources.
   void average_with(const Layered_heat& less)
   {
     for (std::size_t l = 0; l < layers.size(); ++l)
@@ -49,7 +49,7 @@ struct Layered_heat
   }
 };
 
-// What flows from the rows behind a front to the others, times a power of two.
+// The flow from the rows behind a front to the others, times a power of two.
 // \tparam Vector of numbers, or several of them as columns
 template <class Matrix, class Vector>
 Vector sent_on(const Matrix& matrix, const Vector& u, const std::vector<bool>& is_behind, int exponent)
@@ -64,10 +64,10 @@ Vector sent_on(const Matrix& matrix, const Vector& u, const std::vector<bool>& i
   return result;
 }
 
-// The layers of other heat, which is sent on where `heat` is, so that both can be compared at each row.
+// The layers of another heat, which is passed on where `heat` is, so that both can be compared at each row.
 // \param solve solves the system
-// \param first what is put at each row
-// \param also adds to the right side of a layer what else it depends on, from its number
+// \param first the heat put at each row
+// \param also adds further terms to the right side of a layer, given its number
 template <class Heat, class Matrix, class Solve, class Also>
 std::vector<Heat> spread_likewise(const Heat& first, const Layered_heat& heat, const Matrix& matrix, const Solve& solve,
                                   const Also& also)
@@ -93,7 +93,7 @@ inline std::array<double, 3> heat_of_face(const Layered_heat& heat, const Heat_f
 }
 
 // For each row the integral of X · ∇(hat function), for X = -∇u/|∇u|. Nothing flows in a face in which u is constant.
-// \param instead the heat that counts in faces which have no other, as those with all corners on a cold border
+// \param instead the heat used in faces without any other, such as those with all corners on a cold border
 inline Eigen::VectorXd flux_of_unit_gradient(const Heat_surface& surface, const Layered_heat& heat,
                                              const Layered_heat& instead)
 {
@@ -129,15 +129,15 @@ Matrix with_masses(Matrix matrix, const Heat_surface& surface)
   return matrix;
 }
 
-// Heat after a short time t: (M + t L) u = 0 except at its sources. At each edge it decreases by a constant factor, so
-// that after some 700 edges nothing is left of it in double. Then it is sent on from where it still is.
+// Heat after a short time t: (M + t L) u = 0 except at its sources. It decreases by a constant factor at each edge, so
+// after some 700 edges it vanishes in double. It is then passed on from where it is still positive.
 // \tparam Solver as Sparse_Cholesky
 template <class Solver>
 class Heat_diffusion
 {
   using Vector = Eigen::VectorXd;
 
-  // Relative to the largest heat. What is sent on has far to go until it is looked at again.
+  // Relative to the largest heat. Heat that was passed on has far to go until it is examined again.
   static constexpr double sent = 0x1p-600, lost = 0x1p-900;
 
 public:
@@ -149,20 +149,20 @@ public:
               "the matrix of the heat", interruption)
   {}
 
-  // \param sources the heat that these rows have
-  // \param is_reachable the rows where heat can come
+  // \param sources the heat of these rows
+  // \param is_reachable the rows that heat can reach
   Layered_heat spread(const Pins& sources, const std::vector<bool>& is_reachable)
   {
     return send_on(system_.solve(Vector::Zero(system_.matrix().rows()), sources), is_reachable);
   }
 
-  // \param heat what is put at each row; nothing is cold
+  // \param heat the heat put at each row; nothing is cold
   Layered_heat spread(const Vector& heat, const std::vector<bool>& is_reachable) const
   {
     return send_on(system_.solve(heat), is_reachable);
   }
 
-  // Other heat that is sent on where the first one is; nothing is cold. Several columns are spread at once.
+  // Another heat that is passed on where the first one is; nothing is cold. Several columns are spread at once.
   // \param also as for the function of that name
   template <class Heat, class Also>
   std::vector<Heat> spread_likewise(const Heat& heat, const Layered_heat& other, const Also& also) const
@@ -182,7 +182,7 @@ public:
     return result;
   }
 
-  // Values at some rows, and elsewhere about that of the nearest; 0 where no heat comes.
+  // Values at some rows, and elsewhere about the value of the nearest one; 0 where no heat arrives.
   std::vector<double> extend(const std::vector<std::pair<std::uint32_t, double>>& values,
                              const std::vector<bool>& is_reachable) const
   {
@@ -214,7 +214,7 @@ private:
       if (still_lost == 0 || still_lost == number_of_lost || largest == 0)
         return result;
       number_of_lost = still_lost;
-      std::vector<bool> is_behind(n); // whether heat is sent on from there
+      std::vector<bool> is_behind(n); // whether heat is passed on from there
       for (std::size_t v = 0; v < n; ++v) {
         is_behind[v] = !is_lost[v] || std::abs(u[Eigen::Index(v)]) >= sent * largest;
         is_ahead[v] = !is_behind[v];

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Linear systems whose solution has given values at a few rows that change.
+// Linear systems whose solution has given values at a few rows, which may change.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_PINNED_SYSTEM_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_PINNED_SYSTEM_H
@@ -34,9 +34,9 @@ const T& after(const Interruption& interruption, const T& argument)
   return argument;
 }
 
-// Solves A x = b where x has given values at the pins, and A x is free there. One factorization of A serves for all
-// sets of few pins: what acts at them is found from a small dense system. Its matrix has one column for each pin that
-// was ever asked for, and is kept.
+// Solves A x = b where x has given values at the pins, and A x is free there. One factorization of A serves all small
+// sets of pins: a small dense system gives the forces at them. Its matrix has one column for each pin that was ever
+// used, and is kept.
 // \tparam Solver as Sparse_Cholesky
 template <class Solver>
 class Pinned_system
@@ -49,13 +49,13 @@ public:
   static constexpr std::size_t largest_dense_size = 32;
 
   // \param cold the rows at which x is zero unless they are pins; may be empty
-  // \param interruption is asked before each factorization and solution; has to live as long
+  // \param interruption is asked before each factorization and solution; must outlive this
   Pinned_system(Matrix matrix, std::vector<bool> cold, const char* what, const Interruption& interruption)
     : matrix_(std::move(matrix)), cold_(std::move(cold)), what_(what), interruption_(interruption),
       solver_(after(interruption_, with_identity_at({})), what)
   {}
 
-  // For a matrix whose kernel are the functions that are constant on each part: they are free.
+  // For a matrix whose kernel consists of the functions that are constant on each part, which are free.
   // \param part_of for each row the smallest row of its part
   Pinned_system(Matrix matrix, const std::vector<std::uint32_t>& part_of, const char* what,
                 const Interruption& interruption)
@@ -66,15 +66,15 @@ public:
   const Matrix& matrix() const { return matrix_; }
   bool is_cold(std::size_t row) const { return !cold_.empty() && cold_[row]; }
 
-  // Without pins. With a kernel, b has to sum to zero over each part; a constant is missing then. Each column is a
-  // system.
+  // Without pins. With a kernel, b has to sum to zero over each part, and the solution lacks a constant. Each column is
+  // a system.
   template <class Columns>
   Columns solve(const Columns& b) const
   {
     return solver_.solve(after(interruption_, b));
   }
 
-  // Has no meaning in parts without pins.
+  // Meaningless in parts without pins.
   Vector solve(const Vector& b, const Pins& pins)
   {
     Pins free_pins;
@@ -128,8 +128,7 @@ private:
     return result;
   }
 
-  // With 1 at one diagonal entry of each part, the matrix is positive definite, and what solves the system is zero
-  // there.
+  // With 1 added to one diagonal entry of each part, the matrix is positive definite, and the solution is zero there.
   Matrix anchored() const
   {
     Matrix result = matrix_;
@@ -161,7 +160,7 @@ private:
     return x;
   }
 
-  // In each part of a kernel the forces sum to zero, and a constant is free: so many more equations and unknowns.
+  // In each part of a kernel the forces sum to zero, and a constant is free, which adds as many equations and unknowns.
   void find_forces(const Vector& x, const Pins& pins, const std::set<std::uint32_t>& parts, Vector& forces,
                    std::map<std::uint32_t, double>& shift)
   {
@@ -192,7 +191,7 @@ private:
       shift[part] = solution[c];
   }
 
-  // The response at each pin to a force at each other one.
+  // The response at each pin to a force at each other pin.
   void require_responses(const Pins& pins)
   {
     if (responses_.size() > 8 * largest_dense_size)

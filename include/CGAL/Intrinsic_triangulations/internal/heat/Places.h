@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// An order of vertices and faces, and a choice among Delaunay triangulations, that no numbering has an influence on.
+// An order of vertices and faces, and a choice among Delaunay triangulations, that do not depend on the numbering.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_PLACES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_PLACES_H
@@ -23,7 +23,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Rows are ordered by the coordinates of their points. Numbers decide where these are equal, and if there are none.
+// Rows are ordered by the coordinates of their points. Numbers decide if these are equal or missing.
 class Places
 {
 public:
@@ -45,13 +45,13 @@ public:
   }
 
 private:
-  std::vector<std::array<double, 3>> points_; // infinite where there is none
+  std::vector<std::array<double, 3>> points_; // infinite if there is none
 };
 
 // A copy in which the choice among several Delaunay triangulations does not depend on the order of flips; nothing if
 // there is no choice. Ties that are edges of the input remain: the convex function on the surface whose edges are the
-// Delaunay ones goes down with each flip, so no flipped edge is ever a tie again. Among the others, those are chosen
-// that would be Delaunay if the first vertices counted a little more.
+// Delaunay ones goes down with each flip, so no flipped edge is ever a tie again. Among the others, the choice is the
+// one that would be Delaunay if the first vertices had slightly larger weights.
 // \exception Cancelled_error if the interruption says so
 template <class Traits, class Row>
 std::optional<Intrinsic_triangulation<Traits>> with_ties_by_place(const Intrinsic_triangulation<Traits>& triangulation,

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Raises distances that are less than what the vertices around allow.
+// Raises distances that are too small for those of the neighbors.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_RIDGE_KEEPER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_RIDGE_KEEPER_H
@@ -25,8 +25,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 // The distance of a vertex is the smallest sum of the distance of a point on the boundary of its star and the way from
 // there. Where fronts from several sides meet, the function that fits the directions best rounds off the ridge and lies
-// below that: there it is raised. What is larger stays as it is. The distances of the others are those from before, so
-// that nothing adds up on the way; a second pass gets to the vertices next to those that were raised.
+// below that sum: there it is raised. Larger values stay. Only old distances of the neighbors are used, so that nothing
+// accumulates; a second pass handles the neighbors of raised vertices.
 //
 // Between two vertices the distance is linear, unless one is a source, from which ways are straight.
 class Ridge_keeper
@@ -50,7 +50,7 @@ public:
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  // \tparam only_nearer whether ways lead over nearer vertices alone
+  // \tparam only_nearer whether ways lead only over nearer vertices
   template <bool only_nearer>
   void raise(Eigen::VectorXd& distances) const
   {
@@ -65,8 +65,8 @@ private:
         distances[Eigen::Index(row)] = (std::max)(distances[Eigen::Index(row)], ways[row]);
   }
 
-  // Most rows are on no ridge: in a face around them the distance falls off into the face, and about as much as it can;
-  // not between two sources.
+  // Most rows are not on a ridge: in a face around them the distance falls off into the face about as steeply as it
+  // can; not between two sources.
   std::vector<char> settled_rows(const Eigen::VectorXd& distances) const
   {
     std::vector<char> result = is_fixed_;
@@ -84,7 +84,7 @@ private:
     return result;
   }
 
-  // To a corner over the opposite side of the face; infinite if none leads there.
+  // The way to a corner across the opposite side of the face; infinite if there is none.
   template <bool only_nearer>
   double shortest_way(const Heat_face& face, int corner, const Eigen::VectorXd& distances) const
   {
@@ -93,7 +93,7 @@ private:
     const std::uint32_t v = face.row[i], a = face.row[j], b = face.row[k];
     const double at_v = distances[v], at_a = distances[a], at_b = distances[b];
     if (is_fixed_[a] && is_fixed_[b] && (at_a > 0 || at_b > 0))
-      return 0; // over a side of the face with a source inside it, ways lead somewhere: nothing is raised
+      return 0; // ways across a side of a face with a source inside it are unknown: nothing is raised
     const double ax = x[j] - x[i], ay = y[j] - y[i], bx = x[k] - x[i], by = y[k] - y[i];
     const bool over_a = !only_nearer || at_a < at_v || (at_a == at_v && a < v),
                over_b = !only_nearer || at_b < at_v || (at_b == at_v && b < v);
@@ -102,7 +102,7 @@ private:
       result = (std::min)(result, at_b + std::sqrt(bx * bx + by * by));
     if (!over_a || !over_b || at_a == 0 || at_b == 0)
       return result;
-    // Over the point at which the way and the side form the angle whose cosine is the slope of the distance along it.
+    // Across the point where the cosine of the angle between way and side is the slope of the distance along the side.
     const double ex = bx - ax, ey = by - ay, square = ex * ex + ey * ey, area = face.base * face.height,
                  more = at_b - at_a, root = std::sqrt((std::max)(0., square - more * more)),
                  from_a = -(ax * ex + ay * ey), from_b = bx * ex + by * ey;
@@ -112,7 +112,7 @@ private:
   }
 
   const Heat_surface& surface_;
-  std::vector<char> is_fixed_; // sources, and what no way leads to
+  std::vector<char> is_fixed_; // sources and unreachable rows
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

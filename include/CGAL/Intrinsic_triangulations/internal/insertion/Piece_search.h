@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// In which piece of the current triangles a point of the input lies.
+// Finds the piece of the current triangles that contains a point of the input.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_PIECE_SEARCH_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_PIECE_SEARCH_H
@@ -34,9 +34,9 @@ namespace CGAL::Intrinsic_triangulations::internal {
 //
 // Intrinsic edges cut an input face into convex pieces by chords that do not cross. The search walks from piece to
 // piece, each time across a chord that has the point on its other side. Around inserted vertices such a walk may come
-// back, if the triangulation is not Delaunay. So after some steps no piece is entered twice: where no chord is left,
-// another one of a piece before is taken. All pieces on a straight line to the point can be reached, so that the search
-// comes to an end there.
+// back, if the triangulation is not Delaunay. So after some steps no piece is entered twice: if no chord is left,
+// another chord of an earlier piece is taken. All pieces on a straight line to the point can be reached, so the search
+// ends there.
 // \param start a piece of the same input face
 inline Triangle_piece piece_of_point(const Exact_engine& engine, const Triangle_piece& start,
                                      const Surface_point& point)

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The edges that refinement splits and does not flip: those on the border, and constrained ones.
+// The edges that refinement splits but does not flip: border edges and constrained ones.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_SEGMENTS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_SEGMENTS_H
@@ -47,7 +47,7 @@ public:
     is_segment_[e.idx()] = true;
     is_empty_ = false;
   }
-  // New edges are no segments.
+  // New edges are not segments.
   void resize() { is_segment_.resize(complex_.number_of_edges(), false); }
 
   bool has_segment(Vertex_index v) const
@@ -58,7 +58,7 @@ public:
     return false;
   }
 
-  // Where segments meet in a small angle, they are split as shells around the corner demand.
+  // Segments that meet at a small angle are split on concentric shells around the corner.
   void find_small_corner(Vertex_index v)
   {
     if (!is_empty() && has_small_corner(v))
@@ -69,7 +69,7 @@ public:
   // distance from it. (G. Miller, S. Pav, N. Walkington, "When and why Ruppert's algorithm works", 2003.)
   bool is_between_shells(Halfedge_index h) const
   {
-    // A vertex on an input edge, as seen from one end of that.
+    // A vertex on an input edge, seen from one end of that edge.
     struct View
     {
       Halfedge_index from_end;
@@ -109,7 +109,7 @@ public:
     return false;
   }
 
-  // A segment that a vertex at this point would encroach on: among those that bound the triangles with the point in
+  // A segment that a vertex at this point would encroach on, among those that bound the triangles with the point in
   // their circumcircles.
   std::optional<Edge_index> encroached_by(const Walk_end& end) const
   {
@@ -141,8 +141,8 @@ public:
     return std::nullopt;
   }
 
-  // Halfway, but at a distance that is a power of two from a corner where two segments meet in a small angle: so they
-  // are split at the same distances from it.
+  // Halfway, but at a power of two from a corner where two segments meet at a small angle, so that they are split at
+  // the same distances from it.
   double split_position(Halfedge_index h, double begin, double end) const
   {
     const bool at_source = small_corners_.count(complex_.source(h)) != 0,
@@ -158,7 +158,7 @@ public:
   }
 
 private:
-  // Whether two segments meet at v in less than 60 degrees.
+  // Whether two segments meet at v at less than 60 degrees.
   bool has_small_corner(Vertex_index v) const
   {
     for (Halfedge_index h : Halfedges_around(complex_, v))

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Where the new vertex that a thin triangle needs does most good.
+// The best place for the new vertex of a thin triangle.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_STEINER_POINT_SEARCH_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_STEINER_POINT_SEARCH_H
@@ -33,8 +33,8 @@ inline Plane_point circumcenter(Plane_point a, Plane_point b, Plane_point c)
 
 // The points that see the shortest side of a triangle at a large enough angle form a disk, its petal. The search tries
 // points of its border, and the circumcenter or off-center: it lays out the triangles that an insertion would replace,
-// which are those with the point in their circumcircles. It takes the point that leaves the fewest bad triangles, and
-// of several the one that is farthest from all vertices.
+// which are those with the point in their circumcircles. It takes the point that leaves the fewest bad triangles; of
+// several, the one farthest from all vertices.
 //
 // Source: H. Erten, A. Ungor, "Quality triangulations with locally optimal Steiner points" (2009). They take the point
 // that is farthest from all vertices; with the count, refinement needs about 30 percent fewer.
@@ -74,7 +74,7 @@ private:
   static constexpr double slack = 0.99;
   static constexpr int number_of_points = 12;
   static constexpr double least_squared_distance = 1.1; // from all vertices, in squares of the shortest side
-  // More are not laid out: around a thin tube, the same ones come again and again.
+  // No more are laid out: around a thin tube, the same ones would recur forever.
   static constexpr std::size_t most_triangles = 64;
 
   struct Triangle
@@ -85,7 +85,7 @@ private:
     double squared_radius;
     bool is_bad;
     std::array<int, 3>
-      neighbors; // behind the sides from each corner to the next one; the search came through the first
+      neighbors; // beyond the sides from each corner to the next one; the search came through the first
   };
   static constexpr int unknown = -1, none = -2, segment = -3;
 

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// How a flat vertex is taken out of a triangulation.
+// Removal of a flat vertex from a triangulation.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_VERTEX_REMOVER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_VERTEX_REMOVER_H
@@ -30,7 +30,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Flips the edges at a vertex until a split can be undone. Why this ends, and where, is in doc/termination.md.
+// Flips the edges at a vertex until a split can be undone. doc/termination.md says why this ends.
 template <class Traits, class ConstraintMap>
 class Vertex_remover
 {
@@ -83,7 +83,7 @@ private:
     settle(triangulation_, is_constrained, stack, [](Edge_index) {});
   }
 
-  // Those that point to the vertex, clockwise.
+  // The halfedges that point to the vertex, clockwise.
   std::vector<Halfedge_index> edges_at_vertex() const
   {
     std::vector<Halfedge_index> result;
@@ -111,8 +111,8 @@ private:
     return result;
   }
 
-  // Flips an edge so that fewer edges end in the vertex, loops first. Where loops stop that, an edge that leaves their
-  // number as it is: the one for which that was done longest ago, so that bands between loops are turned, not turned
+  // Flips an edge so that fewer edges end at the vertex, loops first. If loops prevent that, flips an edge that leaves
+  // their number unchanged: the one flipped longest ago, so that bands between loops are turned in one direction, not
   // back and forth.
   bool flip_one()
   {
@@ -138,7 +138,7 @@ private:
     return false;
   }
 
-  // Flips an edge if so many edges fewer end in the vertex afterwards.
+  // Flips an edge if this many fewer edges end at the vertex afterwards.
   bool flip(Edge_index e, int fewer)
   {
     if (is_fixed(e) || !complex_.is_flippable(e))
@@ -163,7 +163,7 @@ private:
     for (Halfedge_index h : edges_at_vertex()) {
       if (complex_.source(h) == v_)
         return false;
-      faces.push_back(complex_.face(h)); // at most one of them is none
+      faces.push_back(complex_.face(h)); // at most one of them does not exist
     }
     std::sort(faces.begin(), faces.end());
     return std::adjacent_find(faces.begin(), faces.end()) == faces.end();

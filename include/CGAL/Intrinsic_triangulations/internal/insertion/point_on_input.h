@@ -45,8 +45,8 @@ inline std::array<double, 3> rounded_coordinates(const std::array<double, 3>& w)
   return {std::ldexp(double(n[0]), -52), std::ldexp(double(n[1]), -52), std::ldexp(double(n[2]), -52)};
 }
 
-// The lengths of the input edges, rounded, and the shapes of its faces. They are found when they are first asked for, by
-// one thread: refinement sees few of them.
+// The rounded lengths of the input edges, and the shapes of its faces. They are computed on first use, by one thread:
+// refinement sees few of them.
 class Input_shapes
 {
 public:
@@ -103,7 +103,7 @@ inline Face_index input_face(const Exact_engine& engine, const Triangle_piece& p
   return uncrossed_input_face(complex, correspondence, piece.side);
 }
 
-// A point of the input, and the piece where the search for it begins.
+// A point of the input, and the initial piece of the search for it.
 struct Point_to_insert
 {
   Surface_point point;
@@ -136,7 +136,7 @@ std::optional<Point_to_insert> point_on_input(const Exact_engine& engine, Input_
       const Halfedge_index next = input.next_around_source(base);
       if (input.is_border(next))
         break;
-      // No triangle has a larger corner. But if all corners of the input are tiny there, a rounded one can be.
+      // No corner of a triangle is larger, except by rounding if all input corners there are tiny.
       if (base == reference && std::exchange(is_second_turn, true))
         return std::nullopt;
       to_point /= z;

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// What has to be flipped after an insertion or a removal.
+// Flips after an insertion or a removal.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_SETTLE_AROUND_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_SETTLE_AROUND_H
@@ -21,8 +21,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Makes a triangulation Delaunay again of which all edges are so but for those on the stack: Lawson's algorithm. The
-// work is local.
+// Makes a triangulation Delaunay again, in which all edges except those on the stack are Delaunay: Lawson's algorithm.
+// The work is local.
 // \param after_flip is called with each edge that was flipped
 // \pre the triangulation keeps its input
 template <class Traits, class ConstraintMap, class AfterFlip>
@@ -51,7 +51,7 @@ void settle(Intrinsic_triangulation<Traits>& triangulation, const ConstraintMap&
   }
 }
 
-// As above, where only faces around a vertex have changed.
+// As above, if only faces around a vertex have changed.
 template <class Traits, class ConstraintMap, class AfterFlip>
 void settle_around(Intrinsic_triangulation<Traits>& triangulation, Vertex_index v, const ConstraintMap& is_constrained,
                    std::vector<Edge_index>& stack, const AfterFlip& after_flip)

@@ -29,8 +29,8 @@ inline Plane_point third_corner(double ij, double jk, double ki)
 
 inline double cross_product(Plane_point a, Plane_point b) { return a.real() * b.imag() - a.imag() * b.real(); }
 
-// Where a straight line ends: in the face of a halfedge, with weights of its source, its target and the third corner
-// that are not negative and sum to 1 up to rounding.
+// The end of a straight line: in the face of a halfedge, with nonnegative weights of its source, its target and the
+// third corner, which sum to 1 up to rounding.
 struct Walk_end
 {
   Halfedge_index halfedge;
@@ -44,8 +44,8 @@ struct Walk_end
 // \param leaves_corner whether the walk starts at the source of h, into the triangle
 // \param apex gives the third corner of the face of a halfedge, in the frame of that
 // \param is_barrier whether an edge that is met must not be crossed
-// \param most_edges after so many crossed edges and one the walk stops, in the middle of the part of the line in that
-//   triangle: around a needle, it could go on for very long, and where rounding has made it lose its way, forever
+// \param most_edges after this many crossed edges and one more the walk stops, in the middle of the line's part in that
+//   triangle: around a needle it could go on for very long, and forever if rounding has made it lose its way
 template <class Apex, class Is_barrier>
 Walk_end walk_straight(const Delta_complex& complex, Halfedge_index h, Plane_point start, Plane_point end,
                        bool leaves_corner, const Apex& apex, const Is_barrier& is_barrier, std::size_t most_edges)
@@ -66,7 +66,7 @@ Walk_end walk_straight(const Delta_complex& complex, Halfedge_index h, Plane_poi
     const Plane_point z = apex(h);
     const std::array<double, 3> w = weights(z, end);
     const bool has_area = z.imag() > 0;
-    // Corner i is opposite to the side that the line leaves by, if it does.
+    // Corner i is opposite to the side through which the line leaves, if it does.
     std::size_t i = 0;
     if (crossed > 0) // it came through h
       i = cross_product(end - start, z - start) > 0 ? 0 : 1;

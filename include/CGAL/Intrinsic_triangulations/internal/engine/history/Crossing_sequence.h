@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// In which order an edge crosses input edges: the turns of the strip of input triangles.
+// The order in which an edge crosses input edges: the turns of the strip of input triangles.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_CROSSING_SEQUENCE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_CROSSING_SEQUENCE_H
@@ -35,17 +35,16 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // share a corner on one side of the edge. On that side the two input segments run next to
 // each other until they end in that corner; on the other side they part.
 //
-// All neighbouring pairs are followed at once, as blocks that are split only where the
-// segments go different ways, and to both sides in turn, since a pair is decided by the
-// side on which it ends sooner. Two segments that come back to the edge are another pair of
-// its crossings there: the two pairs are linked, so that the way on is followed once.
+// All neighbouring pairs are followed at once, as blocks that are split only where the segments part, and to both sides
+// in turn, because the side on which a pair ends sooner decides it. If two segments return to the edge, they are
+// another pair of its crossings there: the two pairs are linked, so that their continuation is followed once.
 //
-// Where a vertex that was inserted lies between two segments, they part without telling anything. Then both are
-// followed to their ends, which name them.
+// If an inserted vertex lies between two segments, their parting says nothing. Then both are followed to their ends,
+// which identify them.
 class Crossing_sequence
 {
 public:
-  // Far more than meshes need: what is kept for each pair takes 33 bytes.
+  // Far more than meshes need: each pair takes 33 bytes.
   static constexpr std::int64_t largest_number = std::int64_t(1) << 20;
 
   // The pairs of neighbouring crossings of h, in order from its source.
@@ -83,16 +82,15 @@ private:
   };
   static Turn reversed(Turn turn) { return turn == LEFT ? RIGHT : LEFT; }
 
-  // Another pair of the same two segments; it turns the other way if they run the other way there.
+  // Another pair of the same two segments; it turns the other way if they run in the other direction there.
   struct Link
   {
     std::int64_t pair = -1;
     bool is_reversed = false;
   };
 
-  // Pairs of neighbouring segments that cross `halfedge` into its face: those at positions
-  // lower and lower + 1 and so on from its source are the pairs first, ..., first + count - 1
-  // as seen from where the block comes from.
+  // Pairs of neighbouring segments that cross `halfedge` into its face: those at positions lower and lower + 1 and so
+  // on from its source are the pairs first, ..., first + count - 1, seen from where the block comes from.
   struct Block
   {
     Halfedge_index halfedge;
@@ -101,7 +99,7 @@ private:
     std::int64_t count;
   };
 
-  // Most often of one block.
+  // Usually of one block.
   class Queue
   {
   public:
@@ -120,7 +118,7 @@ private:
 
   private:
     boost::container::small_vector<Block, 4> blocks_;
-    std::size_t first_ = 0; // those before are done
+    std::size_t first_ = 0; // earlier ones are done
   };
 
   template <class Number_of>
@@ -178,7 +176,7 @@ private:
     pass_on(other, pair);
   }
 
-  // Lets a block cross its halfedge later, or links its pairs if that belongs to the edge itself.
+  // Queues a block to cross its halfedge, or links its pairs if the halfedge belongs to the edge itself.
   template <class Number_of>
   void put(Queue& queue, const Block& block, Turn here, const Number_of& number_of)
   {
@@ -259,13 +257,13 @@ private:
   Halfedge_index start_;
   const Interruption& interruption_;
   boost::container::small_vector<Turn, 64>
-    turns_; // of most edges without asking for memory, which takes as long as to find few of them
+    turns_; // for most edges without an allocation, which takes as long as finding a few of them
   std::vector<std::array<Link, 2>> links_; // to the left and to the right; empty until needed
   std::vector<std::int64_t> to_pass_on_;
   std::int64_t number_of_unknown_ = 0;
 };
 
-// The input halfedges that h crosses from its left to its right, in order: those that are kept, or its own.
+// The input halfedges that h crosses from its left to its right, in order: cached ones, or its own.
 class Crossed_halfedges
 {
 public:
@@ -305,7 +303,7 @@ public:
   Halfedge_index operator[](std::size_t i) const { return crossed_[i]; }
   Halfedge_index front() const { return crossed_[0]; }
 
-  // To find so many takes no longer than to look them up.
+  // Finding this many takes no longer than looking them up.
   static constexpr std::size_t few = 8;
 
 private:

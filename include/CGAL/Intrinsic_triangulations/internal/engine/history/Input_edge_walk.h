@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Which input edge crosses an edge at some place.
+// Finds the input edge that crosses an edge at some place.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_INPUT_EDGE_WALK_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_INPUT_EDGE_WALK_H
@@ -21,7 +21,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The input halfedge that follows h counterclockwise around a vertex v. Of those on an input edge, there are two.
+// The input halfedge that follows h counterclockwise around a vertex v. A vertex on an input edge has only two.
 inline Halfedge_index next_input_halfedge(const Correspondence& correspondence, Vertex_index v, Halfedge_index h)
 {
   const Delta_complex& input = correspondence.input();
@@ -100,12 +100,12 @@ private:
 
   const Delta_complex& complex_;
   const Correspondence& correspondence_;
-  Halfedge_index halfedge_, end_; // the end, after so many steps more
+  Halfedge_index halfedge_, end_; // the end, after this many more steps
   std::int64_t position_, steps_to_end_ = 0;
   Vertex_index end_vertex_;
 };
 
-// How an input halfedge leaves a vertex of the current triangulation.
+// The way in which an input halfedge leaves a vertex of the current triangulation.
 struct Input_edge_start
 {
   Halfedge_index side;   // it coincides with this one, or goes through a triangle and crosses this side of it

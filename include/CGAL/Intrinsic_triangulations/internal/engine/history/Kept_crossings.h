@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Which input halfedges an edge crosses, kept as long as the edge lives.
+// The input halfedges that an edge crosses, cached while the edge lives.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_KEPT_CROSSINGS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_KEPT_CROSSINGS_H
@@ -47,21 +47,21 @@ private:
   bool is_reversed_ = false;
 };
 
-// What was found once is not followed again. The sequences of the edges that a flip or a new vertex makes are slices of
-// those of the sides around them, which the numbers of segments in the triangles tell (section 2.3 of the paper); where
-// those are not kept, nothing is. Nothing here throws: where memory is short, sequences are not kept.
+// A sequence that was found is not searched again. The sequences of the edges made by a flip or a new vertex are slices
+// of those of the sides around them, determined by the numbers of segments in the triangles (section 2.3 of the paper);
+// if those are not cached, neither are these. Nothing here throws: if memory is short, sequences are not cached.
 //
-// Queries may keep sequences, too, several threads at once: nothing is replaced or freed before a change.
+// Queries may cache sequences, too, from several threads at once: nothing is replaced or freed before a change.
 class Kept_crossings
 {
   using Array = std::unique_ptr<const Halfedge_index[]>;
 
 public:
-  // In halfedges of 4 bytes, beside a pointer for each edge.
+  // In halfedges of 4 bytes, besides a pointer for each edge.
   static constexpr std::size_t largest_total = std::size_t(1) << 25;
 
   Kept_crossings() = default;
-  // What only speeds up queries is not copied.
+  // Caches are not copied.
   Kept_crossings(const Kept_crossings&) {}
   Kept_crossings(Kept_crossings&& other) noexcept
     : table_(other.table_.exchange(nullptr)), total_(other.total_.exchange(0)), enough_(other.enough_.exchange(0))
@@ -77,8 +77,9 @@ public:
 
   bool is_empty() const { return table_.load(std::memory_order_relaxed) == nullptr; }
 
-  // Whether one by one so many were kept that to find those of all edges takes no longer. True once, for one thread.
-  // \param number_of_all() how many all edges cross
+  // Whether computing all sequences now costs no more than those already computed one by one. True once, for one
+  // thread.
+  // \param number_of_all() the number of crossings of all edges
   template <class Count>
   bool is_time_for_all(std::size_t number_of_edges, const Count& number_of_all) const
   {
@@ -87,14 +88,15 @@ public:
     if (total <= number_of_edges || total <= enough)
       return false;
     if (enough == 0) {
-      const std::size_t found = number_of_all() / 16; // some one by one take as long as 16 times as many at once
+      const std::size_t found =
+        number_of_all() / 16; // finding some one by one takes as long as 16 times as many at once
       if (enough_.compare_exchange_strong(enough, found))
         enough = found;
     }
     return total > enough && enough_.exchange(never) != never;
   }
 
-  // Those of h, which crosses n input edges, if they are kept.
+  // The sequence of h, which crosses n input edges, if it is cached.
   std::optional<Crossed_range> find(Halfedge_index h, std::size_t n) const
   {
     const Table* const table = table_.load(std::memory_order_acquire);
@@ -102,13 +104,13 @@ public:
     return first ? std::make_optional(Crossed_range(first, n, (h.idx() & 1) != 0)) : std::nullopt;
   }
 
-  // Keeps those that h crosses.
+  // Caches the sequence of h.
   void keep(std::size_t number_of_edges, Halfedge_index h, const Crossed_range& crossed) const
   {
     const Crossed_range of_edge = (h.idx() & 1) != 0 ? crossed.reversed() : crossed;
     keep(number_of_edges, Edge_index(h.idx() / 2), of_edge.size(), copied(of_edge));
   }
-  // Keeps the n that the halfedge of e with the even number crosses, if they are given.
+  // Caches the n crossings of the halfedge of e with the even number, if they are given.
   void keep(std::size_t number_of_edges, Edge_index e, std::size_t n, Array array) const
   {
     Table* const table = array ? made_table(number_of_edges) : nullptr;
@@ -119,7 +121,7 @@ public:
     }
   }
 
-  // What the edge crosses that a flip is about to make.
+  // The crossings of the edge that a flip is about to make.
   struct Flipped
   {
     Array array;
@@ -147,7 +149,7 @@ public:
     }
     return result;
   }
-  // To be called with that at the flip.
+  // Must be called with that at the flip.
   void flip(Edge_index e, Flipped flipped)
   {
     forget(e, flipped.number_before);
@@ -156,7 +158,7 @@ public:
       total_ += flipped.number;
     }
   }
-  // Nothing is kept any longer for e, which crosses so many input edges.
+  // Forgets the sequence of e, which crosses so many input edges.
   void forget(Edge_index e, std::int64_t number)
   {
     if (Table* const table = table_)
@@ -167,7 +169,7 @@ public:
       }
   }
 
-  // Three edges from the corners of a triangle to a new vertex in a piece of it are appended. To be called before the
+  // Appends three edges from the corners of a triangle to a new vertex in a piece of it. Must be called before the
   // split of the connectivity.
   void split_face(const Delta_complex& complex, const Normal_coordinates& coordinates, const Triangle_piece& piece)
   {
@@ -180,7 +182,7 @@ public:
     append(prefix(coordinates, complex.opposite(ij), n_ij - piece.gap));
     append(from_opposite_corner(complex, coordinates, ij, piece.gap));
   }
-  // Likewise where an edge is split that coincides with an input edge.
+  // Likewise for the split of an edge that coincides with an input edge.
   void split_edge(const Delta_complex& complex, const Normal_coordinates& coordinates, Halfedge_index h)
   {
     const std::size_t number_of_edges = complex.number_of_edges();
@@ -191,7 +193,7 @@ public:
       if (!complex.is_border(ij))
         append(from_opposite_corner(complex, coordinates, ij, 0));
   }
-  // Before that of the coordinates.
+  // Called before the coordinates are changed.
   void remove(const Normal_coordinates& coordinates, const Removed_elements& removed)
   {
     if (Table* const table = table_)
@@ -217,7 +219,7 @@ private:
   static constexpr std::size_t never = (std::numeric_limits<std::size_t>::max)();
 
   using Slot = std::atomic<const Halfedge_index*>;
-  // One for each edge, of the halfedge with the even number.
+  // One for each edge, for the halfedge with the even number.
   struct Table
   {
     std::size_t size, capacity;
@@ -228,7 +230,7 @@ private:
     std::unique_ptr<Slot[]> slots(new (std::nothrow) Slot[capacity]());
     return slots ? new (std::nothrow) Table{size, capacity, std::move(slots)} : nullptr;
   }
-  // The first thread that keeps something makes it. `nullptr` if there is no memory.
+  // Made by the first thread that caches something. `nullptr` if there is no memory.
   Table* made_table(std::size_t number_of_edges) const
   {
     if (Table* const table = table_.load(std::memory_order_acquire))
@@ -271,7 +273,7 @@ private:
   {
     return copied(crossed.size(), [&](std::size_t i) { return crossed[i]; });
   }
-  // The sequence of the opposite of the halfedge that it is given for, which leads to the new vertex.
+  // The sequence of the opposite of the given halfedge, which leads to the new vertex.
   void append(const std::optional<Crossed_range>& to_v)
   {
     Table& table = *table_;
@@ -283,7 +285,7 @@ private:
     table.slots[table.size++] = array.release();
   }
 
-  // The first n that h crosses, if they are known.
+  // The first n crossings of h, if known.
   std::optional<Crossed_range> prefix(const Normal_coordinates& coordinates, Halfedge_index h, std::int64_t n) const
   {
     if (n == 0)
@@ -292,7 +294,7 @@ private:
     return all ? std::make_optional(all->prefix(std::size_t(n))) : std::nullopt;
   }
 
-  // What a line crosses from the corner k of a triangle to a point behind so many crossings of ij.
+  // The crossings of a line from the corner k of a triangle to a point after so many crossings of ij.
   std::optional<Crossed_range> from_opposite_corner(const Delta_complex& complex, const Normal_coordinates& coordinates,
                                                     Halfedge_index ij, std::int64_t gap) const
   {
@@ -307,8 +309,8 @@ private:
                                : prefix(coordinates, complex.opposite(complex.next(ij)), along_kj);
   }
 
-  // A line from a point to another: what it crosses first, an edge between if that is valid, and what it crosses from
-  // its end.
+  // A line from one point to another: its first crossings, an edge in between if valid, and its crossings seen from its
+  // end.
   Array joined(const Crossed_range& from_source, Halfedge_index between, const Crossed_range& from_target) const
   {
     const std::size_t n = from_source.size(), m = n + (between.is_valid() ? 1 : 0), all = m + from_target.size();
@@ -320,7 +322,7 @@ private:
 
   mutable std::atomic<Table*> table_{nullptr};
   mutable std::atomic<std::size_t> total_{0};
-  mutable std::atomic<std::size_t> enough_{0}; // so many it takes until it is time for all; 0 if that was not asked yet
+  mutable std::atomic<std::size_t> enough_{0}; // the number at which it is time for all; 0 if not computed yet
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

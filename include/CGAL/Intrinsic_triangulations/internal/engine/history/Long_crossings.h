@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// What all edges cross, found at once.
+// The crossings of all edges, found at once.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_LONG_CROSSINGS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_LONG_CROSSINGS_H
@@ -27,9 +27,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// To find what one edge crosses, the input edges that cross it are followed until they part. For all edges together, it
-// is faster to follow each input edge once from one of its ends to the other. Those that leave a corner side by side
-// stay together until they part, so those of large fans come first.
+// The crossings of one edge are found by following the input edges that cross it until they part. For all edges
+// together, it is faster to follow each input edge once from end to end. Input edges that leave a corner side by side
+// stay together until they part, so large fans come first.
 class Long_crossings
 {
 public:
@@ -38,7 +38,7 @@ public:
       interruption_(interruption)
   {}
 
-  // How many all edges cross, or more than can be kept.
+  // The number of crossings of all edges, or a number greater than the limit.
   std::size_t number() const
   {
     auto room = std::int64_t(Kept_crossings::largest_total);
@@ -50,8 +50,8 @@ public:
     return Kept_crossings::largest_total - std::size_t(room);
   }
 
-  // Keeps what all edges cross, if one of them crosses many and there is room for all: edges of strongly twisted
-  // surfaces may cross far more than could be followed. Where memory is short, nothing is kept.
+  // Caches the crossings of all edges, if one of them crosses many and there is room for all: edges of strongly twisted
+  // surfaces may cross far more than could be followed. If memory is short, nothing is cached.
   void keep()
   {
     try {
@@ -107,7 +107,7 @@ private:
       start.across == complex_.halfedge(e) ? start.position : number_of_crossings(e) - start.position - start.count;
     return std::all_of(crossed + first, crossed + first + start.count, [](Halfedge_index h) { return h.is_valid(); });
   }
-  // Those that come from a corner.
+  // The input halfedges that come from a corner.
   void follow(const Block& start)
   {
     fan_.clear();
@@ -151,7 +151,7 @@ private:
   const Normal_coordinates& coordinates_;
   const Interruption& interruption_;
   std::vector<std::unique_ptr<Halfedge_index[]>> crossed_; // by the halfedges with even numbers
-  std::vector<Halfedge_index> fan_;                        // that are followed, counterclockwise around their source
+  std::vector<Halfedge_index> fan_;                        // being followed, counterclockwise around their source
   std::vector<Block> blocks_;                              // still to be followed
 };
 

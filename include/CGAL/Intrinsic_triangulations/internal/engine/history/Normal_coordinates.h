@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Where the input triangulation lies in the current one, by integers alone.
+// The position of the input triangulation in the current one, by integers alone.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_NORMAL_COORDINATES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_NORMAL_COORDINATES_H
@@ -40,17 +40,17 @@ struct Triangle_crossings
   BOOST_FORCEINLINE Triangle_crossings(std::int64_t n_ij, std::int64_t n_jk, std::int64_t n_ki)
     : c_i(cut_off(n_ij, n_ki, n_jk)), c_j(cut_off(n_jk, n_ij, n_ki)), c_k(cut_off(n_ki, n_jk, n_ij))
   {
-    // What crosses a side cuts one of its ends off or comes from the opposite corner.
+    // A segment that crosses a side cuts off one of its ends or comes from the opposite corner.
     e_i = n_jk - c_j - c_k;
     e_j = n_ki - c_k - c_i;
     e_k = n_ij - c_i - c_j;
   }
 
-  // Between sides crossed a and b times, beyond one that is crossed c times. If one of a and b
-  // exceeds the sum of the others, the rest of it comes from a corner.
+  // The number between sides crossed a and b times; the third side is crossed c times. If a or b exceeds the sum of the
+  // others, the rest comes from a corner.
   static std::int64_t cut_off(std::int64_t a, std::int64_t b, std::int64_t c)
   {
-    // Without a branch that nothing could predict
+    // Without a branch, which would be unpredictable
     return (std::max)(std::int64_t(0), (std::min)((std::min)(a, b), (a + b - c) >> 1));
   }
 };
@@ -60,7 +60,7 @@ struct Triangle_crossings
 struct Roundabout
 {
   Halfedge_index base; // an input halfedge
-  std::uint64_t steps; // may exceed the degree of the source: it counts modulo the degree
+  std::uint64_t steps; // counts modulo the degree of the source, which it may exceed
 };
 
 // Normal coordinates and roundabouts: integers that determine exactly how the
@@ -73,9 +73,9 @@ struct Roundabout
 //
 // Memory: 4 bytes an edge, and 32 for each edge that was flipped.
 //
-// Source: the idea is that of M. Gillespie, N. Sharp, K. Crane, "Integer coordinates
-// for intrinsic geometry processing" (2021). There, roundabouts are numbers
-// from zero to the degree; counted from an input halfedge, they need no initial numbering.
+// Source: the idea is that of M. Gillespie, N. Sharp, K. Crane, "Integer coordinates for intrinsic geometry processing"
+// (2021). There, roundabouts are numbers from zero to the degree; counted from an input halfedge, they need no initial
+// numbering.
 class Normal_coordinates
 {
 public:
@@ -84,13 +84,13 @@ public:
   // Constructs the coordinates of an input triangulation in itself. O(edges), as memory is cleared.
   explicit Normal_coordinates(const Delta_complex& input) : record_of_(input.number_of_edges(), 0)
   {
-    records_.reserve(std::size_t(input.number_of_edges()) + 1); // pages that are not used cost nothing
+    records_.reserve(std::size_t(input.number_of_edges()) + 1); // unused pages cost nothing
     records_.push_back(Record{-1, {0, 0}, {0, 0}});
   }
 
   // Replaces the integers of `e`.
   // \param crossings as `crossings(e)`
-  // \param first, second the roundabouts of its halfedges, null where there are none
+  // \param first, second the roundabouts of its halfedges, or null
   void set(Edge_index e, std::int64_t crossings, Halfedge_index first, Halfedge_index second)
   {
     set_record(Halfedge_index(2 * e.idx()), {crossings, {first.idx(), second.idx()}, {0, 0}});
@@ -127,8 +127,8 @@ public:
     return Triangle_crossings(number_of_crossings(complex.edge(h)), number_of_crossings(complex.edge(complex.next(h))),
                               number_of_crossings(complex.edge(complex.prev(h))));
   }
-  // The corner opposite to that takes the least time to be laid out. It lies at the shortest side, so that the errors
-  // of all sides are relatively small.
+  // The side whose opposite corner takes the least time to lay out. It lies at the shortest side, so that the relative
+  // errors of all sides are small.
   Halfedge_index side_with_most_crossings(const Delta_complex& complex, Face_index f) const
   {
     return side_with_largest(complex, f, [&](Halfedge_index h) { return crossings(complex.edge(h)); });
@@ -150,30 +150,29 @@ public:
   // Updates the integers for a new vertex v on the edge of `h`, which coincides with an input edge; to be called before
   // `split_edge(h)` of the connectivity. O(1).
   //
-  // The two parts coincide with that input edge. The roundabouts of what leaves v are its halfedges. An exception
-  // leaves everything as it was.
+  // The two parts coincide with that input edge. Its halfedges are the roundabouts of the halfedges that leave v. An
+  // exception leaves everything as it was.
   // \param complex the current connectivity
   // \param h a halfedge whose edge `is_original()`
   // \param along the input halfedge along h
   // \exception Integer_overflow_error as `flip()`
   void split_edge(const Delta_complex& complex, Halfedge_index h, Halfedge_index along);
 
-  // Updates the integers where two edges that form a straight line become one; to be called before
-  // `unsplit_edge(h)` of the connectivity. O(1).
+  // Updates the integers when two edges that form a straight line become one; must be called before `unsplit_edge(h)`
+  // of the connectivity. O(1).
   //
   // \param complex the current connectivity
   // \param h a halfedge to the vertex that will be removed
   // \param is_on_input_edge whether an input edge runs through that vertex
   // \exception Integer_overflow_error as `flip()`; then nothing is changed
   void unsplit_edge(const Delta_complex& complex, Halfedge_index h, bool is_on_input_edge);
-  // Follows the removal of a vertex, after that of the connectivity. Nothing but descriptors changes. O(1). Never
-  // throws.
+  // Follows the removal of a vertex, after the connectivity. Only descriptors change. O(1). Never throws.
   void remove(const Removed_elements& removed);
 
-  // Updates the integers for the flip of the edge that the halfedges are around; to be called before the flip of the
+  // Updates the integers for the flip of the edge that these halfedges surround; must be called before the flip of the
   // connectivity. O(1).
   //
-  // \return the steps of the longer one of both roundabouts
+  // \return the steps of the longer one of the two roundabouts
   // \exception Integer_overflow_error if the count would leave the range of 64 bits;
   //   then nothing is changed
   std::uint64_t flip(const Hinge_halfedges& around)
@@ -202,7 +201,7 @@ public:
     // Counted from i, the segments that end in k cross ij at the positions after c_i1,
     // those that end in l at the positions after c_i2: one that does both joins k and l.
     const bool joins_k_and_l = (std::max)(c_i1, c_i2) < (std::min)(c_i1 + e_k1, c_i2 + e_l2);
-    // What cuts a corner off or leaves another one crosses the longer rest of its sides.
+    // A segment that cuts off one corner or leaves another crosses the longer rest of its sides.
     const std::int64_t n = (std::max)(n_jk - c_j1, n_ki - c_i1) + (std::max)(n_lj - c_j2, n_il - c_i2) +
                            (std::max)(std::int64_t(0), c_i1 - c_i2 - e_l2) +
                            (std::max)(std::int64_t(0), c_i2 - c_i1 - e_k1) + (records[ij].crossings < 0 ? 1 : 0);
@@ -243,7 +242,7 @@ private:
     records_[i] = record;
   }
 
-  // So many edges and records can be appended then without an exception.
+  // Afterwards, this many edges and records can be appended without an exception.
   void make_room(std::size_t number)
   {
     internal::make_room(record_of_, number);
@@ -268,7 +267,7 @@ private:
   }
 
   Roundabout first_after(Halfedge_index h) const { return first_after(h, record_number(h)); }
-  // The first input halfedge after h, whose edge has record i; it is known from that at or after h.
+  // The first input halfedge after h, whose edge has record i, derived from the first one at or after h.
   Roundabout first_after(Halfedge_index h, std::uint32_t i) const
   {
     if (i == 0)
@@ -278,7 +277,7 @@ private:
     return {Halfedge_index(r.base[side]), r.steps[side] + (r.crossings < 0 ? 1 : 0)};
   }
 
-  Large_vector<Record> records_; // the first is that of all edges never flipped
+  Large_vector<Record> records_; // the first one belongs to all edges never flipped
   Large_vector<std::uint32_t> record_of_;
   std::uint32_t first_free_record_ =
     0; // of edges that were removed: each has the next one as `crossings`, the last one 0

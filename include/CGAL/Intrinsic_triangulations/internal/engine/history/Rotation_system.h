@@ -19,7 +19,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 class Rotation_system
 {
 public:
-  // O(size). Each vertex is walked around once: that is what takes the time.
+  // O(size). Walking around each vertex once takes most of the time.
   explicit Rotation_system(const Delta_complex& complex)
     : begin_(std::size_t(complex.number_of_vertices()) + 1, default_init),
       halfedges_(complex.number_of_halfedges(), default_init), position_(complex.number_of_halfedges(), default_init)
@@ -40,7 +40,7 @@ public:
     begin_.back() = end;
   }
 
-  // The halfedge of the complex after so many steps. O(1)
+  // The halfedge of the complex after this many steps. O(1)
   Halfedge_index advanced(const Delta_complex& complex, Halfedge_index h, std::uint64_t steps) const
   {
     const Vertex_index v = complex.source(h);

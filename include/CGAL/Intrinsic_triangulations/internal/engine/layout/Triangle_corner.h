@@ -3,14 +3,14 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// A triangle as one of its corners sees it.
+// A triangle relative to one of its corners.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_TRIANGLE_CORNER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_TRIANGLE_CORNER_H
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The measures of a triangle as seen from one of its corners.
+// The measures of a triangle relative to one of its corners.
 //
 // The cotangent of the angle is `p / four_areas`.
 // \tparam Real a ring

@@ -94,7 +94,7 @@ public:
   // Null unless it was constructed from squared lengths.
   const internal::Rational_lengths* rational_lengths() const { return rational_lengths_.get(); }
 
-  // A number that looks random and depends on what was given, as far as it is needed for a seed.
+  // A pseudorandom number that depends on the given data, for use as a seed.
   std::uint64_t hash() const;
 
   // A bound on the number of bits that numerators and denominators of squared lengths, and of the squares of four

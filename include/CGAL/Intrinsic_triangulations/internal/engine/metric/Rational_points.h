@@ -23,8 +23,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The coordinates of one point after the other, of any number type of CGAL. They arrive as text, or as sums of doubles:
-// so only the definitions know a type of rational numbers.
+// The coordinates of consecutive points, of any number type of CGAL. They arrive as text or as sums of doubles, so only
+// the definitions know a type of rational numbers.
 class Rational_points
 {
 public:
