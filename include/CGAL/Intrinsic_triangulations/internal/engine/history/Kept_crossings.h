@@ -48,8 +48,8 @@ private:
 };
 
 // A sequence that was found is not searched again. The sequences of the edges made by a flip or a new vertex are slices
-// of those of the sides around them, determined by the numbers of segments in the triangles (section 2.3 of the paper);
-// if those are not cached, neither are these. Nothing here throws: if memory is short, sequences are not cached.
+// of those of the sides around them, determined by the numbers of segments in the triangles (section 2.3 of the paper).
+// If those are not cached, neither are these. Nothing here throws: if memory is short, sequences are not cached.
 //
 // Queries may cache sequences, too, from several threads at once: nothing is replaced or freed before a change.
 class Kept_crossings
