@@ -17,8 +17,8 @@
 namespace CGAL {
 namespace Intrinsic_triangulations {
 
-// The coordinates are integers up to `largest_coordinate`; a quarter or more of the points lie on edges of the input,
-// of which those that are no edges of the triangulation are left out, as are points that were inserted before.
+// The coordinates are integers up to `largest_coordinate`; a quarter or more of the points lie on edges of the input;
+// points on edges that are not in the triangulation are omitted, as are points inserted before.
 // \return the number of new vertices
 template <class Traits>
 std::size_t insert_random_vertices(Intrinsic_triangulation<Traits>& triangulation, std::size_t number,

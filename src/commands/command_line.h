@@ -19,8 +19,7 @@ namespace idt {
 void check_values(const CLI::App& app, const std::vector<std::string>& arguments);
 
 // Parses.
-// \exception CLI::ParseError that names a wrong word, and what it may stand for, rather than a missing argument beside
-//   it
+// \exception CLI::ParseError that names a wrong word and a likely meaning, rather than a missing argument beside it
 void parse(CLI::App& app, int argc, const char* const* argv);
 
 // Whether a result goes to the standard output, that is, whether an option of the parsed command has the value "-".

@@ -511,7 +511,7 @@ TEST_F(Triangulate_command, fast_forwards_a_gluing)
 
 TEST_F(Triangulate_command, reads_exact_squared_lengths)
 {
-  // As lengths, 1, √2 and √5 would be rounded: an edge of the flat torus that is a tie is none then.
+  // Lengths 1, √2 and √5 would be rounded, and a tie of the flat torus would not be a tie any more.
   write("tie.gluing", "INTRINSIC_GLUING 2\n1 3 2\n0 0 0\n0 0 0\n0 3 2\n1 4 2\n2 5 4\n");
   ASSERT_EQ(idt("triangulate tie.gluing --stats s.json").status, 0);
   const Json json = Json::parse(content(folder_ / "s.json"));

@@ -172,7 +172,7 @@ inline void check_result(const Filtered_triangulation& triangulation, const Reco
     check_flips_back(triangulation, record.flips, input);
 }
 
-// The edges of a triangulation, each by what it crosses, which names it.
+// The edges of a triangulation, each identified by its crossings.
 template <class Triangulation>
 std::vector<std::vector<std::uint32_t>> named_edges(const Triangulation& triangulation)
 {

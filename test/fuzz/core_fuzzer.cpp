@@ -160,7 +160,7 @@ void check_all(const Metric_gluing& input)
       }
       fuzz::check_result(*triangulation, record, input.connectivity, is_done, faults.no_area, !faults.wide_range);
     } catch (const IT::Invalid_surface_error& error) {
-      // Vertices between which there is no distance are found on the way.
+      // Vertices at distance zero are found on the way.
       require(error.what()[0] != 0, "an exception has a message");
       require(faults.no_area && error.defect() == Defect::ZERO_LENGTH_EDGE,
               std::string("flips fail for no good reason: ") + error.what());

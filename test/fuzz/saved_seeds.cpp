@@ -39,7 +39,7 @@ Triangulation by_lengths(const samples::Glued_triangles& surface)
   std::vector<double> lengths = test_surfaces::edge_lengths(surface, complex);
   return Triangulation::from_lengths(std::move(complex), std::move(lengths));
 }
-// A plane square of four triangles around a point, by squares of lengths that are no doubles.
+// A plane square of four triangles around a point, by squares of lengths that are not doubles.
 Triangulation by_squared_lengths()
 {
   const std::vector<std::array<std::uint32_t, 3>> triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};

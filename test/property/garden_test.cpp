@@ -146,8 +146,8 @@ std::map<std::string, std::vector<std::string>> expected_outcomes(std::size_t nu
   return rows;
 }
 
-// What is done around a vertex takes linear time: this would not end otherwise. With CGAL's checks
-// and sanitizers a million takes too long nevertheless.
+// Work around a vertex takes linear time, or this would not end. With CGAL's checks and sanitizers a million still
+// takes too long.
 #ifdef CGAL_DEBUG
 constexpr std::uint32_t high_degree = 2000, highest_degree = 20000;
 #else

@@ -82,8 +82,8 @@ public:
     return sum;
   }
 
-  // By how much the smaller angle beside an inner point is less than π. Coordinates that are rounded by some units of
-  // the largest one turn what is short: by as much as that it is reduced.
+  // By how much the smaller angle beside an inner point is less than π, reduced by the rotation of short segments due
+  // to rounded coordinates.
   long double bend(const std::vector<IT::Surface_point>& line, std::size_t i) const
   {
     const Vector p = at(line[i]), to = at(line[i + 1]) - p, from = at(line[i - 1]) - p;
@@ -115,8 +115,8 @@ private:
     IT::Halfedge_index h = point.halfedge; // a side of the face that ends at the point or contains it
     while (!ends(h, point))
       h = input_.next(h);
-    // `h` is the side to the right of whoever looks into the face from the point, the next one or the same edge that to
-    // the left.
+    // `h` is the side to the right, looking into the face from the point; the next one, or the same edge, is the side
+    // to the left.
     long double sum = 0;
     Vector edge = to;
     for (std::size_t turn = 0; turn <= input_.number_of_halfedges(); ++turn) {

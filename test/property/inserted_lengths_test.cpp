@@ -124,7 +124,7 @@ private:
   const std::vector<std::array<double, 3>>& points_;
 };
 
-// Refines a surface, and compares at most so many lengths. \return the largest error, in units in the last place
+// Refines a surface, and compares at most this many lengths. \return the largest error, in units in the last place
 double largest_error(const samples::Indexed_triangles& surface, std::size_t number)
 {
   Triangulation triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles),

@@ -268,7 +268,7 @@ TEST(Constrained_edges, of_a_surface_mesh)
     return map;
   };
   expect_constraints(mesh, constrain());
-  // With garbage, indices are no numbers in the range.
+  // With garbage, indices are not positions in the range.
   CGAL::Euler::remove_face(mesh.halfedge(Mesh::Face_index(3)), mesh);
   CGAL::Euler::remove_face(mesh.halfedge(Mesh::Face_index(2)), mesh);
   ASSERT_TRUE(mesh.has_garbage());

@@ -19,7 +19,7 @@
 
 namespace mirrored_surface {
 
-// Clips triangles against the plane x = 0 after a translation, and keeps what is on the positive side.
+// Clips triangles against the plane x = 0 after a translation, and keeps the parts on the positive side.
 class Clipper
 {
 public:

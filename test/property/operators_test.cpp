@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Operators against what is known: CGAL's own cotangents, the spectra of the sphere and of the
-// flat torus, the figures of the paper, and maps that do not fold.
+// Operators against known results: CGAL's own cotangents, the spectra of the sphere and of the flat torus, the figures
+// of the paper, and maps that do not fold.
 
 #include "evaluation_data.h"
 

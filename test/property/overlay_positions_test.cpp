@@ -74,7 +74,7 @@ std::vector<std::pair<std::string, samples::Indexed_triangles>> surfaces()
   for (auto& p : tilted.points)
     p = {p[0] + p[1], p[0] - p[1], 3 * p[1] - 2 * p[0]};
   result.emplace_back("tilted grid", tilted);
-  samples::Indexed_triangles tiny = result[2].second; // squared lengths still are no trouble
+  samples::Indexed_triangles tiny = result[2].second; // squared lengths are still in range
   for (auto& p : tiny.points)
     for (double& x : p)
       x = std::ldexp(x + 3, -300);

@@ -1,9 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// In a triangulation of a convex region of the plane, intrinsic edges are straight lines between
-// integer points: what a point lies on is decided by integers here, and has to be what
-// Point_location says, on edges and a hair beside them.
+// In a triangulation of a convex region of the plane, intrinsic edges are straight lines between integer points:
+// integers decide here what a point lies on, and Point_location must agree, on edges and a hair beside them.
 
 #include "overlay_surfaces.h"
 

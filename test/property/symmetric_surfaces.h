@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Folded sheets with an exact symmetry: four vertices lie on a circle across as many folds as one likes,
-// no two of them parallel, so that the tie has as many independent square roots.
+// Folded sheets with an exact symmetry: four vertices lie on a circle across any number of folds, no two of them
+// parallel, so that the tie has as many independent square roots.
 
 #ifndef IDT_TEST_PROPERTY_SYMMETRIC_SURFACES_H
 #define IDT_TEST_PROPERTY_SYMMETRIC_SURFACES_H
@@ -144,8 +144,8 @@ inline Sheet::Diagonal diagonal(bool is_falling)
   return is_falling ? Sheet::Diagonal::FALLING : Sheet::Diagonal::RISING;
 }
 
-// Where the folds are, in [0, 1), and how far their ends rise out of the plane: little, so that the layout
-// is nearly what is seen from above. All numbers are multiples of 2^-20, and sums of them exact.
+// The positions of the folds, in [0, 1), and the heights of their ends above the plane: small, so that the layout is
+// close to the view from above. All numbers are multiples of 2^-20, and their sums are exact.
 class Random_folds
 {
 public:

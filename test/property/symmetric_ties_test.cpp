@@ -102,8 +102,8 @@ TEST(Symmetric_ties, are_decided)
     }
 }
 
-// A wheel whose halves are mirror images, but for the two vertices of the rim between them: where x should be 0, it is
-// the rounded cosine of pi / 2. Edges cross many spokes on both sides of one of those.
+// A wheel whose halves are mirror images, except for the two vertices of the rim between them: where x should be 0, it
+// is the rounded cosine of pi / 2. Edges cross many spokes on both sides of one of those.
 TEST(Symmetric_ties, of_a_nearly_symmetric_wheel_need_no_finite_field)
 {
   constexpr std::uint32_t half = 100;

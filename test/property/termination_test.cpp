@@ -104,7 +104,7 @@ public:
     EXPECT_TRUE(a_ilk > 0 && a_jkl > 0);
     EXPECT_LT(value, 0);
     EXPECT_LT(after, before);
-    // With four times the areas, twice the value of the Delaunay test is what is gained.
+    // With four times the areas, the potential falls by twice the value of the Delaunay test.
     EXPECT_LE(abs(after - before - 2 * value), rounding * before);
   }
 

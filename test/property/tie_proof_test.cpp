@@ -135,7 +135,7 @@ TEST(Tie_proof, a_visitor_cancels_within_a_decision)
   EXPECT_THROW(IT::flip_to_Delaunay(t, params::tie_proof(Tie_proof::PROVEN).visitor(std::ref(visitor))),
                IT::Cancelled_error);
   EXPECT_EQ(visitor.number_of_equal_questions, 10);
-  // It would be cancelled again, as often as one likes.
+  // It would be cancelled again, any number of times.
   EXPECT_THROW(IT::flip_to_Delaunay(t, params::visitor(Impatient_visitor())), IT::Cancelled_error);
   EXPECT_EQ(IT::flip_to_Delaunay(t, params::tie_proof(Tie_proof::PROBABLE_IF_COSTLY)).status, Flip_status::DELAUNAY);
   EXPECT_GE(t.stage_counts()[Stage::MODULAR], 1u);

@@ -100,7 +100,7 @@ void expect_same(const Edges& a, const Edges& b)
   }
 }
 
-// Compares the two ways, and the counts with those of the integers that know where the crossings are. Returns the
+// Compares the two ways, and the counts with those of the integers that know the positions of crossings. Returns the
 // number of flips.
 Integer compare(const Exact_gluing& gluing)
 {

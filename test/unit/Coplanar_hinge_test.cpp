@@ -107,7 +107,7 @@ TEST(Coplanar_hinge, NearTies)
     EXPECT_GT(number, 300);
 }
 
-// Rectangles with sides along two directions that are no axes: exact ties with many bits.
+// Rectangles with sides along two directions that are not axes: exact ties with many bits.
 TEST(Coplanar_hinge, TiesOfManyBits)
 {
   std::mt19937 random(2);

@@ -231,7 +231,7 @@ TEST(Make_Delta_complex_from_triangles, refuses_what_is_no_oriented_surface)
   expect_defect(build(3, {{1, 1, 9}}), Defect::REPEATED_CORNER, 0, "vertex 1");
   expect_defect(build(5, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}), Defect::NON_MANIFOLD_EDGE, 2, "edge 0-1");
   expect_defect(build(4, {{0, 1, 2}, {0, 1, 3}}), Defect::INCONSISTENT_ORIENTATION, 1, "edge 0-1");
-  // To turn faces does not help where there are three.
+  // Turning faces does not help if there are three.
   expect_defect(build(5, {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}}), Defect::NON_MANIFOLD_EDGE, 2, "edge 1-0");
   expect_defect(build(5, {{0, 1, 2}, {2, 3, 4}}), Defect::NON_MANIFOLD_VERTEX, 2, "vertex 2");
   // two tetrahedra that share vertex 0

@@ -34,7 +34,7 @@ Delta_complex wheel(std::size_t number_of_triangles)
 Double_double_disk corner_ratio(Halfedge_index h) { return {{0.7 + 0.01 * double(h.idx())}, {0.5}}; }
 std::complex<double> rounded(const Double_double_disk& z) { return {z.x().hi(), z.y().hi()}; }
 
-// All pairs of halfedges out of vertex 0, both ways round where there is no gap.
+// All pairs of halfedges out of vertex 0, both ways round if there is no gap.
 void expect_products(const Delta_complex& wheel, Fan_positions& fans)
 {
   Halfedge_index first = wheel.opposite(wheel.halfedge(IT::Vertex_index(0)));

@@ -28,7 +28,7 @@ Rational square(const Square_root_basis& basis, const Square_root_basis::Root& r
   return result;
 }
 
-// Reduces all of them, and expects so many independent ones.
+// Reduces all of them, and expects this many independent ones.
 void expect_basis(const std::vector<Rational>& numbers, std::size_t size)
 {
   IT::internal::Interruption none;

@@ -302,7 +302,7 @@ TYPED_TEST(Archetype, front_door)
   EXPECT_GT(report.flips, 0u);
 }
 
-// Lengths whose order an interval type cannot tell are no reason to throw.
+// Lengths that an interval type cannot order are not a reason to throw.
 TEST(Interval_lengths, may_overlap)
 {
   using FT = CGAL::Interval_nt<>;

@@ -15,7 +15,7 @@ T median(T a, T b, T c)
 {
   return a < b ? (b < c ? b : c) : (a < c ? a : c);
 }
-// Not optimized, it calls the function above, whose three arguments go where those of the caller were.
+// Without optimization, it calls the function above, whose three arguments overwrite those of the caller.
 template <class T>
 BOOST_NOINLINE T clamped(T x)
 {

@@ -554,7 +554,7 @@ TEST(Heat_method, heat_reaches_the_end_of_a_long_strip)
   EXPECT_NEAR(values[grid.number(1500, 2)], 7, 1e-6);
 }
 
-// Heat that starts at the corners of a face is less than that of a vertex, but not less than what comes from their
+// Heat that starts at the corners of a face is less than that of a vertex, but not less than the heat from their
 // neighbors.
 TEST(Heat_method, points_and_vertices_as_sources_for_short_times)
 {

@@ -312,7 +312,7 @@ TEST(Triangulate_overlay_faces, makes_no_triangle_of_zero_area_where_it_can)
       diagonals.emplace_back(a, b);
     });
     EXPECT_EQ(diagonals.size() + 3, polygon.size());
-    // Each diagonal cuts a chain of corners off; what is left of a chain is a triangle.
+    // Each diagonal cuts off a chain of corners; the rest of a chain is a triangle.
     const std::size_t n = polygon.size();
     std::vector<std::vector<std::size_t>> pieces(1);
     for (std::size_t i = 0; i < n; ++i)
@@ -344,7 +344,7 @@ TEST(Triangulate_overlay_faces, makes_no_triangle_of_zero_area_where_it_can)
     EXPECT_NEAR(smallest_area(polygon), 1, 1e-12);
     std::rotate(polygon.begin(), polygon.begin() + 1, polygon.end());
   }
-  // The same so small or large that areas are no doubles, in another plane.
+  // The same so small or large that areas leave the range of double, in another plane.
   for (double scale : {1e-150, 1e120}) {
     Polygon scaled;
     for (const auto& [x, y, z] : polygon)

@@ -266,8 +266,7 @@ TEST(Natural_parameterization, of_a_sheet_as_large_as_can_be)
   EXPECT_LE(largest_distance(uv, unit), 1e-9);
 }
 
-// The derivative of Dirichlet energy minus area of the image vanishes but for the two vertices
-// that are held.
+// The derivative of Dirichlet energy minus area of the image vanishes except at the two fixed vertices.
 TEST(Natural_parameterization, is_stationary)
 {
   for (bool is_Delaunay : {false, true}) {

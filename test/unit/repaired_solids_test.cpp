@@ -140,7 +140,8 @@ std::size_t count(const IT::Repaired_polygons& repaired, IT::Repair_kind kind)
   return 0;
 }
 
-// Repairs, and expects a surface of the same faces with so many border edges, so many of them made by the repair.
+// Repairs, and expects a surface of the same faces with this many border edges, and this many of them made by the
+// repair.
 IT::Repaired_polygons expect_surface(const Mesh& mesh, std::size_t border_edges = 0, std::size_t opened_edges = 0)
 {
   IT::Repaired_polygons repaired = IT::repair_polygons(mesh.points, mesh.faces);
@@ -169,7 +170,7 @@ double sum(const std::vector<double>& numbers)
   return result;
 }
 
-// A solid of cells comes apart into those that faces join, and none of its faces is turned.
+// A solid of cells comes apart into parts joined by faces, and none of its faces is turned.
 void expect_solids(const std::set<Cell>& cells)
 {
   const Mesh mesh = boundary(cells);

@@ -124,7 +124,7 @@ TEST(Residues, the_root_of_a_product_is_the_product_of_roots)
               return sum * sum - r.rational(5) - r.rational(2) * r.root(6);
             }),
             100);
-  // Whichever of them is asked for first.
+  // Whichever of them is requested first.
   EXPECT_EQ(number_of_zeros([](Residue_rings& r) {
               const Residues six = r.root(6), three = r.root(3);
               return six / r.rational(3) * three - r.root(2);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Square roots against integers. Compiled without optimization, so that those of the C library are called, which round
-// twice on Windows: one in 4000 is wrong.
+// Square roots against integers. Compiled without optimization, so that the C library's function would be called, which
+// rounds twice on Windows: one in 4000 is wrong.
 
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>

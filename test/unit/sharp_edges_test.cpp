@@ -92,7 +92,7 @@ TEST(Sharp_edges, lie_on_one_side_of_slivers)
   EXPECT_NEAR(sharp.length, 10, 0.05);
 }
 
-// Without a smallest size, a few units in the last place are no width.
+// Without a smallest size, a few units in the last place do not count as a width.
 TEST(Sharp_edges, ignore_normals_that_rounding_made)
 {
   Points points;

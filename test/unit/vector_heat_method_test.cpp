@@ -103,7 +103,7 @@ void project_to_unit_sphere(std::array<double, 3>& p)
     x /= length;
 }
 
-// Triangles that are cut into four so many times, with their vertices on the unit sphere.
+// Triangles subdivided into four this many times, with their vertices on the unit sphere.
 samples::Indexed_triangles cut_on_sphere(samples::Indexed_triangles result, int cuts)
 {
   for (auto& p : result.points)
@@ -235,7 +235,7 @@ TEST(Connection_Laplacian, is_positive_semidefinite_on_closed_Delaunay_surfaces)
   EXPECT_LT(smallest_eigenvalue(make_triangulation(samples::pillow(20))), -1e-4);
 }
 
-// The frame of a vertex in a plane: what turns coordinates in the plane into those of the frame.
+// The frame of a vertex in a plane: the factor that turns coordinates in the plane into those of the frame.
 Complex turn_of_frame(const Triangulation& t, const Points& points, Vertex_index v)
 {
   const Delta_complex& c = t.connectivity();

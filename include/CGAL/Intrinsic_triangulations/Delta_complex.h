@@ -45,7 +45,7 @@ struct Removed_elements
   boost::container::static_vector<Vertex_index, 1> vertices; ///< one vertex
   boost::container::static_vector<Edge_index, 3> edges;      ///< two or three edges
   boost::container::static_vector<Face_index, 2> faces;      ///< one or two faces
-  std::uint32_t number_of_edges = 0;                         ///< that of edges before the removal
+  std::uint32_t number_of_edges = 0;                         ///< the number of edges before the removal
 
   /// returns the descriptor after the removal of an edge that was not removed.
   Edge_index edge_after(Edge_index e) const

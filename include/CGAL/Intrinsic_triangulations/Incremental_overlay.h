@@ -135,8 +135,8 @@ private:
   friend class internal::Incremental_overlay_check; // of the tests
   /// \endcond
 
-  // Halfedges 2s and 2s + 1 belong to segment s. What is removed goes on a free list and is used again. The vertices of
-  // the surface come before the crossings.
+  // Halfedges 2s and 2s + 1 belong to segment s. Removed elements go on a free list and are reused. The vertices of the
+  // surface come before the crossings.
   using Segment = Overlay::Segment;
   struct Halfedge_record
   {

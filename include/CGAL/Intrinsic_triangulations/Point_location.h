@@ -147,7 +147,7 @@ private:
   struct Place_on_input_edge
   {
     Overlay::Vertex vertex; // an inserted vertex, or:
-    Overlay::Halfedge part; // the first part of the input edge behind the last vertex before the point
+    Overlay::Halfedge part; // the first part of the input edge after the last vertex before the point
   };
   Place_on_input_edge place_on_input_edge(const Surface_point& point) const
   {

@@ -155,7 +155,7 @@ private:
   {};
 
 public:
-  /// \name What the concepts of BGL require
+  /// \name Requirements of the concepts of BGL
   /// @{
 
   /// as required by the concepts of the Boost Graph Library

@@ -82,7 +82,7 @@ std::optional<Input_metric> rational_metric(const ElementRange& elements, const 
   return points.metric(connectivity);
 }
 
-// The number type of the coordinates p[0], p[1] and p[2], where a kernel is asked for.
+// The number type of the coordinates p[0], p[1] and p[2], in place of a kernel.
 template <class PointRange>
 struct Kernel_of_coordinates
 {

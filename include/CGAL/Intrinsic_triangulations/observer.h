@@ -217,7 +217,7 @@ inline Progress_function part_of_progress(const Progress_function& progress, dou
   return [&progress, begin, end](double fraction) { return progress(begin + (end - begin) * fraction); };
 }
 
-// Asks once for every so many elements of a loop, which is a part of the computation.
+// Asks once for every block of elements of a loop, which is a part of the computation.
 class Loop_progress
 {
 public:

@@ -26,7 +26,7 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
 Polygon_soup read_polygon_soup(const std::string& file_name, const Progress_function& progress);
-// \exception Invalid_surface_error that names the file and a face that is no triangle
+// \exception Invalid_surface_error that names the file and a face that is not a triangle
 void require_triangles(const std::string& file_name, const Polygon_soup& soup);
 
 } // namespace internal

@@ -71,7 +71,7 @@ public:
   // Takes a random prime.
   explicit Prime_field(Random_bits& random)
   {
-    // Below 2^64 this is no guess: since version 6.2, GMP begins with the test of Baillie, Pomerance, Selfridge and
+    // Below 2^64 this is certain: since version 6.2, GMP begins with the test of Baillie, Pomerance, Selfridge and
     // Wagstaff, which no composite number on the list of J. Feitsma passes.
     static_assert(__GNU_MP_RELEASE >= 60200, "needs GMP 6.2 or later");
     std::uint64_t p;

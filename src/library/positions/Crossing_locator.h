@@ -54,7 +54,7 @@ inline void find_crossed_edges(const Overlay& overlay, const Delta_complex& inpu
     result.push_back(input.opposite(overlay.crossing_input_halfedge(x)));
 }
 
-// Whether a halfedge is that of its edge.
+// Whether a halfedge is the first one of its edge.
 inline bool is_in_own_direction(Halfedge_index h) { return (h.idx() & 1) == 0; }
 
 // Both in [0, 1]; a rounded quotient can be outside.

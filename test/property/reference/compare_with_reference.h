@@ -62,7 +62,7 @@ struct Comparison
   double worst_cotangent = 0;                  // error over 2^-50 (1 + |cot|)
   double worst_weight = 0;                     // error over 2^-49 (1 + the sum of |cot|)
   std::vector<Tessellation_edge> tessellation; // of the package's result
-  double inconsistency = -std::numeric_limits<double>::infinity();    // log10 of what rounding did to the reference
+  double inconsistency = -std::numeric_limits<double>::infinity();    // log10 of the rounding error of the reference
   double smallest_sine = 0;                                           // log10 of the closest decision
   double largest_tie_sine = -std::numeric_limits<double>::infinity(); // log10 of the largest number taken for zero
 

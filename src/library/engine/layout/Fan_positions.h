@@ -95,7 +95,7 @@ private:
   }
 
   std::unordered_map<Halfedge_index, Place> places_;
-  std::unordered_map<Vertex_index, Vector> whole_turns_; // of those that are not on the border
+  std::unordered_map<Vertex_index, Vector> whole_turns_; // of vertices that are not on the border
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -120,7 +120,7 @@ public:
   const Vector& first_left() const { return corners_[1].position; }
   std::size_t number_of_edges() const { return corners_.size() - 2; }
 
-  // The ends of a crossed edge, and the third corner of the triangle behind it.
+  // The ends of a crossed edge, and the third corner of the triangle beyond it.
   struct Triangle
   {
     const Vector &left, &right, &apex;

@@ -42,14 +42,14 @@ public:
   {
     return Triangulation::keeps_bounds && triangulation_.bounds_.imply_Delaunay(e);
   }
-  // The same for four edges: bit i of the result tells it of the i-th after e. \pre there are that many
+  // The same for four edges: bit i of the result belongs to the i-th edge after e. \pre these edges exist
   unsigned are_known_Delaunay(Edge_index e) const
   {
     return Triangulation::keeps_bounds ? triangulation_.bounds_.imply_Delaunay_of_four(e) : 0;
   }
 
   Boolean is_locally_Delaunay(Edge_index e) const { return triangulation_.is_locally_Delaunay(e); }
-  // By what is stored alone. \pre e is flippable
+  // By stored numbers alone. \pre e is flippable
   Boolean is_Delaunay_by_filter(Edge_index e) const
   {
     return triangulation_.traits_.is_locally_Delaunay_object()(triangulation_.hinge(e));

@@ -367,8 +367,8 @@ private:
     return std::adjacent_find(all.begin(), all.end()) != all.end();
   }
 
-  // Whether two faces with the same corners were glued: those of a wall between two rooms that are inside out, but not
-  // all that they are joined with.
+  // Whether two faces with the same corners were glued: as those of a wall between two rooms that are inside out, when
+  // not everything joined with them is.
   bool joins_sides_of_wall(const Crowded_edge& edge) const
   {
     return std::any_of(edge.entries.begin(), edge.entries.end(), [this](const Entry& entry) {
@@ -386,7 +386,7 @@ private:
       for (const Entry& entry : edge.entries)
         if (!is_hanging_[entry.piece])
           network_of[entry.piece] = networks.find(entry.piece);
-    // Adds six times the volume below each face to that of its network, if it is one of those.
+    // Adds six times the volume below each face to that of its network, if that is among the given ones.
     const auto add_volumes = [&](auto& six_times, const auto& is_wanted) {
       using Number = std::decay_t<decltype(six_times[0])>;
       for (std::size_t f = 0; f < triangles_.size(); ++f) {
@@ -451,8 +451,8 @@ private:
   Large_vector<Index> glued_to_;
   std::vector<Crowded_edge> crowded_edges_;
   std::vector<bool> is_hanging_; // of each piece
-  // Piece p is 2p as its first face is given and 2p + 1 turned over. The smallest number of a set is even, and so what
-  // is with it is not turned.
+  // Piece p is node 2p with its first face as given, and node 2p + 1 turned over. The smallest number of a set is even,
+  // so nodes in its set are not turned.
   Disjoint_sets turns_;
   Disjoint_sets joined_;        // pieces that were glued
   Large_vector<Index> corners_; // of the turned triangles

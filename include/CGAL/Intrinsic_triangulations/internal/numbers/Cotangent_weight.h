@@ -100,8 +100,8 @@ BOOST_NOINLINE double cotangent_weight_by_number_type(const Triangulation& trian
 // Weights and areas with at most this error are taken from the stored numbers.
 constexpr double stored_number_accuracy = 0x1p-32;
 
-// One number for each of n elements: number(element). Several threads, each with a copy of `number`, leave those that
-// throw to one, which finds the first of them.
+// One number for each of n elements: number(element). Several threads, each with a copy of `number`, leave elements for
+// which it throws to one thread, which finds the first of them.
 template <class ConcurrencyTag, class Element, class Number>
 std::vector<double> numbers_of_elements(std::size_t n, const Number& number)
 {

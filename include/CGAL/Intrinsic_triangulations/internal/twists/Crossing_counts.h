@@ -103,8 +103,8 @@ public:
     flip(complex, Hinge_halfedges{h, complex.prev(g), complex.next(h), g, complex.prev(h), complex.next(g)});
   }
 
-  /// \brief updates the counts for `|power|` flips within a tube, a multiple of four, after which the connectivity is
-  /// what it was.
+  /// \brief updates the counts for `|power|` flips within a tube, a multiple of four, which leaves the connectivity
+  /// unchanged.
   ///
   /// A positive power turns the far side of the tube to the right, with its side at the bottom: the vector of an
   /// edge from the bottom to the top grows by `power` times that of the side. O(1) operations with integers.

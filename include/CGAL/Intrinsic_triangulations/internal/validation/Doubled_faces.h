@@ -21,13 +21,13 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A face that is there several times is either one too many or the wall between two rooms, which belongs to both. Its
-// edges tell: at those of a wall an even number of other faces meets, at those of a face given too often an odd number.
+// A face that occurs several times is either superfluous or the wall between two rooms, which belongs to both. Its
+// edges tell: an even number of other faces meets the edges of a wall, an odd number those of a superfluous face.
 //
-// - What edges join may be there several times as a whole; then so much less of each face counts.
+// - A part joined by edges may occur several times as a whole; then each of its faces counts correspondingly less.
 // - Two such faces that alone meet at an edge decide together: so a wall or fin of many faces is kept or dropped as
 //   one, and a face given too often next to a wall differs from it.
-// - Where edges tell nothing, a face does what those do that meet it at edges of walls alone, as between many rooms.
+// - If edges leave it open, a face follows the faces that meet it at edges of walls alone, as between many rooms.
 class Doubled_faces
 {
   using Index = std::uint32_t;
@@ -120,7 +120,7 @@ private:
       vote(c, is_wall);
   }
 
-  // Class c is 2c, and what is kept twice if it is not is with 2c + 1.
+  // Class c is node 2c; classes that are kept twice exactly if it is not are joined with node 2c + 1.
   void tie(Index c, Index d, bool do_differ)
   {
     if (groups_.find(2 * c) == groups_.find(2 * d + !do_differ))
@@ -140,7 +140,7 @@ private:
     return root % 2 == 0 ? votes_[root / 2] > 0 : votes_[root / 2] < 0;
   }
 
-  // From what is decided to what meets it.
+  // Propagates decisions to adjacent classes.
   void decide()
   {
     for (bool is_changed = true; is_changed;) {
@@ -178,7 +178,7 @@ private:
     }
   }
 
-  // Of a wall the first face and the first that is turned the other way.
+  // The first face of a wall, and the first face with the opposite orientation.
   void keep()
   {
     for (Index c = 0; c < number_of_classes(); ++c) {

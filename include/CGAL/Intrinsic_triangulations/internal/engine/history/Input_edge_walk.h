@@ -48,7 +48,7 @@ void for_each_start(const Delta_complex& complex, const Correspondence& correspo
 class Input_edge_walk
 {
 public:
-  // It crosses h to the left, so many crossings after the source of h.
+  // It crosses h to the left, this many crossings after the source of h.
   Input_edge_walk(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h,
                   std::int64_t position)
     : complex_(complex), correspondence_(correspondence), halfedge_(h), position_(position)
@@ -109,7 +109,7 @@ private:
 struct Input_edge_start
 {
   Halfedge_index side;   // it coincides with this one, or goes through a triangle and crosses this side of it
-  std::int64_t position; // so many crossings after the source of the side; negative if it coincides
+  std::int64_t position; // the number of crossings after the source of the side; negative if it coincides
 };
 
 // O(number of edges around v).
@@ -155,8 +155,8 @@ inline Face_index uncrossed_input_face(const Delta_complex& complex, const Corre
                                                                               : input.opposite(roundabout));
 }
 
-// The input halfedge that crosses h from the left to the right, so many crossings after the source of h. Both ends of
-// the input edge are looked for, until one is found. Time: twice the number of triangles to the nearer one.
+// The input halfedge that crosses h from the left to the right, this many crossings after the source of h. The input
+// edge is followed in both directions until one end is found. Time: twice the number of triangles to the nearer end.
 inline Halfedge_index crossed_input_halfedge(const Delta_complex& complex, const Correspondence& correspondence,
                                              Halfedge_index h, std::int64_t position, const Interruption& interruption)
 {
