@@ -7,6 +7,7 @@
 #include "connectivity/Delta_complex.cpp"
 #include "connectivity/Delta_complex_builder.cpp"
 #include "connectivity/Delta_complex_io.cpp"
+#include "connectivity/Surface_point.cpp"
 #include "engine/history/Correspondence.cpp"
 #include "engine/history/Normal_coordinates.cpp"
 #include "overlay/Incremental_overlay.cpp"

@@ -4,7 +4,7 @@
 // The gluing of a tufted cover, its order, and what is dropped before.
 
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
-#include <CGAL/Intrinsic_triangulations/internal/gluing/Faces_around_edge.h>
+#include "library/gluing/Faces_around_edge.h"
 
 #include <gtest/gtest.h>
 

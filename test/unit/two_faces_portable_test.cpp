@@ -5,7 +5,9 @@
 // sources are compiled here, too.
 
 #include <CGAL/FPU.h>
-#undef CGAL_HAS_SSE2
+#include <boost/config.hpp>
+#include <gtest/gtest.h>
+#undef __SSE2__
 
 #include "library/all.cpp"
 #include "two_faces_tests.h"

@@ -509,7 +509,7 @@ private:
   Vertex_index split_face(const internal::Triangle_piece& piece, const Surface_point& location)
   {
     const Arithmetic arithmetic;
-    const Halfedge_index first = connectivity().halfedge(connectivity().face(piece.side));
+    const Halfedge_index first = engine_.halfedge_of_face(piece);
     make_room_for_vertex();
     const Vertex_index v = engine_.split_face(piece, location);
     measure_star(v, [&] { remove(engine_.unsplit_face(v, {first})); });

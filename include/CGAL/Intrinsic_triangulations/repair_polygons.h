@@ -69,31 +69,15 @@ struct Repaired_polygons
 
 namespace internal {
 
-// A kind of repair in files, and the elements that it counts.
-struct Repair_words
-{
-  const char *name, *singular, *plural;
-};
-inline Repair_words words_of(Repair_kind kind)
-{
-  static constexpr Repair_words words[] = {
-    {"merged vertices", "vertex", "vertices"}, {"collapsed faces", "face", "faces"},
-    {"duplicate faces", "face", "faces"},      {"duplicate parts of faces", "face", "faces"},
-    {"triangulated faces", "face", "faces"},   {"reversed faces", "face", "faces"},
-    {"split vertices", "vertex", "vertices"},  {"opened edges", "edge", "edges"},
-    {"dropped vertices", "vertex", "vertices"}};
-  return words[static_cast<std::size_t>(kind)];
-}
-
-inline Repaired_polygons repair(std::vector<std::array<double, 3>> points,
-                                std::vector<std::vector<std::size_t>> polygons, const Progress_function& progress);
+Repaired_polygons repair(std::vector<std::array<double, 3>> points, std::vector<std::vector<std::size_t>> polygons,
+                         const Progress_function& progress);
 
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
 /// \brief returns the name of a kind of repair in files, for example "reversed faces". Complexity: constant.
 /// \param kind the kind
-inline const char* name(Repair_kind kind) { return internal::words_of(kind).name; }
+const char* name(Repair_kind kind);
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
 /// \brief returns whether `repair_polygons()` can repair a defect.
@@ -101,11 +85,7 @@ inline const char* name(Repair_kind kind) { return internal::words_of(kind).name
 /// It repairs the connectivity. Invalid indices and coordinates are damage to
 /// the data, which cannot be repaired. Complexity: constant.
 /// \param defect the defect
-inline bool is_repairable(Invalid_surface_error::Defect defect)
-{
-  using Defect = Invalid_surface_error::Defect;
-  return (defect > Defect::NOT_FINITE && defect < Defect::OUT_OF_RANGE) || defect == Defect::UNREFERENCED_VERTEX;
-}
+bool is_repairable(Invalid_surface_error::Defect defect);
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
 /// \brief turns polygons into an oriented 2-manifold of triangles.
@@ -174,15 +154,7 @@ Repaired_polygons repair_polygons(const PointRange& points, const PolygonRange& 
 /// \param repair an entry of `Repaired_polygons::repairs`
 /// \return for example "face 4 (6 corners) was cut into triangles, and 2 more faces like it".
 /// Complexity: constant.
-inline std::string message(const Repair& repair)
-{
-  const internal::Repair_words words = internal::words_of(repair.kind);
-  std::string text = repair.description;
-  if (repair.count > 1)
-    text += ", and " + std::to_string(repair.count - 1) + " more " +
-            (repair.count == 2 ? words.singular : words.plural) + " like it";
-  return text;
-}
+std::string message(const Repair& repair);
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
 /// \brief cuts one polygon in space into triangles.
@@ -194,7 +166,5 @@ inline std::string message(const Repair& repair)
 std::vector<std::array<std::size_t, 3>> triangulate_polygon(const std::vector<std::array<double, 3>>& polygon);
 
 } // namespace CGAL::Intrinsic_triangulations
-
-#include <CGAL/Intrinsic_triangulations/internal/validation/repair_polygons_impl.h>
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_REPAIR_POLYGONS_H

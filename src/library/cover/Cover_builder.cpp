@@ -9,7 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
 #include "Flat_face_remover.h"
-#include <CGAL/Intrinsic_triangulations/internal/gluing/Faces_around_edge.h>
+#include "../gluing/Faces_around_edge.h"
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Sides_by_edge.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>

@@ -334,6 +334,11 @@ void Exact_engine::prepare_insertion()
     Long_crossings(connectivity_, correspondence(), decisions().interruption).keep();
 }
 
+Halfedge_index Exact_engine::halfedge_of_face(const Triangle_piece& piece) const
+{
+  return connectivity_.halfedge(connectivity_.face(piece.side));
+}
+
 Vertex_index Exact_engine::split_face(const Triangle_piece& piece, const Surface_point& location)
 {
   prepare_insertion();

@@ -6,7 +6,7 @@
 // Whether three points are on a line: an exact test that nearly always takes a few operations.
 
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
+#include "Flat_geometry.h"
 
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>

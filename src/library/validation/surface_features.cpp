@@ -7,7 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/surface_features.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
+#include "../measures/Flat_geometry.h"
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>

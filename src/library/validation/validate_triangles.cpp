@@ -6,7 +6,7 @@
 // The passes over a list of polygons that find what is wrong with it, and how it is said.
 
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
-#include <CGAL/Intrinsic_triangulations/internal/gluing/Surface_gluer.h>
+#include "../gluing/Surface_gluer.h"
 #include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 

@@ -18,17 +18,4 @@
 #error "Intrinsic_triangulations needs doubles without excess precision: compile with -msse2 -mfpmath=sse"
 #endif
 
-// Units of one program that were compiled with different values of `name` do not link, because they define a symbol
-// with different values.
-#if defined(__GNUC__) && defined(__ELF__)
-#define CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(name, value)                                                   \
-  __asm__(".globl CGAL_Intrinsic_triangulations_needs_same_" #name "_in_all_units\n"                                   \
-          ".set CGAL_Intrinsic_triangulations_needs_same_" #name "_in_all_units, " #value);
-#elif defined(_MSC_VER)
-#define CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(name, value)                                                   \
-  __pragma(detect_mismatch("CGAL_Intrinsic_triangulations_needs_same_" #name "_in_all_units", #value))
-#else
-#define CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(name, value)
-#endif
-
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONFIG_H

@@ -13,7 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include "corner_signs.h"
 #include "../layout/Vertex_positions.h"
-#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
+#include "../../measures/Flat_geometry.h"
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>

@@ -12,7 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
 #include "../layout/metric_images.h"
-#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
+#include "../../measures/Flat_geometry.h"
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 

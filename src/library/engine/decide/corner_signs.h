@@ -15,7 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Triangle_corner.h>
 #include "../layout/Vertex_positions.h"
 #include "../layout/metric_images.h"
-#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
+#include "../../measures/Flat_geometry.h"
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/enum.h>

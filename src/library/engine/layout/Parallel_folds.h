@@ -16,7 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
 #include "Vertex_positions.h"
 #include "metric_images.h"
-#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
+#include "../../measures/Flat_geometry.h"
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_utils.h>

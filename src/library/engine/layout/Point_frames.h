@@ -12,7 +12,7 @@
 #include "../../arithmetic/Split_double_double.h"
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
 #include "Strip.h"
-#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
+#include "../../measures/Flat_geometry.h"
 
 #include <boost/config.hpp>
 

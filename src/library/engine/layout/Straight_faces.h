@@ -12,7 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include "Vertex_positions.h"
-#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
+#include "../../measures/Flat_geometry.h"
 
 #include <array>
 #include <cstddef>

@@ -23,7 +23,7 @@
 #include "../../arithmetic/Split_double_double.h"
 #include "../../arithmetic/Square_root_basis.h"
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/rounded_sqrt.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
+#include "../../measures/Flat_geometry.h"
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Direct_mapped_cache.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>

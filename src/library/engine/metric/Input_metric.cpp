@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
 #include "../../arithmetic/Prime_field.h"
-#include <CGAL/Intrinsic_triangulations/internal/measures/Flat_geometry.h>
+#include "../../measures/Flat_geometry.h"
 #include <CGAL/Intrinsic_triangulations/internal/measures/metric_construction.h>
 
 #include <algorithm>

@@ -11,17 +11,14 @@
 #include <CGAL/Intrinsic_triangulations/internal/system/unfused.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/rounded_sqrt.h>
 
-#include <CGAL/FPU.h>
-
 #include <boost/config.hpp>
 
 #include <array>
 #include <cmath>
 
-#ifdef CGAL_HAS_SSE2
-CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(CGAL_HAS_SSE2, 1)
-#else
-CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(CGAL_HAS_SSE2, 0)
+// By the processor alone, so that the library and all parts of a program agree.
+#ifdef __SSE2__
+#include <emmintrin.h>
 #endif
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -32,7 +29,7 @@ class Two_doubles
 {
 public:
   Two_doubles() = default;
-#ifdef CGAL_HAS_SSE2
+#ifdef __SSE2__
   Two_doubles(double both) : v_(_mm_set1_pd(both)) {}
   Two_doubles(double first, double second) : v_(_mm_set_pd(second, first)) {}
   double first() const { return _mm_cvtsd_f64(v_); }

@@ -9,7 +9,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/metric/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/reports.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Decisions.h>
@@ -29,6 +28,10 @@
 #include <utility>
 #include <vector>
 
+namespace CGAL::Intrinsic_triangulations {
+struct Surface_point;
+}
+
 namespace CGAL::Intrinsic_triangulations::internal {
 
 class Correspondence;
@@ -39,6 +42,7 @@ class Engine_numbers;
 class Engine_restorer;
 class Exact_fallback;
 class Residues;
+struct Triangle_piece;
 class Vertex_positions;
 
 // The exact engine: a triangulation, the input that it came from, and what exact arithmetic says about both.
@@ -143,6 +147,8 @@ public:
     std::vector<Journal> journals_;
   };
 
+  // What `halfedge(f)` is for the face in which the piece lies.
+  Halfedge_index halfedge_of_face(const Triangle_piece& piece) const;
   // \param location where the vertex lies: strictly inside a face of the input, and in `piece`
   Vertex_index split_face(const Triangle_piece& piece, const Surface_point& location);
   // \param h a halfedge of an edge that coincides with an input edge

@@ -99,7 +99,7 @@ public:
   // The same for four consecutive edges: bit i is set if it holds for the i-th.
   unsigned imply_Delaunay_of_four(Edge_index e) const
   {
-#ifdef CGAL_HAS_SSE2
+#ifdef __SSE2__
     const float* const bound = bounds_.data() + 2 * std::size_t(e.idx());
     const __m128 a = _mm_loadu_ps(bound), b = _mm_loadu_ps(bound + 4);
     const __m128 sum =

@@ -29,7 +29,6 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // Exact sums and products of doubles; no division. Names CGAL's fastest type directly: the header that selects it has
 // 50,000 lines.
 #ifdef CGAL_HAS_MPZF
-CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(CGAL_HAS_MPZF, 1)
 using Exact_ring = Mpzf;
 inline Rational rational(const Exact_ring& x)
 {
@@ -38,7 +37,6 @@ inline Rational rational(const Exact_ring& x)
   return result;
 }
 #else
-CGAL_INTRINSIC_TRIANGULATIONS_SAME_IN_ALL_UNITS(CGAL_HAS_MPZF, 0)
 using Exact_ring = Rational;
 inline Rational rational(const Exact_ring& x) { return x; }
 #endif

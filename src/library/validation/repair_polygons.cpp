@@ -5,11 +5,9 @@
 //
 // The triangles of one polygon; the steps of a repair, and the thread from each element back to the input.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_REPAIR_POLYGONS_IMPL_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_REPAIR_POLYGONS_IMPL_H
-
-#include <CGAL/Intrinsic_triangulations/internal/gluing/Surface_gluer.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/Doubled_faces.h>
+#include <CGAL/Intrinsic_triangulations/repair_polygons.h>
+#include "../gluing/Surface_gluer.h"
+#include "Doubled_faces.h"
 #include <CGAL/Intrinsic_triangulations/internal/validation/Polygon_sides.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -33,7 +31,45 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-inline std::vector<std::array<std::size_t, 3>> triangulate_polygon(const std::vector<std::array<double, 3>>& polygon)
+namespace internal {
+
+// A kind of repair in files, and what it counts.
+struct Repair_words
+{
+  const char *name, *singular, *plural;
+};
+inline Repair_words words_of(Repair_kind kind)
+{
+  static constexpr Repair_words words[] = {
+    {"merged vertices", "vertex", "vertices"}, {"collapsed faces", "face", "faces"},
+    {"duplicate faces", "face", "faces"},      {"duplicate parts of faces", "face", "faces"},
+    {"triangulated faces", "face", "faces"},   {"reversed faces", "face", "faces"},
+    {"split vertices", "vertex", "vertices"},  {"opened edges", "edge", "edges"},
+    {"dropped vertices", "vertex", "vertices"}};
+  return words[static_cast<std::size_t>(kind)];
+}
+
+} // namespace internal
+
+const char* name(Repair_kind kind) { return internal::words_of(kind).name; }
+
+bool is_repairable(Invalid_surface_error::Defect defect)
+{
+  using Defect = Invalid_surface_error::Defect;
+  return (defect > Defect::NOT_FINITE && defect < Defect::OUT_OF_RANGE) || defect == Defect::UNREFERENCED_VERTEX;
+}
+
+std::string message(const Repair& repair)
+{
+  const internal::Repair_words words = internal::words_of(repair.kind);
+  std::string text = repair.description;
+  if (repair.count > 1)
+    text += ", and " + std::to_string(repair.count - 1) + " more " +
+            (repair.count == 2 ? words.singular : words.plural) + " like it";
+  return text;
+}
+
+std::vector<std::array<std::size_t, 3>> triangulate_polygon(const std::vector<std::array<double, 3>>& polygon)
 {
   typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point;
   // Moved and scaled to the size of 1, lest squares and products overflow. Quartered before, for
@@ -454,13 +490,11 @@ private:
   Repaired_polygons result_;
 };
 
-inline Repaired_polygons repair(std::vector<std::array<double, 3>> points,
-                                std::vector<std::vector<std::size_t>> polygons, const Progress_function& progress)
+Repaired_polygons repair(std::vector<std::array<double, 3>> points, std::vector<std::vector<std::size_t>> polygons,
+                         const Progress_function& progress)
 {
   return Polygon_repairer(std::move(points), std::move(polygons)).run(progress);
 }
 
 } // namespace internal
 } // namespace CGAL::Intrinsic_triangulations
-
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_REPAIR_POLYGONS_IMPL_H
