@@ -36,23 +36,22 @@ function(idt_join_sources result)
   file(CONFIGURE OUTPUT ${result} @ONLY CONTENT "@includes@\n@bodies@")
 endfunction()
 
-set(test_timeout 300)
+set(test_timeout 900)
 if(CMAKE_CROSSCOMPILING AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
   set(test_timeout 3000) # an emulated processor
 endif()
 
-# add_idt_test(NAME SOURCE... [SANITIZE] [SANITIZE_AT_NIGHT] [THREADS] [LIBRARIES TARGET...] [DEFINITIONS DEF...]
-#              [PREFIX PREFIX] [OPTIMIZE] [OPTIMIZE_BY_DAY] [TOGETHER] [NIGHT] [NIGHT_CASES CASE...])
+# add_idt_test(NAME SOURCE... [SANITIZE] [SANITIZE_AT_NIGHT] [THREADS] [LIBRARIES TARGET...] [PREFIX PREFIX] [OPTIMIZE] [TOGETHER] [NIGHT]
+#              [NIGHT_CASES CASE...])
 #
 # One GoogleTest executable, each of whose cases is a test of its own in CTest.
 # SANITIZE marks a test that the sanitizer lane of .ci/run builds and runs; SANITIZE_AT_NIGHT one that `scripts/test --all` runs, as it
 # takes long there, or computes much with numbers and little with memory; THREADS one that has several threads, for the preset
-# `thread-sanitize`. OPTIMIZE keeps -O1 under the sanitizers: for a test that computes for longer there than its compilation takes, or
-# has more names than fit into an object file of Windows without optimization; OPTIMIZE_BY_DAY does so in every preset. TOGETHER compiles
-# all sources as one, which takes half of the time: most of it goes into what they include. NIGHT marks a test that rarely tells what others
-# do not: the preset `day` leaves it out, or those of NIGHT_CASES, which compute for long.
+# `thread-sanitize`. OPTIMIZE compiles with -O1 in every preset, for a test that computes for long. TOGETHER compiles all sources as one, which
+# takes half of the time: most of it goes into what they include. NIGHT marks a test that rarely tells what others do not: the preset `day`
+# leaves it out, or those of NIGHT_CASES, which compute for long.
 function(add_idt_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "SANITIZE;SANITIZE_AT_NIGHT;THREADS;OPTIMIZE;OPTIMIZE_BY_DAY;TOGETHER;NIGHT" "PREFIX" "LIBRARIES;DEFINITIONS;NIGHT_CASES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SANITIZE;SANITIZE_AT_NIGHT;THREADS;OPTIMIZE;TOGETHER;NIGHT" "PREFIX" "LIBRARIES;NIGHT_CASES")
   if(arg_NIGHT AND NOT INTRINSIC_TRIANGULATIONS_NIGHT_TESTS)
     return()
   endif()
@@ -70,12 +69,11 @@ function(add_idt_test name)
     Intrinsic_triangulations_own_options
     ${arg_LIBRARIES}
     GTest::gtest_main)
-  target_compile_definitions(${name} PRIVATE ${arg_DEFINITIONS})
   if(arg_TOGETHER)
     # GCC takes each of these sources for a header, where a fixture in a namespace without a name would be wrong.
     target_compile_options(${name} PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-subobject-linkage>)
   endif()
-  if(arg_OPTIMIZE_BY_DAY OR (arg_OPTIMIZE AND INTRINSIC_TRIANGULATIONS_NIGHT_TESTS))
+  if(arg_OPTIMIZE)
     target_compile_options(${name} PRIVATE $<$<AND:$<CONFIG:Release>,$<COMPILE_LANG_AND_ID:CXX,GNU,Clang,AppleClang>>:-O1>)
   else()
     idt_compile_quickly(${name})
@@ -123,7 +121,7 @@ endfunction()
 # header uses the type `Number_type`, which number_types/<number type>.h defines.
 # With SANITIZE_TYPES, the sanitizer lane takes the tests of those types.
 function(add_idt_number_type_tests name body)
-  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "SANITIZE_TYPES;LIBRARIES;DEFINITIONS;NIGHT_CASES")
+  cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "SANITIZE_TYPES;LIBRARIES;NIGHT_CASES")
   get_filename_component(body ${body} ABSOLUTE)
   foreach(number_type IN LISTS arg_UNPARSED_ARGUMENTS)
     set(number_type_header
@@ -141,7 +139,6 @@ function(add_idt_number_type_tests name body)
     add_idt_test(${name}_${number_type} ${source} ${options}
       PREFIX "${number_type}."
       LIBRARIES ${arg_LIBRARIES}
-      DEFINITIONS ${arg_DEFINITIONS}
       NIGHT_CASES ${arg_NIGHT_CASES})
   endforeach()
 endfunction()

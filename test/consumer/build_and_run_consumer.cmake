@@ -10,6 +10,10 @@ execute_process(
     -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}
     -D CMAKE_PREFIX_PATH=${PACKAGE_PREFIX}
     -D PACKAGE_SOURCE_DIR=${PACKAGE_SOURCE_DIR}
+    # Where the library is built with the program: shared, in a program that hides its own names.
+    -D BUILD_SHARED_LIBS=${SHARED}
+    -D CMAKE_CXX_VISIBILITY_PRESET=hidden
+    -D CMAKE_VISIBILITY_INLINES_HIDDEN=ON
   COMMAND_ERROR_IS_FATAL ANY)
 execute_process(
   COMMAND ${CMAKE_COMMAND} --build ${BINARY_DIR} --parallel 1

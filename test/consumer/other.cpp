@@ -3,4 +3,15 @@
 
 #include "package.h"
 
-const char* name_of_other() { return "OK"; }
+#include <string>
+
+// The message of the same error, caught by its base.
+std::string message_of_other()
+{
+  try {
+    CGAL::Intrinsic_triangulations::Input_metric::from_lengths({2, 2, -2});
+  } catch (const CGAL::Intrinsic_triangulations::Error& error) {
+    return error.what();
+  }
+  return {};
+}
