@@ -27,19 +27,19 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// With p_k the scalar product of the sides of the corner k and n_k their cross product,
-// cot k = p_k / |n_k|. In one plane n_k and n_l are multiples of one normal that are not negative, so that
-// a single component of them, one that is not zero, takes the place of the areas:
+// With p_k the scalar product of the sides of the corner k and n_k their cross product, cot k = p_k / |n_k|. In one
+// plane n_k and n_l are nonnegative multiples of one normal, so that a single nonzero component of them can replace the
+// areas:
 //
 //     sign(cot k + cot l) = sign(p_k n_l + p_l n_k) sign(n_k + n_l),
 //
 // a polynomial in the coordinates. Between points of the input it is evaluated in double and in double-doubles, each
-// with one error bound that is known before: p, n and their products add up at most a few units in the last place of
-// P_k N_l + P_l N_k, where P and N are p and n with absolute values. Positions of inserted vertices are rounded
-// themselves, so that no error is known before: it is carried along. Exact numbers decide what is left.
+// with one a priori error bound: p, n and their products add up at most a few units in the last place of P_k N_l + P_l
+// N_k, where P and N are p and n with absolute values. Positions of inserted vertices are rounded themselves, so their
+// errors are carried along. Exact numbers decide the rest.
 //
-// Vectors may be replaced by positive multiples of them, which multiplies p and n of a corner alike: so weighted means
-// of points need no division.
+// Vectors may be replaced by positive multiples, which multiplies p and n of a corner by the same factor, so weighted
+// means of points need no division.
 class Coplanar_hinge
 {
 public:

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Ties that a symmetry of the input makes: a proof by congruence.
+// Ties due to a symmetry of the input: a proof by congruence.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_MIRROR_SYMMETRY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_MIRROR_SYMMETRY_H
@@ -35,10 +35,10 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // both faces have positive area. That is the case for two points and their mirror images in a symmetric mesh.
 //
 // The strip of a side turns around one vertex after the other, on its left or on its right. The segments from each to
-// the next make up a path from z by a and b to c, and its angle at a vertex is a sum of angles of input triangles, in
-// whatever order. If lengths and angles of the path are the same from both ends, there is such a reflection; what is in
-// the middle, a length or an angle, does not matter. Triangles in one plane are a polygon, however it was cut. Time:
-// that of so many comparisons of rational numbers, or of sorting by them.
+// the next form a path from z by a and b to c, and its angle at a vertex is a sum of angles of input triangles, in any
+// order. If lengths and angles of the path are the same from both ends, there is such a reflection; the middle, a
+// length or an angle, does not matter. Triangles in one plane form a polygon, however it was cut. Time: as many
+// comparisons of rational numbers, or sorting by them.
 class Mirror_symmetry
 {
 public:
@@ -47,12 +47,12 @@ public:
       points_(surface.metric().points())
   {}
 
-  // Whether the hinge of e is proven to be symmetric in that way.
+  // Whether the hinge of e is proven to be symmetric in this way.
   bool operator()(Edge_index e)
   {
     const Halfedge_index ij = complex_.halfedge(e), ji = complex_.opposite(ij);
     for (Halfedge_index h : {ij, complex_.next(ij), ji, complex_.next(ji)})
-      if (correspondence_.is_inserted(complex_.target(h))) // it begins in no corner of an input triangle
+      if (correspondence_.is_inserted(complex_.target(h))) // it does not begin in a corner of an input triangle
         return false;
     Side sides[] = {side(complex_.next(ji), 2), side(complex_.prev(ji), 1), side(complex_.next(ij), 2),
                     side(complex_.prev(ij), 1)};
@@ -63,17 +63,17 @@ public:
   }
 
 private:
-  // An input vertex, as the source of a halfedge in a face that is looked at, or in one plane with that.
+  // An input vertex, as the source of a halfedge in the current face, or in its plane.
   using Node = Halfedge_index;
 
-  // Of the hinge, counterclockwise.
+  // The corners of the hinge, counterclockwise.
   struct Side
   {
     Halfedge_index halfedge;
-    int number_of_corners;             // that the hinge has at its source
+    int number_of_corners;             // of the hinge at its source
     Node source, target;               // in the first triangle and in the last
     std::vector<Halfedge_index> folds; // the edges between two planes that it crosses, from left to right
-    bool is_left_of_one = true;        // around which end of a single one it turns
+    bool is_left_of_one = true;        // the end of a single one around which it turns
   };
 
   struct Segment
@@ -86,7 +86,7 @@ private:
     Node v, p, q;
     Sign side;
   };
-  // An angle of the path, the sum of corners from a number up to that of the next turn.
+  // An angle of the path, the sum of the corners from one number up to that of the next turn.
   struct Turn
   {
     std::size_t first_corner;
@@ -136,10 +136,10 @@ private:
     return false;
   }
 
-  // Equal turns imply that the path is as long up to a as from b on, for both sides have as many folds: if za had fewer
-  // segments, its turns would be those of a part of bc, with as many corners. But a side has one corner more than folds,
-  // and another one for each segment between two turns to the left. At the other end of a part there is one fold less,
-  // or no corner before its first one, behind a turn to the other side.
+  // Equal turns imply that the path has as many segments up to a as from b on, since both sides have equally many
+  // folds: if za had fewer segments, its turns would equal those of a part of bc with as many corners. But a side has
+  // one more corner than folds, and another one for each segment between two turns to the left. At the other end of a
+  // part there is one fold less, or no corner before its first one, after a turn to the other side.
   bool is_symmetric_path(const Side& za, const Side& ab, const Side& bc)
   {
     path_.clear();
@@ -177,7 +177,7 @@ private:
   }
 
   // The path of a side.
-  // \return its last vertex but one
+  // \return its second-to-last vertex
   Node add(const Side& side)
   {
     path_.push_back({side.source, second(side)});
@@ -213,7 +213,7 @@ private:
   }
 
   // The angle of the path between two sides, through the hinge.
-  // \param last the last vertex but one of the path of za
+  // \param last the second-to-last vertex of the path of za
   void add_turn(const Side& za, Node last, const Side& ab)
   {
     std::int64_t number_of_steps = is_original(za.halfedge) ? -1 : 0;
@@ -253,7 +253,7 @@ private:
 
   bool is_original(Halfedge_index h) const { return correspondence_.coordinates().is_original(complex_.edge(h)); }
 
-  // The number of steps from the input halfedge along h or, clockwise, next to it, to that of the next halfedge around
+  // The number of steps from the input halfedge along h, or next to it clockwise, to that of the next halfedge around
   // its source.
   std::int64_t fan_of_corner(Halfedge_index h) const
   {
@@ -305,7 +305,7 @@ private:
     });
   }
   static bool is_negative(const Rational& x) { return x < 0; }
-  // If the error leaves the sign open, it is larger than the number, and that of the square covers both signs.
+  // If the error leaves the sign open, it is larger than the number, and the error of the square covers both signs.
   static bool is_negative(const Bounded_double_double& x) { return x.hi() < 0; }
 
   bool have_equal_lengths(const Segment& s, const Segment& t) const
@@ -316,8 +316,8 @@ private:
                                           }) == ZERO;
   }
 
-  // Whether two segments have the same extents along the axes, in any order, as they have if a plane mirrors them that
-  // is perpendicular to an axis or between two axes.
+  // Whether two segments have the same extents along the axes, in any order, as if mirrored by a plane that is
+  // perpendicular to an axis or between two axes.
   bool are_mirrored_in_space(const Segment& s, const Segment& t) const
   {
     return points_.empty() ? edge(s) == edge(t) : extents(s) == extents(t);

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The sign of the sum of two cotangents, from what is known of the two corners.
+// The sign of the sum of two cotangents, from bounds on the two corners.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_CORNER_SIGNS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_CORNER_SIGNS_H
@@ -31,8 +31,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // In a tie the angles sum to 0, π or 2π; only in the last case are both obtuse.
 inline Sign sign_of_tie(Sign sign_k, Sign sign_l) { return sign_k == NEGATIVE && sign_l == NEGATIVE ? NEGATIVE : ZERO; }
 
-// The sign of cot k + cot l; a zero is only certain with both areas positive, or with
-// the signs of both scalar products known.
+// The sign of cot k + cot l; zero is certain only if both areas are positive or the signs of both scalar products are
+// known.
 template <class Corner>
 Uncertain<Sign> sign_of_cotangents(const Corner& k, const Corner& l)
 {
@@ -45,8 +45,7 @@ Uncertain<Sign> sign_of_cotangents(const Corner& k, const Corner& l)
   return sign_of_tie(get_certain(sign_k), get_certain(sign_l));
 }
 
-// On which side of h a point lies that lies in one plane with the face of h, which is straight. No answer if that has
-// no area.
+// The side of h on which a point in the plane of h's straight face lies. No answer if the face has no area.
 inline std::optional<Sign> side_in_plane(const Delta_complex& complex, const Vertex_positions& positions,
                                          Halfedge_index h, const Surface_point& point)
 {
@@ -69,8 +68,8 @@ inline std::optional<Sign> side_in_plane(const Delta_complex& complex, const Ver
 
 using Straight_corner = Triangle_corner<Bounded_double_double>;
 
-// As straight_corner(), of points of the input: one bound for all errors takes less time than a running one. Nothing where
-// something could underflow, or an exact zero might be missed.
+// As straight_corner(), for points of the input: one bound for all errors is faster than a running one. Empty if
+// anything could underflow, or an exact zero might be missed.
 inline std::optional<Straight_corner> straight_corner(const std::array<double, 3>& i, const std::array<double, 3>& j,
                                                       const std::array<double, 3>& k)
 {
@@ -79,7 +78,8 @@ inline std::optional<Straight_corner> straight_corner(const std::array<double, 3
                                     s_second = split_scalar_product(kj, kj), s_side = split_scalar_product(side, side),
                                     square = split_squared_area(ki, kj);
   const auto is_usual = [](double s) { return s > 1e-100 && s < 1e100; };
-  // Products of two vectors are good to 2^-102 of those of their lengths, and so is the area to 2^-100.
+  // Products of two vectors have errors of at most 2^-102 times the product of their lengths, and so the area of
+  // 2^-100.
   const double error = 0x1p-97 * rounded_sqrt(s_first.hi * s_second.hi);
   if (!is_usual(s_first.hi) || !is_usual(s_second.hi) || !is_usual(s_side.hi) || !(square.hi > 1e-200) ||
       !(std::abs(p.hi) > error))

@@ -30,13 +30,13 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // Let all input edges that two edges va and vb cross, and those that leave v between them, be parallel to one direction
-// u, or have coplanar faces. Then each triangle of the strips lies in a plane that contains u, and to unfold it keeps
-// the coordinate of its points along u. So if a and b are level with v, which is to say (a − v)·u = (b − v)·u = 0, then
-// va and vb are perpendicular to u in the plane of the unfolding, and the angle between them is a multiple of π: on
+// u, or have coplanar faces. Then each triangle of the strips lies in a plane that contains u, and unfolding preserves
+// the coordinates of its points along u. So if a and b are level with v, that is, (a − v)·u = (b − v)·u = 0, then va
+// and vb are perpendicular to u in the plane of the unfolding, and the angle between them is a multiple of π: on
 // cylinders, prisms and folded plates, whatever lies between, without a root.
 //
-// Two segments along u with midpoints that are level are the bases of an isosceles trapezoid, whose corners lie on one
-// circle: an edge between them is a tie.
+// Two segments along u with level midpoints are the bases of an isosceles trapezoid, whose corners lie on one circle:
+// an edge between them is a tie.
 class Parallel_folds
 {
 public:
@@ -56,7 +56,7 @@ public:
            fold_ && is_perpendicular({v, a}, *fold_) && is_perpendicular({v, b}, *fold_);
   }
 
-  // Whether a point of an input face that h runs through is proven to lie on h, as it is level with both ends.
+  // Whether a point of an input face that h runs through is proven to lie on h, being level with both ends.
   bool contains(Halfedge_index h, const Vertex_positions& positions, const Surface_point& point)
   {
     fold_.reset();
@@ -85,7 +85,7 @@ public:
 private:
   const Points& points() const { return surface_.metric().points(); }
 
-  // Those between va and vb.
+  // The halfedges between va and vb.
   bool folds_around_are_parallel(Halfedge_index va, Halfedge_index vb)
   {
     const Normal_coordinates& coordinates = correspondence_.coordinates();
@@ -112,7 +112,7 @@ private:
     return all_crossed(h, [&](Halfedge_index crossed) { return is_parallel_fold(crossed); });
   }
 
-  // Those that h crosses, or that which it coincides with.
+  // The input edges that h crosses, or the one with which it coincides.
   bool folds_along_are_parallel(Halfedge_index h)
   {
     return correspondence_.coordinates().is_original(complex_.edge(h))
@@ -142,8 +142,8 @@ private:
     return levels[0] == levels[1];
   }
 
-  // Whether a test holds for all input edges that h crosses: not where they are too many to be found, as the corners
-  // beside an edge that crosses too many can be laid out if their sides do not.
+  // Whether a test holds for all input edges that h crosses; false if they are too many. (The corners beside an edge
+  // that crosses too many can be laid out if their sides do not.)
   template <class Test>
   bool all_crossed(Halfedge_index h, const Test& test) const
   {

@@ -27,15 +27,15 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// What frames (see `Strip`) have in common that compute with points, and with one bound for the error of all that they
-// compute instead of one for each number.
+// The common part of frames (see `Strip`) that compute with points, and with one error bound for everything instead of
+// one for each number.
 class Point_frame
 {
 public:
   using Vector = Split_complex;
   using Run = Strip_run<Vector>;
 
-  // \param points of the input, none further from another than 4, or none at all
+  // \param points of the input, at most 4 apart, or none at all
   Point_frame(const Delta_complex& input, const Points& points) : input_(input), points_(points) {}
 
   BOOST_FORCEINLINE void note(const Vector& corner) { distance_ = distance_with(corner); }
@@ -50,16 +50,15 @@ protected:
 };
 
 // The frame (see `Strip`) in which most positions are found: overlays spend their time here. Corner ratios come
-// straight from the points, and there is one bound for the error of all that is computed instead of one for each
-// number. A ratio does not depend on those before: they are computed two at a time, and only one for each triangle,
-// as each takes a root and a division. The unit is the first crossed edge.
+// straight from the points, and there is one error bound for everything instead of one for each number. Ratios are
+// independent of each other: they are computed two at a time, and only one for each triangle, because each takes a root
+// and a division. The unit is the first crossed edge.
 //
-// In double-doubles a corner ratio, divided by its absolute value, is good to 2^-97 whatever the
-// shape of the triangle: scalar and cross product are good to 2^-101 of the product of the
-// lengths. The direction of a crossed edge is a product of up to m ratios, m the number of
-// triangles, and good to m 2^-96; so a position, a sum of directions of total length X, is good
-// to m 2^-95 X, and a cross product of two positions, at most Y from the source, to m 2^-93 X Y.
-// Positions on the edges are quotients of such cross products.
+// In double-doubles a corner ratio, divided by its absolute value, has an error of at most 2^-97 for any shape of the
+// triangle: the errors of scalar and cross product are at most 2^-101 times the product of the lengths. The direction
+// of a crossed edge is a product of up to m ratios, m the number of triangles, with an error of at most m 2^-96; so the
+// error of a position, a sum of directions of total length X, is at most m 2^-95 X, and that of a cross product of two
+// positions, at most Y from the source, m 2^-93 X Y. Positions on the edges are quotients of such cross products.
 class Space_frame : public Point_frame
 {
   using Pair = Split_double_double<Two_doubles>;
@@ -110,9 +109,8 @@ private:
     double side;
   };
 
-  // In triangle i of the strip, between an edge that is crossed and what comes next: the direction
-  // of the edge that is crossed then, or from its left end to the target. In the first one, the
-  // direction from there back to the source.
+  // In triangle i of the strip, after a crossed edge: the direction of the next crossed edge, or from its left end to
+  // the target. In the first one, the direction from there back to the source.
   Corner corner(const Crossed_edges& crossed, std::size_t i) const
   {
     if (i == 0)
@@ -136,7 +134,7 @@ private:
       shortest = min_of(shortest, min_of(rough_square(v), rough_square(w)));
 
       Pair square = split_squared_area(v, w);
-      // A root of zero would be divided by; this one is far below the error.
+      // Avoids a division by a zero root; this one is far below the error.
       square.hi = max_of(square.hi, Two_doubles(1e-300));
       const Pair s = split_scalar_product(v, v);
       const Two_doubles reciprocal = Two_doubles(1.) / s.hi;
@@ -147,7 +145,7 @@ private:
       ratios_[i] = ratios[0];
       ratios_[i + 1] = ratios[1];
     }
-    // Far from underflow; it has to be far for the error bound to hold.
+    // Far from underflow, as the error bound requires.
     has_good_ratios_ = (std::min)(shortest.first(), shortest.second()) > 1e-100;
   }
 
@@ -163,8 +161,8 @@ private:
   double extent_ = 0; // the sum of the lengths of what positions are made from
 };
 
-// The frame (see `Strip`) for triangles that lie in one plane, side by side. Nothing is turned: a projection along
-// a coordinate is affine, so that quotients of areas are the same, and the differences that are projected are exact.
+// The frame (see `Strip`) for triangles that lie in one plane, side by side. Nothing is rotated: a projection along a
+// coordinate is affine, so quotients of areas stay the same, and the projected differences are exact.
 class Plane_frame : public Point_frame
 {
 public:
@@ -183,9 +181,9 @@ public:
   std::true_type is_flat(Halfedge_index) const { return {}; }
   Vector position(const Run&, Vertex_index v) const { return projected(v); }
 
-  // A bound on the error of an area between the source and two corners, one of which may be the target. A cross
-  // product is good to 2^-102 of the sum of the absolute values of two products. (It is far from underflow where it is
-  // large enough to be used.)
+  // A bound on the error of an area between the source and two corners, one of which may be the target. A cross product
+  // is good to 2^-102 of the sum of the absolute values of two products. (It is far from underflow if it is large
+  // enough to be used.)
   double error(const Vector& target) const
   {
     const double distance = distance_with(target);
@@ -193,9 +191,8 @@ public:
   }
 
 private:
-  // Along the coordinate in which the normal is longest, seen from the side from which the left
-  // end is on the left. (With a normal that is rounded beyond recognition nothing is wrong:
-  // the areas are too small then, or negative.)
+  // Along the coordinate in which the normal is longest, seen from the side from which the left end is on the left. (A
+  // normal that is rounded beyond recognition does no harm: the areas are then too small, or negative.)
   void choose_projection(Vertex_index left, Vertex_index right)
   {
     const auto n =

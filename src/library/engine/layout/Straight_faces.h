@@ -3,8 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Which faces of the current triangulation are triangles in space, and which of these lie in
-// one plane.
+// The faces of the current triangulation that are triangles in space, and which of them lie in one plane.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_STRAIGHT_FACES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_STRAIGHT_FACES_H
@@ -23,20 +22,19 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A face is known to be straight if it is the flat triangle in space between its corners:
-// at first all are, and the two faces of a flip are if those before were and lie in one
-// plane, one beyond the other. Then lengths and angles come from three points, however
-// many input edges are crossed. In the flat parts of a model, where ties are, this is what
-// keeps the exact stages cheap.
+// A face is known to be straight if it is the flat triangle in space between its corners: at first all are, and the two
+// faces of a flip are if the old ones were and lie in one plane, on different sides of the edge. Then lengths and
+// angles come from three points, however many input edges are crossed. This keeps the exact stages cheap in the flat
+// parts of a model, where ties are.
 //
-// What was once found to lie in one plane is remembered: a straight face has the number of a
-// plane, that of an input face in it, and numbers of the same plane are united. All faces with united numbers have one
-// oriented normal, so that two of them that share an edge lie on different sides of it.
+// Coplanarity is remembered: a straight face has the number of a plane, which is that of an input face in it, and
+// numbers of the same plane are united. All faces with united numbers have one oriented normal, so that two of them
+// that share an edge lie on different sides of it.
 //
 // The parts of a straight face that a new vertex makes are straight, too. A vertex may lie on an edge, so that a part
 // has no area, as long as that edge is not flipped.
 //
-// All that is known stays true if what a function is called before does not happen.
+// Functions that are called before a change leave valid knowledge even if the change does not happen.
 class Straight_faces
 {
   static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
@@ -49,7 +47,7 @@ public:
       plane_[f] = united_with_[f] = std::uint32_t(f);
   }
 
-  // With what is known from elsewhere: for each face that of an input face in its plane, or the null descriptor.
+  // With known planes: for each face an input face in its plane, or the null descriptor.
   Straight_faces(std::size_t number_of_input_faces, std::size_t number_of_points, const std::vector<Face_index>& planes)
     : Straight_faces(number_of_input_faces, number_of_points)
   {
@@ -105,7 +103,7 @@ public:
     return false;
   }
 
-  // What is known of two faces, to be put back when the flip between them is undone. That never throws.
+  // The knowledge about two faces, to be restored when the flip between them is undone. Never throws.
   using Planes = std::array<std::uint32_t, 2>;
   static constexpr Planes no_planes = {none, none};
   Planes planes(Face_index f, Face_index g) const
@@ -120,7 +118,7 @@ public:
     plane_[g.idx()] = planes[1];
   }
 
-  // Before a face is split, and so many parts are appended in all.
+  // Must be called before a face is split and this many parts are appended in all.
   void prepare_split(const Vertex_positions& positions, Face_index f, std::size_t number)
   {
     if (plane_.empty())
@@ -129,13 +127,13 @@ public:
       straighten(positions, f, Face_index(plane_[f.idx()]));
     make_room(plane_, number);
   }
-  // Appends so many parts of a face. Never throws.
+  // Appends this many parts of a face. Never throws.
   void split(Face_index f, std::size_t number)
   {
     if (!plane_.empty())
       plane_.resize(plane_.size() + number, plane_[f.idx()]);
   }
-  // A face turns out to lie in a face of the input, or in its plane. If that has no area, nothing is kept of it.
+  // Records that a face lies in an input face, or in its plane. If that face has no area, nothing is recorded.
   void straighten(const Vertex_positions& positions, Face_index f, Face_index input_face)
   {
     const bool has_area = have_one_plane(positions.input(), positions.points(), input_face, input_face);
@@ -169,7 +167,7 @@ private:
     return is_flat(complex, positions.points(), h);
   }
 
-  // Random numbers keep the trees low, even if they are only looked at.
+  // Random numbers keep the trees low, even if they are only read.
   static std::uint32_t priority(std::uint32_t p) { return p * 2654435769u; }
 
   std::uint32_t united(std::uint32_t p) const
@@ -186,7 +184,7 @@ private:
   }
 
   Large_vector<std::uint32_t> plane_;       // of each straight face, or none
-  Large_vector<std::uint32_t> united_with_; // for each plane another, or itself
+  Large_vector<std::uint32_t> united_with_; // for each plane another one, or itself
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Where vertices lie in space, those that were inserted, too.
+// The positions of vertices in space, including inserted ones.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_VERTEX_POSITIONS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_VERTEX_POSITIONS_H
@@ -31,7 +31,7 @@ Vector_3<FT> minus(const Vector_3<FT>& p, const Vector_3<FT>& q)
 class Vertex_positions
 {
 public:
-  // What is kept for the inserted vertices, in their order.
+  // The cached positions of the inserted vertices, in their order.
   using Inserted = std::vector<Vector_3<Bounded_double_double>>;
 
   // \param input the input, and its points
@@ -81,7 +81,7 @@ public:
     }
   }
 
-  // The position in numbers that can be divided, which `convert` makes of doubles.
+  // The position in a number type with division, to which `convert` converts doubles.
   template <class Convert>
   auto position(Vertex_index v, const Convert& convert) const
   {
@@ -102,7 +102,7 @@ public:
     return Vector_3<FT>{FT(sum[0] / weight), FT(sum[1] / weight), FT(sum[2] / weight)};
   }
 
-  // What is to be kept for a new vertex.
+  // The position to cache for a new vertex.
   Vector_3<Bounded_double_double> rounded(const Surface_point& location) const
   {
     const auto [weight, sum] =

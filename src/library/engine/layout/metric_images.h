@@ -48,7 +48,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// What is found out about the input when it is first asked for. Threads that ask at the same time find the same.
+// Facts about the input, found on first use. Threads that ask at the same time find the same.
 class Input_properties
 {
 public:
@@ -97,7 +97,7 @@ private:
   double largest_size_ = 0;
 };
 
-// The input as all images of its metric see it, with what they remember between calls.
+// The input with all images of its metric, and their caches.
 class Input_surface
 {
 public:
@@ -114,7 +114,7 @@ public:
   const Interruption& interruption() const { return decisions_.interruption; }
   bool accepts_probable_ties() const { return decisions_.tie_proof == Tie_proof::PROBABLE_IF_COSTLY; }
 
-  // The number of `number` of a sequence of fields that are random, but the same in each run.
+  // Number `number` in a sequence of pseudorandom fields that is the same in each run.
   const Prime_fields& prime_fields(std::size_t number)
   {
     while (prime_fields_.size() <= number)
@@ -122,8 +122,8 @@ public:
     return prime_fields_[number];
   }
 
-  // A bound on the sizes of the numbers of the metric, and, where points on the input enter, of any double, as they
-  // have for coordinates.
+  // A bound on the sizes of the numbers of the metric, and, if points on the input enter, of any double, since
+  // coordinates may be any doubles.
   double largest_size(bool has_points)
   {
     return has_points ? (std::max)(size_of_double, properties_.largest_size()) : properties_.largest_size();
@@ -161,8 +161,8 @@ private:
   Fan_positions fans_;
 };
 
-// As Metric_frame::ratios(), in half of the time: one bound for all errors instead of a running one. Nothing without
-// points, or where something could underflow, as in faces that are nearly flat.
+// As Metric_frame::ratios(), in half of the time: one bound for all errors instead of a running one. Empty without
+// points, or if something could underflow, as in nearly flat faces.
 inline std::optional<Corner_ratios<Double_double_disk>> ratios_in_space(const Delta_complex& input,
                                                                         const Points& points, Halfedge_index ij)
 {
@@ -178,14 +178,14 @@ inline std::optional<Corner_ratios<Double_double_disk>> ratios_in_space(const De
   const double reciprocal = 1 / s.hi;
   const Split_double_double<double> x = quotient(split_scalar_product(u, v), s, reciprocal),
                                     y = quotient(square_root(square), s, reciprocal);
-  // Products of the vectors are good to 2^-102 of those of their lengths, so that x + iy is good to 2^-99 of its
-  // absolute value.
+  // Errors of products of the vectors are at most 2^-102 times the products of their lengths, so the relative error of
+  // x + iy is at most 2^-99.
   const double error = 0x1p-97 * rounded_sqrt(s_v * reciprocal);
   const Bounded_double_double at_source(x.hi, x.lo, error), height(y.hi, y.lo, error);
   return Corner_ratios<Double_double_disk>{{at_source, height}, {Bounded_double_double(1) - at_source, -height}};
 }
 
-// An Input_surface that a call has for itself.
+// An Input_surface that belongs to one call.
 class Surface_lease : public Scratch_pool<Input_surface>::Lease
 {
 public:
@@ -290,7 +290,7 @@ public:
     return {s, 0x1p-49 * s + of_underflow};
   }
   Real four_areas(Face_index f) const { return Real(metric_.four_areas_double_double(input_, f)); }
-  // To compute them takes no longer than to look for them.
+  // Computing them takes no longer than looking them up.
   template <class Compute>
   const Corner_ratios<Vector>& remembered(Halfedge_index h, const Compute& compute)
   {
@@ -304,7 +304,7 @@ public:
     const Double_double_disk z = Double_double_metric(*surface_).fan_ratio(from, to, is_counterclockwise);
     return {Real(z.x()), Real(z.y())};
   }
-  // Triangles in one plane are laid out like others: exact zeros are not asked for.
+  // Triangles in one plane are laid out like others: exact zeros are not needed.
   std::false_type is_flat(Halfedge_index) const { return {}; }
   const Interruption& interruption() const { return interruption_; }
 
@@ -316,9 +316,8 @@ private:
   Corner_ratios<Vector> ratios_;
 };
 
-// In a ring that is given by the images of the rationals and of their square roots, and of coordinates, which may
-// stay in a smaller ring until they meet roots. What was computed last is remembered. Each quantity that is
-// asked for is counted.
+// In a ring given by the images of the rationals and of their square roots, and of coordinates, which may stay in a
+// smaller ring until they meet roots. Remembers recent results, and counts the requested quantities.
 template <class Image>
 class Rational_metric
 {
@@ -328,7 +327,7 @@ public:
 
   static constexpr std::size_t unlimited = (std::numeric_limits<std::size_t>::max)();
 
-  // \param largest_count the number of quantities from which on Too_costly is thrown
+  // \param largest_count the number of quantities at which Too_costly is thrown
   Rational_metric(Input_surface& surface, Image image, std::size_t largest_count = unlimited)
     : surface_(surface), image_(image), largest_count_(largest_count)
   {}
@@ -380,9 +379,9 @@ public:
 private:
   using Coordinate = typename Image::Coordinate;
 
-  // What is computed once for all ratios to a halfedge, with the third corner k of its triangle to its left: the side u
-  // from i to j, with v from i to k a multiple of the height, |u|² v − (u·v) u, and what a scalar product with either
-  // has to be multiplied by.
+  // Computed once for all ratios to a halfedge, with the third corner k of its triangle to its left: the side u from i
+  // to j, with v from i to k a multiple of the height, |u|² v − (u·v) u, and the factors for scalar products with
+  // either.
   struct Base
   {
     Vector_3<Coordinate> side, height;
@@ -405,7 +404,7 @@ private:
 
   Vector_3<Coordinate> vector(Vertex_index from, Vertex_index to)
   {
-    const Vector_3<Coordinate> p = position(from); // a copy: the other may displace it
+    const Vector_3<Coordinate> p = position(from); // a copy, because the other may displace it
     const Vector_3<Coordinate>& q = position(to);
     return {q[0] - p[0], q[1] - p[1], q[2] - p[2]};
   }
@@ -424,7 +423,7 @@ private:
       throw Too_costly();
   }
 
-  // Forgets everything when there is much of it.
+  // Forgets everything when it has grown large.
   template <class Map, class Compute>
   static const typename Map::mapped_type& remembered_in(Map& map, const typename Map::key_type& key,
                                                         const Compute& compute)
@@ -462,7 +461,7 @@ struct Mpfr_image
   long precision;
 };
 
-// The multiquadratic field of the roots that are asked for; without any, the rationals.
+// The multiquadratic field of the requested roots; without any, the rationals.
 struct Multiquadratic_image
 {
   using Real = Multiquadratic;
