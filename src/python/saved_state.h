@@ -25,8 +25,8 @@ namespace idt_python {
 
 const auto while_no_signal = CGAL::parameters::visitor([] { return Signal_watch::goes_on(); });
 
-// The output of write(stream), which runs without Python's lock, with room for so many faces of the input and of the
-// triangulation.
+// The output of write(stream), which runs without Python's lock, with room for the given numbers of faces of the input
+// and of the triangulation.
 template <class Write>
 py::bytes written_bytes(std::size_t number_of_faces, const Write& write)
 {

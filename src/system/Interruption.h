@@ -18,7 +18,7 @@ namespace idt {
 // pipes and file size limits become write errors.
 void install_signal_handlers();
 
-// The same in a copy of this process, which has a single thread, and does not own what is unfinished here. It ends
+// The same in a copy of this process, which has a single thread and does not own the unfinished files. It ends
 // silently.
 void install_signal_handlers_in_copy();
 

@@ -68,7 +68,7 @@ private:
   double last_look_ = 0;
   Stopwatch stopwatch_;
 
-  std::mutex mutex_; // of what follows
+  std::mutex mutex_; // guards the members below
   const char* phase_;
   double last_write_ = 0;
   double phase_begin_ = 0;

@@ -34,7 +34,7 @@ struct Vtp
   }
 };
 
-// Bytes behind their number.
+// Bytes after their number.
 template <class T>
 std::string block(const std::vector<T>& values)
 {

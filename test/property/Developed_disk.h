@@ -84,7 +84,7 @@ private:
     positions_[v.idx()] = position;
   }
 
-  // Of the angle at `apex` from the direction of `from` counterclockwise to that of `to`.
+  // The angle at `apex` runs counterclockwise from the direction of `from` to the direction of `to`.
   Real cotangent(IT::Vertex_index apex, IT::Vertex_index from, IT::Vertex_index to) const
   {
     const Vector &o = position(apex), &a = position(from), &b = position(to);

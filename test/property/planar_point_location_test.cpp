@@ -189,7 +189,7 @@ private:
     return p;
   }
 
-  // Returns the dimension of what the point lies on.
+  // Returns 0, 1 or 2: the point lies on a vertex, on an edge, or inside a face.
   int check(const IT::Surface_point& point, bool is_input)
   {
     const IT::Delta_complex &from = is_input ? s_.input() : s_.intrinsic(),

@@ -25,7 +25,7 @@ namespace {
 using namespace test_surfaces;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 
-// Of those of all faces.
+// Counts over all faces.
 struct Count
 {
   std::size_t known = 0, precise = 0, areas = 0, all = 0; // three cotangents for each area

@@ -274,7 +274,7 @@ TEST(Heat_method, lines_of_sources)
     heat.add_source(grid.vertex(30, i));
   for (std::size_t v = 0; v < one.size(); ++v)
     EXPECT_NEAR(heat.distances()[v], (std::min)(grid.points[v][0], 30 - grid.points[v][0]), 0.5);
-  EXPECT_EQ(heat.number_of_factorizations(), 4); // so many sources have their own
+  EXPECT_EQ(heat.number_of_factorizations(), 4); // that many sources get their own
 }
 
 TEST(Heat_method, pinned_values_solve_the_system)

@@ -282,7 +282,7 @@ TEST(Natural_parameterization, is_stationary)
     }
     for (IT::Halfedge_index h : IT::disk_boundary(c)) {
       const IT::Vertex_index v = c.source(h), w = c.target(h);
-      derivative[v.idx()] += std::complex<double>(0, 0.5) * at(w); // minus that of (v × w) / 2
+      derivative[v.idx()] += std::complex<double>(0, 0.5) * at(w); // minus the derivative of (v × w) / 2
       derivative[w.idx()] -= std::complex<double>(0, 0.5) * at(v);
     }
     int held = 0;

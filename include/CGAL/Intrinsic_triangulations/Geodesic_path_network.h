@@ -489,7 +489,7 @@ private:
     return !is_stopped_;
   }
 
-  // Turns a path back into the loop that it was after so many changes. Never throws.
+  // Turns a path back into the loop that it was after the given number of changes. Never throws.
   void undo(Segment_index s, Halfedge_index loop, std::size_t changes_before)
   {
     geometry_.flips().undo(changes_before);

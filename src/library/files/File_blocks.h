@@ -137,7 +137,7 @@ public:
 private:
   void tell() const
   {
-    // Of what was to be read: the file may have shrunk, or grown.
+    // The fraction of the expected bytes: the file may have shrunk, or grown.
     const double all = static_cast<double>(size_) - static_cast<double>(begin_),
                  done = static_cast<double>(taken_ - begin_);
     if (progress_ && !progress_(done < all ? done / all : done > 0 ? 1 : 0))

@@ -170,7 +170,7 @@ private:
 
   std::istream& is_;
   std::uint64_t size_of_stream_ = 0; // or 0 if unknown
-  std::uint64_t offset_ = 0;         // of what was read from the stream
+  std::uint64_t offset_ = 0;         // the number of bytes read from the stream
   const char* element_ = nullptr;
   std::size_t number_ = 0, size_ = 0, row_ = 0, left_ = 0;
   std::vector<char> bytes_;

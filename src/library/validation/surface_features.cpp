@@ -330,7 +330,7 @@ private:
   std::vector<bool> is_gone_;
   std::size_t number_left_ = 0;
   const double tolerance_;
-  std::vector<double> widths_; // of the slab around each face that holds what it has replaced, if there is a tolerance
+  std::vector<double> widths_; // of the slab around each face that contains what the face replaced, with a tolerance
   double deviation_ = 0;
   std::vector<Face_index> faces_; // of the star
   std::vector<Edge_index> flips_;

@@ -158,8 +158,8 @@ private:
     return true;
   }
 
-  // Whether a side turns around an end of a fold and of that behind it: around the left end where both have neither in
-  // common.
+  // Whether a side turns around the left ends of a fold and of the next one, rather than the right ends. If they have
+  // no end in common, it does.
   bool is_around_left(Halfedge_index fold, Halfedge_index next) const
   {
     return !is_same(right_behind(fold), right_before(next));
@@ -363,7 +363,7 @@ private:
   const Delta_complex& input_;
   Input_surface& surface_;
   const Points& points_; // none if the input consists of lengths
-  // Turn number i is behind segment number i.
+  // Turn number i follows segment number i.
   std::vector<Segment> path_;
   std::vector<Turn> turns_;
   std::vector<Corner> corners_;

@@ -158,7 +158,7 @@ private:
   std::vector<Split_complex> ratios_;
   bool has_good_ratios_ = false;
   std::size_t number_of_triangles_ = 0;
-  double extent_ = 0; // the sum of the lengths of what positions are made from
+  double extent_ = 0; // the sum of the lengths of the vectors that positions are made from
 };
 
 // The frame (see `Strip`) for triangles that lie in one plane, side by side. Nothing is rotated: a projection along a

@@ -148,7 +148,7 @@ public:
   Fan_positions& fans() { return fans_; }
 
 private:
-  // Twice the digits before and behind the point.
+  // Twice the digits before and after the point.
   static constexpr double size_of_double = 2 * (1024 + 1074 + 53);
 
   const Delta_complex& connectivity_;

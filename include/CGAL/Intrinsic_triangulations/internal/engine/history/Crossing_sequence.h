@@ -214,7 +214,7 @@ private:
     // Positions before c_i cut corner i off, the next e_k end in k, the others cut j off.
     const Triangle_crossings t = coordinates_.triangle_crossings(complex_, block.halfedge);
     const std::int64_t to_k = t.c_i, to_j = t.c_i + t.e_k;
-    const std::int64_t end = block.lower + block.count + 1; // behind the last position
+    const std::int64_t end = block.lower + block.count + 1; // past the last position
     const Turn there = reversed(here);
     const auto part = [&](std::int64_t begin_of_next) { // the pair across a boundary parts
       if (begin_of_next > block.lower && begin_of_next < end)

@@ -158,7 +158,7 @@ public:
       total_ += flipped.number;
     }
   }
-  // Forgets the sequence of e, which crosses so many input edges.
+  // Forgets the sequence of e, which crosses this many input edges.
   void forget(Edge_index e, std::int64_t number)
   {
     if (Table* const table = table_)
@@ -294,7 +294,8 @@ private:
     return all ? std::make_optional(all->prefix(std::size_t(n))) : std::nullopt;
   }
 
-  // The crossings of a line from the corner k of a triangle to a point after so many crossings of ij.
+  // The crossings of a line from the corner k of a triangle to a point that follows the given number of crossings of
+  // ij.
   std::optional<Crossed_range> from_opposite_corner(const Delta_complex& complex, const Normal_coordinates& coordinates,
                                                     Halfedge_index ij, std::int64_t gap) const
   {

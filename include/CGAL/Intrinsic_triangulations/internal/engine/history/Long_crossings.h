@@ -61,8 +61,8 @@ public:
   }
 
 private:
-  // Input halfedges side by side, which cross `across` to its right: the one that is number `first` in the fan after so
-  // many crossings from the source, and so on.
+  // Input halfedges side by side, which cross `across` to its right: number `first` of the fan after the given number
+  // of crossings from the source, and so on.
   struct Block
   {
     Halfedge_index across;
