@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Everything in the package that needs neither Eigen nor a GPL part of CGAL, but for Mpfr_float.h. The GPL headers, for
+// Everything in the package that needs neither Eigen nor a GPL part of CGAL, except Mpfr_float.h. The GPL headers, for
 // Surface_mesh and for the repair of polygons, are named in LICENSE.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_H

@@ -182,8 +182,8 @@ private:
   // the two other ends.
   void note_chords(std::vector<Halfedge>& chords, Halfedge_index first, Halfedge_index second, Side side);
 
-  // The halfedge, of those that point to the end of a side, whose next one is behind the diagonal: chords to that side
-  // come before it.
+  // Among the halfedges that point to the end of a side, the one whose next halfedge is beyond the diagonal: chords to
+  // that side come before it.
   Halfedge before_diagonal(Halfedge_index arriving, Side side) const;
 
   void link(Halfedge h, Halfedge next);

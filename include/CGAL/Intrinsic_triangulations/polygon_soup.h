@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Points and polygons as arrays, and reading them from files, with messages that say what is wrong and where.
+// Points and polygons as arrays, and reading them from files, with messages that name the fault and its place.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_POLYGON_SOUP_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_POLYGON_SOUP_H

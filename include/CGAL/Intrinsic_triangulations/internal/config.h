@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// What the library and all parts of a program must share.
+// Settings that the library and all parts of a program must share.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONFIG_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONFIG_H

@@ -55,7 +55,7 @@ struct Surface_direction
 {
   Surface_point point; ///< where a line begins
   /// by how much the barycentric coordinates of the target and of the third corner grow in this direction, in any unit;
-  /// that of the source falls by their sum
+  /// the coordinate of the source falls by their sum
   std::array<double, 2> displacement;
 };
 

@@ -20,7 +20,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// What the algorithms of this package need from a triangulation besides its public members.
+// The parts of a triangulation that the algorithms of this package use besides its public members.
 template <class Traits_>
 class Whole_triangulation
 {

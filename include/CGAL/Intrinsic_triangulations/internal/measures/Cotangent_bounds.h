@@ -63,7 +63,7 @@ public:
   }
 
   void make_room(std::size_t number_of_edges) { internal::make_room(bounds_, 2 * number_of_edges); }
-  // Appends the halfedges of so many edges, without knowledge of their corners.
+  // Appends the halfedges of the given number of edges, without knowledge of their corners.
   void append(std::size_t number_of_edges)
   {
     bounds_.resize(bounds_.size() + 2 * number_of_edges, -std::numeric_limits<float>::infinity());
