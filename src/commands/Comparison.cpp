@@ -43,8 +43,7 @@ const char* status_text(IT::Flip_status status)
   return "";
 }
 
-// An edge as a geodesic: where it ends, what it crosses, and how long it is. Loops and
-// multiple edges differ in the latter two.
+// An edge as a geodesic: its ends, its crossings and its length. Loops and multiple edges differ in the latter two.
 struct Geodesic
 {
   std::uint32_t v, w;

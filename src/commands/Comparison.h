@@ -68,7 +68,7 @@ struct Surface_comparison
   std::string path;
   Surface_counts counts; // of the exact result
   std::size_t ties = 0;
-  Repairs repairs; // if it was asked for
+  Repairs repairs; // if requested
   std::vector<std::string> warnings;
   std::vector<Comparison_row> rows;
 };

@@ -43,7 +43,7 @@ void add_view_option(CLI::App& command, std::string& path);
 Exit_status report_current_exception(const std::string& input = std::string());
 
 // Does the same for each input until the command is interrupted. The others are still processed if one input fails; the
-// first failure decides the status. If the output fails there is no point in going on.
+// first failure decides the status. If the output fails, the loop ends.
 Exit_status for_each_input(const std::vector<std::string>& inputs,
                            const std::function<Exit_status(const std::string&)>& function);
 

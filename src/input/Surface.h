@@ -59,7 +59,7 @@ struct Surface
   // The untwisting of the file's surface, if it was untwisted.
   std::optional<CGAL::Intrinsic_triangulations::Untwisting> untwisting;
   std::optional<CGAL::Intrinsic_triangulations::Mollification_report> mollification;
-  std::optional<Repair_report> repair;                    // if it was asked for
+  std::optional<Repair_report> repair;                    // if requested
   std::optional<std::vector<std::size_t>> input_vertices; // the origins of the vertices, if flat ones were removed
   std::size_t number_of_removed_vertices = 0;
   // Warnings about a usable surface.

@@ -93,7 +93,7 @@ void require_usable_faces(const IT::Intrinsic_triangulation<IT::Half_angle_trait
                                       ", which half-angle tangents cannot handle; try --number-type filtered");
 }
 
-// The numbers that the flips have left, for when there is no time for better ones.
+// The numbers that the flips have left, in case there is no time for better ones.
 template <class Traits>
 IT::Element_numbers stored_numbers(const IT::Intrinsic_triangulation<Traits>& triangulation)
 {

@@ -31,7 +31,7 @@ struct Triangulation_result
   std::string smallest_size;                  // of a refinement, and why it was chosen
   std::optional<double> flat_tolerance;       // the tolerance for the removal of flat vertices, if any
   double flat_deviation = 0;                  // and a bound on how far it moved the surface
-  std::optional<Flattened_surface> flattened; // if it was asked for
+  std::optional<Flattened_surface> flattened; // if requested
   // Why there is no Laplacian, although it was requested.
   std::optional<CGAL::Intrinsic_triangulations::Invalid_surface_error> no_Laplacian;
   Surface_counts counts;                                    // of the intrinsic triangulation

@@ -200,7 +200,7 @@ TEST_F(Refine_command, keeps_the_edges_that_it_is_told)
   EXPECT_EQ(stats()["kept_edges"], 1);
   EXPECT_EQ(rows("e.csv"), sharp);
   EXPECT_EQ(rows("k.csv"), (std::vector<std::vector<double>>{{2, 3}}));
-  // What it writes, it reads; in ParaView's format, it is a line.
+  // The command reads its own output; in ParaView's format, the output is a line.
   ASSERT_EQ(
     idt("refine roof.off --maximum-edge-length 0.3 --constraints k.csv --edges e.csv --kept-edges k.vtp").status, 0);
   EXPECT_EQ(rows("e.csv"), sharp);
@@ -258,7 +258,7 @@ TEST_F(Refine_command, names_constraints_that_do_not_fit)
   EXPECT_TRUE(contains(idt("refine t.gluing --constraints c.csv").err, "--constraints needs a surface in space"));
 }
 
-// The tip of a needle: a face below the bound, and listed. The smallest angle is that of all faces.
+// The tip of a needle: a face below the bound, and listed. The smallest angle is taken over all faces.
 TEST_F(Refine_command, tells_what_it_left)
 {
   write("needle.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1.1 0.09 0\n1 0.17 0\n3 0 1 3\n3 1 2 3\n");
@@ -400,8 +400,8 @@ TEST_F(Refine_command, does_without_a_Laplacian)
   EXPECT_EQ(idt("laplacian inner.off --stiffness l.mtx").status, 0);
 }
 
-// Straight triangles: a roof without its ridge is another surface. The distance is that of the middle of the ridge from
-// an edge below it.
+// Straight triangles: a roof without its ridge is another surface. The distance runs from the middle of the ridge to an
+// edge below it.
 TEST_F(Refine_command, flattens)
 {
   write("roof.off", "OFF\n4 2 0\n0 -1 0\n2 0 1\n0 1 0\n-2 0 1\n3 0 1 3\n3 1 2 3\n"); // a long ridge, which is flipped

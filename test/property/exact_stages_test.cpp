@@ -125,7 +125,7 @@ TEST(Exact_stages, a_multiquadratic_field_decides_ties_where_areas_have_roots)
   expect_agreement(t);
 }
 
-// Coordinates of very different magnitude: a double-double does not hold what they differ by.
+// Coordinates of very different magnitude: a double-double does not hold their difference.
 TEST(Exact_stages, multiple_precision_decides_where_magnitudes_differ)
 {
   samples::Indexed_triangles surface = samples::torus(4, 3);

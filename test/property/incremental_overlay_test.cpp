@@ -146,8 +146,8 @@ void flip_at_random(const Delta_complex& complex, unsigned seed, int number_of_f
 
 } // namespace
 
-// Figure 5 of the paper: the label of the diagonal goes from oc to c and back, and what it leaves
-// behind or lands on is o in between.
+// Figure 5 of the paper: the label of the diagonal goes from oc to c and back, and the edges that it leaves or lands on
+// are labelled o in between.
 TEST(Incremental_overlay, LabelsOfAFlippedDiagonal)
 {
   const Delta_complex input = square();

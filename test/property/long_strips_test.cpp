@@ -352,7 +352,8 @@ struct Trapezoid
   double low_left, high_left, low_right, high_right;
 };
 
-// How many edges between the corners are proven to be a tie as that of a trapezoid, once all are Delaunay.
+// The number of edges between the corners that are proven to be ties, like the diagonal of a trapezoid, once all edges
+// are Delaunay.
 std::size_t number_of_ties_along_folds(const Trapezoid& corners, IT::Stage_counts& stages)
 {
   double length = 0;
@@ -473,8 +474,7 @@ TEST(Long_strips, diagonals_that_cross_too_many_input_edges_are_not_asked_for_fo
   EXPECT_FALSE(IT::internal::Parallel_folds(complex, correspondence, surface).is_trapezoid(last));
 }
 
-// Two edges are left at a vertex, so that the sum of two corners is that of all angles: nearly π, but for the last
-// vertex.
+// Two edges are left at a vertex, so that two corners sum to the total angle: nearly π, except at the last vertex.
 TEST(Long_strips, all_angles_at_a_vertex_are_not_taken_for_none)
 {
   for (double height : {0x1p-10, -0x1p-10, 0x1p-130, -0x1p-130}) {

@@ -40,7 +40,7 @@ Triangulation torus(const Vector& u, const Vector& v)
       {squared_length(u[0], u[1]), squared_length(v[0], v[1]), squared_length(u[0] + v[0], u[1] + v[1])}));
 }
 
-// Follows the edges of that torus in the basis (u, v), by which it is known what they cross.
+// Follows the edges of that torus in the basis (u, v), which determines their crossings.
 class Torus_edges
 {
 public:
@@ -51,7 +51,7 @@ public:
     vectors_[e.idx()] = {-il[0] - ki[0], -il[1] - ki[1]};
   }
 
-  // It meets the lines along u, v and u + v in so many points, its ends aside.
+  // It meets the lines along u, v and u + v in this many points, its ends aside.
   std::int64_t crossings(Edge_index e) const
   {
     const auto [x, y] = vectors_[e.idx()];
@@ -71,7 +71,7 @@ private:
   std::array<Vector, 3> vectors_{Vector{1, 0}, Vector{0, 1}, Vector{-1, -1}};
 };
 
-// The integers of a torus whose edges are flipped in turn: what they cross grows like the Fibonacci
+// The integers of a torus whose edges are flipped in turn: the number of their crossings grows like the Fibonacci
 // numbers.
 struct Grown_torus
 {
@@ -126,7 +126,7 @@ TEST(Overlay_overflow, CountsAreRightUpToTheLastOneAndThenAnError)
   torus.expect_right_counts();
 }
 
-// Flips that are only noted are an error when the integers are asked for.
+// Flips that are only noted cause an error when the integers are read.
 TEST(Overlay_overflow, NotesThatLeadBeyondTheLastCountAreAnError)
 {
   Grown_torus torus(0);
@@ -165,7 +165,7 @@ TEST(Overlay_overflow, AnOverlayOfTooManySegmentsIsAnErrorAtOnce)
   }
 }
 
-// Thousands of crossings are laid out; where there are too many, the flip says so.
+// Thousands of crossings are laid out; with too many, the flip fails with a message.
 TEST(Overlay_overflow, LengthsAreRightOrThereIsAnError)
 {
   Triangulation t = torus({3, 1}, {1, 2});

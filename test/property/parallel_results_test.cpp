@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Several threads: integers, verifications, overlays, positions, weights and matrices are those of one thread, bit for
-// bit. Most surfaces have some blocks of 2^14 elements.
+// With several threads, integers, verifications, overlays, positions, weights and matrices equal the results of one
+// thread, bit for bit. Most surfaces have some blocks of 2^14 elements.
 
 #include "samples/sample_gluings.h"
 #include "samples/sample_surfaces.h"
@@ -219,14 +219,14 @@ TEST(Parallel_results, integers_of_many_flips)
   });
 }
 
-// What the flips cross grows like the Fibonacci numbers.
+// The number of crossings grows like the Fibonacci numbers.
 TEST(Parallel_results, integers_that_are_too_large_are_an_error)
 {
   const samples::Glued_triangles torus = samples::one_vertex_torus();
   IT::internal::Exact_engine engine(IT::make_Delta_complex_from_gluing(torus.number_of_faces, torus.glued_sides));
   engine.keep_input(IT::Input_metric::from_normalized_lengths({1, 1, 1}, 0));
   const IT::Delta_complex& complex = engine.connectivity();
-  for (unsigned i = 0; i < 20; ++i) { // below the number that makes it recover the input by itself
+  for (unsigned i = 0; i < 20; ++i) { // below the number at which it recovers the input on its own
     const IT::Edge_index e(i % 3);
     engine.flip(complex.hinge(e));
   }

@@ -407,7 +407,7 @@ TEST(Parallel, visitor_is_told_of_each_flip)
   EXPECT_LE(counter.last_tests, report.tests);
 }
 
-// Stops after so many tests; checks that one thread at a time asks it.
+// Stops after the given number of tests; checks that one thread at a time asks it.
 struct Test_limit
 {
   bool go_further(const IT::Progress& progress)

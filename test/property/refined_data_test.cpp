@@ -92,7 +92,7 @@ public:
 private:
   bool is_input_vertex(IT::Vertex_index v) const { return v.idx() < number_of_input_vertices_; }
 
-  // The input vertices next to v along the border to both sides, with their distances along it; v itself is none.
+  // The input vertices next to v along the border to both sides, with their distances along it, without v itself.
   std::vector<std::pair<IT::Vertex_index, double>> corners_beside(IT::Vertex_index v) const
   {
     std::vector<std::pair<IT::Vertex_index, double>> result;

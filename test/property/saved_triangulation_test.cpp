@@ -292,7 +292,7 @@ TEST(SavedTriangulation, HeaderThatPromisesTooMuch)
   EXPECT_THROW(read(file), IT::Invalid_surface_error);
 }
 
-// Rows of a file, from behind the header on.
+// Rows of a file, starting after the header.
 struct Rows
 {
   Rows(std::string bytes, const Triangulation& t) : file(std::move(bytes))

@@ -110,7 +110,7 @@ TEST(Refine_Delaunay, makes_no_edge_shorter_than_all)
     }
 }
 
-// The same flips are reported, whoever makes them.
+// Flips before the refinement count like flips within it.
 TEST(Refine_Delaunay, counts_all_flips)
 {
   Triangulation triangulation = triangulation_of(samples::pillow(60)), other = triangulation;
@@ -275,7 +275,7 @@ TEST(Refine_Delaunay, splits_no_edge_below_the_smallest_size)
   }
 }
 
-// Stops after so many questions.
+// Stops after the given number of questions.
 struct Counting_visitor
 {
   bool go_further(const IT::Progress& progress)

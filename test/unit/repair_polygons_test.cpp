@@ -33,8 +33,8 @@ struct Expected
   Indices elements;
 };
 
-// Vertices have the coordinates of those of the input that they come from, and the corners of a
-// triangle are at corners of its input face.
+// Vertices have the coordinates of the input vertices that they come from, and the corners of a triangle are at corners
+// of its input face.
 void expect_true_map(const Points& points, const Polygons& polygons, const IT::Repaired_polygons& repaired)
 {
   ASSERT_EQ(repaired.input_vertices.size(), repaired.points.size());

@@ -211,7 +211,7 @@ TEST(Point_cloud_Laplacian, random_points_on_a_sphere)
     EXPECT_NEAR(found[i], i < 4 ? 2 : 6, i < 4 ? 0.2 : 0.7) << i;
 }
 
-// The star of each point is that of the triangulation of all, so each triangle is there three times.
+// The star of each point is its star in the triangulation of all points, so each triangle occurs three times.
 TEST(Point_cloud_Laplacian, points_in_a_plane_have_three_copies_of_their_triangulation)
 {
   Points points;

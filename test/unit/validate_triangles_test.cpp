@@ -345,8 +345,8 @@ TEST(Validate_triangles, several_defects)
     << IT::message(report);
 }
 
-// Random lists of faces of random length: nothing crashes, and counts are
-// those of a slow and simple count.
+// Random lists of faces of random length: nothing crashes, and the numbers equal the results of a slow and simple
+// count.
 TEST(Validate_triangles, random_polygons)
 {
   std::mt19937 random(5);

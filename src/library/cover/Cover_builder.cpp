@@ -48,7 +48,7 @@ struct Cleaned_triangles
   std::vector<Index_triangle> triangles;
   std::vector<std::uint32_t> input_face;     // of each triangle
   std::vector<std::uint32_t> representative; // of each vertex
-  Tufted_cover_report report;                // numbers of vertices, faces, and what was dropped and merged
+  Tufted_cover_report report;                // numbers of vertices and faces, dropped and merged ones
 };
 
 // \param merged pairs of vertices to unite, besides those that the options merge
@@ -196,8 +196,8 @@ public:
       sides_(points.size(), cleaned_.triangles)
   {}
 
-  // \param coincident set to the pairs of vertices that faces without area unite; if there are any, they have to be
-  //   merged first, and there is no cover
+  // \param coincident set to the pairs of vertices that faces without area unite; if it is not empty, they have to be
+  //   merged first, and no cover is built
   std::optional<Tufted_cover> run(std::vector<Vertex_number_pair>& coincident)
   {
     check_size(12 * cleaned_.triangles.size());

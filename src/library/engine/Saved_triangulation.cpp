@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Definition of Saved_triangulation: a triangulation from a file, which is not believed.
+// Definition of Saved_triangulation: a triangulation from a file, which is not trusted.
 
 #include <CGAL/Intrinsic_triangulations/internal/engine/Saved_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
@@ -36,7 +36,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// At an inserted vertex, and at its neighbours. What is wrong is wrong by full turns.
+// Checks the angles at an inserted vertex and its neighbours. Errors are full turns.
 // \param input_angle, angles at the source of an input halfedge; opposite to the halfedges
 template <class Input_angle>
 void check_angle_sum(const Exact_engine& engine, Vertex_index v, const Input_angle& input_angle,
@@ -65,9 +65,8 @@ void check_angle_sum(const Exact_engine& engine, Vertex_index v, const Input_ang
     throw_not_a_triangulation("vertex", v.idx(), "has angles that sum to more or less than those of the surface there");
 }
 
-// Where a bound is infinite or so wide that it says nothing, no decision relies on the numbers; they are what queries
-// return all the same. What is not near to the truth, as a long run of flips of thin faces can leave it, is replaced by
-// it.
+// If a bound is infinite or too wide, no decision relies on the numbers, but queries return them. Numbers that are not
+// close to the true ones, as after many flips of thin faces, are replaced.
 constexpr double near_to_truth = 0x1p-10;
 
 inline std::vector<bool> bounded_faces(const Delta_complex& complex, const Saved_triangulation& saved)
@@ -117,7 +116,7 @@ public:
 
 private:
   using Side_and_corner = Engine_numbers::Side_and_corner<Bounded_double_double>;
-  // Whether the ends of the edges that h crosses lie on its two sides, or else on h, or else not so.
+  // Whether the ends of the edges that h crosses lie on its two sides, or partly on h, or neither.
   enum class Line_check {
     STRAIGHT,
     TOUCHING,
@@ -168,7 +167,7 @@ void Engine_restorer::operator()(Saved_triangulation& saved, const Block_runner&
     for (const Surface_point& location : correspondence_.locations())
       memory.inserted_positions.push_back(engine_.positions().rounded(location));
   check(run);
-  // In portions, so that what is kept of crossings takes no more memory than what was read.
+  // In portions, so that cached crossings take no more memory than the bytes read.
   const auto for_each = [&](std::size_t n, const auto& number_of_crossings, const auto& f) {
     constexpr std::int64_t most_kept = std::int64_t(1) << 22;
     for (std::size_t begin = 0, end = 0; begin < n; begin = end) {
@@ -240,7 +239,8 @@ void Engine_restorer::operator()(Saved_triangulation& saved, const Block_runner&
     }
 }
 
-// Those opposite to the sides of a face, near enough to tell full turns apart. A face without area has angles of 0 and π.
+// The angles opposite to the sides of a face, accurate enough to distinguish full turns. A face without area has angles
+// of 0 and π.
 void Engine_restorer::find_angles(Face_index f, const Side_and_corner& at, Input_surface& surface,
                                   Large_vector<double>& angles) const
 {
@@ -296,8 +296,8 @@ bool Engine_restorer::are_sound(Face_index f, const Saved_triangulation& saved, 
                   });
 }
 
-// An edge begins and ends in the input faces that the integers name, and each input edge that it crosses has one end on
-// either side of it.
+// Checks that an edge begins and ends in the input faces that the integers name, and that each input edge that it
+// crosses has one end on either side.
 void Engine_restorer::check_line(Edge_index e) const
 {
   const std::int64_t n = correspondence_.coordinates().crossings(e);
@@ -346,7 +346,7 @@ Engine_restorer::Line_check Engine_restorer::check_sides(Halfedge_index h, const
     strip.for_each_crossing(
       [&](const auto& areas, const auto&, const auto&) { return visit(areas.left) && visit(areas.right); });
   };
-  std::vector<std::size_t> open; // by which number of areas
+  std::vector<std::size_t> open; // by the number of areas
   const auto find_open = [&](auto& metric) {
     bool is_bent = false;
     std::size_t i = 0;
@@ -387,7 +387,8 @@ Engine_restorer::Line_check Engine_restorer::check_sides(Halfedge_index h, const
   return result;
 }
 
-// An input face in whose plane all lie that a face shares points with, or none. All of these meet its sides.
+// An input face whose plane contains all input faces that a face shares points with, or none. All of these meet its
+// sides.
 Face_index Engine_restorer::plane(Face_index f) const
 {
   const Delta_complex& input = correspondence_.input();

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The reader that belongs to the name of a file.
+// The reader for the name of a file.
 
 #include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 #include "read_obj.h"
@@ -29,8 +29,8 @@
 namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
-// A reader for each format. It appends what a file of some bytes holds to an empty soup, or refuses the file at the
-// first line or element that is not as it should be.
+// A reader for each format. It appends the contents of a file of this size to an empty soup, or refuses the file at the
+// first wrong line or element.
 using Soup_reader = void(const std::string& path, std::uintmax_t size, const Progress_function&, Polygon_soup&);
 template <class Reader>
 void read_by(const std::string& path, std::uintmax_t size, const Progress_function& progress, Polygon_soup& soup)
@@ -54,7 +54,7 @@ void require_triangles(const std::string& file_name, const Polygon_soup& soup)
               Defect::NOT_A_TRIANGLE, first, count);
 }
 
-// Refuses what is often found under the name of a mesh.
+// Refuses contents that are often found under the name of a mesh.
 inline void check_contents(const std::string& path)
 {
   const std::string head = load_file(path, 100);

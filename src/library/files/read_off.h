@@ -23,8 +23,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A vertex is a line. A face may go on over several lines if nothing follows it on the last of them. Up to four numbers
-// behind an element are its color.
+// A vertex is a line. A face may continue over several lines if nothing follows it on the last one. Up to four numbers
+// after an element are its color.
 class Off_reader : Text_reader
 {
 public:
@@ -148,7 +148,7 @@ private:
                " where the vertices before have " + std::to_string(numbers_per_vertex_ + colors_) + "; " + announced());
   }
 
-  // How many numbers there are on the rest of the line.
+  // The number of numbers on the rest of the line.
   std::size_t take_colors(const char* const kind, const std::size_t element)
   {
     return take_others(
@@ -218,7 +218,7 @@ private:
     soup_.add_face(corners_.data(), corners_.data() + corners_.size());
   }
 
-  // Goes over a triangle alone on its line, as nearly all faces are; at any other face it stays.
+  // Reads a triangle alone on its line, as nearly all faces are; does not move at any other face.
   bool take_usual_triangle()
   {
     const char* p = lines_.p;
@@ -235,7 +235,7 @@ private:
     return true;
   }
 
-  // Takes most numbers, or the word for a closer look.
+  // Reads most numbers, or returns the word for a closer look.
   bool take_index(std::uint32_t& number, std::string& word)
   {
     const bool is_usual = take_count(lines_.p, lines_.last, number);
@@ -244,7 +244,7 @@ private:
     return is_usual;
   }
 
-  // Of a file in which indices are wrong they are what is said.
+  // If a file has wrong indices, the message is about them.
   [[noreturn]] void refuse_face(const std::size_t face, const std::string& text) const
   {
     if (bad_faces_ > 0)
@@ -270,7 +270,7 @@ private:
   {
     return "the header announces " + vertices_and_faces(vertices_, faces_) + " on line " + std::to_string(header_line_);
   }
-  // Where the mistake may be if the numbers of elements are wrong.
+  // Where the mistake may be if element counts are wrong.
   std::string hint() const
   {
     return !first_small_face_.empty()  ? "; look at " + first_small_face_

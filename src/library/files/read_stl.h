@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// STL, text or binary: facets whose corners do not know each other.
+// STL, text or binary: facets without shared corners.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_STL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_STL_H
@@ -55,7 +55,7 @@ class Stl_corners
 public:
   explicit Stl_corners(Polygon_soup& soup) : soup_(soup), table_(1 << 10, none) {}
 
-  // The vertex at p, a new one if there is none.
+  // The vertex at p; creates it at need.
   std::uint32_t vertex(const std::array<double, 3>& p)
   {
     for (std::size_t i = hash(p);; ++i) {
@@ -108,7 +108,7 @@ private:
 
 // solid [name] { facet [normal x y z] [outer loop] 3 vertex x y z [endloop] endfacet } endsolid [name]
 //
-// Line ends count behind solid and endsolid alone, whose names end there, and behind #. Some programs add color and its
+// Line ends matter only after solid and endsolid, whose names end there, and after #. Some programs add color and its
 // numbers anywhere.
 class Stl_text_reader
 {
@@ -155,7 +155,7 @@ private:
   enum State {
     OUTSIDE, // of all solids
     SOLID,   // before a facet
-    FACET,   // behind that word, or its normal
+    FACET,   // after that word, or its normal
     CORNERS,
     LOOP // before the end of a facet
   };
@@ -166,7 +166,7 @@ private:
       lines += *p == line_end_;
   }
 
-  // Goes over a facet that is written as nearly all are; at any other it stays.
+  // Reads a facet in the usual form; does not move at any other.
   bool take_usual_facet(const char*& begin, const char* const last)
   {
     const char* p = begin;
@@ -317,7 +317,7 @@ private:
     is_second_ = is_keyword(word, "outer") || is_keyword(word, "end");
     if (is_end && swallowed_.empty())
       swallowed_ = std::string(word);
-    // A name or comment may have any words, but hardly those of a facet up to the numbers of a vertex.
+    // A name or a comment may contain any words, but hardly a facet up to the numbers of a vertex.
     const bool is_facet = !swallowed_.empty() && is_behind_vertex_ && is_number(word);
     is_behind_vertex_ = is_keyword(word, "vertex");
     if (is_facet && facet_words_ == in_comment)
@@ -391,7 +391,7 @@ private:
   std::string_view prefix_;                             // the first half of a keyword of two words
   std::size_t line_of_rest_ = 0, line_of_vertex_ = 0;   // the rest of that line is a name or a comment
   std::size_t line_of_word_ = 0;                        // of the word before
-  static constexpr int in_comment = -1;                 // behind other words
+  static constexpr int in_comment = -1;                 // after other words
   int facet_words_ = 0;                                 // in a name, one more than there are words of a facet
   bool is_second_ = false;                              // the word before is the first half of a keyword
   bool is_solid_begun_ = false;                         // perhaps: the name of another has that word
@@ -415,7 +415,8 @@ inline void read_binary_stl(const std::string& path, const std::string& head, co
   const std::uintmax_t stored = (size - 84) / 50, surplus = (size - 84) % 50;
   const std::string both = "the header announces " + counted(announced, "facet", "facets") +
                            ", the file has room for " + std::to_string(stored);
-  // Who writes facets as they come may not know their number in time. A damaged text may have these bytes, but no zero.
+  // Programs that write facets as they come may not know their number in time. A damaged text may have these bytes, but
+  // no zero.
   const bool is_unknown = (announced == 0 || (announced == unknown_number && head.find('\0') != std::string::npos)) &&
                           stored > 0 && surplus == 0;
   const std::uintmax_t facets = is_unknown ? stored : announced;

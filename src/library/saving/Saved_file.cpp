@@ -26,7 +26,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// What the header of a file tells. It is text that follows from these numbers, so that a header is right if it is that
+// The contents of a file's header. Its text is determined by these numbers, so a header is right if it equals that
 // text.
 struct Saved_header
 {
@@ -36,7 +36,7 @@ struct Saved_header
   std::size_t vertices = 0, edges = 0, faces = 0; // of the input
   std::size_t inserted_vertices = 0, intrinsic_vertices = 0, intrinsic_edges = 0, intrinsic_faces = 0;
 
-  static constexpr std::size_t number_of_counts = number_of_stages + 1; // the last one is that of ties
+  static constexpr std::size_t number_of_counts = number_of_stages + 1; // the last one counts ties
 
   std::string text() const
   {
@@ -97,7 +97,7 @@ struct Saved_header
   }
 
 private:
-  // Takes over what varies.
+  // Reads the parts that vary.
   void note(const std::string& line)
   {
     const auto number = [&](const char* before, std::size_t& n) {
@@ -258,8 +258,7 @@ private:
   const Go_further& go_further_;
 };
 
-// The complex of halfedges that are not believed. It has the numbers of the halfedges that are given: a halfedge that no
-// face has is on the border.
+// The complex of untrusted halfedges, with their numbers: a halfedge without a face is on the border.
 // \param faces the halfedges of each face in their order, first the one that the face names
 // \param vertices for each vertex a halfedge that points to it, a border halfedge if there is one; null if it has no
 //   face
@@ -384,7 +383,7 @@ private:
       bytes_.fail(0, "there are too many edges for the faces");
   }
 
-  // \param filled what the rows are appended to
+  // \param filled the rows are appended to it
   template <class Take, class... Vector>
   void for_each(const char* element, std::size_t number, std::size_t size, Take take, Vector&... filled)
   {

@@ -33,7 +33,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace internal {
 
-// A kind of repair in files, and what it counts.
+// A kind of repair in files, and the elements that it counts.
 struct Repair_words
 {
   const char *name, *singular, *plural;
@@ -380,8 +380,8 @@ private:
     });
   }
 
-  // Calls function(vertex, vertex of the input) for all that a corner of a triangle may have been
-  // in its face of the input.
+  // Calls function(vertex, vertex of the input) for each corner of the input face that a corner of the triangle may
+  // come from.
   template <class Function>
   void for_each_corner(const Function& function) const
   {

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The passes over a list of polygons that find what is wrong with it, and how it is said.
+// The passes over a list of polygons that find its defects, and the sentences that report them.
 
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 #include "../gluing/Surface_gluer.h"
@@ -97,7 +97,7 @@ private:
       Finding{defect, std::move(elements), {}, count, defect <= Defect::OUT_OF_RANGE, std::move(description)});
     return report_.findings.back();
   }
-  // \param describe says what is wrong with the first element
+  // \param describe describes the defect of the first element
   template <class Describe>
   void add(const Defect defect, const Element_collector& elements, const Describe& describe)
   {
@@ -116,7 +116,7 @@ private:
       finding.edges.push_back(polygons_.ends(s));
     }
   }
-  // Says what was seen while the polygons were copied; whether there is more to examine.
+  // Reports the defects that were seen while the polygons were copied. Returns whether there is more to examine.
   bool examine_numbers()
   {
     const std::size_t n = number_of_vertices_, number_of_faces = report_.number_of_faces;
@@ -161,7 +161,7 @@ private:
     });
   }
 
-  // What the constructors refuse to scale.
+  // Coordinates that the constructors refuse to scale.
   void examine_scaled_coordinates()
   {
     exponent_ = unit_exponent<double>(box_.half_extent());
@@ -424,7 +424,7 @@ private:
   Surface_report report_;
 };
 
-// How what is found is called, in what number, and what to do about it.
+// The name of a defect, its number, and the remedy.
 struct Finding_words
 {
   const char* singular; // the element that `count` counts

@@ -67,7 +67,7 @@ public:
     Halfedge_index reference; // that input halfedge
   };
 
-  // A triangle as one of its corners sees it
+  // A triangle relative to one of its corners
   using Corner = Triangle_corner<Real>;
 
   // \pre `correspondence.is_prepared()`
@@ -86,8 +86,7 @@ public:
       return {Vector(metric_.constant(1), metric_.constant(0)), roundabout};
     return end_of_strip(crossed(h), std::size_t(n), nullptr);
   }
-  // Where h begins, and where it leads to from there, in the frame of an input halfedge of the face into which h leaves
-  // its source.
+  // The start of h and its vector, in the frame of an input halfedge of the face into which h leaves its source.
   struct Edge_beginning
   {
     Vector source, vector;
@@ -107,7 +106,7 @@ public:
   }
 
   // The vector from the source of h, which begins at u, to a point of the input. The point lies in the input triangle
-  // that h runs through after so many crossings, or to the left of h if that coincides with an input edge.
+  // that h runs through after the given number of crossings, or to the left of h if that coincides with an input edge.
   Vector vector_to(const Surface_point& point, Halfedge_index h, const Edge_beginning& u, std::int64_t position) const
   {
     if (position == 0)
@@ -206,16 +205,16 @@ private:
 
   Crossed_halfedges crossed(Halfedge_index h) const { return {complex_, correspondence_, h, metric_.interruption()}; }
 
-  // The vector from the corner that is opposite to the first crossed edge to the corner opposite to the n-th, or to
-  // a point behind that.
+  // The vector from the corner opposite to the first crossed edge to the corner opposite to the n-th, or to a point
+  // beyond that edge.
   Edge_vector end_of_strip(const Crossed_halfedges& crossed, std::size_t n, const Surface_point* point) const
   {
     return {Strip<Frame>(input_, Frame(input_, metric_)).end(crossed, n, point),
             Frame::reference(input_, crossed.front())};
   }
 
-  // Where the source of h, which was inserted, lies in the input face into which h leaves it. \pre h coincides with no
-  // input edge
+  // The location of the source of h, which was inserted, in the input face into which h leaves it. \pre h does not
+  // coincide with an input edge
   Surface_point location_of_source(Halfedge_index h) const
   {
     const Surface_point& location = correspondence_.location(complex_.source(h));
@@ -226,7 +225,7 @@ private:
     const auto [a, b] = coordinates_on_edge(input_, location, back);
     return {back, {a, b, 0}};
   }
-  // A point of the face of `base`, from the source of `base`, with that as the unit.
+  // A point of the face of `base`, relative to the source of `base`, with `base` as the unit.
   Vector position_in_face(Halfedge_index base, const std::array<double, 3>& coordinates) const
   {
     const Frame frame(input_, metric_);
@@ -234,7 +233,7 @@ private:
     return frame.real(weights[1]) + frame.real(weights[2]) * frame.ratios(base).at_source;
   }
 
-  // Where h begins, from the source of the reference of its vector.
+  // The start of h, relative to the source of its vector's reference.
   Vector position_of_source(Halfedge_index h, std::int64_t n, Halfedge_index reference) const
   {
     if (!is_inserted(complex_.source(h)) &&
@@ -252,7 +251,7 @@ private:
     return coordinates_from(input_, Surface_point{side, {1, 0, 0}}, reference);
   }
 
-  // As edge_vector(), where an end is no vertex of the input.
+  // As edge_vector(), if an end is not a vertex of the input.
   Edge_vector vector_between_inserted(Halfedge_index h, std::int64_t n) const
   {
     const Frame frame(input_, metric_);
@@ -295,8 +294,8 @@ private:
   }
   Vector reversed(const Vector& v) const { return Frame(input_, metric_).real(metric_.constant(0)) - v; }
 
-  // The ratio of `to`, the reference of kj, to `from`, that of ki, where k was inserted. The input edge that k lies on
-  // may run between them.
+  // The ratio of `to`, the reference of kj, to `from`, the reference of ki, if k was inserted. The input edge on which
+  // k lies may run between them.
   Vector ratio_at_inserted(Halfedge_index ki, Halfedge_index from, Halfedge_index kj, Halfedge_index to) const
   {
     const Normal_coordinates& coordinates = correspondence_.coordinates();
