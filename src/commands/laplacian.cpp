@@ -196,7 +196,7 @@ void write_report(std::ostream& os, const Laplacian_options& options, const Lapl
     if (number > 0)
       os << "\n  dropped           " << counted(number, singular, plural) << ' ' << why;
   };
-  line(result.small_faces, "face", "faces", "with fewer than three corners");
+  line(result.small_faces, "face", "faces", "that enclose nothing");
   line(report.repeated_corner_faces, "face", "faces", "with a vertex as two corners");
   line(report.collapsed_faces, "face", "faces", "whose corners were merged");
   line(report.zero_length_faces, "face", "faces", "with a side of length zero");

@@ -7,13 +7,14 @@
 
 #include <CGAL/Intrinsic_triangulations/repair_polygons.h>
 
-#include <algorithm>
+#include <iostream>
 #include <utility>
 
 namespace idt {
 namespace {
 
-// The reader has checked the file name, the face and the index.
+namespace IT = CGAL::Intrinsic_triangulations;
+
 void add_polygon(const Surface_input& input, std::size_t face, Triangle_soup& soup)
 {
   const Surface_input::Polygon polygon = input.polygon(face);
@@ -25,12 +26,31 @@ void add_polygon(const Surface_input& input, std::size_t face, Triangle_soup& so
     soup.triangles.push_back({polygon.first[0], polygon.first[1], polygon.first[2]});
     return;
   }
+  for (const std::uint32_t v : polygon)
+    if (v >= input.points.size())
+      throw IT::Invalid_surface_error(IT::Invalid_surface_error::Defect::BAD_INDEX, face, 1,
+                                      "face " + std::to_string(face) + " names vertex " + std::to_string(v) +
+                                        ", but there are " + std::to_string(input.points.size()) + " vertices");
   ++soup.triangulated_faces;
-  std::vector<std::array<double, 3>> places;
-  for (std::uint32_t v : polygon)
-    places.push_back(input.points[v]);
-  for (const auto& [i, j, k] : CGAL::Intrinsic_triangulations::triangulate_polygon(places))
-    soup.triangles.push_back({polygon.first[i], polygon.first[j], polygon.first[k]});
+  const IT::Polygon_triangles parts = IT::triangulate_polygon(input.points, {polygon.first, polygon.last}, face);
+  for (const auto& [a, b, c] : parts.triangles)
+    soup.triangles.push_back({std::uint32_t(a), std::uint32_t(b), std::uint32_t(c)});
+  if (parts.triangles.empty())
+    ++soup.small_faces;
+  if (!parts.warning.empty())
+    soup.warnings.push_back(parts.warning);
+}
+
+void add_polygons(const Surface_input& input, Triangle_soup& soup)
+{
+  try {
+    for (std::size_t f = 0; f < soup.number_of_faces; ++f)
+      add_polygon(input, f, soup);
+  } catch (const IT::Invalid_surface_error& error) {
+    throw IT::Invalid_surface_error(error.defect(), error.element(), error.count(), input.path + ": " + error.what());
+  }
+  for (const std::string& warning : soup.warnings)
+    std::cerr << "idt: " << input.path << ": warning: " << warning << std::endl;
 }
 
 } // namespace
@@ -43,11 +63,10 @@ Triangle_soup read_triangle_soup(const std::string& path)
   if (input.is_triangulated()) {
     soup.triangles = std::move(input.triangles);
   } else {
-    for (std::size_t f = 0; f < soup.number_of_faces; ++f)
-      add_polygon(input, f, soup);
+    add_polygons(input, soup);
   }
   soup.points = std::move(input.points);
-  soup.warnings = std::move(input.warnings);
+  soup.warnings.insert(soup.warnings.begin(), input.warnings.begin(), input.warnings.end());
   return soup;
 }
 

@@ -20,7 +20,7 @@ struct Triangle_soup
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::size_t number_of_faces = 0;    // of the file
   std::size_t triangulated_faces = 0; // faces with more than three corners
-  std::size_t small_faces = 0;        // faces with fewer, which are omitted
+  std::size_t small_faces = 0;        // faces that enclose nothing, which are omitted
   std::vector<std::string> warnings;
 };
 

@@ -40,7 +40,9 @@ void check_name(const std::string& path)
                         IT::conversion_advice(path));
 #ifndef IDT_READS_VTP
   if (format == Mesh_format::VTP)
-    refuse_file(path, "VTP files can be read only if the command is built with VTK (" + known + ")");
+    refuse_file(path, "VTP files can be read only if the command is built with VTK: add "
+                      "-DINTRINSIC_TRIANGULATIONS_WITH_VTK=ON to the first cmake (" +
+                        known + ")");
 #endif
 }
 

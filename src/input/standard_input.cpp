@@ -12,6 +12,8 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string>
+#include <utility>
 
 namespace idt {
 namespace {
@@ -76,11 +78,44 @@ private:
     }
   }
 
+  // A format that is not read, by how its files begin or, in XML, by an element; empty if it is none of these.
+  static std::string other_format(const std::string& begin)
+  {
+    using namespace std::string_literals;
+    const auto is_there = [&begin](const std::string& text) { return begin.compare(0, text.size(), text) == 0; };
+    const std::pair<std::string, const char*> others[] = {{"\xff\xff\xfe"s, "a FreeSurfer surface"},
+                                                          {"\xff\xff\xff"s, "a FreeSurfer surface"},
+                                                          {"#!ascii"s, "FreeSurfer ASCII"},
+                                                          {"# vtk DataFile"s, "legacy VTK"},
+                                                          {"glTF"s, "binary glTF"},
+                                                          {"Kaydara FBX"s, "FBX"},
+                                                          {"ISO-10303-21"s, "STEP"},
+                                                          {"$MeshFormat"s, "Gmsh"},
+                                                          {"MeshVersionFormatted"s, "Medit"},
+                                                          {"\x89HDF"s, "HDF5"},
+                                                          {"CDF\1"s, "NetCDF"},
+                                                          {"CDF\2"s, "NetCDF"},
+                                                          {"#VRML"s, "VRML"},
+                                                          {"xof "s, "DirectX"},
+                                                          {"BLENDER"s, "Blender"}};
+    for (const auto& [text, name] : others)
+      if (is_there(text))
+        return name;
+    if (is_there("<"))
+      for (const char* name : {"GIFTI", "COLLADA", "X3D", "amf", "html", "HTML"})
+        if (begin.find(std::string("<") + name) != std::string::npos)
+          return name;
+    return "";
+  }
+
   // The first word of a text that is not in a comment tells its format; only binary STL has none.
   static std::string extension(const std::string& begin)
   {
     if (begin.empty())
       refuse_file("-", "the standard input is empty");
+    if (const std::string other = other_format(begin); !other.empty())
+      refuse_file("-", "the standard input is " + other +
+                         ", which is not read: turn it into OFF, OBJ, PLY, STL or TS before");
     std::istringstream text(begin);
     std::string word;
     while (text >> word && word[0] == '#')
@@ -91,7 +126,7 @@ private:
       return ".gluing";
     if (word == "GOCAD")
       return ".ts";
-    if (word.compare(0, 5, "<?xml") == 0 || word.compare(0, 8, "<VTKFile") == 0)
+    if (word[0] == '<' && begin.find("<VTKFile") != std::string::npos)
       return ".vtp";
     // Also as COFF, or directly followed by a number.
     if (word.substr(0, 8).find("OFF") != std::string::npos || word == "off")

@@ -104,6 +104,22 @@ def test_what_is_unusual_about_a_file(tmp_path):
         assert len(it.read_mesh(path)[1]) == 1
 
 
+@pytest.mark.parametrize("advice", [r"F\[:, 1:\]", r"F\.reshape\(-1, 4\)\[:, 1:\]"])
+def test_rows_that_begin_with_a_number_of_corners(advice):
+    V = [[x, y, 0] for y in range(3) for x in range(3)]
+    F = numpy.array([[0, 1, 4], [1, 2, 5], [3, 4, 7], [4, 5, 8]])
+    rows = numpy.insert(F, 0, 3, axis=1)
+    is_flat = "reshape" in advice
+    for given in [rows.ravel()] if is_flat else [rows, rows.tolist()]:
+        for function in [it.laplacian, it.Triangulation, it.repair]:
+            with pytest.raises(it.InvalidSurfaceError, match=r"all 4 rows of F begin with 3, .*: leave this column out, " + advice):
+                function(V, given)
+    assert (eval(advice.replace("\\", ""), {"F": rows.ravel() if is_flat else rows}) == F).all()
+    # Which is no such number: of one face, or where the faces have another one of corners.
+    assert len(it.repair(V, [[3, 0, 1, 4]]).F) == 2
+    assert len(it.repair(V, [[4, 3, 0, 1], [4, 1, 2, 5]]).F) == 4
+
+
 @pytest.mark.parametrize("bad", [[[0, 1, 9]], [[0, 1, -1]], [[0, 1, 2], [0, 1, 2, 3, 4]]])
 def test_indices_out_of_range(bad):
     with pytest.raises(it.InvalidSurfaceError, match=rf"F\[{len(bad) - 1}\] names vertex"):

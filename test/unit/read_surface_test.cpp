@@ -359,6 +359,96 @@ TEST_F(Read_surface, unusual_numbers)
   EXPECT_EQ(input.points[2][2], double(3e38f));
 }
 
+// As compilers write them: those of C, of Windows before 2015 (with any number of digits, and a decimal comma), of AIX,
+// Java, Fortran.
+TEST_F(Read_surface, what_is_not_finite_in_any_spelling)
+{
+  for (const std::string word : {"nan",       "NaN",
+                                 "NAN",       "-nan",
+                                 "+nan",      "-nan(ind)",
+                                 "nan(snan)", "nan(0x8000000000000)",
+                                 "NaNQ",      "NaNS",
+                                 "QNAN",      "-SNaN",
+                                 "1.#QNAN",   "1.#SNAN",
+                                 "-1.#IND",   "1.#INF",
+                                 "-1.#INF",   "+1.#INF00e+000",
+                                 "1.#J",      "-1.#R0",
+                                 "1.#QNAN0",  "1,#INF",
+                                 "1#INF",     "-1#IND",
+                                 "inf",       "INF",
+                                 "-Inf",      "+inf",
+                                 "Infinity",  "-INFINITY",
+                                 "+Infinity"}) {
+    SCOPED_TRACE(word);
+    const std::string what = "the coordinate \"" + word + "\" is not finite", face = "3 0 1 2\n",
+                      points[] = {"0 0 0", "1 0 " + word, "0 1 0"},
+                      all = points[0] + "\n" + points[1] + "\n" + points[2] + "\n",
+                      obj = "v " + points[0] + "\nv " + points[1] + "\nv " + points[2] + "\nf 1 2 3\n",
+                      stl = "solid\nfacet normal " + word + " 0 0\nouter loop\nvertex " + points[0] + "\nvertex " +
+                            points[1] + "\nvertex " + points[2] + "\nendloop\nendfacet\nendsolid\n",
+                      ts = "GOCAD TSurf 1\nTFACE\nVRTX 1 " + points[0] + "\nVRTX 2 " + points[1] + "\nVRTX 3 " +
+                           points[2] + "\nTRGL 1 2 3\nEND\n";
+    for (const auto& [name, content, where] : std::vector<std::array<std::string, 3>>{
+           {"a.off", "OFF 3 1 0\n" + all + face, "line 3 (vertex 1)"},
+           {"a.obj", obj, "line 2 (vertex 1)"},
+           {"a.ply", ply_header("ascii", 3, 1) + all + face, "line 11, element vertex 1"},
+           {"a.ply", ply_header("ascii", 3, 1, "float") + all + face, "line 11, element vertex 1"},
+           {"a.stl", stl, "line 5 (facet 0)"},
+           {"a.ts", ts, "line 4 (vertex 1)"}})
+      refused(name, content, where + ": " + what, Defect::NOT_FINITE);
+
+    // Where it is no coordinate nobody minds.
+    std::string ply = ply_header("ascii", 3, 1);
+    ply.insert(ply.find("element face"), "property float nx\nproperty list uchar float more\n");
+    const std::string more = ' ' + word + " 1 " + word + '\n', normal = ' ' + word + " 0 0\n";
+    for (const std::string& file :
+         {write("a.ply", ply + "0 0 0" + more + "1 0 0" + more + "0 1 0" + more + face),
+          write("a.off", "NOFF 3 1 0\n0 0 0" + normal + "1 0 0" + normal + "0 1 0" + normal + face),
+          write("b.off", "OFF 3 1 0\n0 0 0" + normal + "1 0 0" + normal + "0 1 0" + normal + "3 0 1 2 " + word + "\n"),
+          write("a.obj",
+                "v 0 0 0 " + word + "\nv 1 0 0\nv 0 1 0\nvn " + word + " 0 0\nvt 0 " + word + "\nf 1//1 2//1 3//1\n"),
+          write("a.ts",
+                "GOCAD TSurf 1\nTFACE\nPVRTX 1 0 0 0 " + word + "\nVRTX 2 1 0 0\nVRTX 3 0 1 0\nTRGL 1 2 3\nEND\n"),
+          write("a.stl", "solid\nfacet normal " + word + " " + word +
+                           " 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n")})
+      EXPECT_EQ(idt::read_surface(file).triangles, (Triangles{{{0, 1, 2}}})) << file;
+  }
+  // A comment behind a number is one.
+  EXPECT_EQ(idt::read_surface(write("a.off", "OFF 3 1 0\n0 0 0#QNAN\n1 0 1# #\n0 1 0\n3 0 1 2#x\n")).points[1],
+            (std::array<double, 3>{1, 0, 1}));
+}
+
+TEST_F(Read_surface, names_with_blanks_and_lists_of_reals_in_ply)
+{
+  const std::string header =
+    "ply\nformat ascii 1.0\nelement my camera 1\nproperty float view px \nelement vertex 3\nproperty float "
+    "X\nproperty float Y\nproperty float Bed Elevation\nproperty float Z\nproperty list float float a list\n"
+    "element face 1\nproperty list float double vertex_indices\nend_header\n";
+  const idt::Surface_input text =
+    idt::read_surface(write("a.ply", header + "9\n0 0 7 0 0\n1 0 7 0 1 nan\n0 1 7 5 2 1 2\n3.0 0 1.0 2e0\n"));
+  EXPECT_EQ(text.points, (Points{{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 5}}}));
+  EXPECT_EQ(text.triangles, (Triangles{{{0, 1, 2}}}));
+
+  std::string binary = header;
+  binary.replace(binary.find("ascii"), 5, "binary_little_endian");
+  append(binary, 9.f);
+  for (const auto& p : text.points)
+    append(binary, std::array<float, 6>{float(p[0]), float(p[1]), 7, float(p[2]), 1, 2.5f});
+  append(binary, 3.f);
+  append(binary, std::array<double, 3>{0, 1, 2});
+  EXPECT_EQ(idt::read_surface(write("b.ply", binary)).points, text.points);
+  EXPECT_EQ(idt::read_surface(write("b.ply", binary)).triangles, text.triangles);
+  binary.resize(binary.size() - 8);
+  append(binary, 1.5);
+  refused("b.ply", binary, "element face 0: the list vertex_indices has 1.5");
+  // One property of four bytes.
+  std::string floats = ply_header("binary_little_endian", 3, 1, "float", "uchar float");
+  append(floats, std::array<float, 9>{0, 0, 0, 1, 0, 0, 0, 1, 0});
+  floats += '\3';
+  append(floats, std::array<float, 3>{0, 1, 2});
+  EXPECT_EQ(idt::read_surface(write("c.ply", floats)).triangles, text.triangles);
+}
+
 TEST_F(Read_surface, other_elements_of_obj)
 {
   const idt::Surface_input input =
@@ -479,7 +569,9 @@ TEST_F(Read_surface, broken_ply)
   refused("a.ply", header("int", "uchar int") + "0 0 0.5\n" + points + "3 0 1 2\n",
           "line 10, element vertex 0: \"0.5\" is not an integer, which is needed for z");
   refused("a.ply", header("list uchar float", "uchar int"), "by the header the vertices have no coordinate x");
-  refused("a.ply", header("float", "uchar float"), "has the type float, which is not a list of integers");
+  for (const char* const number : {"1.5", "-3e9", "nan"})
+    refused("a.ply", header("float", "uchar float") + points + "3 0 " + number + " 2\n",
+            "line 13, element face 0: \"" + std::string(number));
   refused("a.ply", header("double", "uchar int") + "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n",
           "line 11, element vertex 1: the coordinate \"nan\" is not finite", Defect::NOT_FINITE);
   refused("a.ply", header("double", "uchar int") + points + "3 0 x 2\n",

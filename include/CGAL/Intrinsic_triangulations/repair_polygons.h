@@ -26,10 +26,11 @@ namespace CGAL::Intrinsic_triangulations {
 /// \brief a kind of repair by `repair_polygons()`.
 enum class Repair_kind {
   MERGED_VERTEX,     ///< a vertex was merged with another at the same position
-  COLLAPSED_FACE,    ///< a face with fewer than three different corners was removed
+  COLLAPSED_FACE,    ///< a face that encloses nothing was removed
   DUPLICATE_FACE,    ///< a face with the same corners as another was removed
   DUPLICATE_PART,    ///< some or all parts of a face that was cut were removed: other faces have the same corners
   TRIANGULATED_FACE, ///< a face was cut into triangles
+  FANNED_FACE,       ///< its triangles are a fan, which may overlap: the face is large and far from any plane
   REVERSED_FACE,     ///< a face was turned over
   SPLIT_VERTEX,      ///< a vertex was copied for each fan of faces after the first
   OPENED_EDGE,       ///< an edge that had several faces, or lay inside one, became a border edge
@@ -93,9 +94,8 @@ bool is_repairable(Invalid_surface_error::Defect defect);
 /// The steps, in this order:
 /// - Vertices at the same position are merged where an edge joins them and along the border, which
 ///   closes seams. Elsewhere they stay apart, as do surfaces that merely touch.
-/// - A face that visits a vertex twice is cut into loops. A face with fewer than three different corners
-///   is removed.
-/// - Polygons are triangulated.
+/// - A face that encloses nothing, as one with fewer than three different corners, is removed.
+/// - Polygons are cut into triangles as by `triangulate_polygon()`.
 /// - Of several triangles with the same corners, one is kept; or two, if they are the wall between two rooms or the
 ///   sides of a fin, as an even number of other faces at their edges tells. A fin of one triangle goes with both sides.
 /// - Faces are oriented consistently; the first of all that edges join keeps its orientation. A one-sided surface is
@@ -119,13 +119,11 @@ bool is_repairable(Invalid_surface_error::Defect defect);
 /// \param polygons the faces, as indices into `points`
 /// \param progress is called from time to time, at least before each polygon is triangulated
 ///
-/// \exception Invalid_surface_error if there is no face, an index is invalid, or a coordinate is not finite
+/// \exception Invalid_surface_error if there is no face, an index is invalid, a coordinate is not finite, or a face
+///   crosses itself
 /// \exception Cancelled_error if `progress` returns `false`
 ///
-/// Complexity: O(n log n), plus that of faces with k > 3 corners: nearly planar ones
-/// take O(k log k), others O(k<sup>3</sup>) up to 200 corners; with more corners they become fans.
-///
-/// It uses `CGAL::Polygon_mesh_processing::triangulate_hole_polyline()`.
+/// Complexity: O(n log n), plus that of `triangulate_polygon()` for faces with more than three corners.
 template <class PointRange, class PolygonRange>
 Repaired_polygons repair_polygons(const PointRange& points, const PolygonRange& polygons,
                                   const Progress_function& progress = {})
@@ -157,13 +155,38 @@ Repaired_polygons repair_polygons(const PointRange& points, const PolygonRange& 
 std::string message(const Repair& repair);
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
-/// \brief cuts one polygon in space into triangles.
-/// \param polygon the positions of its corners, at least three
-/// \return the corners of the triangles by their positions in the polygon, in its orientation; there are two fewer
-/// triangles than corners
+/// \brief the triangles of a polygon.
+struct Polygon_triangles
+{
+  std::vector<std::array<std::size_t, 3>> triangles; ///< their vertices, in the direction of the polygon
+  std::string warning;                               ///< what is not as it should be; empty if all is
+};
+
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief cuts one polygon in space into triangles, which have its sides as their border.
 ///
-/// Complexity as for a face in `repair_polygons()`.
-std::vector<std::array<std::size_t, 3>> triangulate_polygon(const std::vector<std::array<double, 3>>& polygon);
+/// The polygon is laid into the plane of its area, or of three corners far from each other if its area is small. If its
+/// sides do not cross there, it is cut into the triangles that it encloses (a constrained Delaunay triangulation with
+/// exact decisions). Sides may touch and run along each other: parts that slits connect with the outside, and run in
+/// the other direction, are holes. A corner that lies beyond a side by rounding touches it: by the distance of the
+/// polygon from the plane or 10<sup>-6</sup> of its size, whichever is larger, but less than 1/256 of its size. A
+/// polygon whose sides cross in both planes, and miss each other in space by more than a hundredth of its size, becomes
+/// a surface of small dihedral angles and area up to 200 corners, and a fan with more, which is the one cause for a
+/// warning.
+///
+/// \param points positions of vertices
+/// \param polygon the vertices at the corners. Those that repeat the one before are ignored; no triangle names a vertex
+///   twice
+/// \param face the number of the polygon in messages
+///
+/// \exception Invalid_surface_error with `WRONG_TOPOLOGY` if the polygon crosses itself, or winds twice around a part of
+///   itself; the message names the sides
+///
+/// Complexity: O(k log k) for k corners in practice, O(k<sup>3</sup>) for those up to 200 that are far from a plane. It
+/// uses `CGAL::Constrained_Delaunay_triangulation_2` and
+/// `CGAL::Polygon_mesh_processing::triangulate_hole_polyline()`.
+Polygon_triangles triangulate_polygon(const std::vector<std::array<double, 3>>& points,
+                                      const std::vector<std::size_t>& polygon, std::size_t face);
 
 } // namespace CGAL::Intrinsic_triangulations
 

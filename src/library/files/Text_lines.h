@@ -77,11 +77,14 @@ public:
         return false;
     return true;
   }
-  // Goes over the word at p.
+  // Goes over the word at p, which ends at a comment, unless it is one of the words with that letter.
   std::string_view take_word()
   {
     const char* const begin = p;
-    p = std::find(begin, skip_word(begin, last), comment_);
+    const char* const end = skip_word(begin, last);
+    p = std::find(begin, end, comment_);
+    if (p != end && is_foreign_infinity_or_nan({begin, static_cast<std::size_t>(end - begin)}))
+      p = end;
     return std::string_view(begin, static_cast<std::size_t>(p - begin));
   }
   // The rest of the line, as it can be quoted.
@@ -164,6 +167,15 @@ protected:
     if (!take_real(lines_.p, lines_.last, coordinate))
       coordinate = check_coordinate(path_, lines_.take_word(), where("vertex", vertex), vertex);
     return coordinate;
+  }
+  // Goes over a number that nobody wants and that need not be finite.
+  void skip_number(const std::size_t vertex, const std::size_t number, const std::size_t needed)
+  {
+    const char* const begin = lines_.p;
+    if (!lines_.find_word_on_line() || !is_number(lines_.take_word())) {
+      lines_.p = begin;
+      take_coordinate(vertex, number, needed);
+    }
   }
   std::array<double, 3> take_point(const std::size_t vertex)
   {

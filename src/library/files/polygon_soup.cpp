@@ -120,7 +120,7 @@ std::string conversion_advice(const std::string& file_name)
   if (is_one_of(".glb .gltf .dae .fbx .3mf .3ds .amf .blend .dxf .lwo .x .x3d .ac .ase .ms3d .zae "))
     return "; Assimp reads it: assimp export " + from + ' ' + word(stem + ".obj");
   if (is_one_of(".msh .mesh .meshb .vtk .vtu .inp .med .nas .bdf .xdmf .exo .e .cgns .su2 .ugrid .avs .vol "))
-    return "; meshio reads its triangles: meshio convert " + from + ' ' + word(stem + ".off");
+    return "; meshio reads its faces: meshio convert " + from + ' ' + word(stem + ".ply");
   if (is_one_of(".step .stp .iges .igs .brep "))
     return "; Gmsh makes triangles of it: gmsh " + from + " -2 -o " + word(stem + ".stl");
   if (is_one_of(".gz "))

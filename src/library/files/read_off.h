@@ -124,10 +124,14 @@ private:
              Defect::UNREADABLE, v);
     std::array<double, 3> point;
     for (std::size_t i = 0; i < numbers_per_vertex_; ++i) {
+      if (i >= 3 + std::size_t(is_homogeneous_)) { // a normal or a texture
+        skip_number(v, i, numbers_per_vertex_);
+        continue;
+      }
       const double number = take_coordinate(v, i, numbers_per_vertex_);
       if (i < 3)
         point[i] = number;
-      else if (i == 3 && is_homogeneous_) {
+      else {
         if (number == 0)
           refuse("vertex", v, ": the fourth coordinate is zero", Defect::NOT_FINITE);
         for (double& coordinate : point) {

@@ -35,7 +35,7 @@ struct Ply_type
   const char* name = "";
   std::size_t size = 0; // in bytes
   bool is_real = false;
-  long long least = 0, greatest = 0; // of the integers
+  long long least = 0, greatest = 0; // of the integers; of a real that stands for one, as in lists of some programs
 
   bool is_signed() const { return least < 0; }
 };
@@ -47,7 +47,8 @@ constexpr Ply_type ply_type_as(const char* name)
   if constexpr (Limits::is_integer)
     return {name, sizeof(Number), false, (Limits::min)(), (Limits::max)()};
   else
-    return {name, sizeof(Number), true};
+    return {name, sizeof(Number), true, (std::numeric_limits<std::int32_t>::min)(),
+            (std::numeric_limits<std::uint32_t>::max)()};
 }
 
 inline Ply_type ply_type(const std::string& name)
@@ -130,6 +131,14 @@ inline Ply_header read_ply_header(const std::string& path, const Text_encoding& 
       words >> result;
       return in_small_letters(result);
     };
+    // A name may have blanks.
+    const auto name = [&words] {
+      std::string result;
+      std::getline(words >> std::ws, result);
+      while (!result.empty() && is_white(result.back()))
+        result.pop_back();
+      return in_small_letters(result);
+    };
     const std::string keyword = word();
     if (number == 1) {
       if (keyword != "ply")
@@ -145,9 +154,12 @@ inline Ply_header read_ply_header(const std::string& path, const Text_encoding& 
       word(); // the version, of which there is one
     } else if (keyword == "element") {
       Ply_element element;
-      element.name = word();
+      const std::string rest = name();
+      const std::size_t blank = (std::min)(rest.find_last_of(" \t"), rest.size());
+      element.name = rest.substr(0, rest.find_last_not_of(" \t", blank) + 1);
       long long value = 0;
-      refuse_unless(read_integer(word(), value) && value >= 0, " has no number of elements");
+      refuse_unless(blank < rest.size() && read_integer(rest.substr(blank + 1), value) && value >= 0,
+                    " has no number of elements");
       element.count = static_cast<std::size_t>(value);
       for (const Ply_element& other : elements)
         refuse_unless(other.name != element.name, " names an element for the second time");
@@ -161,11 +173,10 @@ inline Ply_header read_ply_header(const std::string& path, const Text_encoding& 
         type = word();
       }
       property.type = ply_type(type);
-      property.name = word();
+      property.name = name();
       if (elements.empty())
         refuse_file(path, where + "a property comes before any element");
-      refuse_unless(!property.name.empty() && property.type.size != 0 && property.is_list() == is_list &&
-                      !property.size_type.is_real,
+      refuse_unless(!property.name.empty() && property.type.size != 0 && property.is_list() == is_list,
                     " has a type that is not known");
       refuse_unless(elements.back().find(property.name) == nullptr, " names a property for the second time");
       elements.back().properties.push_back(property);
@@ -208,9 +219,6 @@ inline void find_roles(const std::string& path, std::vector<Ply_element>& elemen
       if (corners == nullptr || !corners->is_list())
         refuse_file(path,
                     "by the header the elements " + element.name + " have no list vertex_indices or vertex_index");
-      if (corners->type.is_real)
-        refuse_file(path, "by the header the list " + corners->name + " of the elements " + element.name +
-                            " has the type " + corners->type.name + ", which is not a list of integers");
       corners->role = element.is_face() ? Ply_property::CORNERS : Ply_property::STRIPS;
     }
   }
@@ -294,7 +302,7 @@ public:
         done = take_vertices(element);
       for (; done < element.count; ++done) {
         if (properties.size() == 1 && properties[0].size_type.size == 1 && properties[0].type.size == 4 &&
-            element.is_face())
+            !properties[0].type.is_real && element.is_face())
           done += take_triangles(element.count - done);
         if (done < element.count)
           take_element(element, done);
@@ -477,12 +485,20 @@ private:
                              " (the element begins at byte " + std::to_string(begin) + "; the header announces " +
                              announced() + ")" + hint());
       };
+      const auto integer = [&](const char* const p, const Ply_type& type) {
+        if (!type.is_real)
+          return load_integer(p, type);
+        const double number = load_number(p, type);
+        if (!(number >= double(type.least) && number <= double(type.greatest) && number == std::trunc(number)))
+          refuse("the list " + property.name + " has " + std::to_string(number) + " where an integer is needed");
+        return static_cast<std::uint32_t>(static_cast<long long>(number));
+      };
       std::uintmax_t count = 1;
       if (property.is_list()) {
         const Ply_type& type = property.size_type;
         if (!file_.require(type.size))
           refuse("the file ends within " + property.name);
-        const std::uint32_t bits = load_integer(file_.first, type);
+        const std::uint32_t bits = integer(file_.first, type);
         file_.first += type.size;
         if (type.is_signed() && static_cast<std::int32_t>(bits) < 0)
           refuse("the list " + property.name + " claims a negative number of entries");
@@ -501,7 +517,7 @@ private:
       if (property.has_corners()) {
         corners_.clear();
         for (std::size_t i = 0; i < count; ++i)
-          corners_.push_back(load_integer(file_.first + property.type.size * i, property.type));
+          corners_.push_back(integer(file_.first + property.type.size * i, property.type));
         if (property.role == Ply_property::CORNERS)
           soup_.add_face(corners_.data(), corners_.data() + corners_.size());
         else
@@ -549,22 +565,24 @@ public:
         if (begin_ == 0)
           first_ = lines_.number();
         if (lines_.number() == end && surplus_.empty()) {
+          is_row_short_ = begin_ != lines_.number();
           surplus_ = line_of_two();
           last_line_ = end;
         }
         if (lines_.number() == end && end != first_)
-          refuse_file(path_, surplus_, Defect::UNREADABLE, index_);
+          refuse_surplus();
         begin_ = lines_.number();
         take_element(is_vertex);
         end = lines_.number();
       }
     }
-    if (find_word())
-      refuse_file(path_, surplus_.empty() || lines_.number() == end
-                           ? "line " + std::to_string(lines_.number()) + ": " + quote(lines_.take_word()) +
-                               " is behind the " + so_far() +
-                               " that the header announces: correct these numbers, or remove what is left over"
-                           : surplus_);
+    if (!find_word())
+      return;
+    if (!surplus_.empty() && lines_.number() != end)
+      refuse_surplus();
+    refuse_file(path_, "line " + std::to_string(lines_.number()) + ": " + quote(lines_.take_word()) +
+                         " is behind the " + so_far() +
+                         " that the header announces: correct these numbers, or remove what is left over");
   }
 
 private:
@@ -578,12 +596,26 @@ private:
       names += (names.empty() ? "" : ", ") + property.name;
     return "line " + std::to_string(begin_) + ", element " + before.name + " " +
            std::to_string(is_first ? before.count - 1 : index_ - 1) +
-           (begin_ == lines_.number() ? std::string()
-                                      : ", which goes on over line " + std::to_string(lines_.number())) +
-           ": " + quote(std::string(lines_.p, skip_word(lines_.p, lines_.last))) +
+           (!is_row_short_ ? std::string() : ", which goes on over line " + std::to_string(lines_.number())) + ": " +
+           quote(std::string(lines_.p, skip_word(lines_.p, lines_.last))) +
            " is behind the numbers that the header names (" + names + "); " +
-           (begin_ == lines_.number() ? "name it there" : "add what is missing before it") +
-           ", or begin each element on a line of its own";
+           (!is_row_short_ ? "name it there" : "add what is missing before it");
+  }
+
+  [[noreturn]] void refuse_surplus()
+  {
+    std::size_t elements = 0;
+    for (const Ply_element& element : header_.elements)
+      elements += element.count;
+    while (lines_.next_line()) {
+    }
+    // There are enough lines: each element has one.
+    const bool are_alone = lines_.number() >= header_.lines - 1 + elements;
+    refuse_file(path_,
+                surplus_ + (!are_alone      ? ", or begin each element on a line of its own"
+                            : is_row_short_ ? ""
+                                            : ", or remove it"),
+                Defect::UNREADABLE, index_);
   }
 
   void take_element(const bool is_vertex)
@@ -625,7 +657,7 @@ private:
   {
     const bool is_there = lines_.find_word();
     if (is_there && lines_.number() > last_line_)
-      refuse_file(path_, surplus_, Defect::UNREADABLE, index_);
+      refuse_surplus();
     return is_there;
   }
   void require_word()
@@ -633,15 +665,17 @@ private:
     if (!find_word())
       refuse_end();
   }
-  [[noreturn]] void refuse_end() const
+  [[noreturn]] void refuse_end()
   {
-    refuse_file(path_, surplus_.empty() ? "the file ends too early, after " + so_far() : surplus_);
+    if (!surplus_.empty())
+      refuse_surplus();
+    refuse_file(path_, "the file ends too early, after " + so_far());
   }
   std::string so_far() const { return vertices_and_faces(soup_.points.size(), soup_.number_of_faces()); }
   template <class Real>
   bool take_real(Real& number)
   {
-    return internal::take_real(lines_.p, lines_.last, number, no_comment);
+    return internal::take_real(lines_.p, lines_.last, number);
   }
 
   double take_value(const Ply_property& property)
@@ -688,7 +722,13 @@ private:
     }
     long long number = 0;
     const std::string_view word = lines_.take_word();
-    const Integer_state state = integer_state(word, number);
+    Integer_state state = integer_state(word, number);
+    if (double real = 0; state == Integer_state::NOT_AN_INTEGER && type.is_real &&
+                         read_number(word, real) == Number_state::GOOD && real == std::trunc(real)) {
+      const bool is_small = real >= double(type.least) && real <= double(type.greatest);
+      state = is_small ? Integer_state::GOOD : Integer_state::TOO_LARGE;
+      number = is_small ? static_cast<long long>(real) : 0;
+    }
     if (state == Integer_state::NOT_AN_INTEGER)
       refuse_file(path_, where() + ": " + quote(word) + " is not an integer, which is needed for " + what());
     if (state == Integer_state::TOO_LARGE || number < type.least || number > type.greatest)
@@ -710,6 +750,7 @@ private:
   const std::uintmax_t size_;         // of what follows the header
   std::size_t first_ = 0, begin_ = 0; // the lines on which the first element begins, and this one
   std::string surplus_;               // what is wrong with the line if there is another behind it
+  bool is_row_short_ = false;         // that what is wrong is that the row before has too few numbers
   std::size_t last_line_ = (std::numeric_limits<std::size_t>::max)(); // there must be no other then
   const Ply_element* element_ = nullptr;
   std::size_t index_ = 0;              // of the element among those of its kind

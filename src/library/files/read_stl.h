@@ -195,7 +195,7 @@ private:
         return false;
       for (double& coordinate : point) {
         skip_white_and_count(p, last, lines);
-        if (!take_real(p, last, coordinate) || p == last || *p == '#')
+        if (!take_real(p, last, coordinate) || p == last)
           return false;
       }
     }
@@ -344,7 +344,7 @@ private:
   void take_coordinate(const char*& p, const char* const last)
   {
     double& coordinate = point_[coordinates_];
-    if (!take_real(p, last, coordinate) || (p != last && *p == '#')) {
+    if (!take_real(p, last, coordinate)) {
       const char* const begin = p;
       p = skip_word(begin, last);
       const std::string word(begin, p);

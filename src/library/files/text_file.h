@@ -200,14 +200,13 @@ inline bool read_integer(const std::string_view word, long long& number)
   return integer_state(word, number) == Integer_state::GOOD;
 }
 
-// Goes behind the number at p if all is well with it, and it ends with the word or at a comment: most numbers do, and
-// anything else needs a closer look, by check_coordinate(). Leaves p otherwise.
+// Goes behind the number at p if all is well with it, and it ends with the word: most numbers do, and anything else
+// needs a closer look, by check_coordinate(). Leaves p otherwise.
 template <class Real>
-BOOST_FORCEINLINE bool take_real(const char*& p, const char* const end, Real& number, const char comment = '#')
+BOOST_FORCEINLINE bool take_real(const char*& p, const char* const end, Real& number)
 {
   const std::from_chars_result result = internal::from_chars(p, end, number);
-  if (result.ec != std::errc() || !(result.ptr == end || is_white(*result.ptr) || *result.ptr == comment) ||
-      !std::isfinite(number))
+  if (result.ec != std::errc() || !(result.ptr == end || is_white(*result.ptr)) || !std::isfinite(number))
     return false;
   p = result.ptr;
   return true;
@@ -232,13 +231,23 @@ enum class Number_state {
   NOT_A_NUMBER
 };
 
+// Whether a word is how some compilers write what is not finite, unknown to std::from_chars(). Those of Windows before
+// 2015 round the letters, too: 1.#QNAN, 1.#INF00e+000, 1.#J, and with a decimal comma.
+inline bool is_foreign_infinity_or_nan(std::string_view word)
+{
+  word.remove_prefix(!word.empty() && (word[0] == '+' || word[0] == '-') ? 1 : 0);
+  if (word.size() > 3 && word[0] == '1' && (word[1] == '.' || word[1] == ',') && word[2] == '#')
+    return std::isalpha(static_cast<unsigned char>(word[3])) != 0;
+  return is_one_of(word, {"qnan", "snan", "nanq", "nans", "1#inf", "1#ind", "1#qnan", "1#snan", "\xe2\x88\x9e"});
+}
+
 // What is nearer to zero than any number of the type is zero.
 inline Number_state read_number(const std::string_view word, double& number)
 {
   const char* const end = word.data() + word.size();
   const std::from_chars_result result = internal::from_chars(skip_plus(word), end, number);
   if (result.ptr != end || result.ec == std::errc::invalid_argument)
-    return Number_state::NOT_A_NUMBER;
+    return is_foreign_infinity_or_nan(word) ? Number_state::NOT_FINITE : Number_state::NOT_A_NUMBER;
   if (result.ec == std::errc::result_out_of_range) {
     // Too large or too small: the exponent tells.
     const std::size_t e = word.find_first_of("eE");

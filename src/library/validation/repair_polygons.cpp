@@ -3,25 +3,20 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The triangles of one polygon; the steps of a repair, and the thread from each element back to the input.
+// The steps of a repair, and the thread from each element back to the input.
 
 #include <CGAL/Intrinsic_triangulations/repair_polygons.h>
 #include "../gluing/Surface_gluer.h"
 #include "Doubled_faces.h"
+#include "Polygon_cutter.h"
 #include <CGAL/Intrinsic_triangulations/internal/validation/Polygon_sides.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
-#include <CGAL/utility.h>
 
 #include <boost/functional/hash.hpp>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <map>
 #include <string>
@@ -43,9 +38,9 @@ inline Repair_words words_of(Repair_kind kind)
   static constexpr Repair_words words[] = {
     {"merged vertices", "vertex", "vertices"}, {"collapsed faces", "face", "faces"},
     {"duplicate faces", "face", "faces"},      {"duplicate parts of faces", "face", "faces"},
-    {"triangulated faces", "face", "faces"},   {"reversed faces", "face", "faces"},
-    {"split vertices", "vertex", "vertices"},  {"opened edges", "edge", "edges"},
-    {"dropped vertices", "vertex", "vertices"}};
+    {"triangulated faces", "face", "faces"},   {"fanned faces", "face", "faces"},
+    {"reversed faces", "face", "faces"},       {"split vertices", "vertex", "vertices"},
+    {"opened edges", "edge", "edges"},         {"dropped vertices", "vertex", "vertices"}};
   return words[static_cast<std::size_t>(kind)];
 }
 
@@ -69,42 +64,21 @@ std::string message(const Repair& repair)
   return text;
 }
 
-std::vector<std::array<std::size_t, 3>> triangulate_polygon(const std::vector<std::array<double, 3>>& polygon)
+Polygon_triangles triangulate_polygon(const std::vector<std::array<double, 3>>& points,
+                                      const std::vector<std::size_t>& polygon, std::size_t face)
 {
-  typedef Exact_predicates_inexact_constructions_kernel::Point_3 Point;
-  // Moved and scaled to the size of 1, lest squares and products overflow. Quartered before, for
-  // the difference of two coordinates can overflow as well.
-  std::vector<std::array<double, 3>> places = polygon;
-  double size = 0;
-  for (std::array<double, 3>& p : places)
-    for (int i = 0; i < 3; ++i) {
-      p[i] = p[i] / 4 - polygon[0][i] / 4;
-      size = (std::max)(size, std::abs(p[i]));
-    }
-  const int exponent = size > 0 ? std::ilogb(size) : 0;
-  std::vector<Point> points;
-  for (const std::array<double, 3>& p : places)
-    points.emplace_back(std::ldexp(p[0], -exponent), std::ldexp(p[1], -exponent), std::ldexp(p[2], -exponent));
-
-  // Where the polygon is not nearly planar, memory is quadratic and time cubic: with a thousand
-  // corners half a minute.
-  const bool is_small = polygon.size() <= 200;
-  std::vector<Triple<int, int, int>> triples;
-  if (size > 0)
-    Polygon_mesh_processing::triangulate_hole_polyline(points, std::back_inserter(triples),
-                                                       parameters::use_2d_constrained_delaunay_triangulation(true)
-                                                         .use_delaunay_triangulation(is_small)
-                                                         .do_not_use_cubic_algorithm(!is_small));
-  std::vector<std::array<std::size_t, 3>> triangles;
-  for (const Triple<int, int, int>& t : triples)
-    triangles.push_back({std::size_t(t.first), std::size_t(t.second), std::size_t(t.third)});
-  // A polygon that is all but a line, or a large one in space: a fan is as good as anything.
-  if (triangles.size() != polygon.size() - 2) {
-    triangles.clear();
-    for (std::size_t i = 2; i < polygon.size(); ++i)
-      triangles.push_back({0, i - 1, i});
-  }
-  return triangles;
+  std::vector<std::size_t> corners;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    if (polygon[i] != polygon[i > 0 ? i - 1 : polygon.size() - 1])
+      corners.push_back(polygon[i]);
+  Polygon_triangles result;
+  if (corners.size() < 3)
+    return result;
+  internal::Polygon_cutter cutter(points, corners, face);
+  for (const auto& [i, j, k] : cutter.cut())
+    result.triangles.push_back({corners[i], corners[j], corners[k]});
+  result.warning = cutter.warning();
+  return result;
 }
 
 namespace internal {
@@ -181,31 +155,24 @@ private:
         v = representative_[v];
   }
 
-  // Walks around each polygon; where it comes to a vertex for the second time it has gone around
-  // a loop, which is cut off.
+  // Of corners that follow each other. A polygon with fewer than three different ones goes.
   void remove_repeated_corners()
   {
     std::vector<Polygon_part> polygons;
-    std::vector<Index> path, place(input_points_.size(), none); // of each vertex in the path
-    const auto cut_path = [&](Index begin, Index polygon) {
-      if (path.size() - begin >= 3)
-        polygons.push_back({polygon, {path.begin() + std::ptrdiff_t(begin), path.end()}});
-      for (; path.size() > begin; path.pop_back())
-        place[path.back()] = none;
-    };
-    for (const Polygon_part& polygon : polygons_) {
-      for (Index v : polygon.corners) {
-        if (place[v] != none)
-          cut_path(place[v], polygon.input);
-        place[v] = path.size();
-        path.push_back(v);
-      }
-      cut_path(0, polygon.input);
+    std::vector<Index> last_polygon(input_points_.size(), none); // with each vertex
+    is_kept_.assign(input_polygons_.size(), false);
+    for (Polygon_part& polygon : polygons_) {
+      std::vector<Index>& corners = polygon.corners;
+      corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+      while (corners.size() > 1 && corners.front() == corners.back())
+        corners.pop_back();
+      is_kept_[polygon.input] = std::count_if(corners.begin(), corners.end(), [&](Index v) {
+                                  return std::exchange(last_polygon[v], polygon.input) != polygon.input;
+                                }) >= 3;
+      if (is_kept_[polygon.input])
+        polygons.push_back(std::move(polygon));
     }
     polygons_ = std::move(polygons);
-    is_kept_.assign(input_polygons_.size(), false);
-    for (const Polygon_part& polygon : polygons_)
-      is_kept_[polygon.input] = true;
   }
 
   std::vector<Index> number_of_parts() const
@@ -249,8 +216,12 @@ private:
     for (const Polygon_part& polygon : polygons_)
       number_of_corners += polygon.corners.size();
     std::vector<Polygon_part> triangles;
-    std::unordered_map<std::vector<Index>, std::pair<Index, bool>, boost::hash<std::vector<Index>>>
-      seen; // the first triangle, and whether the polygon was turned over
+    struct Cut
+    {
+      Index first, size; // triangles
+      bool is_turned;    // the polygon, to be what is looked up
+    };
+    std::unordered_map<std::vector<Index>, Cut, boost::hash<std::vector<Index>>> seen;
     for (const auto& [input, corners] : polygons_) {
       if (corners.size() == 3) {
         done += 3;
@@ -264,21 +235,25 @@ private:
       const bool is_turned = cycle.back() < cycle[1];
       if (is_turned)
         std::reverse(cycle.begin() + 1, cycle.end());
-      const auto [found, is_new] = seen.emplace(std::move(cycle), std::make_pair(triangles.size(), is_turned));
-      if (!is_new) {
-        is_repeated_[input] = true;
-        for (Index i = 0; i + 2 < corners.size(); ++i) {
-          triangles.push_back({input, triangles[found->second.first + i].corners});
-          if (is_turned != found->second.second)
+      const auto [found, is_new] = seen.emplace(std::move(cycle), Cut{triangles.size(), 0, is_turned});
+      Cut& cut = found->second;
+      is_repeated_[input] = !is_new;
+      if (is_new) {
+        const Polygon_triangles parts = triangulate_polygon(input_points_, corners, input);
+        for (const auto& [a, b, c] : parts.triangles)
+          triangles.push_back({input, {a, b, c}});
+        cut.size = parts.triangles.size();
+        if (!parts.warning.empty()) {
+          first_fan_ = fans_.count() == 0 ? parts.warning : first_fan_;
+          fans_.add(input);
+        }
+      } else
+        for (Index i = 0; i < cut.size; ++i) {
+          triangles.push_back({input, triangles[cut.first + i].corners});
+          if (is_turned != cut.is_turned)
             std::swap(triangles.back().corners[0], triangles.back().corners[2]);
         }
-        continue;
-      }
-      std::vector<std::array<double, 3>> places;
-      for (Index v : corners)
-        places.push_back(input_points_[v]);
-      for (const std::array<std::size_t, 3>& t : triangulate_polygon(places))
-        triangles.push_back({input, {corners[t[0]], corners[t[1]], corners[t[2]]}});
+      is_kept_[input] = cut.size > 0;
     }
     polygons_ = std::move(triangles);
   }
@@ -437,7 +412,7 @@ private:
     add(Repair_kind::MERGED_VERTEX, merged,
         [&](Index v) { return vertex(v) + " was merged with " + vertex(merged_with_[v]) + " at the same place"; });
     add(Repair_kind::COLLAPSED_FACE, collapsed,
-        [&](Index f) { return face(f) + " was removed, as fewer than three of its corners differ"; });
+        [&](Index f) { return face(f) + " was removed, as it encloses nothing"; });
     add(Repair_kind::DUPLICATE_FACE, duplicates, [&](Index f) {
       const auto other = other_side_.find(f);
       return face(f) + (other == other_side_.end() ? " was removed, as another face has the same corners"
@@ -451,6 +426,7 @@ private:
     add(Repair_kind::TRIANGULATED_FACE, triangulated, [&](Index f) {
       return face(f) + " (" + std::to_string(input_polygons_[f].size()) + " corners) was cut into triangles";
     });
+    add(Repair_kind::FANNED_FACE, fans_, [&](Index) { return first_fan_; });
     add(Repair_kind::REVERSED_FACE, reversed, [&](Index f) { return face(f) + " was turned over"; });
     add(Repair_kind::SPLIT_VERTEX, split, [&](Index v) {
       return vertex(v) + " became " + std::to_string(vertex_count[v]) + " vertices, one for each fan of its faces";
@@ -485,7 +461,8 @@ private:
   std::vector<bool> is_repeated_;           // of each input face, whether one before it has the same corners in order
   std::vector<bool> has_lost_part_;         // of each input face of which several parts were left
   std::map<Index, Index> other_side_;       // of input faces that enclose nothing
-  Element_collector opened_;
+  Element_collector fans_, opened_;
+  std::string first_fan_;                       // what is to be said about it
   std::array<Index, 3> first_opened_edge_ = {}; // ends, and how many faces it had
   Repaired_polygons result_;
 };

@@ -104,8 +104,32 @@ def points_and_faces(V: Any, F: Any) -> Tuple[numpy.ndarray, numpy.ndarray]:
     except InvalidSurfaceError:
         raise
     except ValueError:
+        refuse_counts(F)
         _refuse_polygons(F)
         raise
+
+
+def refuse_counts(F: Any) -> None:
+    """Raises if each face seems to begin with the number of its corners, as VTK has them."""
+    try:
+        if not isinstance(F, numpy.ndarray) and len({numpy.size(face) for face in F}) != 1:
+            return
+        array = numpy.asarray(F)
+    except (TypeError, ValueError):
+        return
+    if array.dtype.kind not in "iu" or array.size == 0:
+        return
+    if array.ndim == 1 and 3 <= array[0] < array.size and array.size % (int(array[0]) + 1) == 0:
+        rows, advice = array.reshape(-1, int(array[0]) + 1), f"F.reshape(-1, {array[0] + 1})[:, 1:]"
+    elif array.ndim == 2 and array.shape[1] > 3:
+        rows, advice = array, "F[:, 1:]"
+    else:
+        return
+    count = rows.shape[1] - 1
+    if len(rows) > 1 and (rows[:, 0] == count).all():
+        raise InvalidSurfaceError(
+            f"all {len(rows)} rows of F begin with {count}, the number of the others: leave this column out, {advice}. If vertex {count} is "
+            "a corner of each face, begin one of them with another corner", "NOT_A_TRIANGLE", 0, len(rows))
 
 
 def _refuse_polygons(F: Any) -> None:

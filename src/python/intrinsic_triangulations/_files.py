@@ -171,7 +171,8 @@ def repair(V: ArrayLike, F: ArrayLike) -> RepairedMesh:
     Raises
     ------
     InvalidSurfaceError
-        If there is no face, an index is out of range, or a coordinate is not finite.
+        If there is no face, an index is out of range, a coordinate is not finite, a face crosses itself, or all faces
+        begin with the number of their corners, as VTK has them.
 
     Examples
     --------
@@ -187,6 +188,7 @@ def repair(V: ArrayLike, F: ArrayLike) -> RepairedMesh:
     from . import _repair
 
     points = _arrays.doubles(V, "V", (None, 3))
+    _arrays.refuse_counts(F)
     if isinstance(F, numpy.ndarray):
         array = _arrays.as_array(F, "F", "iu", "integers")
         _arrays.check_shape(array, "F", (None, None))
