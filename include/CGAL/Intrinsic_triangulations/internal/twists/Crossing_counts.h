@@ -159,7 +159,7 @@ private:
   // The counts n(k) of the edges u_k = u_0 + k a across a tube, two consecutive ones of which exist at a time. Each
   // segment through the tube adds |k − p|, up to 1/2 or 1 next to p, and no two of the numbers p differ by more than
   // one. So n(k) falls by the number N of segments up to two steps before the mean of p, and rises by N from two steps
-  // after it (doc/termination.md).
+  // after it.
   class Twisted_pair
   {
   public:
