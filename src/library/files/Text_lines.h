@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// A text line by line, and each line word by word, up to a comment; and what readers of such texts have in common.
+// A text line by line, and each line word by word, up to a comment; shared by the readers of such texts.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_TEXT_LINES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_TEXT_LINES_H
@@ -36,7 +36,7 @@ public:
     : Text_lines(path, size, progress, find_encoding(path))
   {}
 
-  // What is left of the line: the caller moves `p` on. Pointers hold until the next line.
+  // The rest of the line: the caller advances `p`. Pointers are valid until the next line.
   const char* p = nullptr;
   const char* last = nullptr;
 
@@ -54,7 +54,7 @@ public:
     number_ = ++last_number_;
     return true;
   }
-  // Takes a text in place of the lines since the one with a number.
+  // Replaces the lines from a given number on by a text.
   void replace_lines(const std::size_t number, const std::string& text)
   {
     number_ = number;
@@ -87,7 +87,7 @@ public:
       p = end;
     return std::string_view(begin, static_cast<std::size_t>(p - begin));
   }
-  // The rest of the line, as it can be quoted.
+  // The rest of the line, in a form that can be quoted.
   std::string rest() const
   {
     const char* end = last;
@@ -99,7 +99,7 @@ public:
   }
 
 private:
-  // Apart, so that what is called for each word stays short.
+  // Separate, so that the function called for each word stays short.
   BOOST_NOINLINE void skip_comment()
   {
     while ((p = skip_white(std::find(p, last, line_end_ == '\n' ? '\r' : '\n'), last)) != last)
@@ -107,7 +107,7 @@ private:
         refuse_line_end(path_, number_, line_end_);
   }
 
-  // Whether a keyword or number at p may begin an element on a line of its own: a word behind it is prose.
+  // Whether a keyword or number at p may begin an element on a line of its own: if a word follows, it is prose.
   bool begins_element() const
   {
     const char* const end = std::find_if(p, last, [](const char c) { return c == '\r' || c == '\n'; });
@@ -120,7 +120,7 @@ private:
     while (is_element && (q = skip_white(q, end)) != end) {
       const std::string_view word(q, static_cast<std::size_t>(skip_word(q, end) - q));
       is_element = word.size() < 2 || word.substr(0, 2).find_first_of("0123456789+-./") != word.npos || is_number(word);
-      q = has_keyword ? end : q + word.size(); // a control node has words behind its numbers
+      q = has_keyword ? end : q + word.size(); // a control node has words after its numbers
     }
     return is_element;
   }
@@ -156,7 +156,7 @@ protected:
     refuse(where(kind, element) + text, defect, element);
   }
 
-  // The number at p, or behind it, of a vertex, of which there have to be several on the line.
+  // The vertex number at or after p, of which the line must have several.
   double take_coordinate(const std::size_t vertex, const std::size_t number, const std::size_t needed = 3)
   {
     if (!lines_.find_word_on_line())
@@ -185,8 +185,8 @@ protected:
     return point;
   }
 
-  // Goes over the rest of the line, of numbers, and returns how many there are.
-  // \param place says what may be there
+  // Skips the rest of the line, of numbers, and returns their count.
+  // \param place describes what may be there
   template <class Place, class Is_allowed>
   std::size_t take_others(const char* const kind, const std::size_t element, const std::size_t at_most,
                           const Place& place, const Is_allowed& is_allowed)

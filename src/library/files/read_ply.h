@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// PLY, text or binary: elements with properties, of which coordinates and corners are read and the others skipped.
+// PLY, text or binary: elements with properties; coordinates and corners are read, others skipped.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_PLY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_PLY_H
@@ -29,7 +29,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The type of a number; of size 0 if there is none.
+// The type of a number; of size 0 if it is unknown.
 struct Ply_type
 {
   const char* name = "";
@@ -77,7 +77,7 @@ struct Ply_property
   };
 
   std::string name;
-  Ply_type type, size_type; // the latter of lists only: of the number of entries
+  Ply_type type, size_type; // the latter only for lists: the type of the number of entries
   Role role = NONE;
 
   bool is_list() const { return size_type.size != 0; }
@@ -125,7 +125,7 @@ inline Ply_header read_ply_header(const std::string& path, const Text_encoding& 
         refuse_file(path, where + quote(line) + text);
     };
     std::istringstream words(line.substr(0, 1000));
-    // Keywords and names in small letters, whatever they are in.
+    // Keywords and names in small letters.
     const auto word = [&words] {
       std::string result;
       words >> result;
@@ -193,7 +193,7 @@ inline Ply_header read_ply_header(const std::string& path, const Text_encoding& 
   return header;
 }
 
-// Finds the coordinates and the corners, which have to be there and of suitable types.
+// Finds the coordinates and the corners, which must exist and have suitable types.
 inline void find_roles(const std::string& path, std::vector<Ply_element>& elements, Polygon_soup& soup)
 {
   bool has_vertices = false, has_faces = false;
@@ -226,11 +226,11 @@ inline void find_roles(const std::string& path, std::vector<Ply_element>& elemen
     refuse_file(path, std::string("the file has no element ") + (has_vertices ? "face" : "vertex"), Defect::EMPTY);
 }
 
-// That there may be a value for each property of each element.
+// Checks that the file is large enough for a value of each property of each element.
 inline void check_counts(const std::string& path, const Ply_header& header, const std::uintmax_t file_size)
 {
   const bool is_text = header.format == "ascii";
-  // The last number of a text needs nothing behind it.
+  // The last number of a text needs nothing after it.
   const std::uintmax_t room = file_size - (std::min<std::uintmax_t>)(header.bytes, file_size) + is_text;
   for (const Ply_element& element : header.elements) {
     std::uintmax_t least = 0; // the bytes of one element whose lists are empty
@@ -245,7 +245,7 @@ inline void check_counts(const std::string& path, const Ply_header& header, cons
   }
 }
 
-// A file of that many bytes has no more triangles, in text or not.
+// A file of this size has no more triangles, text or binary.
 inline void reserve_ply(const Ply_element& element, const std::uintmax_t bytes, Polygon_soup& soup)
 {
   if (element.is_vertex())
@@ -335,7 +335,7 @@ private:
                             : load<std::uint32_t>(p);
   }
 
-  // Bytes behind the elements are faces or vertices that the header does not know, unless there is nothing in them.
+  // Bytes after the elements are faces or vertices missing in the header, unless they are empty.
   void check_end()
   {
     const std::uintmax_t begin = file_.offset();
@@ -355,8 +355,8 @@ private:
     soup_.warnings.push_back(text + ", which are zeros or blanks");
   }
 
-  // With one vertex too many in the header, the first face is taken for it, but for bytes of zero that look like an empty
-  // face, and the others fit. A face that names the last vertex shows that there are as many as announced.
+  // If the header has one vertex too many, the first face is taken for it, except for zero bytes that look like an
+  // empty face, and everything else fits. A face that names the last vertex shows that the count is right.
   void check_empty_face() const
   {
     if (byte_of_empty_face_ == 0)
@@ -386,7 +386,7 @@ private:
     return result;
   }
 
-  // Where to look for the mistake: behind a byte too few or too many, faces name vertices that are not there.
+  // Where to look for the mistake: after a byte too few or too many, faces name vertices that do not exist.
   std::string hint() const
   {
     if (byte_of_empty_face_ != 0)
@@ -403,8 +403,8 @@ private:
     return std::string();
   }
 
-  // Each has the same number of bytes, and coordinates of one real type: none is taken otherwise. Returns how many
-  // there are before the end of the file.
+  // Reads vertices of equal size with coordinates of one real type, and none otherwise. Returns how many there are
+  // before the end of the file.
   std::size_t take_vertices(const Ply_element& element)
   {
     std::size_t stride = 0;
@@ -453,7 +453,7 @@ private:
                     Defect::NOT_FINITE, vertex);
   }
 
-  // Faces of nothing but a byte and three indices, as many as come one after the other. Returns their number.
+  // Reads consecutive faces that consist of a byte and three indices. Returns their number.
   std::size_t take_triangles(const std::size_t at_most)
   {
     using Index = std::uint32_t;
@@ -474,7 +474,7 @@ private:
     return done;
   }
 
-  // The general case. What nobody wants is never in memory as a whole.
+  // The general case. Skipped data is never in memory as a whole.
   void take_element(const Ply_element& element, const std::size_t index)
   {
     std::array<double, 3> point{};
@@ -586,7 +586,7 @@ public:
   }
 
 private:
-  // What is wrong if the line ends within the elements that begin on it, which is a row of too many numbers or too few.
+  // The defect if the line ends within the elements that begin on it: a row of too many or too few numbers.
   std::string line_of_two()
   {
     const bool is_first = index_ == 0;
@@ -699,7 +699,7 @@ private:
     return static_cast<float>(number);
   }
 
-  // Goes over what nobody wants, which may be any number: not finite, or out of the range of its type.
+  // Skips unneeded data, which may be any number: not finite, or out of the range of its type.
   void skip_value(const Ply_property& property)
   {
     require_word();
@@ -710,7 +710,7 @@ private:
                   Defect::UNREADABLE, index_);
   }
 
-  // \param what says what it is
+  // \param what describes it
   template <class What>
   long long take_integer(const Ply_type& type, const What& what)
   {
@@ -747,17 +747,17 @@ private:
   Polygon_soup& soup_;
   static constexpr char no_comment = '\n'; // no word begins with it
   Text_lines lines_;
-  const std::uintmax_t size_;         // of what follows the header
+  const std::uintmax_t size_;         // of the data after the header
   std::size_t first_ = 0, begin_ = 0; // the lines on which the first element begins, and this one
-  std::string surplus_;               // what is wrong with the line if there is another behind it
+  std::string surplus_;               // the defect of the line if another one follows it
   bool is_row_short_ = false;         // that what is wrong is that the row before has too few numbers
   std::size_t last_line_ = (std::numeric_limits<std::size_t>::max)(); // there must be no other then
   const Ply_element* element_ = nullptr;
-  std::size_t index_ = 0;              // of the element among those of its kind
+  std::size_t index_ = 0;              // of the element among the elements of its kind
   std::vector<std::uint32_t> corners_; // of a face
 };
 
-// The first line tells how the lines of the header end: what follows may be no text.
+// The first line tells how the lines of the header end: the data after it may not be text.
 inline Text_encoding find_ply_encoding(const std::string& path)
 {
   Text_encoding result = find_encoding(path);

@@ -3,8 +3,8 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// What the readers of all formats share: the words and numbers of a text, and the refusal that
-// names the line or the element at fault.
+// Shared by the readers of all formats: the words and numbers of a text, and refusals that name the line or the element
+// at fault.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_TEXT_FILE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_TEXT_FILE_H
@@ -43,12 +43,12 @@ namespace CGAL::Intrinsic_triangulations::internal {
 inline double by_strtod(double, const char* text, char** end, locale_t locale) { return ::strtod_l(text, end, locale); }
 inline float by_strtod(float, const char* text, char** end, locale_t locale) { return ::strtof_l(text, end, locale); }
 
-// As std::from_chars(), by the function of C that does the same in a given locale.
+// Like std::from_chars(), by the function of C that does the same in a given locale.
 template <class Real>
 std::from_chars_result from_chars_by_strtod(const char* const first, const char* const last, Real& number)
 {
   static const locale_t classic = ::newlocale(LC_ALL_MASK, "C", nullptr);
-  // A copy, which ends, and begins with no blank. To C alone, +1 and 0x10 are numbers.
+  // A terminated copy that does not begin with a blank. Only C accepts +1 and 0x10 as numbers.
   const auto may_be_in_number = [](const char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || std::strchr("+-.()_", c) != nullptr;
   };
@@ -100,7 +100,7 @@ inline std::string load_file(const std::string& path, const std::size_t at_most)
   return text;
 }
 
-// How a text begins, behind a byte order mark, and how its lines end: by CR alone if there is no LF.
+// How a text begins, after a byte order mark, and how its lines end: with CR alone if it contains no LF.
 struct Text_encoding
 {
   std::uintmax_t begin = 0;
@@ -148,7 +148,7 @@ inline std::string in_small_letters(std::string text)
   return text;
 }
 
-// Of a comment in which a line ends as no other line of the file does: what follows would be lost.
+// Refuses a comment in which a line ends differently from all other lines: text after it would be lost.
 [[noreturn]] inline void refuse_line_end(const std::string& path, const std::size_t line, const char line_end)
 {
   const bool is_lf = line_end == '\n';
@@ -174,7 +174,7 @@ inline bool is_one_of(const std::string_view word, const std::initializer_list<s
                      [word](const std::string_view k) { return is_keyword(word, k); });
 }
 
-// What a word is that should be an integer, and how it is to be read if it is one: C++ knows no plus.
+// Classifies a word that should be an integer, and returns the text to read if it is one: C++ accepts no plus sign.
 enum class Integer_state {
   GOOD,
   TOO_LARGE,
@@ -212,7 +212,7 @@ BOOST_FORCEINLINE bool take_real(const char*& p, const char* const end, Real& nu
   return true;
 }
 
-// Goes behind a word that is a number without a sign and a point, of nine digits at most. Leaves p otherwise.
+// Moves past a word that is a number without sign and point, of at most nine digits. Otherwise leaves p.
 inline bool take_count(const char*& p, const char* const end, std::uint32_t& number)
 {
   const char* q = p;
@@ -241,7 +241,7 @@ inline bool is_foreign_infinity_or_nan(std::string_view word)
   return is_one_of(word, {"qnan", "snan", "nanq", "nans", "1#inf", "1#ind", "1#qnan", "1#snan", "\xe2\x88\x9e"});
 }
 
-// What is nearer to zero than any number of the type is zero.
+// Numbers nearer to zero than any number of the type become zero.
 inline Number_state read_number(const std::string_view word, double& number)
 {
   const char* const end = word.data() + word.size();
@@ -283,7 +283,7 @@ inline std::string and_more_faces(const std::size_t count)
   return count < 2 ? std::string() : ", and " + counted(count - 1, "more face like it", "more faces like it");
 }
 
-// The coordinate that a word is; refuses the word if it is none.
+// The coordinate given by a word; refuses the word if it is not a coordinate.
 inline double check_coordinate(const std::string& path, const std::string_view word, const std::string& where,
                                const std::size_t vertex)
 {
