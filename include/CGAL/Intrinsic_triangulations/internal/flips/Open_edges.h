@@ -57,8 +57,8 @@ public:
       triangulation_.set_interruption(interruption_.exchange({}));
   }
 
-  // Settles those of the edges, each of which is given once and marked as a candidate, that are found to be Delaunay,
-  // and removes them from the list.
+  // Removes the edges that are found to be Delaunay from the list, and settles them. Each edge is given once and marked
+  // as a candidate.
   // \exception Cancelled_error if the visitor or the interruption says so
   void settle_Delaunay(std::vector<Edge_index>& edges)
   {

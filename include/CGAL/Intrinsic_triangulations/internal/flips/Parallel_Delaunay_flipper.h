@@ -29,8 +29,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Consecutive edges of a triangulation, and what a Delaunay_flipper needs to flip those whose hinges lie completely in
-// the block.
+// Consecutive edges of a triangulation, and the data with which a Delaunay_flipper flips the edges whose hinges lie
+// completely in the block.
 //
 // Several threads may use disjoint blocks at once. A flip reads and writes only data of the five edges and two faces of
 // its hinge, and the halfedges of the vertices (see Delta_complex). All three edges of a face of the hinge are in the

@@ -171,7 +171,7 @@ private:
     typename Whole::Replaced before;
   };
 
-  static constexpr double unknown = -1, recomputed = -2; // the stored bound says all that is known
+  static constexpr double unknown = -1, recomputed = -2; // the stored bound is the only one
   static constexpr double u = 0x1p-53;
   // The bound of a squared length from which (1) and (3) of `Filtered_edge_length_traits` follow; a number may be
   // replaced by one that is as accurate as the initial ones.

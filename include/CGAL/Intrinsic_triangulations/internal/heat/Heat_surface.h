@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// What heat needs to know of a surface: matrices, and each face in the plane.
+// The surface as heat methods need it: matrices, and each face in the plane.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_HEAT_SURFACE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_HEAT_SURFACE_H
@@ -34,7 +34,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 struct Heat_face
 {
   std::array<std::uint32_t, 3> row; // of the corners
-  float share;                      // what the face counts: half if it has a second copy
+  float share;                      // the weight of the face: one half if it has a second copy
   double base, x, height;
 
   double area() const { return share * base * height / 2; }
@@ -46,26 +46,26 @@ struct Heat_face
   }
 };
 
-// All lengths are in units of the mean length of the edges of their component, until they are lengthened, so that no
-// number depends on the scale of the input, nor on what else it holds.
+// All lengths are in units of the mean edge length of their component, until they are lengthened, so that no number
+// depends on the scale of the input or on its other components.
 struct Heat_surface
 {
   double mean_length = 0;    // of all edges, in units of 2^exponent units of the input
   std::vector<double> units; // of the component of each row, likewise
   int exponent = 0;
-  std::vector<Heat_face> faces; // those that have an area
+  std::vector<Heat_face> faces; // the faces with an area
   std::vector<double> weights;  // half the sums of cotangents, for each edge of the triangulation
   Eigen::SparseMatrix<double> stiffness;
   Eigen::VectorXd mass;                 // zero for a vertex without faces
   std::vector<bool> is_border;          // whether a row is a vertex of a border edge
-  std::vector<std::uint32_t> component; // the smallest row of those that faces connect with this one
+  std::vector<std::uint32_t> component; // the smallest row that faces connect with this one
 
   std::size_t size() const { return std::size_t(mass.size()); }
   // A length at some row, in the unit of the input.
   double in_input_unit(double length, std::size_t row) const { return std::ldexp(length * units[row], exponent); }
   double from_input_unit(double length, std::size_t row) const { return std::ldexp(length, -exponent) / units[row]; }
 
-  // Makes the unit of each row so many times as long; of all rows of a component alike.
+  // Multiplies the unit of each row, equally for all rows of a component.
   void lengthen_units(const std::vector<double>& factors)
   {
     for (std::size_t v = 0; v < size(); ++v) {
@@ -77,8 +77,8 @@ struct Heat_surface
         *length /= factors[face.row[0]];
   }
 
-  // Which rows are in the components of these.
-  // \tparam Values a range of pairs of a row and something else
+  // The rows in the components of these rows.
+  // \tparam Values a range of pairs whose first member is a row
   template <class Values>
   std::vector<bool> connected_with(const Values& values) const
   {
@@ -110,7 +110,7 @@ bool has_obtuse_border(const Intrinsic_triangulation<Traits>& triangulation)
   return false;
 }
 
-// \tparam Row gives the row of a vertex, and what a face counts, as Row_of_vertex
+// \tparam Row gives the row of a vertex and the weight of a face, like Row_of_vertex
 template <class Traits, class Row>
 class Heat_surface_builder
 {
@@ -173,12 +173,12 @@ private:
       lengths_[e.idx()] /= result_.units[row(complex_.halfedge(e))];
   }
 
-  // That of the source of h.
+  // The row of the source of h.
   std::uint32_t row(Halfedge_index h) const { return std::uint32_t(row_(complex_.source(h))); }
 
   double length(Halfedge_index h) const { return lengths_[complex_.edge(h).idx()]; }
 
-  // What has no area is a piece of the edge beside it, and left out.
+  // A face without area is a piece of the edge beside it, and is omitted.
   void lay_out_faces()
   {
     result_.faces.reserve(complex_.number_of_faces());
@@ -197,8 +197,8 @@ private:
     }
   }
 
-  // In the matrix a thinner face would leave nothing of the others in double: its corners get the cotangents of one
-  // that is just thick enough, as if its height were larger.
+  // In the matrix a thinner face would make all others vanish in double: its corners get the cotangents of a face that
+  // is just thick enough.
   void thicken(Halfedge_index base, double x)
   {
     const double height = least_height * length(base), first = x / height, second = (length(base) - x) / height;

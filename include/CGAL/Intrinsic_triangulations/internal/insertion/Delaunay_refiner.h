@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Delaunay refinement: Ruppert's algorithm on a surface, with vertices that small cones are protected by.
+// Delaunay refinement: Ruppert's algorithm on a surface, with vertices that protect small cones.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_DELAUNAY_REFINER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_DELAUNAY_REFINER_H
@@ -103,14 +103,14 @@ private:
   }
 
   static constexpr double smallest_whole_cone = CGAL_PI / 3;
-  // In edges. A walk that goes around a needle that often has come to where it is much thinner than a face is long. A
-  // vertex there lies in the circumcircle of the face, too, and no closer to its corners than half of a side.
+  // Maximum walk length in edges: a longer walk is circling a needle thinner than the face. A vertex there lies in the
+  // circumcircle of the face, too, and no closer to its corners than half of a side.
   static constexpr std::size_t farthest_walk = std::size_t(1) << 14;
 
-  // Faces with a small angle come first, and of these those with the shortest side: what is inserted close to it
-  // improves those that have longer ones (A. Ungor, "Off-centers", 2009). Of the faces with sides of the same size up
-  // to a fourth root of two, and of those that are only too large, the largest is next: edges around it cross the
-  // fewest small faces.
+  // Faces with a small angle come first, in the order of their shortest sides: a vertex near a short side improves
+  // faces with longer ones, too (A. Ungor, "Off-centers", 2009). Among faces with sides of the same size up to a fourth
+  // root of two, and among those that are only too large, the largest is next: edges around it cross the fewest small
+  // faces.
   struct Candidate
   {
     int order_of_size; // of the shortest side, in fourth roots of two, if an angle is small
@@ -151,7 +151,7 @@ private:
     }
     visitor_.before_step(progress_);
   }
-  // What the areas of faces tell: of those that are too large, and of thin ones with sides of the present size.
+  // Estimates from areas: of faces that are too large, and of thin ones with sides of the present size.
   std::uint64_t estimated_points() const
   {
     const double largest_edge =
@@ -181,8 +181,8 @@ private:
     bad_faces_.push({order_of_size, faces_.circumradius(f), f});
   }
 
-  // Faces without area are left at the border and at constrained edges: their longest side is one. They are kept as
-  // they are.
+  // Faces without area remain at the border and at constrained edges, where their longest side is such an edge. They
+  // are kept as they are.
   void fix_faces_without_area()
   {
     for (Face_index f : complex_.faces())
@@ -217,8 +217,8 @@ private:
       segments_.find_small_corner(v);
     }
   }
-  // A vertex close to a small cone makes a triangle around it that no other vertex disturbs: those that would lie in
-  // its circumcircle are not inserted.
+  // A vertex close to a small cone makes a triangle around it that no other vertex disturbs: vertices in its
+  // circumcircle are not inserted.
   void protect_cones()
   {
     for (Vertex_index v : cones_.vertices()) {
@@ -253,7 +253,7 @@ private:
       left_[f] = {faces_.circumradius(f), *reason};
   }
 
-  // The walk to where a vertex enlarges the smallest angle, if that is to be enlarged.
+  // The walk to a place where a vertex enlarges the smallest angle, if needed.
   std::optional<Walk_end> walk_to_better_point(Face_index f)
   {
     const Halfedge_index h = faces_.shortest_side(f);
@@ -262,12 +262,12 @@ private:
     return walk(h, search_(h));
   }
 
-  // \return why that cannot be done, if so
+  // \return why that is impossible, if so
   std::optional<Refinement_obstacle> refine_at_circumcenter(Face_index f)
   {
     const Halfedge_index h = faces_.longest_side(f);
     const Plane_point z = faces_.apex(h);
-    // Far outside, the height is of no importance.
+    // Far outside, the height does not matter.
     constexpr double farthest = 64;
     const double below = std::abs(z) * std::abs(z) - z.real(), height = 2 * z.imag();
     const double y = below <= -farthest * height ? -farthest : below / height;
@@ -309,8 +309,8 @@ private:
     note(f);
     return std::nullopt;
   }
-  // A segment with the same face on both sides has different ones then: the edge from the new vertex to the tip of that
-  // face is Delaunay, since the angles opposite to it are smaller than those at the base.
+  // A segment with the same face on both sides then has different ones: the edge from the new vertex to the tip of that
+  // face is Delaunay, since its opposite angles are smaller than those at the base.
   std::optional<Refinement_obstacle> insert_at_centroid(Face_index f)
   {
     const auto place = point_on_input(engine_, shapes_, complex_.halfedge(f), {1. / 3, 1. / 3, 1. / 3},
@@ -369,7 +369,7 @@ private:
       Whole_triangulation<Traits>(triangulation_).split_edge(h, Surface_point{along, {1 - t, t, 0}});
     ++report_.segment_splits;
     segments_.resize();
-    // Of the edges that lead to the new vertex, these are its parts.
+    // The edges to the new vertex that are parts of the segment.
     for (Halfedge_index g : Halfedges_around(complex_, v))
       if (correspondence_.coordinates().is_original(complex_.edge(g)))
         segments_.add(complex_.edge(g));

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Which faces refinement makes smaller, and what keeps it from doing so.
+// The faces that refinement makes smaller, and what prevents it.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_FACE_QUALITY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_FACE_QUALITY_H
@@ -26,7 +26,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Vertices with a small sum of angles, where refinement has to keep its distance: see doc/termination.md. Lengths are in
+// Vertices with a small sum of angles, from which refinement keeps its distance: see doc/termination.md. Lengths are in
 // the unit of the input.
 class Small_cones
 {
@@ -57,7 +57,7 @@ public:
     return radius;
   }
 
-  // Keeps the circumcircle of the triangle free that a vertex at this distance makes with v.
+  // Keeps the circumcircle of the triangle empty that a vertex at this distance forms with v.
   void protect(Vertex_index v, double distance)
   {
     Cone& cone = cones_.at(v);
@@ -88,7 +88,7 @@ private:
   struct Cone
   {
     double angle;
-    double radius; // of the circle that is kept free
+    double radius; // of the circle that is kept empty
   };
 
   const Delta_complex& input_;
@@ -97,7 +97,7 @@ private:
   std::unordered_map<Vertex_index, Cone> cones_;
 };
 
-// Which triangles are made smaller; `refine_Delaunay()` says what the members mean.
+// The criteria for refinement; see `refine_Delaunay()` for the members.
 struct Refinement_criteria
 {
   double minimum_angle = 25;
@@ -133,7 +133,7 @@ public:
   {
     return has_small_angle(faces_.length(faces_.shortest_side(f)), faces_.circumradius(f));
   }
-  // Whether a triangle with these measures would be refined, if nothing keeps its angles.
+  // Whether a triangle with these measures would be refined, if nothing fixes its angles.
   bool is_bad(double shortest, double longest, double circumradius) const
   {
     return is_too_large(longest, circumradius) || has_small_angle(shortest, circumradius);

@@ -37,13 +37,13 @@ public:
     for (Edge_index e : complex_.edges())
       measure(e);
   }
-  // To be called again for what changes.
+  // Must be called again for changed faces.
   void measure(Edge_index e)
   {
     lengths_[e.idx()] = has_good_length(e) ? std::ldexp(std::sqrt(squared_length(e)), triangulation_.unit_exponent())
                                            : CGAL::to_double(triangulation_.length(e));
   }
-  // All edges at v, which may be new; its faces are measured anew first if flips have left numbers that are not good.
+  // All edges at v, which may be new; its faces are measured anew first if flips have left inaccurate numbers.
   void measure_star(Vertex_index v)
   {
     lengths_.resize(complex_.number_of_edges());
@@ -92,7 +92,7 @@ private:
   {
     return triangulation_.traits().compute_squared_length_object()(triangulation_.edge_data(e));
   }
-  // Whether the numbers that flips keep are good to 30 bits.
+  // Whether the numbers kept by flips are accurate to 30 bits.
   bool has_good_length(Edge_index e) const
   {
     double error = (std::numeric_limits<double>::infinity)();

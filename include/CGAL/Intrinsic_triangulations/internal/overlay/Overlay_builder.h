@@ -253,7 +253,7 @@ private:
     {
       Halfedge_index input_halfedge;
       End source, target;
-      std::size_t end; // behind its last crossing
+      std::size_t end; // after its last crossing
     };
     struct Paths
     {

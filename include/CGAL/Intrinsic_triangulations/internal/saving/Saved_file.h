@@ -19,7 +19,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// What the metric of the input is given by.
+// The data that define the metric of the input.
 enum class Metric_kind {
   POINTS,
   LENGTHS,
@@ -42,10 +42,10 @@ struct Saved_file
 // Asked for each block of bytes.
 using Go_further = std::function<bool()>;
 
-// What the traits keep, as `Saved_triangulation` has it, and for each input face the halfedge that is listed first.
+// The data of the traits, as in `Saved_triangulation`, and for each input face the halfedge that is listed first.
 struct Stored_numbers
 {
-  const std::vector<Halfedge_index>& first_sides; // has to live as long; or empty for that of the input
+  const std::vector<Halfedge_index>& first_sides; // must outlive this; or empty for the one of the input
   std::function<double(Edge_index)> squared_length;
   std::function<std::array<double, 2>(Face_index)> area;
 };
@@ -54,8 +54,8 @@ struct Stored_numbers
 void write_saved_file(std::ostream& os, const Exact_engine& engine, const Stage_counts& counts,
                       const Stored_numbers& numbers, const std::vector<bool>& is_constrained,
                       const Go_further& go_further);
-// Checks the connectivity of input and triangulation, and that there is an entry for each element; not what only the metric can tell.
-// Memory: proportional to what was read, whatever the header says
+// Checks the connectivity of input and triangulation, and that there is an entry for each element, but nothing that
+// needs the metric. Memory: proportional to the bytes read, whatever the header says
 Saved_file read_saved_file(std::istream& is, const Go_further& go_further);
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// How exact decisions are made.
+// Settings and statistics of exact decisions.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_DECISIONS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_DECISIONS_H
@@ -15,10 +15,10 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 struct Decisions
 {
-  // A function that is called from time to time during a single decision that takes long. Threads that decide call it,
-  // several at once if they do. Copies of an engine do not take it over.
+  // A function that is called from time to time during a single long decision, by the deciding threads, possibly
+  // several at once. Copies of an engine do not inherit it.
   Interruption interruption;
-  Tie_proof tie_proof = Tie_proof::PROBABLE_IF_COSTLY; // what is accepted as a tie
+  Tie_proof tie_proof = Tie_proof::PROBABLE_IF_COSTLY; // the required proof of a tie
   Stage_counts counts;                                 // how tests were decided
 };
 
