@@ -168,6 +168,14 @@ TEST_F(Command_usage, the_standard_input_is_read_in_each_format)
   write("text", "Hello\n");
   EXPECT_TRUE(contains(piped("text", "triangulate -").err, "not recognized"));
   EXPECT_TRUE(contains(idt("triangulate -").err, "empty"));
+  for (const auto& [content, format] : std::vector<std::pair<std::string, std::string>>{
+         {"<?xml version=\"1.0\"?>\n<!DOCTYPE GIFTI>\n<GIFTI Version=\"1.0\">", "is GIFTI, which is not read"},
+         {std::string("\xff\xff\xfe\n\n\0\0\0\1", 9), "is a FreeSurfer surface"},
+         {"#!ascii version of lh.pial\n4 4\n", "is FreeSurfer ASCII"},
+         {"# vtk DataFile Version 3.0\nOFF\nASCII\n", "is legacy VTK"}}) {
+    write("other", content);
+    EXPECT_TRUE(contains(piped("other", "triangulate -").err, format)) << format;
+  }
 }
 
 TEST_F(Command_usage, a_converter_is_named)
@@ -175,8 +183,9 @@ TEST_F(Command_usage, a_converter_is_named)
   for (const auto& [name, program] :
        std::vector<std::pair<std::string, std::string>>{{"a.glb", "assimp export a.glb a.obj"},
                                                         {"b c.FBX", "assimp export 'b c.FBX' 'b c.obj'"},
-                                                        {"-a.mesh", "meshio convert './-a.mesh' './-a.off'"},
-                                                        {"a.vtu", "meshio convert a.vtu a.off"},
+                                                        {"-a.mesh", "meshio convert './-a.mesh' './-a.ply'"},
+                                                        {"a.vtu", "meshio convert a.vtu a.ply"},
+                                                        {"a.vtk", "ParaView saves its surface as PLY"},
                                                         {"a.step", "gmsh a.step -2 -o a.stl"},
                                                         {"a.ply.gz", "gunzip a.ply.gz"}}) {
     write(name, "x");

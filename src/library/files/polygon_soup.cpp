@@ -119,7 +119,11 @@ std::string conversion_advice(const std::string& file_name)
   const std::string stem = file_name.substr(0, dot), from = word(file_name);
   if (is_one_of(".glb .gltf .dae .fbx .3mf .3ds .amf .blend .dxf .lwo .x .x3d .ac .ase .ms3d .zae "))
     return "; Assimp reads it: assimp export " + from + ' ' + word(stem + ".obj");
-  if (is_one_of(".msh .mesh .meshb .vtk .vtu .inp .med .nas .bdf .xdmf .exo .e .cgns .su2 .ugrid .avs .vol "))
+  if (is_one_of(".vtk "))
+    return "; ParaView saves its surface as PLY (File > Save Data), and if it is an unstructured grid, meshio converts "
+           "it: meshio convert " +
+           from + ' ' + word(stem + ".ply");
+  if (is_one_of(".msh .mesh .meshb .vtu .inp .med .nas .bdf .xdmf .exo .e .cgns .su2 .ugrid .avs .vol "))
     return "; meshio reads its faces: meshio convert " + from + ' ' + word(stem + ".ply");
   if (is_one_of(".step .stp .iges .igs .brep "))
     return "; Gmsh makes triangles of it: gmsh " + from + " -2 -o " + word(stem + ".stl");
