@@ -3,8 +3,8 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Turns polygons that do not form a surface into one, if only the connectivity is at fault. Says what was done, to
-// which elements, and where each element of the result comes from.
+// Turns polygons that do not form a surface into one, if only the connectivity is at fault. Reports each repair with
+// its elements, and where each element of the result comes from.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_REPAIR_POLYGONS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_REPAIR_POLYGONS_H

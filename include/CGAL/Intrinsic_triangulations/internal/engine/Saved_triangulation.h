@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// What a file says of a triangulation, beside its input.
+// The contents of a file about a triangulation, besides its input.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_SAVED_TRIANGULATION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_SAVED_TRIANGULATION_H
@@ -27,13 +27,13 @@ struct Saved_triangulation
   Delta_complex connectivity;
   Normal_coordinates coordinates;       // of its edges
   std::vector<Surface_point> locations; // of the vertices that follow those of the input
-  // What Filtered_edge_length_traits keep, in the unit of the metric: squared lengths; for each face four times the area, and the bound.
+  // The data of Filtered_edge_length_traits, in the unit of the metric: squared lengths; four times areas, and bounds.
   Large_vector<double> squared_lengths;
   Large_vector<std::array<double, 2>> areas;
   std::vector<bool> is_straight; // for each face: whether it was known to be a triangle in space
 
-  // Replaces the triangulation of an engine by this one, of which a file says that it has come from the engine's input.
-  // All of that is checked, exactly. The numbers stay here.
+  // Replaces the triangulation of an engine by this one, which a file claims to derive from the engine's input. All of
+  // this is checked, exactly. The numbers stay here.
   // \pre nothing was flipped, and there is an entry for each element
   // \exception Invalid_surface_error if it has not; then the engine can only be destroyed
   // \param is_known whether the numbers of a face are known to be right

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// All faces of a triangulation, each as its sides see it in the plane.
+// All faces of a triangulation, laid out in the plane relative to each of their sides.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_LAID_OUT_FACES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_LAID_OUT_FACES_H
@@ -24,13 +24,13 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Several vertices may stand for one row, as those of a cover.
+// Several vertices may have the same row, as those of a cover.
 class Laid_out_faces
 {
 public:
   static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
 
-  // From (0, 0) to (length, 0); the face lies to the left. Three of a face follow each other.
+  // From (0, 0) to (length, 0), with the face to the left. The three sides of a face are consecutive.
   struct Side
   {
     std::uint32_t opposite = none; // none on the border
@@ -81,7 +81,7 @@ public:
   Halfedge_index halfedge(std::uint32_t i) const { return halfedges_[i]; }
   static std::uint32_t next(std::uint32_t i) { return i % 3 == 2 ? i - 2 : i + 1; }
   static std::uint32_t prev(std::uint32_t i) { return i % 3 == 0 ? i + 2 : i - 1; }
-  // The next side that begins at the same vertex, to the left or to the right; none behind a border.
+  // The next side that begins at the same vertex, to the left or to the right; none beyond a border.
   std::uint32_t left_of(std::uint32_t i) const { return sides_[prev(i)].opposite; }
   std::uint32_t right_of(std::uint32_t i) const { return sides_[i].opposite == none ? none : next(sides_[i].opposite); }
   // Infinite on the border.
@@ -90,11 +90,10 @@ public:
     return angle_sums_[vertex] < 0 ? std::numeric_limits<double>::infinity()
                                    : double(angle_sums_[vertex]) / angle_scale;
   }
-  // The sides that begin at a row are those with the numbers corner(i) for i from first_corner(row) to
-  // first_corner(row + 1).
+  // The sides that begin at a row have the numbers corner(i) for i from first_corner(row) to first_corner(row + 1).
   std::uint32_t first_corner(std::uint32_t row) const { return first_[row]; }
   std::uint32_t corner(std::uint32_t i) const { return corners_[i]; }
-  // An order that does not depend on numbers: by the places of the corners of the faces, from the side on.
+  // An order independent of numbering: by the positions of the corners of the faces, from the side on.
   bool is_before(std::uint32_t i, std::uint32_t j) const
   {
     for (int corner = 0; corner < 3; ++corner, i = next(i), j = next(j)) {
@@ -108,7 +107,7 @@ public:
   int exponent() const { return exponent_; }
 
 private:
-  // Of several, the one whose corner comes first.
+  // The one whose corner comes first, if there are several.
   template <class Row>
   Halfedge_index longest_side(const Delta_complex& complex, const Row& row, Halfedge_index first,
                               const std::vector<double>& lengths) const
@@ -164,7 +163,7 @@ private:
     std::vector<std::uint32_t> position(first_.begin(), first_.end() - 1);
     for (std::size_t i = 0; i < sides_.size(); ++i)
       corners_[position[sides_[i].row]++] = std::uint32_t(i);
-    // Of two ways along edges that get to the same row at once, the first one counts.
+    // If two ways along edges reach the same row at once, the first one counts.
     for (std::size_t row = 0; row + 1 < first_.size(); ++row) {
       const auto begin = corners_.begin() + first_[row], end = corners_.begin() + first_[row + 1];
       if (end - begin > 16 || has_edges_to_same_row(begin, end))
