@@ -78,7 +78,7 @@ private:
     }
   }
 
-  // A format that is not read, by how its files begin or, in XML, by an element; empty if it is none of these.
+  // The name of an unsupported format, recognized by how its files begin or, in XML, by an element; empty if unknown.
   static std::string other_format(const std::string& begin)
   {
     using namespace std::string_literals;

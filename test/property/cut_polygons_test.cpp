@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Random polygons with holes in random planes: the triangles have the very area that the ring encloses, by exact
-// arithmetic, and none lies on the wrong side.
+// Random polygons with holes in random planes: by exact arithmetic, the triangles have exactly the area that the ring
+// encloses, and none lies on the wrong side.
 
 #include <CGAL/Intrinsic_triangulations/repair_polygons.h>
 
@@ -113,7 +113,7 @@ private:
       polygon.push_back(add_point(x + width * double(i) / double(n), number(low, high)));
   }
 
-  // The slit is there once or twice, begins at a corner or within what would be a side, or has no length.
+  // The slit occurs once or twice, begins at a corner or inside a side, or has no length.
   void add_hole(double x, std::size_t n)
   {
     const int kind = int(number(0, 4));
@@ -260,7 +260,7 @@ TEST(Cut_polygons, that_cross_themselves_are_named)
     refusal({{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 2, 0}}),
     "face 7 crosses itself: its sides 0-1 and 2-3 meet at (1, 1, 0); put its corners into order, or make a vertex "
     "there");
-  // Not quite in a plane, of different lobes, in a plane that is not level; a star.
+  // Not quite planar, with different lobes, in a slanted plane; a star.
   EXPECT_NE(refusal({{0, 0, 0.001}, {2, 2, -0.001}, {2, 0, 0.001}, {0, 2, 0}}), "");
   EXPECT_NE(refusal({{0, 0, 0}, {5, 0, 0}, {1, 3, 3}, {1, -1, -1}}), "");
   Points star;

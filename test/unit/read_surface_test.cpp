@@ -359,8 +359,7 @@ TEST_F(Read_surface, unusual_numbers)
   EXPECT_EQ(input.points[2][2], double(3e38f));
 }
 
-// As compilers write them: those of C, of Windows before 2015 (with any number of digits, and a decimal comma), of AIX,
-// Java, Fortran.
+// As written by C, by Windows before 2015 (with any number of digits, and a decimal comma), AIX, Java and Fortran.
 TEST_F(Read_surface, what_is_not_finite_in_any_spelling)
 {
   for (const std::string word : {"nan",       "NaN",
@@ -397,7 +396,7 @@ TEST_F(Read_surface, what_is_not_finite_in_any_spelling)
            {"a.ts", ts, "line 4 (vertex 1)"}})
       refused(name, content, where + ": " + what, Defect::NOT_FINITE);
 
-    // Where it is no coordinate nobody minds.
+    // Elsewhere than in coordinates, such numbers are accepted.
     std::string ply = ply_header("ascii", 3, 1);
     ply.insert(ply.find("element face"), "property float nx\nproperty list uchar float more\n");
     const std::string more = ' ' + word + " 1 " + word + '\n', normal = ' ' + word + " 0 0\n";
@@ -413,7 +412,7 @@ TEST_F(Read_surface, what_is_not_finite_in_any_spelling)
                            " 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid\n")})
       EXPECT_EQ(idt::read_surface(file).triangles, (Triangles{{{0, 1, 2}}})) << file;
   }
-  // A comment behind a number is one.
+  // A comment may follow a number directly.
   EXPECT_EQ(idt::read_surface(write("a.off", "OFF 3 1 0\n0 0 0#QNAN\n1 0 1# #\n0 1 0\n3 0 1 2#x\n")).points[1],
             (std::array<double, 3>{1, 0, 1}));
 }

@@ -94,7 +94,7 @@ bool is_repairable(Invalid_surface_error::Defect defect);
 /// The steps, in this order:
 /// - Vertices at the same position are merged where an edge joins them and along the border, which
 ///   closes seams. Elsewhere they stay apart, as do surfaces that merely touch.
-/// - A face that encloses nothing, as one with fewer than three different corners, is removed.
+/// - A face that encloses nothing, such as one with fewer than three different corners, is removed.
 /// - Polygons are cut into triangles as by `triangulate_polygon()`.
 /// - Of several triangles with the same corners, one is kept; or two, if they are the wall between two rooms or the
 ///   sides of a fin, as an even number of other faces at their edges tells. A fin of one triangle goes with both sides.
@@ -159,32 +159,31 @@ std::string message(const Repair& repair);
 struct Polygon_triangles
 {
   std::vector<std::array<std::size_t, 3>> triangles; ///< their vertices, in the direction of the polygon
-  std::string warning;                               ///< what is not as it should be; empty if all is
+  std::string warning;                               ///< a warning about the triangles; empty if they are correct
 };
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
 /// \brief cuts one polygon in space into triangles, which have its sides as their border.
 ///
-/// The polygon is laid into the plane of its area, or of three corners far from each other if its area is small. If its
-/// sides do not cross there, it is cut into the triangles that it encloses (a constrained Delaunay triangulation with
-/// exact decisions). Sides may touch and run along each other: parts that slits connect with the outside, and run in
-/// the other direction, are holes. A corner that lies beyond a side by rounding touches it: by the distance of the
-/// polygon from the plane or 10<sup>-6</sup> of its size, whichever is larger, but less than 1/256 of its size. A
+/// The polygon is projected onto the plane of its area, or of three distant corners if its area is small. If its sides
+/// do not cross there, it is cut into the triangles that it encloses (a constrained Delaunay triangulation with exact
+/// decisions). Sides may touch and run along each other: parts that slits connect with the outside, and run in the
+/// other direction, are holes. A corner that rounding has moved beyond a side touches it, if by at most the distance of
+/// the polygon from the plane or 10<sup>-6</sup> of its size, whichever is larger, but less than 1/256 of its size. A
 /// polygon whose sides cross in both planes, and miss each other in space by more than a hundredth of its size, becomes
-/// a surface of small dihedral angles and area up to 200 corners, and a fan with more, which is the one cause for a
+/// a surface of small dihedral angles and area if it has up to 200 corners, and otherwise a fan, the only cause of a
 /// warning.
 ///
 /// \param points positions of vertices
-/// \param polygon the vertices at the corners. Those that repeat the one before are ignored; no triangle names a vertex
-///   twice
+/// \param polygon the vertices at the corners. Repetitions of the previous vertex are ignored; no triangle names a
+///   vertex twice
 /// \param face the number of the polygon in messages
 ///
 /// \exception Invalid_surface_error with `WRONG_TOPOLOGY` if the polygon crosses itself, or winds twice around a part of
 ///   itself; the message names the sides
 ///
-/// Complexity: O(k log k) for k corners in practice, O(k<sup>3</sup>) for those up to 200 that are far from a plane. It
-/// uses `CGAL::Constrained_Delaunay_triangulation_2` and
-/// `CGAL::Polygon_mesh_processing::triangulate_hole_polyline()`.
+/// Complexity: O(k log k) for k corners in practice, O(k<sup>3</sup>) for up to 200 corners far from a plane. It uses
+/// `CGAL::Constrained_Delaunay_triangulation_2` and `CGAL::Polygon_mesh_processing::triangulate_hole_polyline()`.
 Polygon_triangles triangulate_polygon(const std::vector<std::array<double, 3>>& points,
                                       const std::vector<std::size_t>& polygon, std::size_t face);
 

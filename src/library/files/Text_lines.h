@@ -77,7 +77,7 @@ public:
         return false;
     return true;
   }
-  // Goes over the word at p, which ends at a comment, unless it is one of the words with that letter.
+  // Skips the word at p, which ends at a comment, unless it is one of the words with that letter.
   std::string_view take_word()
   {
     const char* const begin = p;
@@ -168,7 +168,7 @@ protected:
       coordinate = check_coordinate(path_, lines_.take_word(), where("vertex", vertex), vertex);
     return coordinate;
   }
-  // Goes over a number that nobody wants and that need not be finite.
+  // Skips an unneeded number, which need not be finite.
   void skip_number(const std::size_t vertex, const std::size_t number, const std::size_t needed)
   {
     const char* const begin = lines_.p;

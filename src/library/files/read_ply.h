@@ -35,7 +35,7 @@ struct Ply_type
   const char* name = "";
   std::size_t size = 0; // in bytes
   bool is_real = false;
-  long long least = 0, greatest = 0; // of the integers; of a real that stands for one, as in lists of some programs
+  long long least = 0, greatest = 0; // of the integers; of reals that stand for integers, as in lists of some programs
 
   bool is_signed() const { return least < 0; }
 };
@@ -750,7 +750,7 @@ private:
   const std::uintmax_t size_;         // of the data after the header
   std::size_t first_ = 0, begin_ = 0; // the lines on which the first element begins, and this one
   std::string surplus_;               // the defect of the line if another one follows it
-  bool is_row_short_ = false;         // that what is wrong is that the row before has too few numbers
+  bool is_row_short_ = false;         // whether the defect is that the previous row has too few numbers
   std::size_t last_line_ = (std::numeric_limits<std::size_t>::max)(); // there must be no other then
   const Ply_element* element_ = nullptr;
   std::size_t index_ = 0;              // of the element among the elements of its kind

@@ -200,8 +200,8 @@ inline bool read_integer(const std::string_view word, long long& number)
   return integer_state(word, number) == Integer_state::GOOD;
 }
 
-// Goes behind the number at p if all is well with it, and it ends with the word: most numbers do, and anything else
-// needs a closer look, by check_coordinate(). Leaves p otherwise.
+// Moves past the number at p if it is valid and ends with the word, as most numbers do. Otherwise leaves p for a closer
+// look by check_coordinate().
 template <class Real>
 BOOST_FORCEINLINE bool take_real(const char*& p, const char* const end, Real& number)
 {
@@ -231,8 +231,8 @@ enum class Number_state {
   NOT_A_NUMBER
 };
 
-// Whether a word is how some compilers write what is not finite, unknown to std::from_chars(). Those of Windows before
-// 2015 round the letters, too: 1.#QNAN, 1.#INF00e+000, 1.#J, and with a decimal comma.
+// Whether some compiler writes a nonfinite number as this word, which std::from_chars() does not know. Windows
+// compilers before 2015 round the letters, too: 1.#QNAN, 1.#INF00e+000, 1.#J, also with a decimal comma.
 inline bool is_foreign_infinity_or_nan(std::string_view word)
 {
   word.remove_prefix(!word.empty() && (word[0] == '+' || word[0] == '-') ? 1 : 0);

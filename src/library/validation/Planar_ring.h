@@ -28,11 +28,12 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The ring winds around what it encloses once, in either direction. Its sides may touch each other, run along each other
-// and come back, as at the slit to a hole, but not cross. Each triangle has its corners at those of the ring.
+// The ring winds once around the region that it encloses, in either direction. Its sides may touch each other, run
+// along each other and come back, as at the slit to a hole, but not cross. The corners of triangles are corners of the
+// ring.
 //
-// Together the triangles have the sides of the ring as their border, each as it is: where a side passes through corners
-// of others, it has a fan of flat triangles with them. So a neighbor that shares the side finds it.
+// The border of the triangles consists of the undivided sides of the ring: a side that passes through other corners
+// gets a fan of flat triangles with them. So a neighbor that shares the side finds it.
 class Planar_ring
 {
 public:
@@ -47,8 +48,8 @@ public:
     OVERLAPPING // the ring winds twice around something
   };
 
-  // \param tolerance how far beyond a side a corner may lie that is to touch it: where sides cross by less, as they do
-  // by rounding, the side goes through the corner
+  // \param tolerance the distance up to which a corner beyond a side touches it: where sides cross by less, as by
+  // rounding, the side goes through the corner
   Planar_ring(const std::vector<Point>& corners, double tolerance)
     : corners_(corners), squared_tolerance_(tolerance * tolerance)
   {}
@@ -74,7 +75,7 @@ public:
   const std::vector<std::array<std::size_t, 3>>& triangles() const { return triangles_; }
   // The corners at the beginning and end of each of the two sides that cross.
   const std::array<std::array<std::size_t, 2>, 2>& crossing_sides() const { return crossing_sides_; }
-  // A corner beside which the ring winds twice around something.
+  // A corner next to a part around which the ring winds twice.
   std::size_t overlap() const { return overlap_; }
 
 private:
@@ -119,8 +120,8 @@ private:
 
   static Pair sorted(Index a, Index b) { return std::minmax(a, b); }
 
-  // Corners at the same point are at one place. Those that follow each other are one for the sides, the last of them;
-  // flat triangles with the corner before join the others to it.
+  // Corners at the same point form one place. For sides, the last of consecutive ones stands for all; flat triangles
+  // with the previous corner join the others to it.
   void find_places()
   {
     const Index n = Index(corners_.size());
@@ -138,7 +139,7 @@ private:
     if (points_.size() < 3)
       return;
     const auto next = [n](Index c) { return c + 1 < n ? c + 1 : 0; };
-    Index start = 0; // a corner that is somewhere else than the one before
+    Index start = 0; // a corner at another place than the previous one
     while (place_[start] == place_[start == 0 ? n - 1 : start - 1])
       ++start;
     Index before = start == 0 ? n - 1 : start - 1, c = start;
@@ -173,7 +174,7 @@ private:
       function(place_on(side, i), place_on(side, i + 1));
   }
 
-  // Makes edges of all sides, and notes through which places they pass and which others they cross.
+  // Inserts all sides as edges, and records the places through which they pass and the sides that they cross.
   Status insert_sides()
   {
     triangulation_.clear();
@@ -228,8 +229,8 @@ private:
         return neighbor->info();
   }
 
-  // Of two sides that cross, the nearest of the four corners becomes a place that the other passes. False if none is
-  // near.
+  // If two sides cross, the nearest of their four corners becomes a place that the other side passes. Returns false if
+  // none is near.
   bool split_crossing_sides(const bool is_last_round)
   {
     std::map<Pair, std::vector<Index>> passed;
@@ -257,8 +258,8 @@ private:
     return true;
   }
 
-  // Where the ring winds twice around thin triangles, because sides that should touch overlap, one side goes through
-  // the corner beside it. False if a triangle is not thin.
+  // Where the ring winds twice around thin triangles, because sides overlap that should touch, one side goes through
+  // the corner beside it. Returns false if a triangle is not thin.
   bool split_beside_overlaps()
   {
     std::map<Pair, std::vector<Index>> passed;
@@ -287,7 +288,7 @@ private:
     return !passed.empty();
   }
 
-  // Makes pieces pass through places.
+  // Lets pieces pass through places.
   void split(const std::map<Pair, std::vector<Index>>& passed)
   {
     for (Side& side : sides_) {
@@ -321,10 +322,10 @@ private:
     return {}; // not reached: each edge that is crossed is a piece of a side, or part of one that passes its ends
   }
 
-  // How often the ring winds around each face. False if it does so twice anywhere.
+  // Computes how often the ring winds around each face. Returns false if it winds twice around one.
   bool find_windings()
   {
-    std::vector<std::pair<Pair, int>> turns; // of each piece, how much more is on its left, in sorted order
+    std::vector<std::pair<Pair, int>> turns; // of each piece: the winding number is larger by this on its left; sorted
     for (const Side& side : sides_)
       for_each_piece(side, [&](Index p, Index q) { turns.emplace_back(sorted(p, q), p < q ? 1 : -1); });
     std::sort(turns.begin(), turns.end());
@@ -356,7 +357,7 @@ private:
     return is_once;
   }
 
-  // Of the edge of a face, as the face has it on its left.
+  // For an edge in the direction that has the face on its left.
   static Vertex_handle source(Face_handle f, int i) { return f->vertex(Triangulation::ccw(i)); }
   static Vertex_handle target(Face_handle f, int i) { return f->vertex(Triangulation::cw(i)); }
 
@@ -419,8 +420,8 @@ private:
     } while (f != start);
   }
 
-  // The corner at which a side begins towards one place, and a side ends that comes from another; or the other way
-  // round. If there is none, then one of which half is true.
+  // The corner at which a side to one place begins and a side from another place ends, or vice versa. Without such a
+  // corner, one with one of these sides.
   Index corner_between(Index place, Index one, Index other, bool is_left) const
   {
     const auto corners = [this, place](Index neighbor, bool is_source) {
@@ -437,7 +438,7 @@ private:
     return !from.empty() ? from[0] : !to.empty() ? to[0] : first_corner_[place];
   }
 
-  // For each side that passes through places, unless another comes back on the same way.
+  // For each side that passes through places, unless another side returns the same way.
   void add_flat_triangles()
   {
     std::map<Pair, std::vector<const Side*>> alone; // by the places of their ends
@@ -461,7 +462,7 @@ private:
       }
   }
 
-  // That of a triangle at the end of a piece, to its left if there is one.
+  // The corner of a triangle at the end of a piece, to its left if possible.
   Index corner_beside(Index from, Index to) const
   {
     Face_handle f;
@@ -475,7 +476,7 @@ private:
     return first_corner_[to];
   }
 
-  // Where a side begins or ends at a place that has several corners, and its next place.
+  // An end of a side at a place with several corners, and the next place of the side.
   struct End
   {
     Index place, neighbor;

@@ -3,7 +3,8 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// One face of any number of corners as triangles: in a plane if its sides do not cross there, in space otherwise.
+// Cuts a face with any number of corners into triangles: in a plane if its sides do not cross there, in space
+// otherwise.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_POLYGON_CUTTER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_POLYGON_CUTTER_H
@@ -41,8 +42,8 @@ public:
                  std::size_t face)
     : points_(points), polygon_(polygon), face_(face)
   {
-    // Moved and scaled to the size of 1, lest squares and products overflow. Quartered before, for the difference of
-    // two coordinates can overflow as well.
+    // Moved and scaled to size 1, so that squares and products do not overflow; divided by four first, because the
+    // difference of two coordinates can overflow as well.
     std::vector<std::array<double, 3>> places;
     double size = 0;
     for (const std::size_t v : polygon) {
@@ -63,7 +64,7 @@ public:
   std::vector<Triangle> cut()
   {
     const auto [area, widest] = normals();
-    // The area tells the plane, unless it is small: then that of three corners far from each other.
+    // The area determines the plane, unless it is small: then three distant corners do.
     const bool has_area = length(area) > 0.1 * length(widest);
     bool is_flat = true;
     for (const Vector& normal : {has_area ? area : widest, has_area ? widest : area})
@@ -81,13 +82,13 @@ public:
     return std::move(triangles_);
   }
 
-  // What is to be said about the triangles; empty if they are as they should be.
+  // A warning about the triangles; empty if they are correct.
   const std::string& warning() const { return warning_; }
 
 private:
   static double length(const Vector& v) { return std::hypot(v.x(), v.y(), v.z()); }
 
-  // Of the polygon, as long as twice its area; and of three corners far from each other.
+  // The normals of the polygon, as long as twice its area, and of three distant corners.
   std::pair<Vector, Vector> normals() const
   {
     Vector area(0, 0, 0), longest(0, 0, 0), widest(0, 0, 0);
@@ -124,7 +125,7 @@ private:
     deviation_ = (std::min)(deviation_, deviation);
     is_near_plane_ = deviation <= size / 100;
 
-    // Corners are uncertain by what they deviate from a plane, and by six digits.
+    // Corners are uncertain by their distance from a plane, and by six digits.
     Planar_ring planar(ring, (std::min)((std::max)(deviation, size * 1e-6), size / 256));
     const Planar_ring::Status status = planar.cut();
     if (status == Planar_ring::CUT)
@@ -137,7 +138,7 @@ private:
     return status;
   }
 
-  // Unless the sides cross in the plane alone, and miss each other in space by more than a gap.
+  // Unless the sides cross in the plane only, and miss each other in space by more than a gap.
   void note_crossing(const std::array<std::array<std::size_t, 2>, 2>& sides,
                      const std::vector<Planar_ring::Point>& ring, const std::vector<double>& heights, double gap)
   {
@@ -164,7 +165,7 @@ private:
     crossing_ = text.str();
   }
 
-  // Loops between the visits of a vertex, each by itself.
+  // Separate loops between the visits of a vertex.
   void cut_in_space(bool is_flat)
   {
     std::vector<std::size_t> path;
@@ -186,7 +187,7 @@ private:
 
   void cut_loop(const std::vector<std::size_t>& corners, bool is_flat)
   {
-    // Memory is quadratic and time cubic: with a thousand corners half a minute.
+    // Memory is quadratic and time is cubic: half a minute with a thousand corners.
     std::vector<Triple<int, int, int>> triples;
     if (!is_flat && corners.size() <= 200) {
       std::vector<Kernel::Point_3> points;
@@ -215,8 +216,8 @@ private:
   const std::size_t face_;
   std::vector<Vector> places_; // of the corners, from the first
   int exponent_ = 0;
-  double deviation_ = std::numeric_limits<double>::infinity(); // from the nearest plane that was tried
-  bool is_near_plane_ = false;                                 // that was tried last
+  double deviation_ = std::numeric_limits<double>::infinity(); // from the nearest plane tried
+  bool is_near_plane_ = false;                                 // the plane tried last
   std::vector<Triangle> triangles_;
   std::string crossing_, warning_;
 };
