@@ -5,6 +5,7 @@
 
 #include "overlay_surfaces.h"
 
+#include "library/engine/history/Flip_log.h"
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
@@ -89,7 +90,7 @@ TEST(Common_subdivision, of_a_triangulation_that_is_given_up)
   Triangulation t = Delaunay_triangulation(samples::bumpy_sphere(16, 10));
   const std::vector<double> expected = answers(IT::Common_subdivision(t));
   Triangulation unasked = Delaunay_triangulation(samples::bumpy_sphere(16, 10));
-  for (Triangulation* given_up : {&t, &unasked}) { // with integers, and with a journal of flips
+  for (Triangulation* given_up : {&t, &unasked}) { // with integers, and with a log of flips
     const IT::Common_subdivision subdivision(std::move(*given_up));
     EXPECT_EQ(answers(subdivision), expected);
     EXPECT_EQ(given_up->connectivity().number_of_edges(), 0u); // nothing was copied
@@ -120,14 +121,14 @@ TEST(Common_subdivision, prepares_the_integers)
   while (is_changed) {
     is_changed = false;
     for (IT::Edge_index e : complex.edges()) {
-      // Queries a copy, so that only the journal exists.
+      // Queries a copy, so that only the log exists.
       if (!complex.is_flippable(e) || decltype(rounded)(rounded).sign_of_cotangent_weight(e) != CGAL::NEGATIVE)
         continue;
       rounded.flip(e);
       is_changed = true;
     }
   }
-  ASSERT_GT(IT::internal::Engine_access::engine(rounded).correspondence().number_of_journaled_flips(), 0u);
+  ASSERT_GT(IT::internal::Engine_access::engine(rounded).log().size(), 0u);
   const IT::Common_subdivision subdivision(rounded);
   ASSERT_GT(subdivision.overlay().number_of_crossings(), 50u);
   EXPECT_EQ(subdivision.overlay().number_of_crossings(), IT::Overlay(t).number_of_crossings());

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include "library/engine/history/Flip_log.h"
 #include "library/system/Scratch_pool.h"
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
@@ -231,21 +232,21 @@ TEST(Scratch_pool, no_more_objects_than_in_use_at_once)
   EXPECT_EQ(number_made, 200u);
 }
 
-// The same flips, logged in journals that occasional queries fold in, and followed one by one.
-TEST(Const_queries, journals_and_flips_one_by_one_lead_to_the_same)
+// The same flips, logged until occasional queries read them, and followed one by one.
+TEST(Const_queries, logs_and_flips_one_by_one_lead_to_the_same)
 {
   using Whole = IT::internal::Whole_triangulation<IT::Filtered_edge_length_traits>;
   for (const Named_triangulation& named : triangulations())
     for (bool has_inserted_vertices : {false, true}) {
       SCOPED_TRACE(named.name);
-      Triangulation journaled = named.triangulation;
+      Triangulation logged = named.triangulation;
       std::mt19937 random(3);
       if (has_inserted_vertices)
-        IT::insert_random_vertices(journaled, 10, 5, random);
-      Triangulation followed = journaled;
-      const IT::Delta_complex& complex = journaled.connectivity();
+        IT::insert_random_vertices(logged, 10, 5, random);
+      Triangulation followed = logged;
+      const IT::Delta_complex& complex = logged.connectivity();
       for (int round = 0; round < 6; ++round) {
-        Whole(journaled).engine().begin_journal();
+        Whole(logged).engine().begin_log();
         for (int i = 0; i < 40 * round; ++i) {
           const IT::Edge_index e(std::uint32_t(random() % complex.number_of_edges()));
           if (!complex.is_flippable(e))
@@ -253,20 +254,20 @@ TEST(Const_queries, journals_and_flips_one_by_one_lead_to_the_same)
           IT::internal::engine(followed).test(e);
           const auto outcome = followed.flip(e);
           if (outcome == Triangulation::Flip_outcome::FLIPPED) {
-            if (Whole(journaled).flip_not_Delaunay(e) != outcome)
+            if (Whole(logged).flip_not_Delaunay(e) != outcome)
               ADD_FAILURE();
           }
         }
         ASSERT_TRUE(complex == followed.connectivity());
         if (round % 2 == 0)
-          journaled.length(IT::Edge_index(0));
+          logged.length(IT::Edge_index(0));
         if (round % 3 == 2)
-          IT::flip_to_Delaunay(journaled), IT::flip_to_Delaunay(followed);
-        for (Triangulation* t : {&journaled, &followed}) // stored numbers depend on the flips
+          IT::flip_to_Delaunay(logged), IT::flip_to_Delaunay(followed);
+        for (Triangulation* t : {&logged, &followed}) // stored numbers depend on the flips
           for (IT::Face_index f : complex.faces())
             Whole(*t).recompute(f);
-        ASSERT_EQ(answers(journaled, nullptr, 0), answers(followed, nullptr, 0));
-        const IT::internal::Correspondence &a = IT::internal::engine(journaled).correspondence(),
+        ASSERT_EQ(answers(logged, nullptr, 0), answers(followed, nullptr, 0));
+        const IT::internal::Correspondence &a = IT::internal::engine(logged).correspondence(),
                                            &b = IT::internal::engine(followed).correspondence();
         for (IT::Halfedge_index h : complex.halfedges())
           ASSERT_EQ(a.input_halfedge(h), b.input_halfedge(h));
@@ -290,17 +291,18 @@ TEST(Const_queries, the_integers_are_computed_while_the_input_is_recovered)
     SCOPED_TRACE(named.name);
     const Triangulation& t = named.triangulation;
     IT::internal::Correspondence one, two;
+    IT::internal::Flip_log log;
     IT::Delta_complex complex = t.input();
     for (int repeats = 0; repeats < 3; ++repeats)
       for (IT::Edge_index e : complex.edges()) {
         if (!complex.is_flippable(e))
           continue;
-        one.flip(complex, complex.hinge(e));
-        two.flip(complex, complex.hinge(e));
+        log.push_back(complex.hinge(e));
         complex.flip(e);
       }
-    EXPECT_EQ(one.prepare(complex), two.prepare(complex, run_blocks));
-    EXPECT_TRUE(two.is_prepared());
+    one.catch_up(complex, log);
+    two.catch_up(complex, log, run_blocks);
+    EXPECT_TRUE(two.knows_input());
     for (IT::Halfedge_index h : complex.halfedges()) {
       ASSERT_EQ(one.input().next(h), two.input().next(h));
       ASSERT_EQ(one.input().target(h), two.input().target(h));

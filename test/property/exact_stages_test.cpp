@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include "library/engine/history/Flip_log.h"
 #include "library/engine/decide/Exact_fallback.h"
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
@@ -82,7 +83,7 @@ TEST(Exact_stages, long_chains_of_flips_in_a_plane_need_no_correspondence)
   Triangulation t = make_Delaunay(samples::sheared_grid(60, 60, 20.3));
   EXPECT_GT(t.stage_counts()[IT::Stage::COPLANAR], 0u);
   using Whole = IT::internal::Whole_triangulation<IT::Filtered_edge_length_traits>;
-  EXPECT_FALSE(Whole(t).engine().correspondence().is_prepared());
+  EXPECT_FALSE(Whole(t).engine().log().is_followed_by(IT::internal::Flip_log::INTEGERS));
   expect_agreement(t);
 }
 

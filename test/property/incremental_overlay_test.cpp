@@ -41,10 +41,9 @@ using Halfedges = std::vector<Halfedge_index>;
 // A triangulation without a metric, its integers, and the overlay that is updated.
 struct Both_ways
 {
-  explicit Both_ways(const Delta_complex& input) : complex(input), incremental(input)
-  {
-    correspondence.prepare(complex);
-  }
+  explicit Both_ways(const Delta_complex& input)
+    : complex(input), correspondence(input, IT::internal::Normal_coordinates(input), {}), incremental(input)
+  {}
 
   void flip(Edge_index e)
   {

@@ -196,13 +196,12 @@ TEST(Long_strips, what_edges_cross_is_kept_where_faces_are_glued_to_themselves)
 TEST(Long_strips, what_edges_cross_is_not_followed_without_end)
 {
   IT::Delta_complex complex = triangulation_of(samples::sheared_one_vertex_torus(1)).connectivity();
-  IT::internal::Correspondence correspondence;
+  IT::internal::Correspondence correspondence(complex, IT::internal::Normal_coordinates(complex), {});
   for (std::uint32_t i = 0; i < 60; ++i) {
     const IT::Hinge_halfedges around = complex.hinge(IT::Edge_index(i % 3));
     correspondence.flip(complex, around);
     complex.flip(around);
   }
-  correspondence.prepare(complex);
   EXPECT_GT(correspondence.coordinates().number_of_crossings(IT::Edge_index(0)), std::int64_t(1) << 36);
   IT::internal::Long_crossings(complex, correspondence, IT::internal::Interruption()).keep();
   EXPECT_TRUE(correspondence.kept_crossings().is_empty());
@@ -447,8 +446,7 @@ TEST(Long_strips, diagonals_that_cross_too_many_input_edges_are_not_asked_for_fo
   const Surface tetrahedron{{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}},
                             {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
   IT::Delta_complex complex = triangulation_of(tetrahedron).connectivity();
-  IT::internal::Correspondence correspondence;
-  correspondence.prepare(complex);
+  IT::internal::Correspondence correspondence(complex, IT::internal::Normal_coordinates(complex), {});
   std::array<std::vector<IT::Edge_index>, 3> opposite_edges; // one of two is at vertex 0
   for (IT::Edge_index e : complex.edges()) {
     const std::uint32_t i = complex.source(complex.halfedge(e)).idx(), j = complex.target(complex.halfedge(e)).idx();

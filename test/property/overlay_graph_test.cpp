@@ -7,6 +7,7 @@
 #include "overlay_triangulations.h"
 #include "property/flip_test_surfaces.h"
 
+#include "library/engine/history/Flip_log.h"
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
@@ -332,18 +333,24 @@ TEST(Overlay_graph, OfRandomGluingsAfterAnyFlips)
     const std::size_t n = with_boundary ? 1 + seed % 13 : 2 + 2 * (seed % 7);
     const auto gluing = samples::random_gluing(n, seed, with_boundary, seed % 2 == 0);
     Delta_complex complex = IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides);
+    const bool is_followed = seed % 4 < 2; // or else found after the flips
     IT::internal::Correspondence correspondence;
-    if (seed % 4 < 2) // before the flips or after them
-      correspondence.prepare(complex);
+    IT::internal::Flip_log log;
+    if (is_followed)
+      correspondence.catch_up(complex, log);
     std::mt19937 random(seed);
     for (int i = int(seed % 20); i > 0; --i) {
       const Edge_index e(std::uint32_t(random() % complex.number_of_edges()));
       if (!complex.is_flippable(e))
         continue;
-      correspondence.flip(complex, complex.hinge(e));
+      if (is_followed)
+        correspondence.flip(complex, complex.hinge(e));
+      else
+        log.push_back(complex.hinge(e));
       complex.flip(e);
     }
-    correspondence.prepare(complex);
+    if (!is_followed)
+      correspondence.catch_up(complex, log);
     const Overlay_check check(complex, correspondence);
     check.run();
     crossings += check.overlay().number_of_crossings();

@@ -5,6 +5,7 @@
 
 #include "samples/sample_surfaces.h"
 
+#include "library/engine/history/Flip_log.h"
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
@@ -79,7 +80,7 @@ struct Grown_torus
   {
     const auto gluing = samples::one_vertex_torus();
     complex = IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides);
-    correspondence.prepare(complex);
+    correspondence.catch_up(complex, IT::internal::Flip_log());
     while (edges.crossings(last) <= number)
       flip();
   }
@@ -132,15 +133,15 @@ TEST(Overlay_overflow, NotesThatLeadBeyondTheLastCountAreAnError)
   Grown_torus torus(0);
   IT::Delta_complex complex = torus.complex;
   IT::internal::Correspondence correspondence;
+  IT::internal::Flip_log log;
   for (unsigned i = 0; i < 130; ++i) {
     const Edge_index e(i % 3);
-    correspondence.flip(complex, complex.hinge(e));
+    log.push_back(complex.hinge(e));
     complex.flip(e);
   }
   for (int again = 0; again < 2; ++again) {
-    EXPECT_THROW(correspondence.prepare(complex), IT::Integer_overflow_error);
-    EXPECT_FALSE(correspondence.is_prepared());
-    EXPECT_EQ(correspondence.number_of_journaled_flips(), 130u);
+    EXPECT_THROW(correspondence.catch_up(complex, log), IT::Integer_overflow_error);
+    EXPECT_FALSE(correspondence.knows_input());
   }
 }
 

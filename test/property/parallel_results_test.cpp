@@ -7,6 +7,7 @@
 #include "samples/sample_gluings.h"
 #include "samples/sample_surfaces.h"
 
+#include "library/engine/history/Flip_log.h"
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
@@ -184,7 +185,7 @@ TEST(Parallel_results, integers_and_input)
 {
   for (const auto& [name, t] : surfaces()) {
     SCOPED_TRACE(name);
-    const Filtered asked = t; // only a copy: t still has the journal of its flips
+    const Filtered asked = t; // only a copy: t still has the log of its flips
     for_each_number_of_threads([&, &t = t] {
       const Filtered copy = t;
       expect_same_correspondence(t.connectivity(), IT::internal::engine(asked).correspondence(),
@@ -198,23 +199,23 @@ TEST(Parallel_results, integers_of_many_flips)
 {
   IT::Delta_complex complex = triangulation(samples::bad_torus(100, 100)).connectivity();
   const IT::Delta_complex input = complex;
-  IT::internal::Correspondence flipped;
+  IT::internal::Flip_log log;
   for (int round = 0; round < 7; ++round)
     for (IT::Edge_index e : complex.edges()) {
       if (!complex.is_flippable(e))
         continue;
-      flipped.flip(complex, complex.hinge(e));
+      log.push_back(complex.hinge(e));
       complex.flip(e);
     }
-  IT::internal::Correspondence expected = flipped;
-  const std::vector<IT::Edge_index> flips = expected.prepare(complex);
+  IT::internal::Correspondence expected;
+  expected.catch_up(complex, log);
   for (IT::Halfedge_index h : input.halfedges()) {
     ASSERT_EQ(expected.input().next(h), input.next(h));
     ASSERT_EQ(expected.input().target(h), input.target(h));
   }
   for_each_number_of_threads([&] {
-    IT::internal::Correspondence found = flipped;
-    EXPECT_EQ(found.prepare(complex, IT::internal::block_runner<Parallel_tag>()), flips);
+    IT::internal::Correspondence found;
+    found.catch_up(complex, log, IT::internal::block_runner<Parallel_tag>());
     expect_same_correspondence(complex, expected, found);
   });
 }
@@ -231,15 +232,15 @@ TEST(Parallel_results, integers_that_are_too_large_are_an_error)
     engine.flip(complex.hinge(e));
   }
   {
-    IT::internal::Exact_engine::Journals journals(engine, 1);
-    IT::internal::Exact_engine::Journals::Journal& journal = journals.next();
+    IT::internal::Exact_engine::Logs logs(engine, 1);
+    IT::internal::Exact_engine::Logs::Log& log = logs.next();
     for (unsigned i = 20; i < 130; ++i)
-      journal.flip(complex.hinge(IT::Edge_index(i % 3)));
+      log.flip(complex.hinge(IT::Edge_index(i % 3)));
   }
   for_each_number_of_threads([&] {
     EXPECT_THROW(engine.prepare<Parallel_tag>(), IT::Integer_overflow_error);
-    EXPECT_FALSE(engine.correspondence().is_prepared());
-    EXPECT_EQ(engine.correspondence().number_of_journaled_flips(), 130u);
+    EXPECT_FALSE(engine.log().is_followed());
+    EXPECT_EQ(engine.log().size(), 130u);
   });
   EXPECT_THROW(engine.prepare(), IT::Integer_overflow_error);
 }
@@ -274,7 +275,7 @@ TEST(Parallel_results, tasks_ask_for_the_integers)
     const Filtered copy = t;
     std::atomic<int> number_of_answers{0};
     tbb::parallel_for(0, 64, [&](int) {
-      number_of_answers += IT::internal::engine<Parallel_tag>(copy).correspondence().is_prepared();
+      number_of_answers += IT::internal::engine<Parallel_tag>(copy).correspondence().knows_input();
     });
     EXPECT_EQ(number_of_answers, 64);
   });

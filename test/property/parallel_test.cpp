@@ -6,6 +6,7 @@
 
 #include "samples/sample_surfaces.h"
 
+#include "library/engine/history/Flip_log.h"
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/Edge_length_traits.h>
@@ -89,7 +90,7 @@ std::vector<std::vector<std::uint32_t>> cells(const Triangulation& t)
   return result;
 }
 
-// The input is found again from the journals of the blocks.
+// The input is found again from the logs of the blocks.
 void expect_input(const Filtered& t, const Mesh& mesh)
 {
   const IT::Delta_complex expected = IT::make_Delta_complex(mesh), &input = t.input();
@@ -168,9 +169,12 @@ TEST(Parallel, after_queries_as_without)
     };
     expect_same(IT::flip_to_Delaunay<Parallel_tag>(one), IT::flip_to_Delaunay<Parallel_tag>(other));
     using Whole = IT::internal::Whole_triangulation<IT::Filtered_edge_length_traits>;
-    EXPECT_EQ(Whole(one).engine().correspondence().number_of_journaled_flips(),
-              Whole(other).engine().correspondence().number_of_journaled_flips());
-    EXPECT_EQ(Whole(one).engine().correspondence().is_prepared(), Whole(other).engine().correspondence().is_prepared());
+    using Log = IT::internal::Flip_log;
+    const Log &log = Whole(one).engine().log(), &other_log = Whole(other).engine().log();
+    for (Log::Reader reader : {Log::INTEGERS, Log::FACES}) {
+      EXPECT_EQ(log.number_of_unread(reader), other_log.number_of_unread(reader));
+      EXPECT_EQ(log.is_followed_by(reader), other_log.is_followed_by(reader));
+    }
     expect_same_numbers(other, one);
     EXPECT_TRUE(IT::verify_Delaunay(other).is_Delaunay());
     // Now flips that are followed.

@@ -10,7 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include "library/engine/layout/Unfolding.h"
 #include <CGAL/Intrinsic_triangulations/element_numbers.h>
-#include "library/engine/decide/Exact_sign.h"
+#include "library/engine/decide/Ladder.h"
 #include "library/engine/layout/metric_images.h"
 
 #include <CGAL/enum.h>

@@ -104,7 +104,7 @@ public:
   {}
 
   /// \cond SKIP_IN_MANUAL
-  // From the current connectivity and its correspondence to the input, which is prepared.
+  // From the current connectivity and its correspondence, which knows the input.
   template <class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>
   Overlay(const Delta_complex& intrinsic, const internal::Correspondence& correspondence,
           const NamedParameters& np = parameters::default_values(), ConcurrencyTag = ConcurrencyTag())

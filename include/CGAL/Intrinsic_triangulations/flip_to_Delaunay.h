@@ -50,7 +50,7 @@ Flip_report flip_all(Triangulation triangulation, const ConstraintMap& is_constr
                      std::uint64_t budget)
 {
   const Edge_index::size_type n = triangulation.connectivity().number_of_edges();
-  triangulation.engine().begin_journal();
+  triangulation.engine().begin_log();
   Edge_marks marks(n, default_init);
   if (n != 0)
     std::memset(marks.data(), int(Edge_mark::CANDIDATE), n);

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Long_crossings.h>
+#include "history/Flip_log.h"
 #include "layout/Developed_faces.h"
 #include "decide/Exact_fallback.h"
 #include "layout/Straight_faces.h"
@@ -23,7 +24,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <initializer_list>
 #include <memory>
@@ -49,16 +49,12 @@ Exact_engine::Exact_engine(const Exact_engine& other) : connectivity_(other.conn
     return;
   memory_ = std::make_unique<Memory>();
   const std::lock_guard<std::mutex> lock(other.memory_->mutex);
+  memory_->log = other.memory_->log;
   memory_->correspondence = other.memory_->correspondence;
-  memory_->is_asked = other.memory_->is_asked.load();
   memory_->decisions.tie_proof = other.memory_->decisions.tie_proof;
   memory_->decisions.counts = other.memory_->decisions.counts;
-  memory_->journal = other.memory_->journal;
-  memory_->number_of_known_flips = other.memory_->number_of_known_flips;
   memory_->straight_faces = other.memory_->straight_faces;
   memory_->inserted_positions = other.memory_->inserted_positions;
-  memory_->is_prepared = other.memory_->is_prepared.load();
-  memory_->knows_straight_faces = other.memory_->knows_straight_faces.load();
 }
 
 // The surfaces refer to the members, which have moved.
@@ -127,125 +123,107 @@ std::unique_ptr<Input_surface> Exact_engine::new_surface() const
 
 // ---------------------------------------------------------------- when it is asked for
 
-void Exact_engine::begin_journal()
+void Exact_engine::begin_log()
 {
-  if (!memory_)
-    return;
-  memory_->correspondence.begin_journal();
-  memory_->is_asked = false;
-  memory_->is_prepared = false;
-  memory_->knows_straight_faces = false;
+  if (memory_)
+    memory_->log.begin();
 }
 
-Exact_engine::Journals::Journals(Exact_engine& engine, std::size_t most) : engine_(engine)
+const Flip_log& Exact_engine::log() const { return memory_->log; }
+
+Exact_engine::Logs::Logs(Exact_engine& engine, std::size_t most) : engine_(engine)
 {
-  journals_.reserve(most);
+  logs_.reserve(most);
   if (engine.memory_)
-    engine.memory_->correspondence.make_room_for_journals(most);
+    engine.memory_->log.make_room(most);
 }
 
-// Flips of different journals commute as long as no other flip comes between: any order of them will do.
-Exact_engine::Journals::~Journals()
+// Flips of different logs commute as long as no other flip comes between: any order of them will do.
+Exact_engine::Logs::~Logs()
 {
   if (engine_.memory_)
-    for (Journal& journal : journals_)
-      engine_.memory_->correspondence.append(std::move(journal.flips_));
+    for (Log& log : logs_)
+      engine_.memory_->log.append(std::move(log.flips_));
 }
 
-bool Exact_engine::is_prepared() const { return memory_->is_prepared.load(std::memory_order_acquire); }
+bool Exact_engine::is_prepared() const { return memory_->log.is_followed_by(Flip_log::INTEGERS); }
 
 void Exact_engine::prepare(const Block_runner& run) const
 {
   const std::lock_guard<std::mutex> lock(memory_->mutex);
-  if (memory_->is_prepared.load(std::memory_order_relaxed))
+  if (is_prepared())
     return;
-  Memory& memory = *memory_;
-  memory.journal.reserve(memory.journal.size() + correspondence().number_of_journaled_flips() -
-                         memory.number_of_known_flips);
-  const std::vector<Edge_index> flips = memory_->correspondence.prepare(connectivity_, run);
-  memory.forget_developed_faces(connectivity_, flips);
-  memory.journal.insert(memory.journal.end(), flips.begin() + std::ptrdiff_t(memory.number_of_known_flips),
-                        flips.end());
-  memory.number_of_known_flips = 0;
-  memory_->is_asked = true;
-  memory.is_prepared.store(true, std::memory_order_release);
+  memory_->correspondence.catch_up(connectivity_, memory_->log, run);
+  memory_->log.follow(Flip_log::INTEGERS);
 }
 
-// Finds out which faces are straight, where that was not done yet, by repeating the flips that were not followed; flip()
-// keeps it up from then on.
+// Finds out which faces are straight by repeating the flips that were not followed, and forgets what these faces were
+// before.
 void Exact_engine::find_straight_faces() const
 {
-  if (memory_->knows_straight_faces.load(std::memory_order_acquire))
-    return;
-  const std::lock_guard<std::mutex> lock(memory_->mutex);
-  if (memory_->knows_straight_faces.load(std::memory_order_relaxed))
-    return;
   Memory& memory = *memory_;
-  std::vector<Edge_index> flips = memory.journal;
-  const std::vector<Edge_index> later_flips = correspondence().journaled_flips(connectivity_);
-  flips.insert(flips.end(), later_flips.begin() + std::ptrdiff_t(memory.number_of_known_flips), later_flips.end());
-  if (!flips.empty() || !memory.straight_faces) {
+  if (memory.log.is_followed_by(Flip_log::FACES))
+    return;
+  const std::lock_guard<std::mutex> lock(memory.mutex);
+  const std::size_t number_of_flips = memory.log.number_of_unread(Flip_log::FACES);
+  if (number_of_flips != 0 || !memory.straight_faces) {
     Straight_faces straight_faces = memory.straight_faces
                                       ? *memory.straight_faces
                                       : Straight_faces(connectivity_.number_of_faces(), metric_.points().size());
-    if (!metric_.points().empty() && !flips.empty()) {
+    if (!metric_.points().empty() && number_of_flips != 0) {
       Delta_complex copy = connectivity_;
-      for (std::size_t i = flips.size(); i-- > 0;)
-        copy.flip_back(flips[i]);
-      for (Edge_index e : flips) {
-        straight_faces.flip(copy, positions(), e);
-        copy.flip(e);
-      }
+      memory.log.for_each_unread_backwards(Flip_log::FACES,
+                                           [&](const Hinge_halfedges& around) { copy.flip_back(around); });
+      memory.log.for_each_unread(Flip_log::FACES, [&](const Hinge_halfedges& around) {
+        straight_faces.flip(copy, positions(), copy.edge(around.ij));
+        copy.flip(around);
+      });
     }
-    memory.forget_developed_faces(connectivity_, flips);
+    // A face that a flip has changed has an edge that was flipped.
+    memory.log.for_each_unread(
+      Flip_log::FACES, [&](const Hinge_halfedges& around) { memory.forget_developed_faces(connectivity_, around); });
     memory.straight_faces = std::move(straight_faces);
-    std::vector<Edge_index>().swap(memory.journal);
-    memory.number_of_known_flips = later_flips.size();
   }
-  memory_->is_asked = true;
-  memory.knows_straight_faces.store(true, std::memory_order_release);
+  memory.log.follow(Flip_log::FACES);
 }
 
 // ---------------------------------------------------------------- following the flips
 
 bool Exact_engine::log_or_follow(const Hinge_halfedges& around)
 {
-  Correspondence& correspondence = memory_->correspondence;
-  if (memory_->is_asked.load(std::memory_order_relaxed) ||
-      correspondence.number_of_journaled_flips() >= longest_journal * std::size_t(connectivity_.number_of_edges()))
-    return flip_and_follow(around);
-  correspondence.flip(connectivity_, around);
-  return false;
-}
-
-bool Exact_engine::flip_and_follow(const Hinge_halfedges& around)
-{
-  if (!(is_prepared() && memory_->knows_straight_faces) &&
-      correspondence().number_of_journaled_flips() + memory_->journal.size() >=
-        longest_journal * std::size_t(connectivity_.number_of_edges())) {
+  Flip_log& log = memory_->log;
+  if (log.size() >= longest_log * std::size_t(connectivity_.number_of_edges())) {
     find_straight_faces();
     prepare();
   }
-  // What may throw comes first, as long as it stays true without the flip; the integers come last.
+  if (log.is_followed())
+    return follow(around);
+  log.push_back(around);
+  return false;
+}
+
+// For the readers that follow; the other one finds the flip in the log.
+bool Exact_engine::follow(const Hinge_halfedges& around)
+{
   Memory& memory = *memory_;
-  const Edge_index e = connectivity_.edge(around.ij);
-  const bool is_followed = memory.knows_straight_faces, is_straight = is_followed && follow(around),
-             is_journaled = !is_followed && correspondence().is_prepared();
-  if (is_journaled)
-    memory.journal.push_back(e);
-  if (!is_followed)
-    memory.forget_developed_faces(connectivity_, std::array{e});
+  const bool has_integers = memory.log.is_followed_by(Flip_log::INTEGERS),
+             has_faces = memory.log.is_followed_by(Flip_log::FACES);
+  // What is known of the faces stays true without the flip, the developed ones excepted. The integers come last.
+  const bool are_straight = has_faces && follow_faces(around);
+  if (!has_faces)
+    memory.log.push_back(around);
   try {
-    memory_->correspondence.flip(connectivity_, around);
+    if (has_integers)
+      memory.correspondence.flip(connectivity_, around);
+    else
+      memory.log.push_back(around);
   } catch (...) {
-    if (is_journaled)
-      memory.journal.pop_back();
-    memory.forget_developed_faces(connectivity_, std::array{e});
+    if (!has_faces)
+      memory.log.pop_back();
+    memory.forget_developed_faces(connectivity_, around);
     throw;
   }
-  if (is_followed && !correspondence().is_prepared())
-    ++memory.number_of_known_flips;
-  return is_straight;
+  return are_straight;
 }
 
 Exact_engine::Forgotten Exact_engine::forgotten_by_flip(const Hinge_halfedges& around) const
@@ -263,15 +241,13 @@ void Exact_engine::flip_back(const Hinge_halfedges& around, const Forgotten& for
 {
   if (memory_) {
     Memory& memory = *memory_;
-    memory.forget_developed_faces(connectivity_, std::array{connectivity_.edge(around.ij)});
-    if (memory.knows_straight_faces) {
-      memory.straight_faces->put_back(connectivity_.face(around.ij), connectivity_.face(around.ji), forgotten.planes);
-      if (!correspondence().is_prepared())
-        --memory.number_of_known_flips;
-    } else if (correspondence().is_prepared()) {
-      memory.journal.pop_back();
-    }
-    memory_->correspondence.flip_back(connectivity_, around);
+    CGAL_precondition(memory.log.is_followed_by(Flip_log::FACES));
+    memory.forget_developed_faces(connectivity_, around);
+    memory.straight_faces->put_back(connectivity_.face(around.ij), connectivity_.face(around.ji), forgotten.planes);
+    if (is_prepared())
+      memory.correspondence.flip_back(connectivity_, around);
+    else
+      memory.log.pop_back();
   }
   connectivity_.flip_back(around);
   set_first({forgotten.of_faces[0], forgotten.of_faces[1]});
@@ -288,7 +264,7 @@ void Exact_engine::set_first(std::initializer_list<Halfedge_index> first)
 
 // Keeps up what is known of the faces, before the flip of the connectivity. Returns whether
 // the new faces are straight.
-bool Exact_engine::follow(const Hinge_halfedges& around)
+bool Exact_engine::follow_faces(const Hinge_halfedges& around)
 {
   Memory& memory = *memory_;
   const Edge_index e = connectivity_.edge(around.ij);
@@ -296,7 +272,7 @@ bool Exact_engine::follow(const Hinge_halfedges& around)
   if (Developed_faces& faces = memory.developed_faces; !faces.flip_in_plane(around)) {
     // Where faces are often asked for, to lay one out later, for its successors, would take longer. Images in finite
     // fields are so slow that they are carried for close calls alone.
-    const bool lays_out = memory.spare_layouts > 0 && correspondence().is_prepared() && !memory.images &&
+    const bool lays_out = memory.spare_layouts > 0 && is_prepared() && !memory.images &&
                           !(is_straight(connectivity_.face(around.ij)) && is_straight(connectivity_.face(around.ji)));
     memory.spare_layouts -= lays_out;
     if (is_close_call || lays_out || faces.contains(around.ij) || faces.contains(around.ji))
@@ -325,7 +301,7 @@ void Exact_engine::recognize_straight_face(Halfedge_index h)
   memory_->straight_faces->straighten(positions(), f, uncrossed_input_face(connectivity_, correspondence(), h));
 }
 
-// The journal of flips cannot be repeated beyond an insertion, and input edges are followed faster before it.
+// The flips in the log cannot be repeated beyond an insertion, and input edges are followed faster before it.
 void Exact_engine::prepare_insertion()
 {
   find_straight_faces();

@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
+#include "history/Flip_log.h"
 #include "layout/Developed_faces.h"
 #include "layout/Straight_faces.h"
 #include "layout/Vertex_positions.h"
@@ -18,7 +19,6 @@
 #include "../system/Scratch_pool.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <memory>
 #include <mutex>
@@ -30,13 +30,11 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 // What follows the flips, and what speeds up decisions.
 //
-// Const queries read it, and change it in three ways only, all of them safe: the pool of surfaces is made for that; the
-// integers and the straight faces are brought up to date under the mutex, and an atomic flag tells the others that they
-// are.
+// The log has two readers. One is the correspondence. The other consists of the straight faces and what goes with them:
+// developed faces are right only as long as that reader follows.
 //
-// Straight faces do not know of the flips in `journal`, nor of those in the journal of the correspondence but for the
-// first `number_of_known_flips`. Flips that are not followed at once make what was developed of their faces wrong; it
-// is forgotten at the latest when they leave one of these journals.
+// Const queries read all this, and change it in two ways only, both of them safe: the pool of surfaces is made for that;
+// and a reader catches up with the log under the mutex, before the log tells the other threads so.
 struct Exact_engine::Memory
 {
   struct Carried_images
@@ -69,26 +67,16 @@ struct Exact_engine::Memory
     spare_layouts = (std::min)(spare_layouts + layouts_for_question, number_of_edges);
   }
 
-  Sign decided(const Test& test)
+  void forget_developed_faces(const Delta_complex& complex, const Hinge_halfedges& around)
   {
-    decisions.counts.add(test.stage, test.sign == ZERO);
-    return test.sign;
+    developed_faces.forget(complex, around.ij);
+    developed_faces.forget(complex, around.ji);
   }
 
-  template <class Edges>
-  void forget_developed_faces(const Delta_complex& complex, const Edges& flips)
-  {
-    for (Edge_index e : flips) // faces that a flip has changed have an edge that was flipped
-      for (Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
-        developed_faces.forget(complex, h);
-  }
-
-  Correspondence correspondence;     // prepared by the first query that needs it
-  std::atomic<bool> is_asked{false}; // flips have to be followed, as a query was made since begin_journal()
+  Flip_log log;
+  Correspondence correspondence;
 
   Decisions decisions;
-  std::vector<Edge_index> journal;
-  std::size_t number_of_known_flips = 0;
   std::optional<Straight_faces> straight_faces;
   Vertex_positions::Inserted inserted_positions; // kept if the input has points
   Developed_faces developed_faces;
@@ -100,7 +88,6 @@ struct Exact_engine::Memory
 
   std::unique_ptr<Input_properties> input_properties; // made by the first thread that takes a surface
   std::mutex mutex;
-  std::atomic<bool> is_prepared{false}, knows_straight_faces{false};
   Scratch_pool<Input_surface> surfaces;
 };
 

@@ -10,7 +10,7 @@
 #include "layout/Unfolding.h"
 #include "decide/Coplanar_hinge.h"
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
-#include "decide/Exact_sign.h"
+#include "decide/Ladder.h"
 #include "decide/Exact_fallback.h"
 #include "layout/Parallel_folds.h"
 #include "layout/Vertex_positions.h"
@@ -27,98 +27,203 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+// The corners opposite to two halfedges as the stages of a decision see them (see Ladder.h): here, from the input and the
+// integers alone.
+class Exact_engine::Corners
+{
+public:
+  Corners(const Exact_engine& engine, const Two_corners& at, Input_surface* surface)
+    : engine_(engine), at_(at), surface_(surface)
+  {}
+
+  std::optional<Sign> sign_in_plane() const { return std::nullopt; }
+  bool may_be_laid_out() const { return true; }
+  std::optional<Sign> sign_in_doubles() const { return std::nullopt; }
+  std::optional<Sign> sign_in_double_doubles() const
+  {
+    Double_double_metric metric(*surface_);
+    const Unfolding<Double_double_metric> unfolding(engine_.connectivity_, engine_.correspondence(), metric);
+    const Opposite_corners corners = unfolded_corners(unfolding, at_);
+    const Uncertain<Sign> sign = sign_of_cotangents(corners.k, corners.l);
+    return is_certain(sign) ? std::make_optional(get_certain(sign)) : std::nullopt;
+  }
+  std::optional<Sign> sign_of_carried_images() const { return std::nullopt; }
+  std::optional<Sign> sign_laid_out_anew() const { return std::nullopt; }
+  std::optional<Exact_decision> sign_by_exact_stages() const
+  {
+    return engine_.exact_fallback(*surface_).sign_of_cotangents(at_);
+  }
+
+protected:
+  const Exact_engine& engine_;
+  const Two_corners at_;
+  Input_surface* surface_; // may be taken later
+};
+
+// From what is known of the faces, too. Remembers nothing.
+class Exact_engine::Known_corners : public Corners
+{
+public:
+  // \param surface if the caller has taken it
+  Known_corners(const Exact_engine& engine, const Two_corners& at, Means means, Input_surface* surface = nullptr)
+    : Corners(engine, at, surface), means_(means)
+  {}
+
+  std::optional<Sign> sign_in_plane() const
+  {
+    engine_.find_straight_faces();
+    return engine_.sign_in_plane(at_, std::as_const(*engine_.memory_->straight_faces));
+  }
+  bool may_be_laid_out()
+  {
+    if (means_ == Means::PLANES || (means_ == Means::SHORT_STRIPS && !are_short()))
+      return false;
+    if (!surface_)
+      surface_ = &*lease_.emplace(means_ == Means::ALL ? engine_.surface_for_query() : engine_.input_surface());
+    corners_ = {engine_.known_corner(at_.opposite_to_k, *surface_), engine_.known_corner(at_.opposite_to_l, *surface_)};
+    return true;
+  }
+  std::optional<Sign> sign_in_double_doubles() const { return engine_.sign_by_corners(at_, *corners_); }
+  std::optional<Sign> sign_of_carried_images() const
+  {
+    return means_ == Means::ALL ? engine_.sign_by_images(at_, *corners_, *surface_, false) : std::nullopt;
+  }
+  std::optional<Exact_decision> sign_by_exact_stages() const
+  {
+    return means_ == Means::ALL ? Corners::sign_by_exact_stages() : std::nullopt;
+  }
+
+private:
+  bool are_short() const
+  {
+    engine_.prepare();
+    for (Halfedge_index side : {at_.opposite_to_k, at_.opposite_to_l})
+      if (!engine_.is_straight(engine_.connectivity_.face(side)) && engine_.number_of_quantities(side) > short_strip)
+        return false;
+    return true;
+  }
+
+  Means means_;
+  std::optional<Surface_lease> lease_;
+  std::optional<Opposite_corners> corners_;
+};
+
+// Likewise; and remembers what makes tests after the next flips cheap.
+class Exact_engine::Kept_corners : public Corners
+{
+public:
+  // \param corners where they are put once they are laid out
+  Kept_corners(Exact_engine& engine, Edge_index e, std::optional<Opposite_corners>& corners)
+    : Corners(engine, corners_beside(engine.connectivity_, e), nullptr), engine_(engine), e_(e), corners_(corners)
+  {}
+
+  std::optional<Sign> sign_in_plane() { return engine_.sign_in_plane(at_, *engine_.memory_->straight_faces); }
+  bool may_be_laid_out()
+  {
+    engine_.prepare();
+    const std::size_t number_of_edges = engine_.connectivity_.number_of_edges();
+    engine_.memory_->is_close_call.resize(number_of_edges);
+    engine_.memory_->is_close_call[e_.idx()] = true;
+    engine_.memory_->note_question(number_of_edges);
+    return true;
+  }
+  std::optional<Sign> sign_in_doubles() { return sign(true); }
+  std::optional<Sign> sign_in_double_doubles() { return sign(false); }
+  std::optional<Sign> sign_of_carried_images() const
+  {
+    return engine_.sign_by_images(at_, *corners_, *engine_.input_surface(), true);
+  }
+  std::optional<Sign> sign_laid_out_anew()
+  {
+    bool is_laid_out_anew = false;
+    for (Halfedge_index side : {at_.opposite_to_k, at_.opposite_to_l})
+      if (!engine_.is_straight(engine_.connectivity_.face(side))) {
+        engine_.memory_->developed_faces.forget(engine_.connectivity_, side);
+        is_laid_out_anew = true;
+      }
+    return is_laid_out_anew ? sign(false) : std::nullopt;
+  }
+  std::optional<Exact_decision> sign_by_exact_stages()
+  {
+    const Exact_decision decision = engine_.exact_fallback(*engine_.input_surface()).sign_of_cotangents(at_);
+    if (decision.is_rational && !engine_.memory_->images)
+      engine_.carry_images();
+    return decision;
+  }
+
+private:
+  std::optional<Sign> sign(bool in_doubles)
+  {
+    corners_ = {engine_.developed_corner(at_.opposite_to_k, in_doubles),
+                engine_.developed_corner(at_.opposite_to_l, in_doubles)};
+    return engine_.sign_by_corners(at_, *corners_);
+  }
+
+  Exact_engine& engine_;
+  Edge_index e_;
+  std::optional<Opposite_corners>& corners_;
+};
+
 Sign Exact_engine::decide(Edge_index e, std::optional<Opposite_corners>& corners)
 {
-  Memory& memory = *memory_;
-  const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
   find_straight_faces();
   if (correspondence().number_of_inserted_vertices() != 0) {
     prepare();
-    recognize_straight_face(h);
-    recognize_straight_face(g);
+    recognize_straight_face(connectivity_.halfedge(e));
+    recognize_straight_face(connectivity_.opposite(connectivity_.halfedge(e)));
   }
-  if (const std::optional<Test> test = test_in_plane(h, *memory.straight_faces))
-    return memory.decided(*test);
+  const Exact_decision decision = *sign_by_stages(Kept_corners(*this, e, corners));
+  memory_->decisions.counts.add(decision.stage, decision.sign == ZERO);
+  return decision.sign;
+}
+
+std::optional<Exact_decision> Exact_engine::test(Edge_index e, Means means) const
+{
+  const Standard_arithmetic arithmetic;
+  const Two_corners at = corners_beside(connectivity_, e);
+  if (means != Means::UNFOLDING)
+    return sign_by_stages(Known_corners(*this, at, means));
   prepare();
-  memory.is_close_call.resize(connectivity_.number_of_edges());
-  memory.is_close_call[e.idx()] = true;
-  memory.note_question(connectivity_.number_of_edges());
-  const auto test_by_developed_corners = [&](bool in_doubles) {
-    corners = Opposite_corners{developed_corner(h, in_doubles), developed_corner(g, in_doubles)};
-    return test_by_corners(h, *corners);
-  };
-  for (bool in_doubles : {true, false}) // the first suffices for most tests that the filter leaves open
-    if (const std::optional<Test> test = test_by_developed_corners(in_doubles))
-      return memory.decided(*test);
-  if (const std::optional<Sign> tie = sign_by_images(e, *corners, *input_surface(), true))
-    return memory.decided({Stage::MODULAR, *tie});
-  // Layouts that were carried along are not the best.
-  bool is_laid_out_anew = false;
-  for (Halfedge_index side : {h, g})
-    if (!is_straight(connectivity_.face(side))) {
-      memory.developed_faces.forget(connectivity_, side);
-      is_laid_out_anew = true;
-    }
-  if (is_laid_out_anew)
-    if (const std::optional<Test> test = test_by_developed_corners(false))
-      return memory.decided(*test);
-  const auto decision = exact_fallback(*input_surface()).sign_of_cotangents(corners_beside(connectivity_, e));
-  if (decision.is_rational && !memory.images)
-    carry_images();
-  return memory.decided({decision.stage, decision.sign});
+  return sign_by_stages(Corners(*this, at, &*input_surface()));
+}
+
+Exact_decision Exact_engine::test(Edge_index e, Input_surface& surface) const
+{
+  return *sign_by_stages(Known_corners(*this, corners_beside(connectivity_, e), Means::ALL, &surface));
+}
+
+bool Exact_engine::is_convex(Edge_index e) const
+{
+  const Standard_arithmetic arithmetic;
+  find_straight_faces();
+  const Surface_lease surface = surface_for_query();
+  // At both ends of e the two angles have to sum to less than π.
+  const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
+  for (const Two_corners& at_end : {Two_corners{connectivity_.next(h), connectivity_.prev(g)},
+                                    Two_corners{connectivity_.prev(h), connectivity_.next(g)}})
+    if (sign_by_stages(Known_corners(*this, at_end, Means::ALL, &*surface))->sign != POSITIVE)
+      return false;
+  return true;
 }
 
 // \param straight_faces those of the memory; if they are const, nothing is remembered
 template <class Straight_faces>
-std::optional<Exact_engine::Test> Exact_engine::test_in_plane(Halfedge_index h, Straight_faces& straight_faces) const
+std::optional<Sign> Exact_engine::sign_in_plane(const Two_corners& at, Straight_faces& straight_faces) const
 {
   const Vertex_positions all = positions();
-  if (!straight_faces.are_coplanar(connectivity_, all, h))
+  if (!is_hinge(connectivity_, at) || !straight_faces.are_coplanar(connectivity_, all, at.opposite_to_k))
     return std::nullopt;
-  return Test{Stage::COPLANAR, Coplanar_hinge(connectivity_, all, h).sign_of_cotangents()};
+  return Coplanar_hinge(connectivity_, all, at.opposite_to_k).sign_of_cotangents();
 }
 
-std::optional<Exact_engine::Test> Exact_engine::test(Edge_index e, Means means) const
+std::optional<Sign> Exact_engine::sign_by_corners(const Two_corners& at, const Opposite_corners& corners) const
 {
-  const Standard_arithmetic arithmetic;
-  const Halfedge_index h = connectivity_.halfedge(e);
-  switch (means) {
-  case Means::PLANES:
-    find_straight_faces();
-    return test_in_plane(h, std::as_const(*memory_->straight_faces));
-  case Means::SHORT_STRIPS:
-    find_straight_faces();
-    prepare();
-    for (Halfedge_index side : {h, connectivity_.opposite(h)})
-      if (!is_straight(connectivity_.face(side)) && number_of_quantities(side) > short_strip)
-        return std::nullopt;
-    return test_by_corners(h, known_corners(h, *input_surface()));
-  case Means::UNFOLDING: {
-    prepare();
-    const Surface_lease surface = input_surface();
-    Double_double_metric metric(*surface);
-    const Two_corners beside = corners_beside(connectivity_, e);
-    const Opposite_corners corners =
-      unfolded_corners(Unfolding<Double_double_metric>(connectivity_, correspondence(), metric), beside);
-    if (const Uncertain<Sign> sign = internal::sign_of_cotangents(corners.k, corners.l); is_certain(sign))
-      return Test{Stage::UNFOLDING, get_certain(sign)};
-    const auto decision = exact_fallback(*surface).sign_of_cotangents(beside);
-    return Test{decision.stage, decision.sign};
-  }
-  case Means::ALL:
-    break;
-  }
-  return test(e, *prepared_surface());
-}
-
-// From the corners beside h.
-std::optional<Exact_engine::Test> Exact_engine::test_by_corners(Halfedge_index h, const Opposite_corners& corners) const
-{
-  const Uncertain<Sign> sign = internal::sign_of_cotangents(corners.k, corners.l);
+  const Uncertain<Sign> sign = sign_of_cotangents(corners.k, corners.l);
   if (is_certain(sign))
-    return Test{Stage::UNFOLDING, get_certain(sign)};
-  if (const auto weight = weight_by_other_diagonal(h, corners); weight && is_certain(weight->sign()))
-    return Test{Stage::UNFOLDING, get_certain(weight->sign())};
+    return get_certain(sign);
+  if (is_hinge(connectivity_, at))
+    if (const auto weight = weight_by_other_diagonal(at.opposite_to_k, corners); weight && is_certain(weight->sign()))
+      return get_certain(weight->sign());
   return std::nullopt;
 }
 
@@ -154,11 +259,6 @@ Exact_engine::Corner Exact_engine::known_corner(Halfedge_index h, Input_surface&
            ? memory_->developed_faces.corner(connectivity_, h)
            : corner(h, surface);
 }
-// On both sides of h.
-Exact_engine::Opposite_corners Exact_engine::known_corners(Halfedge_index h, Input_surface& surface) const
-{
-  return {known_corner(h, surface), known_corner(connectivity_.opposite(h), surface)};
-}
 
 // A bound on the number of input quantities that the corner opposite to h is a function of.
 double Exact_engine::number_of_quantities(Halfedge_index h) const
@@ -169,30 +269,16 @@ double Exact_engine::number_of_quantities(Halfedge_index h) const
          double(coordinates.triangle_crossings(connectivity_, h).e_k) + 16;
 }
 
-Exact_engine::Test Exact_engine::test(Edge_index e, Input_surface& surface) const
-{
-  const Halfedge_index h = connectivity_.halfedge(e);
-  if (const std::optional<Test> test = test_in_plane(h, std::as_const(*memory_->straight_faces)))
-    return *test;
-  const Opposite_corners corners = known_corners(h, surface);
-  if (const std::optional<Test> test = test_by_corners(h, corners))
-    return *test;
-  if (const std::optional<Sign> tie = sign_by_images(e, corners, surface, false))
-    return {Stage::MODULAR, *tie};
-  const auto decision = exact_fallback(surface).sign_of_cotangents(corners_beside(connectivity_, e));
-  return {decision.stage, decision.sign};
-}
-
-// The sign of the sum of cotangents, if images that were carried along tell that the edge is a tie, or that both
+// The sign of the sum of cotangents, if images that were carried along tell that the angles sum to π, or that both
 // faces have no area.
 // \param makes_images whether images of straight faces may be computed, in rings that all threads share
-std::optional<Sign> Exact_engine::sign_by_images(Edge_index e, const Opposite_corners& corners, Input_surface& surface,
-                                                 bool makes_images) const
+std::optional<Sign> Exact_engine::sign_by_images(const Two_corners& at, const Opposite_corners& corners,
+                                                 Input_surface& surface, bool makes_images) const
 {
   const Memory& memory = *memory_;
   if (!memory.images || !surface.accepts_probable_ties())
     return std::nullopt;
-  const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
+  const auto [h, g] = at;
   const auto find_image = [&](Halfedge_index side) -> std::optional<Image_corner> {
     if (makes_images && is_straight(connectivity_.face(side)))
       return image_of_straight_corner(side);
@@ -215,22 +301,6 @@ std::optional<Sign> Exact_engine::sign_by_images(Edge_index e, const Opposite_co
   return std::nullopt;
 }
 
-bool Exact_engine::is_convex(Edge_index e) const
-{
-  const Standard_arithmetic arithmetic;
-  const Surface_lease surface = prepared_surface();
-  // At both ends of e the two angles have to sum to less than π.
-  const Halfedge_index h = connectivity_.halfedge(e), g = connectivity_.opposite(h);
-  for (const Two_corners& at_end : {Two_corners{connectivity_.next(h), connectivity_.prev(g)},
-                                    Two_corners{connectivity_.prev(h), connectivity_.next(g)}}) {
-    const Uncertain<Sign> sign = internal::sign_of_cotangents(known_corner(at_end.opposite_to_k, *surface),
-                                                              known_corner(at_end.opposite_to_l, *surface));
-    if ((is_certain(sign) ? get_certain(sign) : exact_fallback(*surface).sign_of_cotangents(at_end).sign) != POSITIVE)
-      return false;
-  }
-  return true;
-}
-
 Sign Exact_engine::sign_of_area(Face_index f) const
 {
   const Standard_arithmetic arithmetic;
@@ -248,6 +318,7 @@ Sign Exact_engine::sign_of_area(Face_index f, Input_surface& surface) const
 bool Exact_engine::has_length_zero(Edge_index e) const
 {
   const Standard_arithmetic arithmetic;
+  find_straight_faces(); // forgets developed faces of which flips were not followed
   prepare();
   const auto& developed_faces = memory_->developed_faces;
   for (Halfedge_index h : {connectivity_.halfedge(e), connectivity_.opposite(connectivity_.halfedge(e))})

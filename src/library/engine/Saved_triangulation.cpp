@@ -10,7 +10,7 @@
 #include "Exact_engine_memory.h"
 #include "Side_and_corner.h"
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include "decide/Exact_sign.h"
+#include "decide/Ladder.h"
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include "history/check_correspondence.h"
@@ -159,7 +159,7 @@ void Engine_restorer::operator()(Saved_triangulation& saved, const Block_runner&
   complex_ = std::move(saved.connectivity);
   memory.straight_faces =
     Straight_faces(number_of_input_faces, number_of_points, std::vector<Face_index>(complex_.number_of_faces()));
-  memory.knows_straight_faces = true;
+  memory.log.follow(Flip_log::FACES);
 
   Correspondence_check check(complex_, correspondence_, engine_.decisions().interruption);
   check.check_locations();

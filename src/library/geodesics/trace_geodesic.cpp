@@ -7,7 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include "../engine/decide/Exact_sign.h"
+#include "../engine/decide/Ladder.h"
 #include "../engine/layout/Metric_frame.h"
 #include "../engine/layout/metric_images.h"
 #include "Line_layout.h"

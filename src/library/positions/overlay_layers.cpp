@@ -7,7 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
 #include "../engine/layout/Unfolding.h"
-#include "../engine/decide/Exact_sign.h"
+#include "../engine/decide/Ladder.h"
 #include "../engine/layout/Metric_frame.h"
 #include "../engine/layout/Strip.h"
 #include "Crossing_locator.h"

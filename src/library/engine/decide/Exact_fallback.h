@@ -15,7 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
-#include "Exact_sign.h"
+#include "Ladder.h"
 #include "../layout/Parallel_folds.h"
 #include "Mirror_symmetry.h"
 #include "corner_signs.h"
@@ -45,6 +45,12 @@ inline Two_corners corners_beside(const Delta_complex& complex, Edge_index e)
   return {h, complex.opposite(h)};
 }
 
+// Whether two corners lie opposite to one edge.
+inline bool is_hinge(const Delta_complex& complex, const Two_corners& corners)
+{
+  return complex.opposite(corners.opposite_to_k) == corners.opposite_to_l;
+}
+
 template <class Metric>
 internal::Opposite_corners<typename Metric::Real> unfolded_corners(const Unfolding<Metric>& unfolding,
                                                                    const Two_corners& corners)
@@ -66,17 +72,20 @@ public:
       const auto c = unfolded_corners(unfolding(metric), corners);
       return c.k.p * c.l.four_areas + c.l.p * c.k.four_areas;
     };
-    if (is_level(corners) ||
-        (is_edge(corners) &&
-         Parallel_folds(complex_, correspondence_, surface_).is_trapezoid(complex_.edge(corners.opposite_to_k))))
-      return decided({ZERO, Stage::CONGRUENCE}, corners);
+    const Exact_number number(surface_, sum, [&] { return may_be_rational(corners.opposite_to_k); });
+    const auto has_parallel_folds = [&] { return is_level(corners) || is_trapezoid(corners); };
     const auto is_symmetric = [&] {
-      return is_edge(corners) &&
+      return is_hinge(complex_, corners) &&
              Mirror_symmetry(complex_, correspondence_, surface_)(complex_.edge(corners.opposite_to_k)) &&
              has_positive_area(corners.opposite_to_k) && has_positive_area(corners.opposite_to_l);
     };
     const auto what = [&] { return name(corners) + ": that the sum of their angles is pi"; };
-    return decided(Exact_sign(surface_, sum, may_be_rational(corners.opposite_to_k))(is_symmetric, what), corners);
+    const Exact_decision decision = sign_by_exact_stages(number, {has_parallel_folds, is_symmetric}, what);
+    if (decision.sign != ZERO || has_positive_area(corners.opposite_to_k))
+      return decision;
+    // Both areas are zero: the signs of the scalar products tell which of the angles are π.
+    return {sign_of_tie(sign_of_scalar_product(corners.opposite_to_k), sign_of_scalar_product(corners.opposite_to_l)),
+            decision.stage, decision.is_rational};
   }
 
   // The sign of the area of the face of h.
@@ -89,7 +98,7 @@ public:
   {
     const auto squared_length = [&](auto& metric) { return unfolding(metric).squared_length(e); };
     const auto what = [&] { return "edge " + std::to_string(e.idx()) + ": that its length is zero"; };
-    return Exact_sign(surface_, squared_length)(has_no_other_proof, what).sign == ZERO;
+    return sign_by_exact_stages(Exact_number(surface_, squared_length), {}, what).sign == ZERO;
   }
 
   Mpfr_interval squared_length(Edge_index e, long precision)
@@ -161,16 +170,6 @@ public:
   }
 
 private:
-  // Angles that sum to π, unless both areas are zero: then the signs of the scalar products tell
-  // which of the angles are π.
-  Exact_decision decided(const Exact_decision& decision, const Two_corners& corners)
-  {
-    if (decision.sign != ZERO || has_positive_area(corners.opposite_to_k))
-      return decision;
-    return {sign_of_tie(sign_of_scalar_product(corners.opposite_to_k), sign_of_scalar_product(corners.opposite_to_l)),
-            decision.stage, decision.is_rational};
-  }
-
   // Whether two corners at one vertex are proven to form an angle of π, or of 0.
   bool is_level(const Two_corners& corners)
   {
@@ -180,6 +179,12 @@ private:
         return Parallel_folds(complex_, correspondence_, surface_)
           .are_level(complex_.prev(g), complex_.opposite(complex_.next(h)));
     return false;
+  }
+
+  bool is_trapezoid(const Two_corners& corners)
+  {
+    return is_hinge(complex_, corners) &&
+           Parallel_folds(complex_, correspondence_, surface_).is_trapezoid(complex_.edge(corners.opposite_to_k));
   }
 
   static constexpr double smallest = 0x1p-1074;
@@ -250,11 +255,6 @@ private:
   }
 
   bool has_positive_area(Halfedge_index h) { return sign_of_area(h) == POSITIVE; }
-
-  bool is_edge(const Two_corners& corners) const
-  {
-    return complex_.opposite(corners.opposite_to_k) == corners.opposite_to_l;
-  }
 
   std::string name(const Two_corners& corners) const
   {

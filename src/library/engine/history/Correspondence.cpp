@@ -6,6 +6,7 @@
 // Definitions of Correspondence.
 
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
+#include "Flip_log.h"
 #include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 
@@ -22,20 +23,10 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-std::vector<Edge_index> Correspondence::journaled_flips(const Delta_complex& complex) const
+void Correspondence::catch_up(const Delta_complex& complex, const Flip_log& log, const Block_runner& run)
 {
-  std::vector<Edge_index> result;
-  result.reserve(journal_.size());
-  journal_.for_each([&](const Hinge_halfedges& around) { result.push_back(complex.edge(around.ij)); });
-  return result;
-}
-
-std::vector<Edge_index> Correspondence::prepare(const Delta_complex& complex, const Block_runner& run)
-{
-  if (is_prepared_ || (knows_input_ && journal_.size() == 0)) {
-    is_prepared_ = true;
-    return {};
-  }
+  if (knows_input_ && log.number_of_unread(Flip_log::INTEGERS) == 0)
+    return;
   crossings_.clear(); // they have not followed the flips
   Normal_coordinates coordinates;
   Delta_complex input;
@@ -45,12 +36,16 @@ std::vector<Edge_index> Correspondence::prepare(const Delta_complex& complex, co
   const std::function<void()> tasks[] = {
     [&] {
       coordinates = knows_input_ ? coordinates_ : Normal_coordinates(complex); // as many elements as the input
-      journal_.for_each([&](const Hinge_halfedges& around) { coordinates.flip(around); });
-      flipped_edges = journaled_flips(complex);
+      flipped_edges.reserve(log.number_of_unread(Flip_log::INTEGERS));
+      log.for_each_unread(Flip_log::INTEGERS, [&](const Hinge_halfedges& around) {
+        coordinates.flip(around);
+        flipped_edges.push_back(complex.edge(around.ij));
+      });
     },
     [&] {
       if (!knows_input_)
-        journal_.for_each_backwards([&](const Hinge_halfedges& around) { input.flip_back(around); });
+        log.for_each_unread_backwards(Flip_log::INTEGERS,
+                                      [&](const Hinge_halfedges& around) { input.flip_back(around); });
     }};
   run(2, 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i)
@@ -59,15 +54,13 @@ std::vector<Edge_index> Correspondence::prepare(const Delta_complex& complex, co
   coordinates_ = std::move(coordinates);
   if (!knows_input_)
     input_ = std::move(input);
-  is_prepared_ = knows_input_ = true;
-  journal_ = {};
+  knows_input_ = true;
   if (!locations_.empty())
     for (Edge_index e : flipped_edges)
       for (Halfedge_index h : {complex.halfedge(e), complex.opposite(complex.halfedge(e))})
         turn_around(h, complex.source(h));
   else
     shorten_walks(flipped_edges, run);
-  return flipped_edges;
 }
 
 void Correspondence::flip_with_crossings(const Delta_complex& complex, const Hinge_halfedges& around)
@@ -82,7 +75,7 @@ void Correspondence::flip_with_crossings(const Delta_complex& complex, const Hin
 void Correspondence::split_face(const Delta_complex& complex, const Triangle_piece& piece,
                                 const Surface_point& location)
 {
-  CGAL_precondition(is_prepared_ && location.dimension() == 2);
+  CGAL_precondition(knows_input_ && location.dimension() == 2);
   make_room(locations_, 1);
   coordinates_.split_face(complex, piece);
   crossings_.split_face(complex, coordinates_, piece);
@@ -96,7 +89,7 @@ void Correspondence::split_face(const Delta_complex& complex, const Triangle_pie
 
 void Correspondence::split_edge(const Delta_complex& complex, Halfedge_index h, const Surface_point& location)
 {
-  CGAL_precondition(is_prepared_ && location.dimension() == 1);
+  CGAL_precondition(knows_input_ && location.dimension() == 1);
   make_room(locations_, 1);
   coordinates_.split_edge(complex, h, input_halfedge(h));
   crossings_.split_edge(complex, coordinates_, h);

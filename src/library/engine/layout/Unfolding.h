@@ -70,7 +70,7 @@ public:
   // A triangle relative to one of its corners
   using Corner = Triangle_corner<Real>;
 
-  // \pre `correspondence.is_prepared()`
+  // \pre `correspondence.knows_input()`
   Unfolding(const Delta_complex& complex, const Correspondence& correspondence, Metric& metric)
     : complex_(complex), correspondence_(correspondence), input_(correspondence.input()), metric_(metric)
   {}

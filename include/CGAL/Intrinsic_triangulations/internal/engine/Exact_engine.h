@@ -35,9 +35,11 @@ struct Surface_point;
 namespace CGAL::Intrinsic_triangulations::internal {
 
 class Correspondence;
+class Flip_log;
 class Input_surface;
 class Surface_lease;
 struct Known_corner;
+struct Two_corners;
 class Engine_numbers;
 class Engine_restorer;
 class Exact_fallback;
@@ -81,7 +83,7 @@ public:
   bool keeps_input() const { return memory_ != nullptr; }
 
   const Delta_complex& connectivity() const { return connectivity_; }
-  // Where the input lies in the triangulation. \pre `prepare()` was called, and not `begin_journal()` since
+  // Where the input lies in the triangulation. \pre `prepare()` was called, and not `begin_log()` since
   const Correspondence& correspondence() const;
   const Input_metric& metric() const { return metric_; }
 
@@ -104,24 +106,26 @@ public:
   };
   // As long as the engine is not copied, queries do not change what is returned.
   Forgotten forgotten_by_flip(const Hinge_halfedges& around) const;
-  // Undoes a flip, the last one that was not undone. Never throws.
+  // Undoes a flip, the last one that was not undone. Never throws. \pre no `begin_log()` since
   // \param around the halfedges around the edge before the flip
   // \param forgotten what `forgotten_by_flip(around)` returned before it
   void flip_back(const Hinge_halfedges& around, const Forgotten& forgotten);
 
   // Flips are logged from now on until the next query, so that each takes the least time: for algorithms that consist
   // of flips. Those of other functions, which are few and between queries, are followed at once. O(1).
-  void begin_journal();
+  void begin_log();
+  // Which flips are still to be followed. \pre `keeps_input()`
+  const Flip_log& log() const;
   // Flips in parts of the triangulation, each of which a thread has to itself. At the end, when no thread flips, the
   // engine takes them over.
-  // \pre no query is made from the last `begin_journal()` on until then
-  class Journals
+  // \pre no query is made from the last `begin_log()` on until then
+  class Logs
   {
   public:
-    class Journal
+    class Log
     {
     public:
-      explicit Journal(Exact_engine& engine) : engine_(&engine) {}
+      explicit Log(Exact_engine& engine) : engine_(&engine) {}
       void flip(const Hinge_halfedges& around)
       {
         if (engine_->keeps_input())
@@ -130,21 +134,21 @@ public:
       }
 
     private:
-      friend class Journals;
+      friend class Logs;
       Exact_engine* engine_;
       std::vector<Hinge_halfedges> flips_;
     };
 
-    // \param most the number of journals, at most
-    Journals(Exact_engine& engine, std::size_t most);
-    Journals(const Journals&) = delete;
-    Journals& operator=(const Journals&) = delete;
-    ~Journals();
-    Journal& next() { return journals_.emplace_back(engine_); }
+    // \param most the number of logs, at most
+    Logs(Exact_engine& engine, std::size_t most);
+    Logs(const Logs&) = delete;
+    Logs& operator=(const Logs&) = delete;
+    ~Logs();
+    Log& next() { return logs_.emplace_back(engine_); }
 
   private:
     Exact_engine& engine_;
-    std::vector<Journal> journals_;
+    std::vector<Log> logs_;
   };
 
   // What `halfedge(f)` is for the face in which the piece lies.
@@ -167,7 +171,7 @@ public:
   const Decisions& decisions() const;
 
   // Computes the integers and recovers the input, where that was not done yet; all queries do so themselves. O(size +
-  // number of flips) if there is a journal of flips, and O(1) otherwise. With threads, the integers are computed while
+  // number of flips) if there are flips in the log, and O(1) otherwise. With threads, the integers are computed while
   // the input is recovered.
   template <class ConcurrencyTag = Sequential_tag>
   void prepare() const
@@ -176,13 +180,6 @@ public:
       prepare(block_runner<ConcurrencyTag>());
   }
 
-  // By which stage an edge was tested, and the sign of `cot k + cot l` for the angles opposite to it. Where both faces
-  // have zero area, that is `NEGATIVE` if both angles are π, and `ZERO` otherwise.
-  struct Test
-  {
-    Stage stage;
-    Sign sign;
-  };
   // What a test may use.
   enum class Means {
     PLANES,       // only that both faces lie in one plane: there may be no answer
@@ -191,8 +188,10 @@ public:
     UNFOLDING // layouts and what follows them: what is known of the flips before, as that a face is straight in space,
               // is not used
   };
-  // There is always an answer to `ALL` and to `UNFOLDING`. \pre `e` lies between two different faces
-  std::optional<Test> test(Edge_index e, Means means = Means::ALL) const;
+  // The sign of `cot k + cot l` for the angles opposite to an edge, and the stage that decided it. Where both faces have
+  // zero area, the sign is `NEGATIVE` if both angles are π, and `ZERO` otherwise. There is always an answer to `ALL` and
+  // to `UNFOLDING`. \pre `e` lies between two different faces
+  std::optional<Exact_decision> test(Edge_index e, Means means = Means::ALL) const;
   // The sign on the way to a Delaunay triangulation: counts how the test was decided, and remembers what makes tests
   // after the next flips cheap. `corners` receives the two corners, unless both faces lie in one plane in space.
   Sign decide(Edge_index e, std::optional<Opposite_corners>& corners);
@@ -231,10 +230,13 @@ private:
   Surface_lease prepared_surface() const;
 
   struct Memory;
+  class Corners;
+  class Known_corners;
+  class Kept_corners;
   using Image_corner = Triangle_corner<Residues>;
 
-  // In flips for each edge: bounds the memory of the journal.
-  static constexpr std::size_t longest_journal = 8;
+  // In flips for each edge: bounds the memory of the log.
+  static constexpr std::size_t longest_log = 8;
   // In crossings of the edges at a vertex: to lay out shorter ones again takes no longer.
   static constexpr std::int64_t long_star = 4;
   // So many flips lay out faces for each close call and for each corner that is asked for.
@@ -243,8 +245,8 @@ private:
   static constexpr double short_strip = 256;
 
   bool log_or_follow(const Hinge_halfedges& around);
-  bool flip_and_follow(const Hinge_halfedges& around);
   bool follow(const Hinge_halfedges& around);
+  bool follow_faces(const Hinge_halfedges& around);
   void set_first(std::initializer_list<Halfedge_index> first);
   bool is_prepared() const;
   void prepare(const Block_runner& run) const;
@@ -258,22 +260,21 @@ private:
   void join_faces(Face_index f, std::initializer_list<Face_index> faces);
   Vertex_positions positions() const;
   template <class Straight_faces>
-  std::optional<Test> test_in_plane(Halfedge_index h, Straight_faces& straight_faces) const;
-  std::optional<Test> test_by_corners(Halfedge_index h, const Opposite_corners& corners) const;
+  std::optional<Sign> sign_in_plane(const Two_corners& at, Straight_faces& straight_faces) const;
+  std::optional<Sign> sign_by_corners(const Two_corners& at, const Opposite_corners& corners) const;
   std::optional<Bounded_double_double> weight_by_other_diagonal(Halfedge_index h,
                                                                 const Opposite_corners& corners) const;
   Corner known_corner(Halfedge_index h, Input_surface& surface) const;
-  Opposite_corners known_corners(Halfedge_index h, Input_surface& surface) const;
   double number_of_quantities(Halfedge_index h) const;
   void carry_images();
   Known_corner laid_out(Halfedge_index h);
   Corner developed_corner(Halfedge_index h, bool in_doubles = false);
   std::optional<Image_corner> image_of_straight_corner(Halfedge_index h) const;
-  std::optional<Sign> sign_by_images(Edge_index e, const Opposite_corners& corners, Input_surface& surface,
+  std::optional<Sign> sign_by_images(const Two_corners& at, const Opposite_corners& corners, Input_surface& surface,
                                      bool makes_images) const;
 
   // As the public ones, with memory that the caller has taken.
-  Test test(Edge_index e, Input_surface& surface) const;
+  Exact_decision test(Edge_index e, Input_surface& surface) const;
   Sign sign_of_area(Face_index f, Input_surface& surface) const;
   Corner corner(Halfedge_index h, Input_surface& surface) const;
   Corner unfolded_corner(Halfedge_index h, Input_surface& surface) const;

@@ -134,11 +134,11 @@ private:
     const auto is_Delaunay = triangulation_.is_Delaunay_by_filter(e);
     if (!is_certain(is_Delaunay))
       return Answer::OPEN;
-    return answer(Exact_engine::Test{Stage::FILTER, certainly(is_Delaunay) ? POSITIVE : NEGATIVE}, counts);
+    return answer(Exact_decision{certainly(is_Delaunay) ? POSITIVE : NEGATIVE, Stage::FILTER}, counts);
   }
 
   // Only tests that settle an edge are counted, because others are repeated.
-  static Answer answer(const std::optional<Exact_engine::Test>& test, Stage_counts& counts)
+  static Answer answer(const std::optional<Exact_decision>& test, Stage_counts& counts)
   {
     if (!test)
       return Answer::OPEN;

@@ -50,14 +50,14 @@ public:
 
   // Whether blocks are possible: the number type must not share state between threads.
   static constexpr bool are_possible = is_for_threads<typename Triangulation::Edge_data>;
-  using Journals = Exact_engine::Journals; // one for each block
+  using Logs = Exact_engine::Logs; // one for each block
 
   // \param most the maximum number of blocks
-  static Journals journals(Triangulation& triangulation, std::size_t most) { return {triangulation.engine_, most}; }
+  static Logs logs(Triangulation& triangulation, std::size_t most) { return {triangulation.engine_, most}; }
 
   Triangulation_block(Triangulation& triangulation, Edge_index::size_type first, Edge_index::size_type last,
-                      Journals::Journal& journal)
-    : triangulation_(triangulation), first_(first), size_(last - first), journal_(journal)
+                      Logs::Log& log)
+    : triangulation_(triangulation), first_(first), size_(last - first), log_(log)
   {}
 
   const Delta_complex& connectivity() const { return triangulation_.connectivity(); }
@@ -88,7 +88,7 @@ public:
     if (!triangulation_.is_new_edge_known_to_have_length(old))
       return std::nullopt;
     return triangulation_.flip_hinge(around, old, triangulation_.traits().construct_flipped_hinge_object(),
-                                     [&] { journal_.flip(around); });
+                                     [&] { log_.flip(around); });
   }
 
 private:
@@ -101,7 +101,7 @@ private:
 
   Triangulation& triangulation_;
   Edge_index::size_type first_, size_;
-  Journals::Journal& journal_;
+  Logs::Log& log_;
 };
 
 // Asks one visitor on behalf of all blocks, for one block at a time and not before each test.
@@ -204,7 +204,7 @@ public:
   bool settle_all(Flipper& flipper)
   {
     const std::size_t n = marks_.size(), number_of_blocks = (n + size - 1) / size;
-    // No block may use up the budget of all, nor fill the memory with its journal.
+    // No block may use up the budget of all, nor fill the memory with its log.
     budget_of_block_ = (std::min)(budget_ / (2 * number_of_blocks + 1), 16 * std::uint64_t(size));
 
     settle_blocks(n, number_of_blocks, flipper);
@@ -220,7 +220,7 @@ private:
     Edge_index::size_type first, last; // the edges of the block
     std::vector<Edge_index> candidates;
     Flip_report report;
-    Exact_engine::Journals::Journal* journal;
+    Exact_engine::Logs::Log* log;
     std::vector<Edge_index> postponed, uncertain;
     std::exception_ptr exception;
   };
@@ -229,11 +229,11 @@ private:
   // \exception Cancelled_error if the visitor says so
   void settle_blocks(std::size_t n, std::size_t number_of_blocks, Flipper& flipper)
   {
-    Exact_engine::Journals journals = Block::journals(triangulation_, 2 * number_of_blocks + 1);
+    Exact_engine::Logs logs = Block::logs(triangulation_, 2 * number_of_blocks + 1);
     std::exception_ptr exception;
     for (std::size_t shift : {std::size_t(0), size / 2}) {
       is_first_round_ = shift == 0;
-      std::vector<Task> tasks = make_tasks(n, shift, journals);
+      std::vector<Task> tasks = make_tasks(n, shift, logs);
       for_each_block<Parallel_tag>(tasks.size(), 1, [&](std::size_t i, std::size_t) { settle(tasks[i]); });
       postponed_.clear();
       for (Task& task : tasks) {
@@ -253,11 +253,11 @@ private:
       throw Cancelled_error("the flips were cancelled");
   }
 
-  std::vector<Task> make_tasks(std::size_t n, std::size_t shift, Exact_engine::Journals& journals) const
+  std::vector<Task> make_tasks(std::size_t n, std::size_t shift, Exact_engine::Logs& logs) const
   {
     std::vector<Task> tasks((n + shift + size - 1) / size);
     for (std::size_t i = 0; i < tasks.size(); ++i) {
-      tasks[i].journal = &journals.next();
+      tasks[i].log = &logs.next();
       tasks[i].first = Edge_index::size_type((std::max)(i * size, shift) - shift);
       tasks[i].last = Edge_index::size_type((std::min)((i + 1) * size - shift, n));
     }
@@ -271,7 +271,7 @@ private:
     if (visitor_.is_stopped())
       return;
     try {
-      Block block(triangulation_, task.first, task.last, *task.journal);
+      Block block(triangulation_, task.first, task.last, *task.log);
       Block_visitor visitor(visitor_);
       Delaunay_flipper<Block, ConstraintMap, Block_visitor> flipper(block, is_constrained_, visitor, budget_of_block_,
                                                                     marks_);

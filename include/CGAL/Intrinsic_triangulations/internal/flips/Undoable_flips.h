@@ -30,7 +30,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // of all of them: after a dozen flips of thin faces nothing can be decided. So here each edge and each face has a bound
 // of its own, from the first flip that needs it, and the stored bounds follow from these.
 //
-// \pre nothing else changes the triangulation, and there is no journal of flips
+// \pre nothing else changes the triangulation, and no `begin_log()` is called
 template <class Traits>
 class Undoable_flips
 {

@@ -58,7 +58,7 @@ public:
       has_inserted_vertices_(correspondence.number_of_inserted_vertices() != 0),
       tracer_(intrinsic, correspondence, overlay_), progress_(progress)
   {
-    CGAL_precondition(correspondence.is_prepared());
+    CGAL_precondition(correspondence.knows_input());
   }
 
   Overlay_arrays build()

@@ -28,64 +28,12 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Each flip as the halfedges around the edge before it. In parts, so that it grows without being
-// copied, and takes over what others have noted.
-class Flip_journal
-{
-public:
-  void push_back(const Hinge_halfedges& flip)
-  {
-    if (parts_.empty() || parts_.back().size() == parts_.back().capacity())
-      begin_part();
-    parts_.back().push_back(flip);
-  }
-  // \pre the last flip was noted by push_back()
-  void pop_back() { parts_.back().pop_back(); }
-  // So many calls of append() do not throw then.
-  void make_room(std::size_t number) { parts_.reserve(parts_.size() + number); }
-  void append(std::vector<Hinge_halfedges> flips)
-  {
-    const std::size_t n = size();
-    parts_.push_back(std::move(flips));
-    size_of_full_parts_ = n;
-  }
-  std::size_t size() const { return parts_.empty() ? 0 : size_of_full_parts_ + parts_.back().size(); }
-
-  template <class Function>
-  void for_each(const Function& f) const
-  {
-    for (const std::vector<Hinge_halfedges>& part : parts_)
-      for (const Hinge_halfedges& flip : part)
-        f(flip);
-  }
-  // From the last to the first.
-  template <class Function>
-  void for_each_backwards(const Function& f) const
-  {
-    for (auto part = parts_.rbegin(); part != parts_.rend(); ++part)
-      for (auto flip = part->rbegin(); flip != part->rend(); ++flip)
-        f(*flip);
-  }
-
-private:
-  void begin_part()
-  {
-    constexpr std::size_t size_of_part = 2048;
-    const std::size_t n = size();
-    parts_.emplace_back();
-    size_of_full_parts_ = n;
-    parts_.back().reserve(size_of_part);
-  }
-
-  std::vector<std::vector<Hinge_halfedges>> parts_;
-  std::size_t size_of_full_parts_ = 0; // of all but the last
-};
+class Flip_log;
 
 // Relates a triangulation to the input triangulation from which flips have produced it.
 //
-// How a flip changes the integers depends only on the halfedges around the edge. So flips are logged
-// in a journal. When the integers are needed, they are computed from it, and the input connectivity
-// is recovered. From then on each flip updates the integers at once, until `begin_journal()` is called.
+// How a flip changes the integers depends only on the halfedges around the edge. So they are computed from the log of
+// flips when they are needed, and the input connectivity is recovered from it.
 class Correspondence
 {
 public:
@@ -94,41 +42,26 @@ public:
   // \param coordinates the integers of the current triangulation
   // \param locations where the vertices lie that follow those of the input
   Correspondence(Delta_complex input, Normal_coordinates coordinates, std::vector<Surface_point> locations)
-    : is_prepared_(true), knows_input_(true), input_(std::move(input)), coordinates_(std::move(coordinates)),
+    : knows_input_(true), input_(std::move(input)), coordinates_(std::move(coordinates)),
       locations_(std::move(locations))
   {}
 
-  // Whether the integers are up to date, so that `coordinates()`, `input()` and `input_halfedge()` are available.
-  bool is_prepared() const { return is_prepared_; }
+  // Whether the input was recovered, so that `input()`, `coordinates()` and what follows are available.
+  bool knows_input() const { return knows_input_; }
 
-  // The number of flips in the journal: those that were made before `prepare()`, or since `begin_journal()`.
-  std::size_t number_of_journaled_flips() const { return journal_.size(); }
-
-  // Logs flips again from now on, until the next `prepare()`. O(1).
-  void begin_journal() { is_prepared_ = false; }
-
-  // The edges of these flips, in order.
-  std::vector<Edge_index> journaled_flips(const Delta_complex& complex) const;
-
-  // Computes the integers and recovers the input. O(size + number of flips) if there is a journal,
-  // and O(1) otherwise.
+  // Reads the rest of the log: computes the integers, and at first recovers the input. O(size + number of flips) if
+  // there are flips, and O(1) otherwise. The integers and the input do not depend on each other, so that two threads can
+  // compute them.
   // \param complex the current connectivity
-  // \return the edges that were flipped before, in order; the journal is then cleared
-  // \exception Integer_overflow_error as `flip()` of `Normal_coordinates`. Nothing is changed then, but
-  //   the integers can no longer be computed, even if the flips are undone
-  // The integers and the input do not depend on each other, so that two threads can compute them.
-  std::vector<Edge_index> prepare(const Delta_complex& complex,
-                                  const Block_runner& run = block_runner<Sequential_tag>());
+  // \exception Integer_overflow_error as `flip()` of `Normal_coordinates`. Nothing is changed then
+  void catch_up(const Delta_complex& complex, const Flip_log& log,
+                const Block_runner& run = block_runner<Sequential_tag>());
 
-  // Records the flip of the edge that the halfedges are around; to be called before the connectivity is flipped. O(1).
+  // Follows the flip of the edge that the halfedges are around; to be called before the connectivity is flipped. O(1).
   // An exception leaves everything as it was.
-  // \exception Integer_overflow_error as `flip()` of `Normal_coordinates`, if `is_prepared()`
+  // \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
   void flip(const Delta_complex& complex, const Hinge_halfedges& around)
   {
-    if (!is_prepared_) {
-      journal_.push_back(around);
-      return;
-    }
     if (locations_.empty()) { // it is soon found what the new edge crosses
       const Edge_index e = complex.edge(around.ij);
       crossings_.forget(e, coordinates_.number_of_crossings(e));
@@ -143,23 +76,12 @@ public:
   // \param around the halfedges around the edge before the flip
   void flip_back(const Delta_complex& complex, Hinge_halfedges around)
   {
-    if (!is_prepared_)
-      return journal_.pop_back();
     crossings_.forget(complex.edge(around.ij), coordinates_.number_of_crossings(complex.edge(around.ij)));
     for (int i = 0; i < 3; ++i) { // as four flips are the identity
       around = {around.ij, around.ki, around.il, around.ji, around.lj, around.jk};
       coordinates_.flip(around);
       turn_around_flipped(complex, around);
     }
-  }
-  // So many calls of append() do not throw then.
-  void make_room_for_journals(std::size_t number) { journal_.make_room(number); }
-  // Records flips from other journals, each given by the halfedges around the edge before it.
-  // \pre not `is_prepared()`
-  void append(std::vector<Hinge_halfedges> flips)
-  {
-    CGAL_precondition(!is_prepared_);
-    journal_.append(std::move(flips));
   }
 
   // ---------------- New vertices
@@ -171,7 +93,7 @@ public:
   // \param piece the piece of the triangle that contains the vertex
   // \param location where the vertex lies: strictly inside a face of the input
   // \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
-  // \pre `is_prepared()`
+  // \pre `knows_input()`
   void split_face(const Delta_complex& complex, const Triangle_piece& piece, const Surface_point& location);
   // Follows the insertion of a vertex on an edge that coincides with an input edge; to be called before `split_edge(h)`
   // of the connectivity. O(1).
@@ -179,7 +101,7 @@ public:
   // \param h the halfedge that is split
   // \param location where the vertex lies: on that input edge
   // \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
-  // \pre `is_prepared()`
+  // \pre `knows_input()`
   void split_edge(const Delta_complex& complex, Halfedge_index h, const Surface_point& location);
 
   // Follows the join of two edges; to be called before `unsplit_edge(h)` of the connectivity. O(1).
@@ -189,7 +111,7 @@ public:
   // Follows the removal of an inserted vertex, after that of the connectivity. O(1). Never throws.
   void remove(const Removed_elements& removed);
 
-  // Whether `v` is no vertex of the input. \pre `is_prepared()`
+  // Whether `v` is no vertex of the input. \pre `knows_input()`
   bool is_inserted(Vertex_index v) const { return v.idx() >= input_.number_of_vertices(); }
   // The number of inserted vertices.
   std::size_t number_of_inserted_vertices() const { return locations_.size(); }
@@ -202,12 +124,12 @@ public:
   // \pre `is_inserted(v)`
   const Surface_point& location(Vertex_index v) const { return locations_[v.idx() - input_.number_of_vertices()]; }
 
-  // The integers. \pre `is_prepared()`
+  // The integers. \pre `knows_input()`
   const Normal_coordinates& coordinates() const { return coordinates_; }
 
   // The input connectivity: the same vertices, edges, halfedges and faces as at
   // the beginning; `halfedge(v)` and `halfedge(f)` may be different incident halfedges.
-  // \pre `is_prepared()`
+  // \pre `knows_input()`
   const Delta_complex& input() const { return input_; }
 
   // The roundabout of `h`: the first input halfedge at or after `h`, counterclockwise
@@ -215,7 +137,7 @@ public:
   //
   // For a halfedge that leaves a vertex inserted on an input edge it is one of the two halfedges of that edge, taken
   // from there on; for one that leaves a vertex inside an input face there is none.
-  // \pre `is_prepared()`
+  // \pre `knows_input()`
   Halfedge_index input_halfedge(Halfedge_index h) const
   {
     const Roundabout r = coordinates_.roundabout(h);
@@ -245,8 +167,7 @@ private:
   // Around a vertex on an input edge, there are two directions only.
   void turn_around(Halfedge_index h, Vertex_index source);
 
-  bool is_prepared_ = false, knows_input_ = false;
-  Flip_journal journal_;
+  bool knows_input_ = false;
   Delta_complex input_;
   Normal_coordinates coordinates_;
   Kept_crossings crossings_;

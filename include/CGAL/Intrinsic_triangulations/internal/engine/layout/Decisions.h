@@ -11,7 +11,16 @@
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/reports.h>
 
+#include <CGAL/enum.h>
+
 namespace CGAL::Intrinsic_triangulations::internal {
+
+struct Exact_decision
+{
+  Sign sign;
+  Stage stage;              // that decided
+  bool is_rational = false; // all roots in the number are
+};
 
 struct Decisions
 {
