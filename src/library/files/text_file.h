@@ -233,7 +233,7 @@ enum class Number_state {
 
 // Whether some compiler writes a nonfinite number as this word, which std::from_chars() does not know. Windows
 // compilers before 2015 round the letters, too: 1.#QNAN, 1.#INF00e+000, 1.#J, also with a decimal comma.
-inline bool is_foreign_infinity_or_nan(std::string_view word)
+BOOST_NOINLINE inline bool is_foreign_infinity_or_nan(std::string_view word)
 {
   word.remove_prefix(!word.empty() && (word[0] == '+' || word[0] == '-') ? 1 : 0);
   if (word.size() > 3 && word[0] == '1' && (word[1] == '.' || word[1] == ',') && word[2] == '#')
