@@ -26,8 +26,12 @@ if(WAY STREQUAL "checkout")
     file(CREATE_LINK ${checkout}/${folder} ${BINARY_DIR}/${folder} SYMBOLIC)
   endforeach()
 else()
+  if(NOT text MATCHES "\n    g\\+\\+ program.cpp \\$\\(pkg-config --cflags --libs ([A-Za-z_]+)\\)\n")
+    message(FATAL_ERROR "README.md does not say how to compile with pkg-config")
+  endif()
+  set(package ${CMAKE_MATCH_1})
   set(ENV{PKG_CONFIG_PATH} ${PACKAGE_PREFIX}/${PKGCONFIG_DIR})
-  execute_process(COMMAND ${PKG_CONFIG} --cflags --libs Intrinsic_triangulations
+  execute_process(COMMAND ${PKG_CONFIG} --cflags --libs ${package}
     OUTPUT_VARIABLE flags OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
   string(PREPEND flags "-O1 program.cpp ")
 endif()
