@@ -87,6 +87,7 @@ struct Distance_result
   std::size_t number_of_inserted_vertices = 0;
   std::optional<double> mean_edge_length; // by heat
   std::size_t number_of_bounded_distances = 0;
+  std::size_t nonmanifold_edges = 0;
   bool is_complete = true;
   std::optional<std::array<double, 2>> errors;       // the mean and the largest one, as fractions of the exact distance
   std::optional<IT::Common_subdivision> subdivision; // for the overlay and the view
@@ -191,28 +192,40 @@ std::array<double, 2> compare(const std::vector<double>& distances, const std::v
   return {n > 0 ? sum / double(n) : 0, largest};
 }
 
+std::vector<IT::Vertex_index> sources_of(const Distance_options& options)
+{
+  std::vector<IT::Vertex_index> result;
+  for (std::uint64_t v : options.sources)
+    result.push_back(IT::Vertex_index(IT::Vertex_index::size_type(v)));
+  return result;
+}
+
 // \param surface a triangulation, or a tufted cover
 template <class Any_surface>
-void find_distances(const Distance_options& options, const Any_surface& surface, Progress& progress,
-                    Distance_result& result)
+void find_by_heat(const Distance_options& options, const Any_surface& surface, Progress& progress,
+                  Distance_result& result)
 {
-  const std::size_t n = result.number_of_vertices;
-  std::vector<IT::Vertex_index> sources;
-  for (std::uint64_t v : options.sources)
-    sources.push_back(IT::Vertex_index(IT::Vertex_index::size_type(v)));
+  progress.begin("building and factoring the matrix of the heat");
+  IT::Heat_method<> heat(surface, library_options(options));
+  progress.begin("solving for distances");
+  for (IT::Vertex_index v : sources_of(options))
+    heat.add_source(v);
+  result.mean_edge_length = heat.mean_edge_length();
+  result.distances = heat.distances();
+  result.number_of_bounded_distances = heat.number_of_bounded_distances();
+}
+
+// The distances, unless they come from heat; and those that they are compared with.
+// \param surface a triangulation, or a cover that is made of sheets
+template <class Any_surface>
+void follow_ways(const Distance_options& options, const Any_surface& surface, Progress& progress,
+                 Distance_result& result)
+{
+  const std::vector<IT::Vertex_index> sources = sources_of(options);
   const auto geodesic_options = [](double tolerance) {
     return CGAL::parameters::tolerance(tolerance).visitor([] { return !is_interrupted(); });
   };
-  if (options.is_by_heat()) {
-    progress.begin("building and factoring the matrix of the heat");
-    IT::Heat_method<> heat(surface, library_options(options));
-    progress.begin("solving for distances");
-    for (IT::Vertex_index v : sources)
-      heat.add_source(v);
-    result.mean_edge_length = heat.mean_edge_length();
-    result.distances = heat.distances();
-    result.number_of_bounded_distances = heat.number_of_bounded_distances();
-  } else {
+  if (!options.is_by_heat()) {
     progress.begin("following straight ways");
     IT::Geodesic_distances found =
       IT::geodesic_distances(surface, sources, geodesic_options(options.method == "exact" ? 0 : 0.001));
@@ -225,9 +238,6 @@ void find_distances(const Distance_options& options, const Any_surface& surface,
     result.is_complete = result.is_complete && exact.is_complete;
     result.errors = compare(result.distances, exact.distances);
   }
-  if (result.subdivision)
-    result.overlay_distances.values = IT::interpolate_intrinsic_values(*result.subdivision, result.distances);
-  result.distances.resize(n); // without vertices inserted by refinement
 }
 
 // The first axis of the tangent plane of each source, transported to the vertices nearest to it; and for a single
@@ -259,37 +269,60 @@ void find_vectors(const Distance_options& options, const Triangulation& triangul
   result.vectors.push_back(std::move(log));
 }
 
-void find_on_cover(const Distance_options& options, IT::Tufted_cover cover, Progress& progress, Stopwatch& stopwatch,
+// Any triangles: heat on their tufted cover, straight ways on sheets of them.
+// \param make_cover makes a cover of the given kind
+template <class Make_cover>
+void find_on_cover(const Distance_options& options, const Make_cover& make_cover, Progress& progress,
                    Distance_result& result)
 {
-  result.flips = IT::flip_to_Delaunay(cover.triangulation, CGAL::parameters::visitor(std::ref(progress))).flips;
-  result.triangulation_seconds = stopwatch.restart();
-  find_distances(options, cover, progress, result);
+  const auto with = [&](IT::Surface_cover kind, const auto& find) {
+    progress.begin("covering");
+    Stopwatch stopwatch;
+    IT::Tufted_cover cover = make_cover(kind);
+    result.nonmanifold_edges = cover.report.nonmanifold_edges;
+    result.flips += IT::flip_to_Delaunay(cover.triangulation, CGAL::parameters::visitor(std::ref(progress))).flips;
+    result.triangulation_seconds += stopwatch.restart();
+    find(cover);
+    result.distance_seconds += stopwatch.seconds();
+  };
+  if (options.is_by_heat())
+    with(IT::Surface_cover::TUFTED,
+         [&](const IT::Tufted_cover& cover) { find_by_heat(options, cover, progress, result); });
+  if (!options.is_by_heat() || options.is_compared)
+    with(IT::Surface_cover::SHEETS,
+         [&](const IT::Tufted_cover& cover) { follow_ways(options, cover, progress, result); });
 }
 
-// Any triangles.
 void find_on_cover(const Distance_options& options, Distance_result& result)
 {
-  Stopwatch stopwatch;
+  const Stopwatch stopwatch;
   if (is_gluing_file(options.input)) {
     Progress progress(options.input, "reading");
     const IT::Exact_gluing gluing = read_gluing_file(options.input, std::ref(progress));
     set_number_of_vertices(options, gluing.complex.number_of_vertices(), result);
-    result.read_seconds = stopwatch.restart();
-    progress.begin("covering");
-    find_on_cover(options, IT::make_tufted_cover(gluing.complex, gluing.lengths), progress, stopwatch, result);
+    result.read_seconds = stopwatch.seconds();
+    find_on_cover(
+      options,
+      [&gluing](IT::Surface_cover kind) {
+        return IT::make_tufted_cover(gluing.complex, gluing.lengths, CGAL::parameters::surface_cover(kind));
+      },
+      progress, result);
   } else {
     Triangle_soup soup = read_triangle_soup(options.input);
     check_view(options.view_path, soup.triangles.size());
     set_number_of_vertices(options, soup.points.size(), result);
-    result.read_seconds = stopwatch.restart();
+    result.read_seconds = stopwatch.seconds();
     Progress progress(options.input, "covering");
-    find_on_cover(options, IT::make_tufted_cover(soup.points, soup.triangles), progress, stopwatch, result);
+    find_on_cover(
+      options,
+      [&soup](IT::Surface_cover kind) {
+        return IT::make_tufted_cover(soup.points, soup.triangles, CGAL::parameters::surface_cover(kind));
+      },
+      progress, result);
     result.points = std::move(soup.points);
     result.triangles = std::move(soup.triangles);
     result.warnings = std::move(soup.warnings);
   }
-  result.distance_seconds = stopwatch.seconds();
 }
 
 // An oriented surface.
@@ -324,7 +357,12 @@ void find_on_surface(const Distance_options& options, Distance_result& result)
     progress.begin("overlay");
     result.subdivision.emplace(triangulation);
   }
-  find_distances(options, triangulation, progress, result);
+  if (options.is_by_heat())
+    find_by_heat(options, triangulation, progress, result);
+  follow_ways(options, triangulation, progress, result);
+  if (result.subdivision)
+    result.overlay_distances.values = IT::interpolate_intrinsic_values(*result.subdivision, result.distances);
+  result.distances.resize(result.number_of_vertices); // without vertices inserted by refinement
   progress.begin("factoring and solving for vectors");
   if (options.has_vectors)
     find_vectors(options, triangulation, surface.points, result);

@@ -54,9 +54,11 @@ private:
   std::mutex mutex_;
 };
 
-IT::Tufted_cover Delaunay_cover(const Rows<double>& points, const std::vector<std::array<std::uint32_t, 3>>& triangles)
+IT::Tufted_cover Delaunay_cover(const Rows<double>& points, const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                                IT::Surface_cover kind)
 {
-  IT::Tufted_cover cover = IT::make_tufted_cover(points, triangles, CGAL::parameters::visitor(&Signal_watch::goes_on));
+  IT::Tufted_cover cover =
+    IT::make_tufted_cover(points, triangles, CGAL::parameters::surface_cover(kind).visitor(&Signal_watch::goes_on));
   cover.triangulation.set_interruption(&Signal_watch::goes_on);
   IT::flip_to_Delaunay(cover.triangulation, CGAL::parameters::visitor(Signal_visitor()));
   return cover;
@@ -68,7 +70,9 @@ std::unique_ptr<Heat> heat_on_any_triangles(const Doubles& points, const Indices
   const Rows<double> rows(points);
   const auto faces = copied_rows(triangles);
   const auto options = heat_options(time_coefficient, boundary, keeps_ridges);
-  return without_lock([&] { return std::make_unique<Heat>(IT::Heat_method<>(Delaunay_cover(rows, faces), options)); });
+  return without_lock([&] {
+    return std::make_unique<Heat>(IT::Heat_method<>(Delaunay_cover(rows, faces, IT::Surface_cover::TUFTED), options));
+  });
 }
 
 std::unique_ptr<Heat> heat_on_surface(Surface& surface, double time_coefficient, int boundary, bool keeps_ridges)
@@ -91,8 +95,9 @@ py::array geodesic_distances(const Doubles& points, const Indices& triangles, co
   for (std::uint32_t v : copied(sources))
     vertices.push_back(IT::Vertex_index(v));
   const auto options = CGAL::parameters::tolerance(tolerance).visitor(&Signal_watch::goes_on);
-  return to_array(
-    without_lock([&] { return IT::geodesic_distances(Delaunay_cover(rows, faces), vertices, options).distances; }));
+  return to_array(without_lock([&] {
+    return IT::geodesic_distances(Delaunay_cover(rows, faces, IT::Surface_cover::SHEETS), vertices, options).distances;
+  }));
 }
 
 py::array extend(Heat& heat, const Indices& vertices, const Doubles& values, double elsewhere)

@@ -38,7 +38,10 @@ enum class Surface_cover {
   TUFTED,
   /// The triangles themselves, turned over where neighbors disagree: no edge may have more than two faces, and
   /// the surface must be orientable. Border edges stay border edges.
-  NONE
+  NONE,
+  /// As `NONE`, for any triangles: they are cut apart at edges with more than two faces, and where neighbors cannot be
+  /// made to agree. `geodesic_distances()` goes on from each of the border edges that come of it to all others.
+  SHEETS
 };
 
 /// \ingroup PkgIntrinsicTriangulationsCover
@@ -78,7 +81,8 @@ struct Tufted_cover_report
 ///
 /// \brief an oriented surface over any triangles, as `make_tufted_cover()` builds it.
 ///
-/// A connected part of the input that is closed, orientable and has two faces at each edge is its own cover. All others
+/// A connected part of the input that is closed, orientable and has two faces at each edge is its own cover. So is each
+/// part unless the cover is tufted. All others
 /// are covered by two copies of each face, one of them turned over; such a part counts half. The first vertices of the
 /// cover are the input vertices, with the same numbers. More follow where the faces at an input vertex form several
 /// fans in the cover. Vertices without faces are isolated.
@@ -98,6 +102,8 @@ struct Tufted_cover
   std::vector<std::uint32_t> representative;
   /// the defects and how they were handled
   Tufted_cover_report report;
+  /// whether border edges of the cover between the same vertices of the input are one edge that was cut
+  bool is_cut = false;
 };
 
 namespace internal {

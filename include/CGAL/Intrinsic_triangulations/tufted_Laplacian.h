@@ -63,6 +63,7 @@ public:
   std::uint32_t operator()(Vertex_index v) const { return cover_.vertex_of[v.idx()]; }
   // The row of a vertex of the input.
   std::uint32_t of_input(Vertex_index v) const { return cover_.representative[v.idx()]; }
+  bool is_cut() const { return cover_.is_cut; }
   // The weight of a face, or of each face at an edge: one half if it has a second copy.
   double share(Face_index f) const { return cover_.is_half[f.idx()] ? 0.5 : 1; }
   double share(Edge_index e) const

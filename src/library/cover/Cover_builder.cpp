@@ -255,7 +255,7 @@ private:
         throw_at_edge(Invalid_surface_error::Defect::INCONSISTENT_ORIENTATION, Side{0, 2 * piece.conflict},
                       "joins a face to itself turned over: the surface is not orientable");
     }
-    if (options_.cover == Surface_cover::NONE)
+    if (options_.cover != Surface_cover::TUFTED)
       return;
     for (Index f = 0; f < triangles().size(); ++f)
       if (const auto& piece = all.pieces[all.piece_of[f]]; !piece.is_closed || !piece.is_orientable()) {
@@ -329,9 +329,11 @@ private:
     std::vector<const Side*> sorted;
     sides_.for_each_edge([&](Index v, const Side* begin, const Side* end) {
       const std::ptrdiff_t n = end - begin;
-      if (!is_doubled_[begin->face()]) { // one or two sides, like all others of their piece
-        if (n == 2)
+      if (!is_doubled_[begin->face()]) {
+        if (n == 2 && runs_to_smaller_end(begin[0]) != runs_to_smaller_end(begin[1]))
           cover_.glue(side_of_copy(begin[0], false), side_of_copy(begin[1], true));
+        else if (n > 1)
+          is_cut_ = true;
         return;
       }
       if (n <= 2) {
@@ -357,6 +359,8 @@ private:
     scaled_points_ = points_;
     normalize_points(*scaled_points_, [&](std::size_t v) { return bool(is_used[v]); });
   }
+  // Of a face with one copy.
+  bool runs_to_smaller_end(const Side& side) const { return side.runs_to_smaller_end() != is_turned_[side.face()]; }
   Index third_vertex(Index s) const { return triangles()[s / 3][(s + 2) % 3]; }
 
   // Drops the parts of the cover that have no area, which need not be parts of the input: two coincident faces without
@@ -441,7 +445,8 @@ private:
             std::move(cover_.is_back),
             std::move(is_half),
             std::move(cleaned_.representative),
-            cleaned_.report};
+            cleaned_.report,
+            is_cut_};
   }
 
   Intrinsic_triangulation<Filtered_edge_length_traits> mollified(Delta_complex complex, const Points& points)
@@ -462,6 +467,7 @@ private:
   const Interruption interruption_;
   Sides_by_edge sides_;
   std::vector<bool> is_doubled_, is_turned_; // of each triangle
+  bool is_cut_ = false;
   Index_vector first_copy_;
   Glued_faces cover_;                   // faces are copies of triangles
   std::optional<Points> scaled_points_; // if faces have to be ordered around some edge

@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -72,6 +73,8 @@ public:
     for (Halfedge_index h : complex.halfedges())
       if (side_of[h.idx()] != none)
         sides_[side_of[h.idx()]].opposite = side_of[complex.opposite(h).idx()];
+    if (row.is_cut())
+      join_cut_sides();
     index_corners();
   }
 
@@ -84,6 +87,9 @@ public:
   // The next side that begins at the same vertex, to the left or to the right; none beyond a border.
   std::uint32_t left_of(std::uint32_t i) const { return sides_[prev(i)].opposite; }
   std::uint32_t right_of(std::uint32_t i) const { return sides_[i].opposite == none ? none : next(sides_[i].opposite); }
+  // Of a side on the border, the next one at the same edge of a surface that was cut there, and after the last one the
+  // first; none if there is none.
+  std::uint32_t beside(std::uint32_t i) const { return beside_.empty() ? none : beside_[i]; }
   // Infinite on the border.
   double angle_sum(std::uint32_t vertex) const
   {
@@ -150,6 +156,25 @@ private:
     }
   }
 
+  void join_cut_sides()
+  {
+    std::vector<std::array<std::uint32_t, 3>> cut; // two rows, and the side between them
+    for (std::uint32_t i = 0; i < sides_.size(); ++i)
+      if (sides_[i].opposite == none)
+        cut.push_back(
+          {(std::min)(sides_[i].row, sides_[next(i)].row), (std::max)(sides_[i].row, sides_[next(i)].row), i});
+    std::sort(cut.begin(), cut.end(), [this](const auto& a, const auto& b) {
+      return std::make_pair(a[0], a[1]) != std::make_pair(b[0], b[1]) ? a < b : is_before(a[2], b[2]);
+    });
+    beside_.assign(sides_.size(), none);
+    for (std::size_t i = 0, j; i < cut.size(); i = j) {
+      for (j = i + 1; j < cut.size() && cut[j][0] == cut[i][0] && cut[j][1] == cut[i][1]; ++j)
+        beside_[cut[j - 1][2]] = cut[j][2];
+      if (j > i + 1)
+        beside_[cut[j - 1][2]] = cut[i][2];
+    }
+  }
+
   void index_corners()
   {
     for (const Side& side : sides_) {
@@ -188,6 +213,7 @@ private:
   std::vector<Halfedge_index> halfedges_; // of the sides
   std::vector<std::int64_t> angle_sums_;  // by vertex; as integers they are the same in any order, and -1 on the border
   std::vector<std::uint32_t> first_, corners_;
+  std::vector<std::uint32_t> beside_; // of the sides, if the surface was cut
   int exponent_ = 0;
 };
 

@@ -320,12 +320,27 @@ private:
            distances_[surface_.side(surface_.next(w.side)).row] + (s.length - w.b0) <= w.distance(w.b0) * shorter;
   }
 
-  // A window leaves a face over a side of it. It is given as seen from across.
-  void leave(std::uint32_t side, Window w)
+  // A window leaves a face over a side of it. It is given as seen from across. Where the surface was cut, it goes on
+  // into each of the other faces.
+  void leave(std::uint32_t side, const Window& w)
   {
-    w.side = surface_.side(side).opposite;
-    if (w.side == none)
-      return;
+    const std::uint32_t opposite = surface_.side(side).opposite;
+    if (opposite != none)
+      return enter(opposite, w);
+    for (std::uint32_t other = surface_.beside(side); other != none && other != side; other = surface_.beside(other))
+      enter(other,
+            surface_.side(other).row == surface_.side(side).row ? turned_over(w, surface_.side(side).length) : w);
+  }
+
+  // As it is seen from a face that is turned over.
+  static Window turned_over(const Window& w, double length)
+  {
+    return {length - w.b1, length - w.b0, length - w.x, w.y, w.sigma, 0};
+  }
+
+  void enter(std::uint32_t side, Window w)
+  {
+    w.side = side;
     const double length = surface_.side(w.side).length;
     w.b0 = (std::max)(w.b0, 0.);
     w.b1 = (std::min)(w.b1, length);

@@ -37,6 +37,7 @@ public:
   std::size_t number_of_rows() const { return number_of_rows_; }
   Vertex_index::size_type operator()(Vertex_index v) const { return v.idx(); }
   Vertex_index::size_type of_input(Vertex_index v) const { return v.idx(); }
+  bool is_cut() const { return false; }
   double share(Face_index) const { return 1; }
 
 private:
