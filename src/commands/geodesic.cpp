@@ -8,6 +8,7 @@
 #include "input/Surface.h"
 #include "input/formats/vtp.h"
 #include "input/mesh_file.h"
+#include "input/repair.h"
 #include "number_types/make_triangulation.h"
 #include "output/Output_file.h"
 #include "output/write_json.h"
@@ -34,6 +35,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -87,6 +89,13 @@ struct Stop
   }
 };
 
+// How far a point that was given is from the surface.
+struct Snap
+{
+  std::string option;
+  double distance;
+};
+
 struct Curve
 {
   std::vector<IT::Surface_point> points;
@@ -97,6 +106,7 @@ struct Curve
   bool is_geodesic = true;
   std::string status;
   std::optional<IT::Vertex_index> vertex; // the vertex to which it shrank or at which it ends
+  std::vector<Snap> snaps;
 
   bool is_shortest() const { return distance && std::abs(length - *distance) <= 1e-9 * *distance; }
 };
@@ -162,13 +172,18 @@ IT::Vertex_index vertex(const Triangulation& triangulation, std::uint64_t number
 }
 
 // The vertex of a stop; for a point in space, a vertex is inserted at the nearest point of the surface.
-IT::Vertex_index vertex(const Surface& surface, Triangulation& triangulation, const Stop& stop)
+IT::Vertex_index vertex(const Surface& surface, Triangulation& triangulation, const std::string& option,
+                        const std::string& text, std::vector<Snap>& snaps)
 {
+  const Stop stop(option, text);
   if (stop.vertex)
     return vertex(triangulation, *stop.vertex);
   if (!surface.has_points())
     throw Usage_error(surface.path + " has only lengths, no points: begin and end at vertices");
-  return IT::vertex_at_point(triangulation, IT::locate(surface.connectivity, surface.points, stop.point));
+  const IT::Surface_point nearest = IT::locate(surface.connectivity, surface.points, stop.point);
+  const auto [x, y, z] = IT::point_in_space(surface.connectivity, surface.points, nearest);
+  snaps.push_back({option, std::hypot(x - stop.point[0], y - stop.point[1], z - stop.point[2])});
+  return IT::vertex_at_point(triangulation, nearest);
 }
 
 // The initial curve, along edges from stop to stop; and the length of the shortest path.
@@ -197,15 +212,19 @@ std::vector<IT::Halfedge_index> first_path(const Geodesic_options& options, Tria
 
 Curve find_path(const Geodesic_options& options, const Surface& surface, Triangulation& triangulation)
 {
-  std::vector<IT::Vertex_index> stops{vertex(surface, triangulation, Stop("--from", options.from))};
+  Curve curve;
+  std::vector<IT::Vertex_index> stops;
+  const auto add_stop = [&](const std::string& option, const std::string& text) {
+    stops.push_back(vertex(surface, triangulation, option, text, curve.snaps));
+  };
+  add_stop("--from", options.from);
   for (const std::string& text : options.via)
-    stops.push_back(vertex(surface, triangulation, Stop("--via", text)));
+    add_stop("--via", text);
   const std::size_t last_via = stops.size();
   if (!options.to.empty())
-    stops.push_back(vertex(surface, triangulation, Stop("--to", options.to)));
+    add_stop("--to", options.to);
   if (options.is_closed)
     stops.push_back(stops.front());
-  Curve curve;
   const std::vector<IT::Halfedge_index> start = first_path(options, triangulation, stops, curve);
   IT::Geodesic_path_network<IT::Filtered_edge_length_traits> network(triangulation);
   const std::size_t p = options.is_closed ? network.add_closed_path(start) : network.add_path(start);
@@ -350,12 +369,17 @@ Json json_value(const Geodesic_options& options, const Surface& surface, const C
   json["flips"] = curve.report.flips;
   json["segments"] = curve.points.empty() ? 0 : curve.points.size() - 1;
   json["vertex"] = curve.vertex ? Json(curve.vertex->idx()) : Json(nullptr);
+  json["snaps"] = Json::array();
+  for (const Snap& snap : curve.snaps)
+    json["snaps"].push_back({{"option", snap.option}, {"distance", snap.distance}});
+  json["repairs"] = to_json_value(repairs(surface));
   json["warnings"] = surface.warnings;
   json["seconds"] = seconds;
   return json;
 }
 
-void write_report(std::ostream& os, const Geodesic_options& options, const Curve& curve, double seconds)
+void write_report(std::ostream& os, const Geodesic_options& options, const Surface& surface, const Curve& curve,
+                  double seconds)
 {
   os << options.input << "\n  status    " << curve.status;
   if (curve.vertex)
@@ -365,7 +389,11 @@ void write_report(std::ostream& os, const Geodesic_options& options, const Curve
     os << " (along edges: " << in_short(*curve.initial_length) << ')';
   if (curve.distance)
     os << "\n  distance  " << in_full(*curve.distance)
-       << (curve.is_shortest() ? "; the path is shortest" : "; the path is not shortest");
+       << (curve.is_shortest() ? "; the path is shortest" : "; the path is not shortest")
+       << cuts_text(repairs(surface));
+  for (const Snap& snap : curve.snaps)
+    os << "\n  " << std::left << std::setw(10) << snap.option << "the nearest point of the surface, "
+       << in_short(snap.distance) << " from the given one";
   os << "\n  segments  " << with_separators(curve.points.empty() ? 0 : curve.points.size() - 1) << "\n  flips     "
      << with_separators(curve.report.flips) << "\n  time      " << seconds_text(seconds) << '\n';
 }
@@ -422,7 +450,7 @@ Exit_status run_geodesic(const Geodesic_options& options)
       write_view(options.view_path, *view);
     }
     write_json(options.stats_path, json_value(options, surface, curve, seconds));
-    write_report(std::cout, options, curve, seconds);
+    write_report(std::cout, options, surface, curve, seconds);
     flush_standard_output();
     return curve.is_geodesic && curve.status != "unfinished" && (!curve.distance || curve.is_shortest())
              ? Exit_status::DONE

@@ -4,6 +4,7 @@
 #include "input/repair.h"
 
 #include "system/Progress.h"
+#include "system/text.h"
 
 #include <CGAL/Intrinsic_triangulations/repair_polygons.h>
 
@@ -13,6 +14,7 @@
 #include <functional>
 #include <iostream>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -43,6 +45,20 @@ Repair_report repair(Surface_input& input)
       {{static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)}});
   return {std::make_shared<const std::vector<IT::Repair>>(std::move(repaired.repairs)),
           std::move(repaired.input_vertices), std::move(repaired.input_faces)};
+}
+
+std::string cuts_text(const Repairs& repairs)
+{
+  std::string cuts;
+  const auto add = [&](IT::Repair_kind kind, const char* at, const char* singular, const char* plural) {
+    if (repairs)
+      for (const IT::Repair& repair : *repairs)
+        if (repair.kind == kind)
+          cuts += (cuts.empty() ? " " : " and ") + std::string(at) + counted(repair.count, singular, plural);
+  };
+  add(IT::Repair_kind::OPENED_EDGE, "along ", "edge", "edges");
+  add(IT::Repair_kind::SPLIT_VERTEX, "at ", "vertex", "vertices");
+  return cuts.empty() ? "" : ", on the repaired surface, which was cut" + cuts;
 }
 
 nlohmann::ordered_json to_json_value(const Repairs& repairs)

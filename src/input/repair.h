@@ -10,6 +10,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <ostream>
+#include <string>
 
 namespace idt {
 
@@ -20,6 +21,10 @@ Repair_report repair(Surface_input& input);
 
 // The repairs of a surface.
 inline Repairs repairs(const Surface& surface) { return surface.repair ? surface.repair->repairs : nullptr; }
+
+// Where a repair cut the surface, after a claim about it: ", on the repaired surface, which was cut along 4 edges";
+// empty if it was not cut.
+std::string cuts_text(const Repairs& repairs);
 
 // The same as an array of kinds with numbers and first elements, or null.
 nlohmann::ordered_json to_json_value(const Repairs& repairs);

@@ -353,8 +353,9 @@ Shortest_path shortest_path(Intrinsic_triangulation<Traits>& triangulation, Vert
       result.halfedges.push_back(h);
       continue;
     }
-    const std::vector<Halfedge_index> rest = shortest_edge_path(triangulation, v, source);
-    result.halfedges.insert(result.halfedges.end(), rest.begin(), rest.end());
+    const std::vector<Halfedge_index> rest = shortest_edge_path(triangulation, source, v);
+    for (auto rest_h = rest.rbegin(); rest_h != rest.rend(); ++rest_h)
+      result.halfedges.push_back(complex.opposite(*rest_h));
     result.is_complete = false;
     break;
   }

@@ -187,10 +187,9 @@ private:
         continue;
       const Halfedge_index base = side_with_largest(complex_, f, [&](Halfedge_index h) { return length(h); });
       const Halfedge_index next = complex_.next(base), prev = complex_.prev(base);
-      const std::optional<std::array<double, 2>> by_lengths =
-        apex_by_lengths({length(base), length(next), length(prev)});
-      const std::array<double, 2> apex = by_lengths ? *by_lengths : apex_by_cotangents(shapes_, complex_, base);
-      const double x = apex[0] * length(base), height = apex[1] * length(base);
+      const std::optional<Face_apex> by_lengths = apex_by_lengths({length(base), length(next), length(prev)});
+      const Face_apex apex = by_lengths ? *by_lengths : apex_by_cotangents(shapes_, complex_, base);
+      const double x = apex.x * length(base), height = apex.height * length(base);
       if (height < least_height * length(base))
         thicken(base, x);
       result_.faces.push_back({{row(base), row(next), row(prev)}, float(row_.share(f)), length(base), x, height});

@@ -36,6 +36,7 @@ public:
   {
     std::uint32_t opposite = none; // none on the border
     std::uint32_t vertex, row;     // where it begins
+    std::uint32_t narrow = none;   // twice the number of its edge if that is narrow, and 1 more if it runs backward
     double length, apex_x, apex_y, angle;
   };
 
@@ -64,7 +65,7 @@ public:
         halfedges_.push_back(around[i]);
         length[i] = lengths[complex.edge(around[i]).idx()];
       }
-      const std::optional<std::array<double, 2>> apex = apex_by_lengths(length);
+      const std::optional<Face_apex> apex = apex_by_lengths(length);
       add_face(complex, row, around, length,
                apex                 ? *apex
                : shapes.has_area(f) ? apex_by_cotangents(shapes, complex, base)
@@ -75,6 +76,7 @@ public:
         sides_[side_of[h.idx()]].opposite = side_of[complex.opposite(h).idx()];
     if (row.is_cut())
       join_cut_sides();
+    number_narrow_edges();
     index_corners();
   }
 
@@ -90,6 +92,7 @@ public:
   // Of a side on the border, the next one at the same edge of a surface that was cut there, and after the last one the
   // first; none if there is none.
   std::uint32_t beside(std::uint32_t i) const { return beside_.empty() ? none : beside_[i]; }
+  std::size_t number_of_narrow_edges() const { return number_of_narrow_edges_; }
   // Infinite on the border.
   double angle_sum(std::uint32_t vertex) const
   {
@@ -128,29 +131,29 @@ private:
     return result;
   }
 
-  static std::array<double, 2> apex_of_flat_face(const std::array<double, 3>& length)
+  static Face_apex apex_of_flat_face(const std::array<double, 3>& length)
   {
-    return {length[2] / (length[1] + length[2]), 0x1p-40};
+    const double sum = length[1] + length[2];
+    return {length[2] / sum, length[1] / sum, 0x1p-40};
   }
 
-  // \param apex in units of the longest side
   template <class Row>
   void add_face(const Delta_complex& complex, const Row& row, const std::array<Halfedge_index, 3>& around,
-                const std::array<double, 3>& length, const std::array<double, 2>& apex)
+                const std::array<double, 3>& length, const Face_apex& apex)
   {
-    const std::array<double, 3> x{0, length[0], apex[0] * length[0]}, y{0, 0, apex[1] * length[0]};
+    const double x = apex.x * length[0], rest = apex.rest * length[0], height = apex.height * length[0];
+    // Of the two sides at each corner.
+    const std::array<double, 3> dot{x * length[0], rest * length[0], height * height - x * rest};
+    const double cross = height * length[0];
     for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3, k = (i + 2) % 3;
-      const double jx = x[j] - x[i], jy = y[j] - y[i], kx = x[k] - x[i], ky = y[k] - y[i], dot = jx * kx + jy * ky,
-                   cross = jx * ky - jy * kx;
       const Vertex_index v = complex.source(around[i]);
       Side side;
       side.vertex = std::uint32_t(v.idx());
       side.row = std::uint32_t(row(v));
       side.length = length[i];
-      side.apex_x = dot / length[i];
+      side.apex_x = dot[i] / length[i];
       side.apex_y = cross / length[i];
-      side.angle = std::atan2(cross, dot);
+      side.angle = std::atan2(cross, dot[i]);
       angle_sums_[v.idx()] += std::int64_t(side.angle * angle_scale);
       sides_.push_back(side);
     }
@@ -172,6 +175,21 @@ private:
         beside_[cut[j - 1][2]] = cut[j][2];
       if (j > i + 1)
         beside_[cut[j - 1][2]] = cut[i][2];
+    }
+  }
+
+  // Those along which a face is so thin that ways can get around a needle again and again before they meet a corner.
+  void number_narrow_edges()
+  {
+    for (std::uint32_t i = 0; i < sides_.size(); ++i) {
+      if (sides_[i].narrow != none || !(sides_[i].apex_y < sides_[i].length / 16))
+        continue;
+      const std::uint32_t edge = 2 * std::uint32_t(number_of_narrow_edges_++);
+      sides_[i].narrow = edge;
+      if (sides_[i].opposite != none)
+        sides_[sides_[i].opposite].narrow = edge + 1;
+      for (std::uint32_t j = beside(i); j != none && j != i; j = beside(j))
+        sides_[j].narrow = edge + (sides_[j].row == sides_[i].row ? 0 : 1);
     }
   }
 
@@ -214,6 +232,7 @@ private:
   std::vector<std::int64_t> angle_sums_;  // by vertex; as integers they are the same in any order, and -1 on the border
   std::vector<std::uint32_t> first_, corners_;
   std::vector<std::uint32_t> beside_; // of the sides, if the surface was cut
+  std::size_t number_of_narrow_edges_ = 0;
   int exponent_ = 0;
 };
 

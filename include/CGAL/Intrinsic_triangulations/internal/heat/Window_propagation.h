@@ -55,8 +55,15 @@ public:
   // \param tolerance of the lengths of ways, as a part of each edge that they cross
   Window_propagation(const Laid_out_faces& surface, double tolerance)
     : surface_(surface), tolerance_(tolerance), distances_(surface.number_of_rows(), infinity),
-      arrivals_(surface.number_of_rows()), splits_(surface.sides().size()), waiting_(surface.sides().size(), none)
-  {}
+      arrivals_(surface.number_of_rows()), splits_(surface.sides().size()), waiting_(surface.sides().size(), none),
+      at_narrow_edges_(surface.number_of_narrow_edges())
+  {
+    // Of two ways to a corner, the longer one ends what lies beyond the other, because they have crossed in the face
+    // before. Where they may come from different faces, nothing is known.
+    for (std::uint32_t side = 0; side < splits_.size(); ++side)
+      if (surface.beside(side) != none)
+        splits_[side].distance = std::numeric_limits<double>::quiet_NaN();
+  }
   Window_propagation(const Window_propagation&) = delete; // the queue refers to it
   Window_propagation& operator=(const Window_propagation&) = delete;
 
@@ -107,6 +114,8 @@ private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr std::uint32_t none = Laid_out_faces::none, taken = none - 1;
   static constexpr double shorter = 1 - 1e-12; // by so much that it is not rounding
+  static constexpr double equal = 1 + 1e-15;
+  static constexpr std::size_t most_at_narrow_edge = 32;
   static constexpr double least_width = 1e-12, least_angle = 1e-9;
   static constexpr double shadow_begin = CGAL_PI - least_angle; // from the way to a vertex
 
@@ -125,6 +134,7 @@ private:
     double b0, b1, x, y, sigma;
     std::uint32_t side;
     std::uint32_t next = none; // of those that wait at the side; taken if another one has taken its place
+    std::uint32_t turns = 0;   // how many narrow edges it has crossed since the vertex
 
     double distance(double b) const { return sigma + length_of(b - x, y); }
   };
@@ -335,7 +345,7 @@ private:
   // As it is seen from a face that is turned over.
   static Window turned_over(const Window& w, double length)
   {
-    return {length - w.b1, length - w.b0, length - w.x, w.y, w.sigma, 0};
+    return {length - w.b1, length - w.b0, length - w.x, w.y, w.sigma, 0, none, w.turns};
   }
 
   void enter(std::uint32_t side, Window w)
@@ -345,8 +355,48 @@ private:
     w.b0 = (std::max)(w.b0, 0.);
     w.b1 = (std::min)(w.b1, length);
     w.y = (std::max)(w.y, 0.);
-    if (w.b1 - w.b0 > least_width * length && !is_useless(w))
+    if (w.b1 - w.b0 > least_width * length && !is_useless(w) &&
+        (surface_.side(side).narrow == none || crosses_narrow_edge(w)))
       wait(w);
+  }
+
+  // Whether a window has to be followed over a narrow edge: not if other ways that got there are shorter at all its
+  // points, or as long and with fewer turns. So no way gets around a needle to where it was before.
+  //
+  // No shortest way is lost but for rounding. Let one that is the shortest be dropped, where its last straight part
+  // crosses an edge. It is not longer than the other way to there and its own rest. The shortest way of those that
+  // cross the same edges as this consists of the shortest way to some vertex, which is nearer, and of a straight part
+  // with fewer turns. By induction over both, a way as long as this is found. Each time, it may have become longer by
+  // the factor `equal`, of which a thousand are less than `shorter`.
+  bool crosses_narrow_edge(Window& w)
+  {
+    const std::uint32_t narrow = surface_.side(w.side).narrow;
+    std::vector<Window>& others = at_narrow_edges_[narrow / 2];
+    const Window forward = narrow % 2 == 0 ? w : turned_over(w, surface_.side(w.side).length);
+    for (const Window& other : others)
+      if (is_nowhere_longer(other, forward, other.turns < w.turns ? equal : shorter))
+        return false;
+    if (others.size() < most_at_narrow_edge)
+      others.push_back(forward);
+    else
+      others[number_of_steps_ % most_at_narrow_edge] = forward;
+    ++w.turns;
+    return true;
+  }
+
+  // Whether the ways of a window, and from its ends along the edge, are nowhere longer than those of w times a factor.
+  static bool is_nowhere_longer(const Window& other, const Window& w, double factor)
+  {
+    const auto is_longer = [&](double b) {
+      const double at = (std::min)((std::max)(b, other.b0), other.b1);
+      return other.distance(at) + std::abs(b - at) > w.distance(b) * factor;
+    };
+    if (is_longer(w.b0) || is_longer(w.b1))
+      return false;
+    // Beyond the ends of the other window, the difference grows outward. Between them, its derivative is zero where
+    // both ways have the same direction.
+    const double b = (w.x * other.y - other.x * w.y) / (other.y - w.y);
+    return !(b > (std::max)(w.b0, other.b0) && b < (std::min)(w.b1, other.b1) && is_longer(b));
   }
 
   // By how much lengths over a side may be wrong where they are compared. A window that is dropped for one which only
@@ -458,16 +508,18 @@ private:
       const double ex = cx / side.length, ey = cy / side.length;
       const double b0 = on_left(w, s, w.b0) * side.length,
                    b1 = w.b1 >= crossing ? side.length : on_left(w, s, w.b1) * side.length;
-      const Window child{b0, b1, w.x * ex - w.y * ey, w.x * ey + w.y * ex, w.sigma, 0};
+      const Window child{b0, b1, w.x * ex - w.y * ey, w.x * ey + w.y * ex, w.sigma, 0, none, w.turns};
       if (!is_shorter_over(surface_.side(next).row, s.length - b0 * ex, b0 * ey, child, b0, slack(s)))
         leave(prev, child);
     }
     if (goes_right) { // over the side from the end to the corner
       const Side& side = surface_.side(next);
-      const double ex = (s.length - cx) / side.length, ey = -cy / side.length;
+      const double ex = side.apex_x / s.length, // (s.length - cx) / side.length without cancellation on a short side
+        ey = -cy / side.length;
       const double b0 = w.b0 > crossing ? (1 - on_right(w, s, w.b0)) * side.length : 0,
                    b1 = (1 - on_right(w, s, w.b1)) * side.length;
-      const Window child{b0, b1, (w.x - cx) * ex - (w.y + cy) * ey, (w.x - cx) * ey + (w.y + cy) * ex, w.sigma, 0};
+      const Window child{b0,   b1,     (w.x - cx) * ex - (w.y + cy) * ey, (w.x - cx) * ey + (w.y + cy) * ex, w.sigma, 0,
+                         none, w.turns};
       if (!is_shorter_over(s.row, cx + b1 * ex, cy + b1 * ey, child, b1, slack(s)))
         leave(next, child);
     }
@@ -500,9 +552,10 @@ private:
   std::vector<Arrival> arrivals_; // likewise
   std::vector<Split> splits_;     // of the sides
   std::vector<Window> windows_;
-  std::vector<Window> meeting_;        // at one side
-  std::vector<std::uint32_t> free_;    // places for windows
-  std::vector<std::uint32_t> waiting_; // at each side, the first window
+  std::vector<Window> meeting_;                      // at one side
+  std::vector<std::uint32_t> free_;                  // places for windows
+  std::vector<std::uint32_t> waiting_;               // at each side, the first window
+  std::vector<std::vector<Window>> at_narrow_edges_; // some of those that came there, by the number of the edge
   std::priority_queue<Place, std::vector<Place>, Comes_later> queue_{Comes_later{*this}};
   std::uint64_t number_of_steps_ = 0;
 };

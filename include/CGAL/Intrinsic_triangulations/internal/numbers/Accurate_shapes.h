@@ -25,24 +25,33 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The position of a face's apex relative to its longest side and in units of it, from the lengths of its sides
-// beginning with that one; nothing if the apex is so low that rounding matters.
-inline std::optional<std::array<double, 2>> apex_by_lengths(const std::array<double, 3>& length)
+// Where the apex of a face is, in units of its longest side: how far along that side, from its beginning and from its
+// end, and how high. Both lengths are stored because in a needle the smaller one would be lost in their difference.
+struct Face_apex
+{
+  double x, rest, height;
+};
+
+// The apex from the lengths of the sides of a face, beginning with the longest; nothing if the apex is so low that
+// rounding matters.
+inline std::optional<Face_apex> apex_by_lengths(const std::array<double, 3>& length)
 {
   constexpr double least_height = 0x1p-5;
   const double next = length[1] / length[0], prev = length[2] / length[0];
   const double height = std::sqrt(squared_four_areas_from_lengths(1., next, prev)) / 2;
   if (!(height > least_height))
     return std::nullopt;
-  return std::array<double, 2>{((prev - next) * (prev + next) + 1) / 2, height};
+  const double x = ((prev - next) * (prev + next) + 1) / 2;
+  return Face_apex{x, 1 - x, height};
 }
 
 // The same by cotangents.
 template <class Shapes>
-std::array<double, 2> apex_by_cotangents(const Shapes& shapes, const Delta_complex& complex, Halfedge_index base)
+Face_apex apex_by_cotangents(const Shapes& shapes, const Delta_complex& complex, Halfedge_index base)
 {
-  const double first = shapes.cotangent(complex.next(base)), sum = first + shapes.cotangent(complex.prev(base));
-  return {first / sum, 1 / sum};
+  const double first = shapes.cotangent(complex.next(base)), second = shapes.cotangent(complex.prev(base)),
+               sum = first + second;
+  return {first / sum, second / sum, 1 / sum};
 }
 
 // As the number type computes them.
