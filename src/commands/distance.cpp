@@ -548,8 +548,8 @@ void add_distance_command(CLI::App& app, Selected_command& selected)
     ->type_name("EXT")
     ->capture_default_str();
   set_words(command.add_option("--cover", options->cover,
-                               "tufted: on a closed surface over any triangles; none: on the triangles themselves, "
-                               "which must form an oriented surface"),
+                               "tufted: any triangles, with heat on a closed surface over them; none: triangles that "
+                               "form an oriented surface"),
             {"tufted", "none"})
     ->capture_default_str();
   set_words(command.add_option(

@@ -372,7 +372,7 @@ Json json_value(const Geodesic_options& options, const Surface& surface, const C
   json["snaps"] = Json::array();
   for (const Snap& snap : curve.snaps)
     json["snaps"].push_back({{"option", snap.option}, {"distance", snap.distance}});
-  json["repairs"] = to_json_value(repairs(surface));
+  json["repair"] = to_json_value(repairs(surface));
   json["warnings"] = surface.warnings;
   json["seconds"] = seconds;
   return json;

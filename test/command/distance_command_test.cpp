@@ -169,6 +169,24 @@ TEST_F(Distance_command, takes_any_triangles)
   const Command_run repaired = idt("distance fan.off --source 2 --cover none --repair -o r.csv");
   EXPECT_EQ(repaired.status, 0) << repaired.err;
   EXPECT_GT(distances("r.csv").size(), d.size()); // cut where three faces meet
+  EXPECT_TRUE(contains(repaired.out, ", on the repaired surface, which was cut along 1 edge")) << repaired.out;
+}
+
+TEST_F(Distance_command, leads_from_each_page_of_a_book_to_each)
+{
+  write("book.off", "OFF\n6 4 0\n0 0 0\n0 0 1\n1 0 0.5\n0 1 0.5\n-1 0 0.5\n0 -1 0.5\n"
+                    "3 0 1 2\n3 0 1 3\n3 0 1 4\n3 0 1 5\n");
+  for (const char* const method : {"", " --method exact"}) {
+    ASSERT_EQ(idt(std::string("distance book.off --source 2 -o d.csv") + method).status, 0);
+    for (std::size_t v : {3, 4, 5})
+      EXPECT_NEAR(distances("d.csv")[v], 2, 1e-15) << method;
+  }
+  const Command_run by_heat = idt("distance book.off --source 2 --method heat -o d.csv --compare-exact --stats s.json");
+  ASSERT_EQ(by_heat.status, 0) << by_heat.err;
+  EXPECT_NEAR(json::parse(content(folder_ / "s.json"))["error"]["largest"].get<double>(), distances("d.csv")[4] / 2 - 1,
+              1e-12);
+  EXPECT_TRUE(
+    contains(idt("distance book.off --source 2 --method heat").out, "too long across 1 edge with more than two faces"));
 }
 
 TEST_F(Distance_command, refinement_gives_more_accurate_distances_at_the_vertices_of_the_input)

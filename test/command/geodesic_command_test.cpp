@@ -111,7 +111,13 @@ TEST_F(Geodesic_command, goes_between_points_and_finds_the_shortest_path)
     EXPECT_EQ(text.at(text.size() - 2), "v 3.5 0.25 0");
     EXPECT_NEAR(json::parse(content(folder_ / "s.json")).at("length").get<double>(), std::hypot(3.5, 0.25), 1e-14);
   }
-  EXPECT_TRUE(json::parse(content(folder_ / "s.json")).at("is_shortest").get<bool>());
+  const json stats_of_points = json::parse(content(folder_ / "s.json"));
+  EXPECT_TRUE(stats_of_points.at("is_shortest").get<bool>());
+  EXPECT_EQ(stats_of_points.at("snaps").at(0).at("option"), "--from");
+  EXPECT_NEAR(stats_of_points.at("snaps").at(0).at("distance").get<double>(), std::sqrt(30.), 1e-14);
+  EXPECT_NEAR(stats_of_points.at("snaps").at(1).at("distance").get<double>(), 1, 1e-14);
+  EXPECT_TRUE(contains(idt("geodesic sheet.off --from 0 --to 3.5,0.25,1").out,
+                       "  --to      the nearest point of the surface, 1 from the given one\n"));
   // A pyramid with its peak near the front; the path along edges runs over its back.
   write("pyramid.off", "OFF\n5 4 0\n-5 0 0\n5 0 0\n0 1 6\n0 -4 0\n0 4.5 0\n3 0 2 4\n3 2 1 4\n3 0 3 2\n3 3 1 2\n");
   ASSERT_EQ(idt("geodesic pyramid.off --from 0 --to 1 --shortest --stats s.json").status, 0);
@@ -120,6 +126,24 @@ TEST_F(Geodesic_command, goes_between_points_and_finds_the_shortest_path)
   const json stats = json::parse(content(folder_ / "s.json"));
   EXPECT_NEAR(stats.at("length").get<double>(), std::stod(distance.substr(2)), 1e-12);
   EXPECT_NEAR(stats.at("distance").get<double>(), std::stod(distance.substr(2)), 1e-12);
+}
+
+TEST_F(Geodesic_command, says_where_a_repair_cut_the_surface)
+{
+  write("fan.off", "OFF\n5 3 0\n0 0 0\n0 0 1\n1 0 0.5\n-1 2 0.5\n-1 -2 0.5\n3 0 1 2\n3 0 1 3\n3 1 0 4\n");
+  const Command_run run = idt("geodesic fan.off --repair --shortest --from 0 --to 1 --stats s.json");
+  EXPECT_TRUE(contains(run.out, "; the path is shortest, on the repaired surface, which was cut along 1 edge"))
+    << run.out << run.err;
+  EXPECT_FALSE(json::parse(content(folder_ / "s.json")).at("repair").empty());
+}
+
+TEST_F(Geodesic_command, names_the_ends_in_their_order)
+{
+  write("two.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n5 0 0\n6 0 0\n5 1 0\n3 0 1 2\n3 3 4 5\n");
+  for (const char* option : {"", " --shortest"})
+    EXPECT_TRUE(
+      contains(idt(std::string("geodesic two.off --from 0 --to 4") + option).err, "from vertex 0 to vertex 4"))
+      << option;
 }
 
 TEST_F(Geodesic_command, cuts_the_surface_open)

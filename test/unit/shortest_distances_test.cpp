@@ -43,9 +43,10 @@ Triangulation Delaunay(const Points& points, const Triangles& triangles)
   return result;
 }
 
-IT::Tufted_cover Delaunay_cover(const Points& points, const Triangles& triangles)
+IT::Tufted_cover Delaunay_cover(const Points& points, const Triangles& triangles,
+                                IT::Surface_cover kind = IT::Surface_cover::TUFTED)
 {
-  IT::Tufted_cover result = IT::make_tufted_cover(points, triangles);
+  IT::Tufted_cover result = IT::make_tufted_cover(points, triangles, CGAL::parameters::surface_cover(kind));
   IT::flip_to_Delaunay(result.triangulation);
   return result;
 }
@@ -290,6 +291,153 @@ TEST(Geodesic_distances, depend_on_no_numbers)
       expect_same(Delaunay(points, triangles), Delaunay(other_points, other_triangles));
       expect_same(Delaunay_cover(points, triangles), Delaunay_cover(other_points, other_triangles));
     }
+}
+
+// Pages of n × n squares at a spine, which turn to either side by chance. \return the distance from the spine of each
+// vertex, and its height along the spine
+std::vector<std::array<double, 2>> make_book(std::uint32_t pages, std::uint32_t n, double width, Points& points,
+                                             Triangles& triangles, std::vector<std::uint32_t>& page_of)
+{
+  std::mt19937 random(3);
+  std::vector<std::array<double, 2>> flat;
+  const auto add = [&](std::uint32_t page, double r, double z) {
+    const double angle = 2 * pi * page / pages;
+    points.push_back({r * std::cos(angle), r * std::sin(angle), z});
+    flat.push_back({r, z});
+    page_of.push_back(page);
+  };
+  for (std::uint32_t j = 0; j <= n; ++j)
+    add(0, 0, double(j) / n);
+  for (std::uint32_t page = 0; page < pages; ++page) {
+    for (std::uint32_t i = 1; i <= n; ++i)
+      for (std::uint32_t j = 0; j <= n; ++j)
+        add(page, width * (i + (i < n ? double(random() % 64) / 128 : 0)) / n, double(j) / n);
+    const auto at = [&](std::uint32_t i, std::uint32_t j) { return i == 0 ? j : (page * n + i) * (n + 1) + j; };
+    for (std::uint32_t i = 0; i < n; ++i)
+      for (std::uint32_t j = 0; j < n; ++j) {
+        triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+        triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+        for (std::size_t k = triangles.size() - 2; k < triangles.size(); ++k)
+          if (random() % 2 == 0)
+            std::swap(triangles[k][0], triangles[k][1]);
+      }
+  }
+  return flat;
+}
+
+TEST(Geodesic_distances, cross_a_spine_to_all_pages)
+{
+  for (std::uint32_t pages : {3, 4, 5, 8})
+    for (double width : {1., 0.01}) {
+      Points points;
+      Triangles triangles;
+      std::vector<std::uint32_t> page_of;
+      const auto flat = make_book(pages, 4, width, points, triangles, page_of);
+      const IT::Tufted_cover cover = Delaunay_cover(points, triangles, IT::Surface_cover::SHEETS);
+      EXPECT_TRUE(cover.is_cut);
+      for (double tolerance : {0., 0.001})
+        for (std::uint32_t source : {2u, 7u, std::uint32_t(points.size() - 1)}) {
+          const auto found = IT::geodesic_distances(cover, {Vertex_index(source)}, with_tolerance(tolerance));
+          EXPECT_TRUE(found.is_complete);
+          for (std::size_t v = 0; v < points.size(); ++v) {
+            const double sign = page_of[v] == page_of[source] ? -1 : 1,
+                         exact = std::hypot(flat[v][0] + sign * flat[source][0], flat[v][1] - flat[source][1]);
+            EXPECT_NEAR(found.distances[v], exact, (tolerance > 0 ? 1e-3 : 1e-12) * exact)
+              << pages << ' ' << source << ' ' << v;
+          }
+        }
+    }
+}
+
+// Its double cover has the same distances.
+TEST(Geodesic_distances, on_a_band_with_one_side)
+{
+  Points points;
+  Triangles triangles;
+  constexpr std::uint32_t n = 15;
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (double s : {-0.2, 0.3}) {
+      const double angle = 2 * pi * i / n, r = 1 + s * std::cos(angle / 2);
+      points.push_back({r * std::cos(angle), r * std::sin(angle), s * std::sin(angle / 2)});
+    }
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t a = 2 * i, b = a + 1, c = i + 1 < n ? a + 2 : 1, d = i + 1 < n ? a + 3 : 0;
+    triangles.push_back({a, c, d});
+    triangles.push_back({b, a, d});
+  }
+  const auto distances = [&](IT::Surface_cover kind) {
+    const auto found =
+      IT::geodesic_distances(Delaunay_cover(points, triangles, kind), {Vertex_index(9)}, with_tolerance(0));
+    EXPECT_TRUE(found.is_complete);
+    return found.distances;
+  };
+  const std::vector<double> on_sheets = distances(IT::Surface_cover::SHEETS),
+                            on_cover = distances(IT::Surface_cover::TUFTED);
+  for (std::size_t v = 0; v < points.size(); ++v)
+    EXPECT_NEAR(on_sheets[v], on_cover[v], 1e-12) << v;
+}
+
+// Ways would wind around a tube as often as it is thinner than long.
+TEST(Geodesic_distances, do_not_wind_around_slivers)
+{
+  for (int e = 1; e <= 12; ++e) {
+    const double h = std::pow(10., -e);
+    const Points points{{0, 0, 0}, {2, 0, 0}, {1, h, 0}, {1, 0, h}, {0.5, -h, 0}, {1.5, h, h}};
+    // One at the border, two, a closed one, five at an edge, and a closed one with a wall in it.
+    for (const Triangles& triangles :
+         {Triangles{{0, 1, 2}}, Triangles{{0, 1, 2}, {1, 0, 3}}, Triangles{{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}},
+          Triangles{{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {0, 1, 5}},
+          Triangles{{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}, {0, 4, 2}, {4, 1, 2}, {0, 5, 4}, {5, 1, 4}, {0, 3, 4}}})
+      for (IT::Surface_cover kind : {IT::Surface_cover::SHEETS, IT::Surface_cover::TUFTED})
+        for (double tolerance : {0., 0.001}) {
+          const auto found = IT::geodesic_distances(Delaunay_cover(points, triangles, kind), {Vertex_index(0)},
+                                                    with_tolerance(tolerance));
+          EXPECT_TRUE(found.is_complete);
+          EXPECT_LT(found.number_of_ways, 40 * triangles.size()) << e << ' ' << triangles.size();
+          EXPECT_NEAR(found.distances[1], 2, 1e-14);
+          EXPECT_NEAR(found.distances[2], straight(points, 0, 2), 1e-14);
+        }
+  }
+}
+
+TEST(Geodesic_distances, do_not_climb_needles)
+{
+  constexpr std::uint32_t n = 5; // squares in a row, each with a needle in its middle
+  for (int e = 2; e <= 10; ++e) {
+    const double width = std::pow(10., -e);
+    Points points;
+    Triangles triangles;
+    for (std::uint32_t y = 0; y <= n; ++y)
+      for (std::uint32_t x = 0; x <= n; ++x)
+        points.push_back({double(x), double(y), 0});
+    for (std::uint32_t y = 0; y < n; ++y)
+      for (std::uint32_t x = 0; x < n; ++x) {
+        const std::uint32_t v = y * (n + 1) + x, first = std::uint32_t(points.size());
+        const std::array<std::uint32_t, 4> square{v, v + 1, v + n + 2, v + n + 1};
+        for (int i = 0; i < 4; ++i) {
+          const double angle = pi / 2 * i + 0.1 * x - 2;
+          points.push_back({x + 0.5 + width * std::cos(angle), y + 0.5 + width * std::sin(angle), 0});
+        }
+        points.push_back({x + 0.5, y + 0.5, 1});
+        for (std::uint32_t i = 0; i < 4; ++i) {
+          const std::uint32_t j = (i + 1) % 4, p = first + i, q = first + j;
+          triangles.push_back({square[i], square[j], p});
+          triangles.push_back({square[j], q, p});
+          triangles.push_back({p, q, first + 4});
+        }
+      }
+    const Triangulation triangulation = Delaunay(points, triangles);
+    for (double tolerance : {0., 0.001}) {
+      const auto found = IT::geodesic_distances(triangulation, {Vertex_index(1)}, with_tolerance(tolerance));
+      EXPECT_TRUE(found.is_complete);
+      EXPECT_LT(found.number_of_ways, 30 * triangles.size()) << e;
+      for (std::size_t v = 0; v < points.size(); ++v) { // around each needle, or along it
+        const double up = points[v][2], exact = std::hypot(points[v][0] - 1, points[v][1]) + up;
+        EXPECT_GE(found.distances[v], exact - 2 * width - 1e-12) << e << ' ' << v;
+        EXPECT_LE(found.distances[v], exact + (2 * n + 2) * width + tolerance * exact + 1e-12) << e << ' ' << v;
+      }
+    }
+  }
 }
 
 // Its square has two bits.

@@ -81,10 +81,9 @@ struct Tufted_cover_report
 ///
 /// \brief an oriented surface over any triangles, as `make_tufted_cover()` builds it.
 ///
-/// A connected part of the input that is closed, orientable and has two faces at each edge is its own cover. So is each
-/// part unless the cover is tufted. All others
-/// are covered by two copies of each face, one of them turned over; such a part counts half. The first vertices of the
-/// cover are the input vertices, with the same numbers. More follow where the faces at an input vertex form several
+/// A connected part of the input that is closed, orientable and has two faces at each edge is its own cover. A tufted
+/// cover has two copies of each face of all other parts, one of them turned over; such a part counts half. The other
+/// covers have one copy of each face. The first vertices of the cover are the input vertices, with the same numbers. More follow where the faces at an input vertex form several
 /// fans in the cover. Vertices without faces are isolated.
 struct Tufted_cover
 {

@@ -151,6 +151,10 @@ Geodesic_distances geodesic_distances(const Intrinsic_triangulation<Traits>& tri
 /// \ingroup PkgIntrinsicTriangulationsHeat
 /// \brief as `geodesic_distances()` of a triangulation, for any triangles. The vertices are those of the input; merged
 /// vertices have the same distance.
+///
+/// If the cover is made of sheets (`Surface_cover::SHEETS`), paths go from each face at an edge into all others. On a
+/// tufted cover, they go into the next faces around an edge only; distances across edges with more than two faces are
+/// then too long.
 /// \param cover a cover
 /// \param sources vertices of the input
 /// \param np as above
