@@ -50,15 +50,15 @@ Repair_report repair(Surface_input& input)
 std::string cuts_text(const Repairs& repairs)
 {
   std::string cuts;
-  const auto add = [&](IT::Repair_kind kind, const char* at, const char* singular, const char* plural) {
+  const auto add = [&](IT::Repair_kind kind, const char* singular, const char* plural) {
     if (repairs)
       for (const IT::Repair& repair : *repairs)
         if (repair.kind == kind)
-          cuts += (cuts.empty() ? " " : " and ") + std::string(at) + counted(repair.count, singular, plural);
+          cuts += (cuts.empty() ? "" : ", ") + counted(repair.count, singular, plural);
   };
-  add(IT::Repair_kind::OPENED_EDGE, "along ", "edge", "edges");
-  add(IT::Repair_kind::SPLIT_VERTEX, "at ", "vertex", "vertices");
-  return cuts.empty() ? "" : ", on the repaired surface, which was cut" + cuts;
+  add(IT::Repair_kind::OPENED_EDGE, "new border edge", "new border edges");
+  add(IT::Repair_kind::SPLIT_VERTEX, "split vertex", "split vertices");
+  return cuts.empty() ? "" : ", on the repaired surface, which was cut (" + cuts + ')';
 }
 
 nlohmann::ordered_json to_json_value(const Repairs& repairs)

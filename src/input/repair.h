@@ -22,7 +22,7 @@ Repair_report repair(Surface_input& input);
 // The repairs of a surface.
 inline Repairs repairs(const Surface& surface) { return surface.repair ? surface.repair->repairs : nullptr; }
 
-// Where a repair cut the surface, after a claim about it: ", on the repaired surface, which was cut along 4 edges";
+// Where a repair cut the surface, after a claim about it: ", on the repaired surface, which was cut (2 new border edges)";
 // empty if it was not cut.
 std::string cuts_text(const Repairs& repairs);
 

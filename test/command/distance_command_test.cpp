@@ -169,7 +169,7 @@ TEST_F(Distance_command, takes_any_triangles)
   const Command_run repaired = idt("distance fan.off --source 2 --cover none --repair -o r.csv");
   EXPECT_EQ(repaired.status, 0) << repaired.err;
   EXPECT_GT(distances("r.csv").size(), d.size()); // cut where three faces meet
-  EXPECT_TRUE(contains(repaired.out, ", on the repaired surface, which was cut along 1 edge")) << repaired.out;
+  EXPECT_TRUE(contains(repaired.out, ", on the repaired surface, which was cut (3 new border edges")) << repaired.out;
 }
 
 TEST_F(Distance_command, leads_from_each_page_of_a_book_to_each)

@@ -336,7 +336,7 @@ TEST(Geodesic_distances, cross_a_spine_to_all_pages)
       const IT::Tufted_cover cover = Delaunay_cover(points, triangles, IT::Surface_cover::SHEETS);
       EXPECT_TRUE(cover.is_cut);
       for (double tolerance : {0., 0.001})
-        for (std::uint32_t source : {2u, 7u, std::uint32_t(points.size() - 1)}) {
+        for (std::uint32_t source = 0; source < points.size(); ++source) {
           const auto found = IT::geodesic_distances(cover, {Vertex_index(source)}, with_tolerance(tolerance));
           EXPECT_TRUE(found.is_complete);
           for (std::size_t v = 0; v < points.size(); ++v) {
