@@ -17,7 +17,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
 #include "library/engine/decide/Exact_fallback.h"
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Long_crossings.h>
-#include "library/engine/layout/Parallel_folds.h"
+#include "library/engine/decide/Parallel_folds.h"
 #include "library/engine/layout/Unfolding.h"
 #include "library/engine/layout/Vertex_positions.h"
 #include "library/engine/layout/metric_images.h"

@@ -8,7 +8,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/Angle_sum.h>
 #include "layout/Unfolding.h"
 #include "decide/Ladder.h"
-#include "layout/Parallel_folds.h"
+#include "decide/Parallel_folds.h"
 #include "layout/metric_images.h"
 
 #include <string>

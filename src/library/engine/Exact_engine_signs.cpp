@@ -12,7 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include "decide/Ladder.h"
 #include "decide/Exact_fallback.h"
-#include "layout/Parallel_folds.h"
+#include "decide/Parallel_folds.h"
 #include "layout/Vertex_positions.h"
 #include "decide/corner_signs.h"
 #include "layout/metric_images.h"

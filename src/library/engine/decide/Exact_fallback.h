@@ -16,7 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include "Ladder.h"
-#include "../layout/Parallel_folds.h"
+#include "Parallel_folds.h"
 #include "Mirror_symmetry.h"
 #include "corner_signs.h"
 #include "../layout/metric_images.h"

@@ -5,8 +5,8 @@
 //
 // Proofs across parallel folds, without a root: that points lie on one straight line, or on one circle.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_PARALLEL_FOLDS_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_PARALLEL_FOLDS_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_PARALLEL_FOLDS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_PARALLEL_FOLDS_H
 
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
@@ -14,8 +14,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
-#include "Vertex_positions.h"
-#include "metric_images.h"
+#include "../layout/Vertex_positions.h"
+#include "../layout/metric_images.h"
 #include "../../measures/Flat_geometry.h"
 
 #include <CGAL/Uncertain.h>
@@ -206,4 +206,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_PARALLEL_FOLDS_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_PARALLEL_FOLDS_H
