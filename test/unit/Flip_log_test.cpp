@@ -36,7 +36,7 @@ void note(Flip_log& log, std::uint32_t first, std::uint32_t last)
     log.push_back(flip(i));
 }
 
-// From both ends, which have to agree.
+// From both ends; the results must agree.
 std::vector<std::uint32_t> unread(const Flip_log& log, Flip_log::Reader reader)
 {
   std::vector<std::uint32_t> result, backwards;
@@ -85,7 +85,7 @@ TEST(Flip_log, is_empty_as_soon_as_both_readers_follow)
   }
 }
 
-// However they were noted.
+// In whichever way they were noted.
 TEST(Flip_log, takes_flips_back)
 {
   Flip_log log;

@@ -63,7 +63,7 @@ struct Eigenpair
 {
   double value = 0;
   std::size_t part = 0;
-  Eigen::VectorXd function; // if it was asked for
+  Eigen::VectorXd function; // if requested
 };
 
 // Of a connected part. \pre the diagonal of the mass matrix is positive

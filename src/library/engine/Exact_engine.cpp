@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Definitions of Exact_engine: what it remembers, how it follows the flips, and corners.
+// Definitions of Exact_engine: its memory, how it follows flips, and corners.
 
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include "Exact_engine_memory.h"
@@ -102,7 +102,7 @@ Surface_lease Exact_engine::surface_for_query() const
   return input_surface();
 }
 
-// For a query that also uses which faces are straight.
+// For a query that also uses straight faces.
 Surface_lease Exact_engine::prepared_surface() const
 {
   find_straight_faces();
@@ -157,8 +157,7 @@ void Exact_engine::prepare(const Block_runner& run) const
   memory_->log.follow(Flip_log::INTEGERS);
 }
 
-// Finds out which faces are straight by repeating the flips that were not followed, and forgets what these faces were
-// before.
+// Determines which faces are straight by repeating the flips that were not followed, and forgets their earlier state.
 void Exact_engine::find_straight_faces() const
 {
   Memory& memory = *memory_;
@@ -202,13 +201,13 @@ bool Exact_engine::log_or_follow(const Hinge_halfedges& around)
   return false;
 }
 
-// For the readers that follow; the other one finds the flip in the log.
+// For the readers that follow; the others find the flip in the log.
 bool Exact_engine::follow(const Hinge_halfedges& around)
 {
   Memory& memory = *memory_;
   const bool has_integers = memory.log.is_followed_by(Flip_log::INTEGERS),
              has_faces = memory.log.is_followed_by(Flip_log::FACES);
-  // What is known of the faces stays true without the flip, the developed ones excepted. The integers come last.
+  // Except for developed faces, knowledge of faces remains true without the flip. The integers come last.
   const bool are_straight = has_faces && follow_faces(around);
   if (!has_faces)
     memory.log.push_back(around);
@@ -229,7 +228,7 @@ bool Exact_engine::follow(const Hinge_halfedges& around)
 Exact_engine::Forgotten Exact_engine::forgotten_by_flip(const Hinge_halfedges& around) const
 {
   if (memory_)
-    find_straight_faces(); // later flips would not know what is known before this one
+    find_straight_faces(); // otherwise later flips would lack the knowledge from before this one
   const Face_index f = connectivity_.face(around.ij), g = connectivity_.face(around.ji);
   return {
     {connectivity_.halfedge(f), connectivity_.halfedge(g)},
@@ -262,16 +261,16 @@ void Exact_engine::set_first(std::initializer_list<Halfedge_index> first)
       connectivity_.set_halfedge(connectivity_.face(h), h);
 }
 
-// Keeps up what is known of the faces, before the flip of the connectivity. Returns whether
-// the new faces are straight.
+// Maintains the knowledge about the faces, before the flip of the connectivity. Returns whether the new faces are
+// straight.
 bool Exact_engine::follow_faces(const Hinge_halfedges& around)
 {
   Memory& memory = *memory_;
   const Edge_index e = connectivity_.edge(around.ij);
   const bool is_close_call = !memory.is_close_call.empty() && memory.is_close_call[e.idx()];
   if (Developed_faces& faces = memory.developed_faces; !faces.flip_in_plane(around)) {
-    // Where faces are often asked for, to lay one out later, for its successors, would take longer. Images in finite
-    // fields are so slow that they are carried for close calls alone.
+    // If faces are requested often, laying one out later, for its successors, would take longer. Images in finite
+    // fields are so slow that they are carried only for close calls.
     const bool lays_out = memory.spare_layouts > 0 && is_prepared() && !memory.images &&
                           !(is_straight(connectivity_.face(around.ij)) && is_straight(connectivity_.face(around.ji)));
     memory.spare_layouts -= lays_out;
@@ -325,7 +324,7 @@ Vertex_index Exact_engine::split_face(const Triangle_piece& piece, const Surface
   if (memory_->developed_faces.contains(piece.side))
     whole = memory_->developed_faces.whole(connectivity_, piece.side);
   split_faces({f}, 3, 3, location, [&] { memory_->correspondence.split_face(connectivity_, piece, location); });
-  memory_->split_face = whole; // nothing is left of a split that failed
+  memory_->split_face = whole; // a failed split leaves nothing behind
   return connectivity_.split_face(piece.side);
 }
 
@@ -343,8 +342,8 @@ Vertex_index Exact_engine::split_edge(Halfedge_index h, const Surface_point& loc
   return connectivity_.split_edge(h);
 }
 
-// What is kept of faces that are split into parts; those beyond the first are appended, face by face.
-// \param split_integers splits the faces in the correspondence. An exception leaves everything as it was
+// Updates the data of faces that are split into parts; parts beyond the first are appended, face by face.
+// \param split_integers splits the faces in the correspondence. An exception leaves everything unchanged
 template <class SplitIntegers>
 void Exact_engine::split_faces(const std::vector<Face_index>& faces, std::size_t number_of_new_edges,
                                std::size_t number_of_parts, const Surface_point& location,
@@ -391,7 +390,7 @@ Removed_elements Exact_engine::unsplit_face(Vertex_index v, std::initializer_lis
   const Halfedge_index a = connectivity_.halfedge(v), b = connectivity_.next_around_target(a),
                        c = connectivity_.next_around_target(b);
   const std::initializer_list<Face_index> faces{connectivity_.face(a), connectivity_.face(b), connectivity_.face(c)};
-  // As in Delta_complex::unsplit_face(), the least one stays.
+  // As in Delta_complex::unsplit_face(), the smallest one stays.
   join_faces((std::min)(faces), faces);
   const Removed_elements removed = connectivity_.unsplit_face(v);
   remove(removed);
@@ -399,7 +398,7 @@ Removed_elements Exact_engine::unsplit_face(Vertex_index v, std::initializer_lis
   return removed;
 }
 
-// A vertex was inserted, so that all faces are known.
+// A vertex was inserted, so all faces are known.
 void Exact_engine::join_faces(Face_index f, std::initializer_list<Face_index> faces)
 {
   memory_->straight_faces->join(f, faces);
@@ -431,8 +430,8 @@ std::optional<Exact_engine::Image_corner> Exact_engine::image_of_straight_corner
     [&] { return internal::image_of_straight_corner(connectivity_, positions(), h, memory_->images->rings); });
 }
 
-// A tie seldom comes alone. From the first one on, images of corners in finite fields are carried along by the
-// flips, where all areas are rational: this saves laying out strips of thousands of triangles for each tie.
+// A tie seldom comes alone. From the first one on, flips carry images of corners in finite fields along if all areas
+// are rational: this saves laying out strips of thousands of triangles for each tie.
 void Exact_engine::carry_images()
 {
   memory_->images = std::make_unique<Memory::Carried_images>(new_surface());
@@ -440,7 +439,7 @@ void Exact_engine::carry_images()
   memory_->split_face.reset();
 }
 
-// As corner(), from what is kept of tests before.
+// As corner(), from data of earlier tests.
 Exact_engine::Corner Exact_engine::developed_corner(Halfedge_index h, bool in_doubles)
 {
   Memory& memory = *memory_;
@@ -471,7 +470,7 @@ Exact_engine::Corner Exact_engine::kept_corner(Halfedge_index h)
   if (memory_->developed_faces.contains(h))
     return developed_corner(h);
   memory_->note_question(connectivity_.number_of_edges());
-  // To carry a face along, with those that flips join it to, takes longer than to lay out a short strip again.
+  // Carrying a face along, with the faces that flips join it to, takes longer than laying out a short strip again.
   return number_of_quantities(h) <= short_strip ? corner(h, *input_surface()) : developed_corner(h);
 }
 

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// What an exact engine remembers of its input, of the flips, and of what was laid out.
+// The memory of an exact engine: its input, the flips, and layouts.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_MEMORY_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_MEMORY_H
@@ -28,7 +28,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// What follows the flips, and what speeds up decisions.
+// State that follows the flips, and caches for decisions.
 //
 // The log has two readers. One is the correspondence. The other consists of the straight faces and what goes with them:
 // developed faces are right only as long as that reader follows.
@@ -61,7 +61,7 @@ struct Exact_engine::Memory
     }
   }
 
-  // At most one layout for each edge is spare, so that those that nobody asks for later never take long.
+  // Caps the budget at one layout for each edge, so that unused layouts stay cheap.
   void note_question(std::size_t number_of_edges)
   {
     spare_layouts = (std::min)(spare_layouts + layouts_for_question, number_of_edges);
@@ -82,7 +82,7 @@ struct Exact_engine::Memory
   Developed_faces developed_faces;
   std::optional<Developed_faces::Whole> split_face; // the last one, until its parts are measured
   std::vector<bool> is_close_call;                  // a test took more than double since the last flip of the edge
-  std::size_t spare_layouts = 0;                    // so many flips may lay out faces
+  std::size_t spare_layouts = 0;                    // the number of flips that may lay out faces
 
   std::unique_ptr<Carried_images> images; // of the developed faces, from the first tie on
 

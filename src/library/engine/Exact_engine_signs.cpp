@@ -60,7 +60,7 @@ protected:
   Input_surface* surface_; // may be taken later
 };
 
-// From what is known of the faces, too. Remembers nothing.
+// Also uses what is known of the faces. Remembers nothing.
 class Exact_engine::Known_corners : public Corners
 {
 public:
@@ -108,11 +108,11 @@ private:
   std::optional<Opposite_corners> corners_;
 };
 
-// Likewise; and remembers what makes tests after the next flips cheap.
+// Likewise, and remembers data that makes tests after the next flips cheap.
 class Exact_engine::Kept_corners : public Corners
 {
 public:
-  // \param corners where they are put once they are laid out
+  // \param corners receives the corners once they are laid out
   Kept_corners(Exact_engine& engine, Edge_index e, std::optional<Opposite_corners>& corners)
     : Corners(engine, corners_beside(engine.connectivity_, e), nullptr), engine_(engine), e_(e), corners_(corners)
   {}
@@ -206,7 +206,7 @@ bool Exact_engine::is_convex(Edge_index e) const
   return true;
 }
 
-// \param straight_faces those of the memory; if they are const, nothing is remembered
+// \param straight_faces the straight faces of the memory; if const, nothing is remembered
 template <class Straight_faces>
 std::optional<Sign> Exact_engine::sign_in_plane(const Two_corners& at, Straight_faces& straight_faces) const
 {
@@ -227,10 +227,10 @@ std::optional<Sign> Exact_engine::sign_by_corners(const Two_corners& at, const O
   return std::nullopt;
 }
 
-// The sum of the cotangents opposite to kl = h, where its faces make up two faces of the input with the edge ij. Nearly
-// flat grids are full of such edges. The angles sum to 2π, so that sin(i + j) = -sin(k + l), and with w_kl = sin(i + j)
-// / (sin i sin j) it follows that w_kl = -w_ij A_ijk A_jil / (A_ilk A_jkl): however small w_ij is, its points tell it
-// well.
+// The sum of the cotangents opposite to kl = h, if its faces make up two faces of the input with the edge ij. Nearly
+// flat grids are full of such edges. The angles sum to 2π, so sin(i + j) = -sin(k + l), and with w_kl = sin(i + j) /
+// (sin i sin j) it follows that w_kl = -w_ij A_ijk A_jil / (A_ilk A_jkl): however small w_ij is, its points determine
+// it accurately.
 std::optional<Bounded_double_double> Exact_engine::weight_by_other_diagonal(Halfedge_index h,
                                                                             const Opposite_corners& corners) const
 {
@@ -252,7 +252,7 @@ std::optional<Bounded_double_double> Exact_engine::weight_by_other_diagonal(Half
   return -(k.p * l.four_areas + l.p * k.four_areas) / areas;
 }
 
-// As `corner()`, from what is kept of tests before.
+// As `corner()`, from data of earlier tests.
 Exact_engine::Corner Exact_engine::known_corner(Halfedge_index h, Input_surface& surface) const
 {
   return !is_straight(connectivity_.face(h)) && memory_->developed_faces.contains(h)
@@ -260,7 +260,7 @@ Exact_engine::Corner Exact_engine::known_corner(Halfedge_index h, Input_surface&
            : corner(h, surface);
 }
 
-// A bound on the number of input quantities that the corner opposite to h is a function of.
+// A bound on the number of input quantities on which the corner opposite to h depends.
 double Exact_engine::number_of_quantities(Halfedge_index h) const
 {
   const Normal_coordinates& coordinates = correspondence().coordinates();

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// What double-doubles leave open: multiple precision, and proofs that a number is zero.
+// The stages after double-doubles: multiple precision, and proofs that a number is zero.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_EXACT_FALLBACK_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_DECIDE_EXACT_FALLBACK_H
@@ -32,7 +32,7 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Two corners, named by the halfedges that they are opposite to.
+// Two corners, named by the opposite halfedges.
 struct Two_corners
 {
   Halfedge_index opposite_to_k, opposite_to_l;
@@ -107,8 +107,8 @@ public:
     return unfolding(metric).squared_length(e);
   }
 
-  // The length of e as rounded() of a number with a bound, which adds as much. Roots that are that near to the middle of
-  // two doubles for many digits, which no known input has, err by one unit in the last place.
+  // The length of e, rounded as rounded() does a number with a bound. Roots that agree with the middle of two doubles
+  // for many digits, which no known input has, err by one unit in the last place.
   double length(Edge_index e)
   {
     constexpr long largest_precision = 1 << 14;
@@ -156,7 +156,7 @@ public:
     }
   }
 
-  // The sum of the cotangents of two corners to the last places, however small it is, and with the right sign.
+  // The sum of the cotangents of two corners to the last places, however small, and with the right sign.
   // \pre both faces have positive area, and the sum is not zero
   double sum_of_cotangents(const Two_corners& corners)
   {
@@ -194,10 +194,10 @@ private:
     return is_certain(x.sign()) && x.lower_double() >= -smallest && x.upper_double() <= smallest;
   }
 
-  // The middle of an interval around evaluate(metric) that is narrow enough, as is_narrow(width, magnitude) says, or as
-  // narrow as intervals around subnormal numbers can be. What is too small for a double is rounded away from zero.
-  // \param f the face that the number belongs to
-  // \param precision that of the first attempt
+  // The middle of an interval around evaluate(metric) that is narrow enough by is_narrow(width, magnitude), or as
+  // narrow as intervals around subnormal numbers can be. Numbers too small for a double are rounded away from zero.
+  // \param f the face of the number
+  // \param precision the precision of the first attempt
   // \exception Invalid_surface_error if the number leaves the range of double
   template <class Evaluate, class IsNarrow>
   double narrowed(const Evaluate& evaluate, const IsNarrow& is_narrow, Face_index f, long precision)
@@ -209,7 +209,7 @@ private:
         return int(get_certain(x.sign())) * smallest;
       const double low = x.lower_double(), high = x.upper_double();
       const double magnitude = (std::max)(std::abs(low), std::abs(high));
-      // Where the sign is open, the middle could be zero.
+      // If the sign is open, the middle could be zero.
       const bool is_as_narrow_as_can_be = high - low <= 2 * smallest && is_certain(x.sign());
       if (magnitude < std::numeric_limits<double>::infinity() &&
           (is_narrow(high - low, magnitude) || is_as_narrow_as_can_be))

@@ -22,12 +22,12 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// What can be told of a number exactly, however long it takes. Ladder.h says in which order it is asked for.
+// Exact facts about a number, however long they take. Ladder.h determines the order of the questions.
 class Exact_number
 {
 public:
-  // \param evaluate evaluate(metric) gives the number in any image of the metric; it has to live as long as this
-  // \param may_be_rational whether it is worth a trial that all roots are rational
+  // \param evaluate evaluate(metric) gives the number in any image of the metric; it must outlive this
+  // \param may_be_rational whether to try that all roots are rational
   template <class Evaluate>
   Exact_number(
     Input_surface& surface, const Evaluate& evaluate, std::function<bool()> may_be_rational = [] { return true; })
@@ -38,7 +38,7 @@ public:
   // Whether an error below 2^-128 is accepted.
   bool accepts_probable_ties() const { return surface_.accepts_probable_ties(); }
 
-  // If all roots are rational: in a field that has no others.
+  // If all roots are rational: in the rationals.
   std::optional<Sign> rational_sign() const
   {
     if (!may_be_rational_())
@@ -97,9 +97,9 @@ public:
   }
 
 private:
-  // In terms that are computed.
+  // In the number of computed terms.
   static constexpr std::size_t small_work = std::size_t(1) << 12, large_work = std::size_t(1) << 22;
-  // Exact numbers grow with the number of quantities that they are made from.
+  // Exact numbers grow with the number of quantities in them.
   static constexpr std::size_t few_quantities = 1024;
 
   std::size_t largest_count() const

@@ -22,13 +22,13 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Each stage decides what it can, and passes on the rest. Before the first one here comes the filter: the traits compare
-// the stored numbers with their error bounds (Filtered_edge_length_traits).
+// Each stage decides what it can, and passes on the rest. The filter comes before the first one here: the traits
+// compare the stored numbers with their error bounds (Filtered_edge_length_traits).
 //
-// \brief The sign of the sum of the cotangents at two corners. What may be used of what is known, and what is remembered,
-// is up to `Corners`: flips remember, queries only read, and verification uses the input and the integers alone. A stage
-// that `Corners` has no means for gives no answer.
-// \return nothing if `Corners` does not go on
+// \brief The sign of the sum of the cotangents at two corners. `Corners` determines which knowledge may be used and
+// what is remembered: flips remember, queries only read, and verification uses the input and the integers alone. A
+// stage for which `Corners` has no means gives no answer.
+// \return nothing if `Corners` does not continue
 template <class Corners>
 std::optional<Exact_decision> sign_by_stages(Corners&& corners)
 {
@@ -46,10 +46,10 @@ std::optional<Exact_decision> sign_by_stages(Corners&& corners)
   // A tie by images in finite fields, if flips have carried those along, too.
   if (const std::optional<Sign> sign = corners.sign_of_carried_images())
     return Exact_decision{*sign, Stage::MODULAR};
-  // Layouts that were carried along are not the best.
+  // Layouts that were carried along are less accurate.
   if (const std::optional<Sign> sign = corners.sign_laid_out_anew())
     return Exact_decision{*sign, Stage::UNFOLDING};
-  // What remains is nearly always a tie: the stages below.
+  // The remaining cases are nearly always ties: the stages below decide them.
   return corners.sign_by_exact_stages();
 }
 
@@ -59,11 +59,11 @@ struct Zero_proofs
   std::function<bool()> quick, thorough; // or none
 };
 
-// The stages that follow on double-doubles, for any number. What these leave open is more likely zero than not, and where
-// no root is irrational that is seen at once; then the proof that takes least is tried. What 128 bits do not tell from
-// zero, finite fields do: then multiple precision comes to an end, however small the number is. If it is zero there, too,
-// an exact expansion may prove it.
-// \param what gives the beginning of the message where a proof is demanded and there is none
+// The stages that follow on double-doubles, for any number. A number that they leave open is probably zero. If all
+// roots are rational, this is found at once; otherwise the cheapest proof is tried. If 128 bits do not distinguish the
+// number from zero, finite fields do: then multiple precision comes to an end, however small the number is. If it is
+// zero there, too, an exact expansion may prove it.
+// \param what gives the beginning of the message if a demanded proof fails
 inline Exact_decision sign_by_exact_stages(const Exact_number& x, const Zero_proofs& proofs,
                                            const std::function<std::string()>& what)
 {
@@ -88,7 +88,7 @@ inline Exact_decision sign_by_exact_stages(const Exact_number& x, const Zero_pro
 
 // The sign of any number, from double-doubles on.
 // \param evaluate evaluate(metric) gives the number in any image of the metric. It has to be a polynomial of degree at
-//   most 8 in each quantity that is asked of the metric, as the bound of 2^-128 on the error of finite fields assumes (see
+//   most 8 in each quantity of the metric, as the bound of 2^-128 on the error of finite fields assumes (see
 //   Residue_rings::certainty): squared lengths and the numbers of corners have degree 2, so sums of products of up to
 //   four of them are.
 // \param what as above

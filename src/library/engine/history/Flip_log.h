@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The flips that somebody has yet to read.
+// The flips that some reader has not read yet.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_FLIP_LOG_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_HISTORY_FLIP_LOG_H
@@ -30,7 +30,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // appends to the log. As soon as both follow, the log is empty.
 //
 // Each flip is noted as the halfedges around the edge before it. The log consists of parts, so that it grows without
-// copying, and takes over what threads have noted.
+// copying and can adopt the logs of threads.
 //
 // Several threads may ask `is_followed_by()` while one of them reads and calls `follow()`.
 class Flip_log
@@ -52,10 +52,10 @@ public:
   }
 
   bool is_followed_by(Reader reader) const { return cursors_[reader].load(std::memory_order_acquire) == at_end; }
-  // By anybody.
+  // By any reader.
   bool is_followed() const { return is_followed_by(INTEGERS) || is_followed_by(FACES); }
 
-  // Nobody follows from now on.
+  // No reader follows from now on.
   void begin()
   {
     for (Reader reader : {INTEGERS, FACES})
@@ -70,7 +70,7 @@ public:
       begin_part();
     parts_.back().push_back(flip);
   }
-  // Takes back the last flip, which nobody has read.
+  // Removes the last flip, which no reader has read.
   void pop_back()
   {
     while (parts_.back().empty()) {
@@ -79,9 +79,9 @@ public:
     }
     parts_.back().pop_back();
   }
-  // So many calls of append() do not throw then.
+  // Afterwards, this many calls of append() do not throw.
   void make_room(std::size_t number) { parts_.reserve(parts_.size() + number); }
-  // Takes over flips that were noted elsewhere. \pre nobody follows
+  // Adopts flips that were noted elsewhere. \pre no reader follows
   void append(std::vector<Hinge_halfedges> flips)
   {
     CGAL_precondition(!is_followed());
@@ -116,7 +116,7 @@ public:
   {
     return is_followed_by(reader) ? 0 : size() - cursors_[reader].load(std::memory_order_relaxed);
   }
-  // The reader has read everything, and is told of each flip from now on.
+  // The reader has read everything, and follows each flip from now on.
   void follow(Reader reader)
   {
     if (is_followed_by(reader == INTEGERS ? FACES : INTEGERS)) {
@@ -139,7 +139,7 @@ private:
   }
 
   std::vector<std::vector<Hinge_halfedges>> parts_;
-  std::size_t size_of_full_parts_ = 0; // of all but the last
+  std::size_t size_of_full_parts_ = 0; // of all parts except the last
   std::array<std::atomic<std::size_t>, 2> cursors_{};
 };
 

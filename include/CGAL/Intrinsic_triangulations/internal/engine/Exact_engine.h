@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Exact decisions and trustworthy numbers from the input and the integers alone: the one interface of the exact layer.
+// Exact decisions and trustworthy numbers from the input and the integers alone: the only interface of the exact layer.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_H
@@ -47,21 +47,21 @@ class Residues;
 struct Triangle_piece;
 class Vertex_positions;
 
-// The exact engine: a triangulation, the input that it came from, and what exact arithmetic says about both.
+// The exact engine: a triangulation, the input that it came from, and exact decisions about both.
 //
 // It has the connectivity, follows each change of it, and knows where the input lies in it (see Correspondence). Every
-// answer is a function of the input and of the connectivity, whatever the flips were that led there.
+// answer is a function of the input and of the connectivity, however the flips led there.
 //
-// Without an input it is a connectivity only. `keep_input()` gives it one, and all but the changes need that.
+// Without an input it is only a connectivity. `keep_input()` gives it one, which everything but changes requires.
 //
 // Its layers are folders, from the bottom up: history (integers, and what an edge crosses), metric (the input), layout
-// (triangles of the input laid out one after the other), and decide (signs from layouts). Engine_numbers rounds what is
-// laid out, and Saved_triangulation replaces the triangulation by one from a file.
+// (triangles of the input laid out one after the other), and decide (signs from layouts). Engine_numbers rounds
+// layouts, and Saved_triangulation replaces the triangulation by one from a file.
 //
-// All const member functions may be called by several threads at once: each works with memory of its own, and the first
-// one that needs the integers computes them while the others wait. Queries throw Integer_overflow_error if these leave
-// 64 bits, Undecided_error if a proof is demanded of a tie that takes too long, and Cancelled_error if the function
-// in `decisions().interruption` says so.
+// Several threads may call const member functions at once: each has memory of its own, and the first one that needs the
+// integers computes them while the others wait. Queries throw Integer_overflow_error if these leave 64 bits,
+// Undecided_error if a demanded proof of a tie takes too long, and Cancelled_error if the function in
+// `decisions().interruption` says so.
 class Exact_engine
 {
 public:
@@ -72,7 +72,7 @@ public:
 
   explicit Exact_engine(Delta_complex connectivity);
 
-  // What only speeds up queries is not copied.
+  // Caches are not copied.
   Exact_engine(const Exact_engine& other);
   Exact_engine(Exact_engine&& other) noexcept;
   Exact_engine& operator=(Exact_engine other) noexcept;
@@ -97,18 +97,18 @@ public:
     connectivity_.flip(around);
     return is_straight;
   }
-  // What a flip forgets: the halfedges of both faces and of both ends of the edge, and in which planes the faces are
-  // known to lie.
+  // The information that a flip loses: the halfedges of both faces and of both ends of the edge, and the planes in
+  // which the faces are known to lie.
   struct Forgotten
   {
     std::array<Halfedge_index, 2> of_faces, of_ends;
     std::array<std::uint32_t, 2> planes;
   };
-  // As long as the engine is not copied, queries do not change what is returned.
+  // As long as the engine is not copied, queries do not change the result.
   Forgotten forgotten_by_flip(const Hinge_halfedges& around) const;
-  // Undoes a flip, the last one that was not undone. Never throws. \pre no `begin_log()` since
+  // Undoes the last flip that was not undone yet. Never throws. \pre no `begin_log()` since
   // \param around the halfedges around the edge before the flip
-  // \param forgotten what `forgotten_by_flip(around)` returned before it
+  // \param forgotten the result of `forgotten_by_flip(around)` before it
   void flip_back(const Hinge_halfedges& around, const Forgotten& forgotten);
 
   // Flips are logged from now on until the next query, so that each takes the least time: for algorithms that consist
@@ -116,7 +116,7 @@ public:
   void begin_log();
   // Which flips are still to be followed. \pre `keeps_input()`
   const Flip_log& log() const;
-  // Flips in parts of the triangulation, each of which a thread has to itself. At the end, when no thread flips, the
+  // Flips in parts of the triangulation, each of which belongs to one thread. At the end, when no thread flips, the
   // engine takes them over.
   // \pre no query is made from the last `begin_log()` on until then
   class Logs
@@ -159,20 +159,20 @@ public:
   // \param location where the vertex lies: on that input edge
   Vertex_index split_edge(Halfedge_index h, const Surface_point& location);
   // Removes an inserted vertex in the middle of three faces. Never throws if it was the last one that was inserted.
-  // \param first to undo a split: what shall be `halfedge(f)` of the faces that it split
+  // \param first to undo a split: the new `halfedge(f)` of the faces that it split
   Removed_elements unsplit_face(Vertex_index v, std::initializer_list<Halfedge_index> first = {});
   // Removes an inserted vertex, the target of `h`, on a straight line of two edges. Likewise.
   Removed_elements unsplit_edge(Halfedge_index h, std::initializer_list<Halfedge_index> first = {});
 
   // ---------------------------------------------------------------- decisions
 
-  // How they are made, and were made. \pre `keeps_input()`
+  // The settings and statistics of decisions. \pre `keeps_input()`
   Decisions& decisions();
   const Decisions& decisions() const;
 
-  // Computes the integers and recovers the input, where that was not done yet; all queries do so themselves. O(size +
-  // number of flips) if there are flips in the log, and O(1) otherwise. With threads, the integers are computed while
-  // the input is recovered.
+  // Computes the integers and recovers the input if necessary; all queries do so themselves. O(size + number of flips)
+  // if there are flips in the log, and O(1) otherwise. With threads, the integers are computed while the input is
+  // recovered.
   template <class ConcurrencyTag = Sequential_tag>
   void prepare() const
   {
@@ -180,44 +180,41 @@ public:
       prepare(block_runner<ConcurrencyTag>());
   }
 
-  // What a test may use.
+  // The methods that a test may use.
   enum class Means {
-    PLANES,       // only that both faces lie in one plane: there may be no answer
+    PLANES,       // only that both faces lie in one plane; there may be no answer
     SHORT_STRIPS, // and layouts where few input edges cross the faces that are not straight: likewise
     ALL,
-    UNFOLDING // layouts and what follows them: what is known of the flips before, as that a face is straight in space,
-              // is not used
+    UNFOLDING // layouts and the stages after them, without knowledge from earlier flips, such as straight faces
   };
   // The sign of `cot k + cot l` for the angles opposite to an edge, and the stage that decided it. Where both faces have
   // zero area, the sign is `NEGATIVE` if both angles are π, and `ZERO` otherwise. There is always an answer to `ALL` and
   // to `UNFOLDING`. \pre `e` lies between two different faces
   std::optional<Exact_decision> test(Edge_index e, Means means = Means::ALL) const;
-  // The sign on the way to a Delaunay triangulation: counts how the test was decided, and remembers what makes tests
+  // The sign on the way to a Delaunay triangulation: counts how the test was decided, and keeps data that makes tests
   // after the next flips cheap. `corners` receives the two corners, unless both faces lie in one plane in space.
   Sign decide(Edge_index e, std::optional<Opposite_corners>& corners);
 
   // Whether the two faces of `e` form a strictly convex quadrilateral. \pre `e` lies between two different faces
   bool is_convex(Edge_index e) const;
-  // It is `NEGATIVE` only if some flip was made in a hinge that is not convex.
+  // `NEGATIVE` only if some flip was made in a nonconvex hinge.
   Sign sign_of_area(Face_index f) const;
   bool has_length_zero(Edge_index e) const;
   // On which side of `h` a point of the input lies: `POSITIVE` to the left, `ZERO` on it.
   // \param h a halfedge that coincides with no input edge
-  // \param position after how many crossings `h` runs through the input face of the point
+  // \param position the number of crossings after which `h` runs through the input face of the point
   Sign side_of(Halfedge_index h, std::int64_t position, const Surface_point& point) const;
 
   // ---------------------------------------------------------------- corners in the unit of the metric, with bounds
 
-  // The corner opposite to h. What was laid out before is used, and what is laid out is kept if that takes long. \pre h
-  // is no border halfedge
+  // The corner opposite to h. Uses earlier layouts, and keeps those that take long. \pre h is not a border halfedge
   Corner kept_corner(Halfedge_index h);
   // The corners at a vertex: for each face the side opposite to it, counterclockwise.
   std::vector<std::pair<Halfedge_index, Corner>> corners_at(Vertex_index v) const;
-  // The same. What was laid out before is used, and what is laid out is kept, if edges at the vertex cross many input
-  // edges.
+  // The same. Uses earlier layouts and keeps new ones if edges at the vertex cross many input edges.
   std::vector<std::pair<Halfedge_index, Corner>> kept_corners_at(Vertex_index v);
 
-  // The input as the images of its metric see it, for layouts; the caller's own as long as the lease lives.
+  // The input with the images of its metric, for layouts; it belongs to the caller while the lease lives.
   // \pre `prepare()` was called
   Surface_lease input_surface() const;
 
@@ -235,13 +232,13 @@ private:
   class Kept_corners;
   using Image_corner = Triangle_corner<Residues>;
 
-  // In flips for each edge: bounds the memory of the log.
+  // The number of flips per edge, which bounds the memory of the log.
   static constexpr std::size_t longest_log = 8;
-  // In crossings of the edges at a vertex: to lay out shorter ones again takes no longer.
+  // Crossings of the edges at a vertex: laying out shorter ones again takes no longer.
   static constexpr std::int64_t long_star = 4;
-  // So many flips lay out faces for each close call and for each corner that is asked for.
+  // The number of flips that lay out faces for each close call and for each requested corner.
   static constexpr std::size_t layouts_for_question = 4;
-  // In input quantities: what is laid out in some microseconds.
+  // Input quantities that can be laid out in some microseconds.
   static constexpr double short_strip = 256;
 
   bool log_or_follow(const Hinge_halfedges& around);
@@ -273,7 +270,7 @@ private:
   std::optional<Sign> sign_by_images(const Two_corners& at, const Opposite_corners& corners, Input_surface& surface,
                                      bool makes_images) const;
 
-  // As the public ones, with memory that the caller has taken.
+  // Like the public ones, with memory taken by the caller.
   Exact_decision test(Edge_index e, Input_surface& surface) const;
   Sign sign_of_area(Face_index f, Input_surface& surface) const;
   Corner corner(Halfedge_index h, Input_surface& surface) const;
@@ -291,7 +288,8 @@ private:
 // The side of a face whose opposite corner takes the least time. \pre `engine.prepare()` was called
 Halfedge_index quickest_side(const Exact_engine& engine, Face_index f);
 
-// What Intrinsic_triangulation tells of a Correspondence, so that not all who include it include that.
+// The functions of a Correspondence that Intrinsic_triangulation forwards, so that its users need not include that
+// class.
 const Delta_complex& input(const Correspondence& correspondence);
 std::int64_t crossings(const Correspondence& correspondence, Edge_index e);
 Halfedge_index input_halfedge(const Correspondence& correspondence, Halfedge_index h);

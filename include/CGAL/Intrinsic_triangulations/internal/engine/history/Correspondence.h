@@ -38,9 +38,9 @@ class Correspondence
 {
 public:
   Correspondence() = default;
-  // With what is known from elsewhere.
+  // With known integers.
   // \param coordinates the integers of the current triangulation
-  // \param locations where the vertices lie that follow those of the input
+  // \param locations the locations of the vertices after those of the input
   Correspondence(Delta_complex input, Normal_coordinates coordinates, std::vector<Surface_point> locations)
     : knows_input_(true), input_(std::move(input)), coordinates_(std::move(coordinates)),
       locations_(std::move(locations))
@@ -62,7 +62,7 @@ public:
   // \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
   void flip(const Delta_complex& complex, const Hinge_halfedges& around)
   {
-    if (locations_.empty()) { // it is soon found what the new edge crosses
+    if (locations_.empty()) { // the crossings of the new edge are found quickly
       const Edge_index e = complex.edge(around.ij);
       crossings_.forget(e, coordinates_.number_of_crossings(e));
       if (coordinates_.flip(around) > longest_walk)
@@ -72,7 +72,7 @@ public:
     flip_with_crossings(complex, around);
     turn_around_flipped(complex, around);
   }
-  // Undoes a flip, the last one that was not undone, before that is done in the connectivity. Never throws.
+  // Undoes the last flip that was not undone yet, before the connectivity does. Never throws.
   // \param around the halfedges around the edge before the flip
   void flip_back(const Delta_complex& complex, Hinge_halfedges around)
   {
@@ -108,19 +108,19 @@ public:
   // \exception Integer_overflow_error as `flip()` of `Normal_coordinates`
   // \pre `is_inserted()` of the target of `h`
   void unsplit_edge(const Delta_complex& complex, Halfedge_index h);
-  // Follows the removal of an inserted vertex, after that of the connectivity. O(1). Never throws.
+  // Follows the removal of an inserted vertex, after the connectivity has removed it. O(1). Never throws.
   void remove(const Removed_elements& removed);
 
-  // Whether `v` is no vertex of the input. \pre `knows_input()`
+  // Whether `v` is not a vertex of the input. \pre `knows_input()`
   bool is_inserted(Vertex_index v) const { return v.idx() >= input_.number_of_vertices(); }
   // The number of inserted vertices.
   std::size_t number_of_inserted_vertices() const { return locations_.size(); }
   void forget_crossings() { crossings_.clear(); }
-  // What edges cross, as far as it was found before.
+  // The cached crossings of edges.
   const Kept_crossings& kept_crossings() const { return crossings_; }
   // Those of all inserted vertices.
   const std::vector<Surface_point>& locations() const { return locations_; }
-  // Where an inserted vertex lies on the input. The coordinates are exact once they are divided by their sum.
+  // The location of an inserted vertex on the input. The coordinates are exact once they are divided by their sum.
   // \pre `is_inserted(v)`
   const Surface_point& location(Vertex_index v) const { return locations_[v.idx() - input_.number_of_vertices()]; }
 
@@ -150,11 +150,11 @@ public:
   }
 
 private:
-  // More steps than this are replaced: around most vertices, there are never as many.
+  // Longer walks are replaced; around most vertices, none is that long.
   static constexpr std::uint64_t longest_walk = 16;
 
-  // Walks that stay long, as where memory is short, are right as well. Few are long, so that one thread replaces what
-  // all have found: there is one table for that.
+  // Walks that stay long, as if memory is short, are right, too. Few are long, so one thread replaces those that all
+  // threads have found, with a single table.
   void shorten_walks(const std::vector<Edge_index>& edges, const Block_runner& run);
   void shorten_walk(Halfedge_index h);
 
