@@ -217,7 +217,7 @@ void find_by_heat(const Distance_options& options, const Any_surface& surface, P
   result.number_of_bounded_distances = heat.number_of_bounded_distances();
 }
 
-// The distances, unless they come from heat; and those that they are compared with.
+// The distances, unless they come from heat, and the ones for comparison.
 // \param surface a triangulation, or a cover that is made of sheets
 template <class Any_surface>
 void follow_ways(const Distance_options& options, const Any_surface& surface, Progress& progress,

@@ -89,7 +89,7 @@ struct Stop
   }
 };
 
-// How far a point that was given is from the surface.
+// The distance of a given point from the surface.
 struct Snap
 {
   std::string option;

@@ -22,8 +22,8 @@ Repair_report repair(Surface_input& input);
 // The repairs of a surface.
 inline Repairs repairs(const Surface& surface) { return surface.repair ? surface.repair->repairs : nullptr; }
 
-// Where a repair cut the surface, after a claim about it: ", on the repaired surface, which was cut (2 new border edges)";
-// empty if it was not cut.
+// A restriction of a claim to the repaired surface, such as ", on the repaired surface, which was cut (2 new border
+// edges)". It is empty if the repair did not cut the surface.
 std::string cuts_text(const Repairs& repairs);
 
 // The same as an array of kinds with numbers and first elements, or null.

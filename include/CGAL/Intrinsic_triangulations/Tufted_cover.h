@@ -40,7 +40,7 @@ enum class Surface_cover {
   /// the surface must be orientable. Border edges stay border edges.
   NONE,
   /// As `NONE`, for any triangles: they are cut apart at edges with more than two faces, and where neighbors cannot be
-  /// made to agree. `geodesic_distances()` goes on from each of the border edges that come of it to all others.
+  /// made to agree. `geodesic_distances()` continues from each of the resulting border edges to all others.
   SHEETS
 };
 

@@ -89,7 +89,7 @@ struct Surface_report
 /// \ingroup PkgIntrinsicTriangulationsValidation
 /// \brief returns a sentence that says what was found, where, how often, and what to do about it.
 /// \param finding an entry of a report
-/// \param advice what to do about it, instead of the default advice for programmers; empty for no advice
+/// \param advice the remedy, instead of the default advice for programmers; empty for no advice
 /// \return for example "edge 3-17 has 4 faces (faces 5, 8, 9, 11), and 2 more edges like it; remove ...".
 /// Complexity: constant.
 std::string message(const Finding& finding, const std::optional<std::string>& advice = std::nullopt);

@@ -36,7 +36,7 @@ public:
   {
     std::uint32_t opposite = none; // none on the border
     std::uint32_t vertex, row;     // where it begins
-    std::uint32_t narrow = none;   // twice the number of its edge if that is narrow, and 1 more if it runs backward
+    std::uint32_t narrow = none;   // twice the number of its edge if it is narrow, plus 1 if it runs backward
     double length, apex_x, apex_y, angle;
   };
 
@@ -178,7 +178,7 @@ private:
     }
   }
 
-  // Those along which a face is so thin that ways can get around a needle again and again before they meet a corner.
+  // Sides along which a face is so thin that ways can circle a needle again and again before they meet a corner.
   void number_narrow_edges()
   {
     for (std::uint32_t i = 0; i < sides_.size(); ++i) {

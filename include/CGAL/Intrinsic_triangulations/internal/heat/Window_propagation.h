@@ -25,41 +25,40 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The points of a side that straight ways from a vertex reach through the same faces are a window. Windows are sent on
-// from face to face, the nearest first; where a way is no longer than that of the window before it gets there over a
-// vertex, it is not. Ways bend only at vertices whose angles sum to more than two straight ones, and on the border:
-// these send windows of their own into what lies in their shadow.
+// The points of a side that straight ways from a vertex reach through the same faces are a window. Windows are passed
+// on from face to face, the nearest first, and dropped where a way over a vertex is not longer. Ways bend only at
+// vertices whose angles sum to more than 2π, and on the border: these send windows of their own into their shadow.
 //
-// Each number that is kept for a vertex is the length of a way on the surface, up to rounding and the tolerance; so
-// none is too small. Windows that meet at a side while they wait become one if they come from the same point, as on
-// both sides of a flat vertex.
+// Each number kept for a vertex is the length of a way on the surface, up to rounding and the tolerance; so none is too
+// small. Windows that wait at the same side are merged if they come from the same point, as on both sides of a flat
+// vertex.
 //
 // With a tolerance, all windows at a side wait for each other. Those that are nowhere the shortest are dropped, and
-// neighbors become one if that changes no distance and no direction by more than the tolerance. Far from the sources
-// most sides are then crossed by one window, however fine the faces are.
+// neighbors are merged if that changes no distance and no direction by more than the tolerance. Far from the sources,
+// most sides are then crossed by a single window, however fine the faces are.
 //
 // Source: J. Chen, Y. Han, "Shortest paths on a polyhedron", 1996; S. Xin, G. Wang, "Improving Chen and Han's algorithm
 // on the discrete geodesic problem", 2009; V. Surazhsky et al., "Fast exact and approximate geodesics on meshes", 2005
-// (windows that become one).
+// (merging windows).
 class Window_propagation
 {
 public:
-  // How the shortest way comes to a row: to the vertex where the side begins, from this angle to the left of it.
+  // How the shortest way reaches a row: at the vertex where the side begins, from this angle to the left of it.
   struct Arrival
   {
-    std::uint32_t side = Laid_out_faces::none; // none at sources, and where no way leads
+    std::uint32_t side = Laid_out_faces::none; // none at sources and at unreachable rows
     double angle = 0;
   };
 
-  // \param surface has to live as long
-  // \param tolerance of the lengths of ways, as a part of each edge that they cross
+  // \param surface must outlive this
+  // \param tolerance of the lengths of ways, as a fraction of each edge that they cross
   Window_propagation(const Laid_out_faces& surface, double tolerance)
     : surface_(surface), tolerance_(tolerance), distances_(surface.number_of_rows(), infinity),
       arrivals_(surface.number_of_rows()), splits_(surface.sides().size()), waiting_(surface.sides().size(), none),
       at_narrow_edges_(surface.number_of_narrow_edges())
   {
     // Of two ways to a corner, the longer one ends what lies beyond the other, because they have crossed in the face
-    // before. Where they may come from different faces, nothing is known.
+    // before. If they may come from different faces, nothing is known.
     for (std::uint32_t side = 0; side < splits_.size(); ++side)
       if (surface.beside(side) != none)
         splits_[side].distance = std::numeric_limits<double>::quiet_NaN();
@@ -68,8 +67,8 @@ public:
   Window_propagation& operator=(const Window_propagation&) = delete;
 
   // \param sources rows
-  // \param most how many windows may be sent on; the others are lost
-  // \param goal a row: what is further than this is not looked at, if there is no tolerance
+  // \param most the maximum number of windows passed on; the others are lost
+  // \param goal a row: without a tolerance, windows farther away are not followed
   // \return whether that was enough
   bool run(const std::vector<std::uint32_t>& sources, std::uint64_t most, const Interruption& interruption,
            std::uint32_t goal = none)
@@ -103,7 +102,7 @@ public:
     return true;
   }
 
-  // Of the rows, in the unit of the faces; infinite where no way leads.
+  // Of the rows, in the unit of the faces; infinite if unreachable.
   const std::vector<double>& distances() const { return distances_; }
   const Arrival& arrival(std::uint32_t row) const { return arrivals_[row]; }
   std::uint64_t number_of_steps() const { return number_of_steps_; }
@@ -113,35 +112,35 @@ private:
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr std::uint32_t none = Laid_out_faces::none, taken = none - 1;
-  static constexpr double shorter = 1 - 1e-12; // by so much that it is not rounding
+  static constexpr double shorter = 1 - 1e-12; // by more than rounding
   static constexpr double equal = 1 + 1e-15;
   static constexpr std::size_t most_at_narrow_edge = 32;
   static constexpr double least_width = 1e-12, least_angle = 1e-9;
   static constexpr double shadow_begin = CGAL_PI - least_angle; // from the way to a vertex
 
-  // std::hypot() takes four times as long. It is needed only where squares leave the range of double.
+  // std::hypot() takes four times as long. It is needed only if squares leave the range of double.
   static double length_of(double x, double y)
   {
     const double square = x * x + y * y;
     return square > 0x1p-900 && square < 0x1p1000 ? std::sqrt(square) : std::hypot(x, y);
   }
 
-  // The part from b0 to b1 of a side, which is to be crossed into its face. The way comes from (x, -y) with respect to
-  // the side, where it has the length sigma. If that is negative: the way that reaches the vertex at which the side
-  // begins, at the angle x to the left of it.
+  // The part from b0 to b1 of a side, to be crossed into its face. Relative to the side, the way comes from (x, -y),
+  // where its length is sigma. A negative sigma means the way that reaches the vertex where the side begins, at the
+  // angle x to the left of the side.
   struct Window
   {
     double b0, b1, x, y, sigma;
     std::uint32_t side;
-    std::uint32_t next = none; // of those that wait at the side; taken if another one has taken its place
-    std::uint32_t turns = 0;   // how many narrow edges it has crossed since the vertex
+    std::uint32_t next = none; // of the windows that wait at the side; invalid once another one has taken its place
+    std::uint32_t turns = 0;   // the number of narrow edges crossed since the vertex
 
     double distance(double b) const { return sigma + length_of(b - x, y); }
   };
 
   // A window in the queue: its distance, and where it is stored.
   using Place = std::pair<double, std::uint32_t>;
-  // Of windows at the same distance, those at the first side come first, whatever numbers it and they have.
+  // Among windows at the same distance, those at the first side come first, independent of numbering.
   struct Comes_later
   {
     const Window_propagation& windows;
@@ -155,13 +154,13 @@ private:
     }
   };
 
-  // The nearest straight way to the corner opposite to a side over this, and where it crosses it.
+  // The nearest straight way across a side to the opposite corner, and where it crosses the side.
   struct Split
   {
     double distance = infinity, crossing = 0;
   };
 
-  // At the same side. \pre if both are the same in all numbers, it does not matter which is the first
+  // At the same side. If both are equal in all numbers, their order does not matter.
   static bool is_before(const Window& u, const Window& v)
   {
     const auto key = [](const Window& w) { return std::make_tuple(w.b0, -w.b1, w.sigma, w.x, w.y); };
@@ -181,7 +180,7 @@ private:
     return slot;
   }
 
-  // Takes a window off those that wait at its side.
+  // Removes a window from those that wait at its side.
   void remove(std::uint32_t slot)
   {
     std::uint32_t* place = &waiting_[windows_[slot].side];
@@ -197,15 +196,15 @@ private:
     std::uint32_t& first = waiting_[w.side];
     w.next = first;
     first = store(w);
-    // At the distance of its nearest point: what comes of a window is not nearer, so that ways go on from a vertex only
-    // when the shortest one to it is known.
+    // At the distance of its nearest point: windows derived from it are not nearer, so ways continue from a vertex only
+    // once the shortest way to it is known.
     if (tolerance_ == 0)
       queue_.push({w.distance((std::min)((std::max)(w.x, w.b0), w.b1)), first});
-    else if (w.next == none) // of the sides of a face without obtuse angle, a front comes in where middles are nearer
+    else if (w.next == none) // a front enters a face without obtuse angle through sides whose middles are nearer
       queue_.push({w.distance(surface_.side(w.side).length / 2), first});
   }
 
-  // Makes one of a window and those beside it that wait, if that is possible.
+  // Merges a window with waiting neighbors, if possible.
   void unite_with_waiting(Window& w)
   {
     const double least_gap = least_width * surface_.side(w.side).length;
@@ -237,7 +236,7 @@ private:
     return result;
   }
 
-  // All windows that wait at a side, as few as the tolerance allows.
+  // All windows that wait at a side, merged as far as the tolerance allows.
   void send_all_on(std::uint32_t side)
   {
     meeting_.clear();
@@ -257,7 +256,7 @@ private:
   }
 
   // \param u begins before v
-  // \return whether u alone now stands for both
+  // \return whether u now represents both
   bool unite_nearly(Window& u, const Window& v) const
   {
     const double length = surface_.side(u.side).length;
@@ -267,12 +266,12 @@ private:
       u = v;
       return true;
     }
-    // Windows that were changed leave gaps between each other, which grow with the distance.
+    // Changed windows leave gaps between them, which grow with the distance.
     if (v.b1 <= u.b1 || v.b0 > u.b1 + length / 10)
       return false;
     Window result = both(u, v);
     if (!come_from_same_point(u, v)) {
-      // The distances of the ends remain.
+      // The distances of the ends do not change.
       const double width = result.b1 - result.b0;
       result.sigma = (std::min)(u.sigma, v.sigma);
       const double r0 = u.distance(u.b0) - result.sigma, r1 = v.distance(v.b1) - result.sigma,
@@ -305,13 +304,13 @@ private:
     return true;
   }
 
-  // In a corridor of thin faces, ways that turn would run into the wall.
+  // In a corridor of thin faces, turned ways would run into the wall.
   bool turns(const Window& u, const Window& v, double b) const
   {
     return std::abs((b - u.x) / length_of(b - u.x, u.y) - (b - v.x) / length_of(b - v.x, v.y)) > 3 * tolerance_;
   }
 
-  // A way to the vertex where the side begins, from the angle to the left of it.
+  // A way to the vertex where the side begins, from the angle to the left of the side.
   void reach(std::uint32_t side, double angle, double distance)
   {
     double& known = distances_[surface_.side(side).row];
@@ -330,8 +329,8 @@ private:
            distances_[surface_.side(surface_.next(w.side)).row] + (s.length - w.b0) <= w.distance(w.b0) * shorter;
   }
 
-  // A window leaves a face over a side of it. It is given as seen from across. Where the surface was cut, it goes on
-  // into each of the other faces.
+  // A window leaves a face across one of its sides, and is given as seen from there. If the surface was cut, the window
+  // continues into each of the other faces.
   void leave(std::uint32_t side, const Window& w)
   {
     const std::uint32_t opposite = surface_.side(side).opposite;
@@ -342,7 +341,7 @@ private:
             surface_.side(other).row == surface_.side(side).row ? turned_over(w, surface_.side(side).length) : w);
   }
 
-  // As it is seen from a face that is turned over.
+  // The window as seen from a face that is turned over.
   static Window turned_over(const Window& w, double length)
   {
     return {length - w.b1, length - w.b0, length - w.x, w.y, w.sigma, 0, none, w.turns};
@@ -360,14 +359,14 @@ private:
       wait(w);
   }
 
-  // Whether a window has to be followed over a narrow edge: not if other ways that got there are shorter at all its
-  // points, or as long and with fewer turns. So no way gets around a needle to where it was before.
+  // Whether a window has to be followed across a narrow edge: not if other ways to the edge are shorter at all its
+  // points, or equally long with fewer turns. So no way circles a needle back to its place.
   //
-  // No shortest way is lost but for rounding. Let one that is the shortest be dropped, where its last straight part
-  // crosses an edge. It is not longer than the other way to there and its own rest. The shortest way of those that
-  // cross the same edges as this consists of the shortest way to some vertex, which is nearer, and of a straight part
-  // with fewer turns. By induction over both, a way as long as this is found. Each time, it may have become longer by
-  // the factor `equal`, of which a thousand are less than `shorter`.
+  // Apart from rounding, no shortest way is lost. Let a shortest way be dropped where its last straight part crosses an
+  // edge. It is not longer than the other way to there and its own rest. The shortest way of those that cross the same
+  // edges as this consists of the shortest way to some vertex, which is nearer, and of a straight part with fewer
+  // turns. By induction over both, a way as long as this is found. Each time, it may have become longer by the factor
+  // `equal`, of which a thousand are less than `shorter`.
   bool crosses_narrow_edge(Window& w)
   {
     const std::uint32_t narrow = surface_.side(w.side).narrow;
@@ -399,8 +398,8 @@ private:
     return !(b > (std::max)(w.b0, other.b0) && b < (std::min)(w.b1, other.b1) && is_longer(b));
   }
 
-  // By how much lengths over a side may be wrong where they are compared. A window that is dropped for one which only
-  // seems to be shorter leaves a gap.
+  // The error of compared lengths across a side. Dropping a window for another one that only seems to be shorter leaves
+  // a gap.
   double slack(const Side& s) const { return 5 * tolerance_ * s.length; }
 
   // The ways from a vertex into a face at it, between two angles to the left of the side that begins there.
@@ -408,7 +407,7 @@ private:
   {
     const Side &s = surface_.side(side), &o = surface_.side(surface_.next(side)),
                &last = surface_.side(surface_.prev(side));
-    const auto at = [&](double angle) { // where that direction meets the opposite side, as seen from across
+    const auto at = [&](double angle) { // where that direction meets the opposite side, seen from beyond it
       if (angle <= 0)
         return o.length;
       if (angle >= s.angle)
@@ -419,7 +418,7 @@ private:
     leave(surface_.next(side), {at(to), at(from), o.length - o.apex_x, o.apex_y, distances_[s.row], 0});
   }
 
-  // The ways from a row: along all edges, and then into all faces at its vertices but one.
+  // The ways from a row: along all edges, and into all faces at its vertices except one.
   void send_all_around(std::uint32_t row, std::uint32_t but)
   {
     const std::uint32_t begin = surface_.first_corner(row), end = surface_.first_corner(row + 1);
@@ -436,8 +435,8 @@ private:
     }
   }
 
-  // From a vertex that was reached: along all edges, and straight into what lies in its shadow, more than a straight
-  // angle away from the way to it.
+  // The ways from a reached vertex: along all edges, and straight into its shadow, at more than a straight angle from
+  // the way to it.
   void send_from(std::uint32_t side, double angle, double distance)
   {
     const Side& start = surface_.side(side);
@@ -465,8 +464,8 @@ private:
     }
   }
 
-  // The ways from a vertex that was reached into its shadow, up to an angle to the left of the way to it. A straight
-  // border, and a vertex in a plane, have none: what rounding leaves would be sent on over all faces.
+  // The ways from a reached vertex into its shadow, up to an angle to the left of the way to it. A straight border and
+  // a vertex in a plane have no shadow: one due to rounding would be passed on across all faces.
   void send_to_left(std::uint32_t side, double angle, double shadow_end)
   {
     if (shadow_end - CGAL_PI < least_angle)
@@ -494,7 +493,7 @@ private:
     // To the corner, straight or over the end of the window that is nearest to the straight way.
     const double at = (std::min)((std::max)(crossing, w.b0), w.b1);
     const double to_corner = w.distance(at) + length_of(cx - at, cy);
-    if (to_corner < distances_[surface_.side(prev).row] * shorter) // else the angle is not needed
+    if (to_corner < distances_[surface_.side(prev).row] * shorter) // otherwise the angle is not needed
       reach(prev, std::atan2(cy * at, cx * (cx - at) + cy * cy), to_corner);
     if (goes_left && goes_right) {
       Split& split = splits_[w.side];
@@ -525,15 +524,16 @@ private:
     }
   }
 
-  // Whether ways over the third corner of the face that is left are shorter for all points of the window. They cross
-  // all its ways if that one does which goes to the end b farthest from the corner.
+  // Whether ways over the third corner of the face on the left are shorter for all points of the window. They cross all
+  // its ways if the one to the end b farthest from the corner does.
   // \param x, y from the corner to that end
   bool is_shorter_over(std::uint32_t row, double x, double y, const Window& child, double b, double slack) const
   {
     return distances_[row] + length_of(x, y) + slack <= child.distance(b) * shorter;
   }
 
-  // Where the way over a point of the side meets the side from its beginning to the corner, as a part of that.
+  // Where the way across a point of the side meets the side from its beginning to the corner, as a fraction of that
+  // side.
   static double on_left(const Window& w, const Side& s, double b)
   {
     const double up = w.y * b, down = w.y * s.apex_x - (b - w.x) * s.apex_y;
@@ -555,7 +555,7 @@ private:
   std::vector<Window> meeting_;                      // at one side
   std::vector<std::uint32_t> free_;                  // places for windows
   std::vector<std::uint32_t> waiting_;               // at each side, the first window
-  std::vector<std::vector<Window>> at_narrow_edges_; // some of those that came there, by the number of the edge
+  std::vector<std::vector<Window>> at_narrow_edges_; // some of the windows that arrived, by the number of the edge
   std::priority_queue<Place, std::vector<Place>, Comes_later> queue_{Comes_later{*this}};
   std::uint64_t number_of_steps_ = 0;
 };

@@ -25,8 +25,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Where the apex of a face is, in units of its longest side: how far along that side, from its beginning and from its
-// end, and how high. Both lengths are stored because in a needle the smaller one would be lost in their difference.
+// The apex of a face in units of its longest side: its distances along that side from both ends, and its height. Both
+// lengths are stored because in a needle the smaller one would be lost in their difference.
 struct Face_apex
 {
   double x, rest, height;
