@@ -253,6 +253,56 @@ private:
   }
 };
 
+// Coordinates from 1e-50 to 1e50, each of its own scale: what was written is read, and has the same bytes again.
+TEST(SavedTriangulation, RandomScales)
+{
+  for (std::uint32_t seed = 0; seed < 16; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    const auto coordinate = [&] {
+      const double mantissa = uniform(random);
+      return mantissa * std::pow(10., 50 * uniform(random));
+    };
+    samples::Indexed_triangles surface;
+    const auto add_points = [&](std::uint32_t number) {
+      for (std::uint32_t i = 0; i < number; ++i)
+        surface.points.push_back({coordinate(), coordinate(), coordinate()});
+    };
+    const std::uint32_t n = 4 + seed % 5;
+    if (seed % 2 == 0) { // a bipyramid
+      add_points(n + 2);
+      for (std::uint32_t i = 0; i < n; ++i) {
+        surface.triangles.push_back({i, (i + 1) % n, n});
+        surface.triangles.push_back({(i + 1) % n, i, n + 1});
+      }
+    } else { // a grid
+      add_points(n * n);
+      for (std::uint32_t i = 0; i + 1 < n; ++i)
+        for (std::uint32_t j = i * n; j + 1 < i * n + n; ++j) {
+          surface.triangles.push_back({j, j + 1, j + n});
+          surface.triangles.push_back({j + 1, j + n + 1, j + n});
+        }
+    }
+    Triangulation t = triangulation_of(surface);
+    const auto expect_same_bytes = [&] {
+      const std::string file = written(t);
+      EXPECT_EQ(file, written(read(file)));
+    };
+    expect_same_bytes();
+    IT::flip_to_Delaunay(t);
+    expect_same_bytes();
+    IT::refine_Delaunay(t, parameters::minimum_angle(20).minimum_size(0.).maximum_number(20));
+    expect_same_bytes();
+    for (int i = 0; i < 20; ++i) {
+      const IT::Edge_index e(std::uint32_t(random() % t.connectivity().number_of_edges()));
+      if (t.connectivity().is_flippable(e) && t.number_of_crossings(e) < 30)
+        t.flip(e);
+    }
+    expect_same_bytes();
+  }
+}
+
 TEST(SavedTriangulation, StreamsWithoutPositions)
 {
   const Triangulation t =

@@ -112,7 +112,8 @@ void write_triangulation(std::ostream& os, const Common_subdivision& subdivision
     first_sides, [](Edge_index) { return unknown; },
     [](Face_index) {
       return std::array<double, 2>{unknown, std::numeric_limits<double>::infinity()};
-    }};
+    },
+    false};
   internal::write_saved_file(os, engine, engine.decisions().counts, numbers, {}, internal::go_further_function_of(np));
 }
 

@@ -18,11 +18,14 @@
 #include "layout/Metric_frame.h"
 #include "layout/Strip.h"
 #include "layout/Unfolding.h"
+#include "../arithmetic/Mpfr_interval.h"
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 
 #include <CGAL/number_type_config.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -69,38 +72,100 @@ void check_angle_sum(const Exact_engine& engine, Vertex_index v, const Input_ang
 // close to the true ones, as after many flips of thin faces, are replaced.
 constexpr double near_to_truth = 0x1p-10;
 
-inline std::vector<bool> bounded_faces(const Delta_complex& complex, const Saved_triangulation& saved)
+std::vector<bool> bounded_faces(const Delta_complex& complex, const std::function<double(Edge_index)>& squared_length,
+                                const std::function<double(Face_index)>& error)
 {
   std::vector<bool> result;
   for (Face_index f : complex.faces()) {
     const Halfedge_index h = complex.halfedge(f);
     double sum = 0;
     for (Halfedge_index side : {h, complex.next(h), complex.prev(h)})
-      sum += saved.squared_lengths[complex.edge(side).idx()];
-    const double bound = saved.areas[f.idx()][1];
+      sum += squared_length(complex.edge(side));
+    const double bound = error(f);
     // No comparison holds for NaN.
     result.push_back(bound <= near_to_truth * sum && bound < std::numeric_limits<double>::infinity());
   }
   return result;
 }
 
-inline void mend_unbounded(const Delta_complex& complex, Halfedge_index side, const Exact_engine::Corner& corner,
-                           const std::vector<bool>& are_bounded, Saved_triangulation& saved)
+// What a number with a bound is near to, and by how much.
+inline double middle_of(const Bounded_double_double& x) { return x.hi(); }
+inline double middle_of(const Mpfr_interval& x) { return x.lower_double() + (x.upper_double() - x.lower_double()) / 2; }
+inline double width_of(const Bounded_double_double& x) { return std::abs(x.lo()) + x.error(); }
+inline double width_of(const Mpfr_interval& x) { return x.upper_double() - x.lower_double(); }
+
+// How far a stored number is from the true one, at least and at most.
+struct Deviation
 {
-  const auto mend_side = [&](Halfedge_index h, const Bounded_double_double& s) {
-    const Halfedge_index g = complex.opposite(h);
-    double& stored = saved.squared_lengths[complex.edge(h).idx()];
-    if ((complex.is_border(g) || !are_bounded[complex.face(g).idx()]) &&
-        !(std::abs(stored - s.hi()) <= near_to_truth * s.hi()))
-      stored = s.hi();
+  double least, most;
+};
+inline Deviation deviation(double stored, const Bounded_double_double& x)
+{
+  const double d = std::abs(stored - x.hi());
+  return {(std::max)(0., d - width_of(x)), d + width_of(x)};
+}
+inline Deviation deviation(double stored, const Mpfr_interval& x)
+{
+  const Mpfr_interval d = x - Mpfr_interval(data(Rational(stored)), x.precision());
+  const auto [least, most] = std::minmax({std::abs(d.lower_double()), std::abs(d.upper_double())});
+  return {is_certain(d.sign()) ? least : 0, most};
+}
+
+// Calls settles(side, corner opposite to it) with the numbers of a face, with more and more digits until it does.
+template <class Settles>
+void settle_precisely(const Exact_engine& engine, Face_index f, Input_surface& surface, const Settles& settles)
+{
+  const Halfedge_index h = quickest_side(engine, f);
+  bool is_settled = false;
+  for (long precision = 256; !is_settled; precision = doubled(precision)) {
+    Mpfr_metric metric(surface, {precision});
+    is_settled =
+      settles(h, Unfolding<Mpfr_metric>(engine.connectivity(), engine.correspondence(), metric).opposite_corner(h));
+  }
+}
+
+inline void mend_face(const Exact_engine& engine, Face_index f, Input_surface& surface,
+                      const std::vector<bool>& are_bounded, Large_vector<double>& squared_lengths,
+                      Large_vector<std::array<double, 2>>& areas)
+{
+  const Delta_complex& complex = engine.connectivity();
+  const auto mend = [&](Halfedge_index side, const auto& corner) {
+    const std::array<std::pair<Halfedge_index, decltype(&corner.p)>, 3> sides{
+      {{side, &corner.s_opposite}, {complex.next(side), &corner.s_second}, {complex.prev(side), &corner.s_first}}};
+    constexpr double narrow = 0x1p-32;
+    double sum = 0;
+    for (const auto& [h, s] : sides) {
+      sum += middle_of(*s);
+      if (!(width_of(*s) <= narrow * middle_of(*s)))
+        return false;
+    }
+    if (!(width_of(corner.four_areas) <= narrow * sum))
+      return false;
+    for (const auto& [h, s] : sides) {
+      const Halfedge_index g = complex.opposite(h);
+      double& stored = squared_lengths[complex.edge(h).idx()];
+      if ((complex.is_border(g) || !are_bounded[complex.face(g).idx()]) &&
+          !(std::abs(stored - middle_of(*s)) <= near_to_truth * middle_of(*s)))
+        stored = middle_of(*s);
+    }
+    if (double& area = areas[f.idx()][0]; !(std::abs(area - middle_of(corner.four_areas)) <= near_to_truth * sum))
+      area = middle_of(corner.four_areas);
+    return true;
   };
-  mend_side(side, corner.s_opposite);
-  mend_side(complex.next(side), corner.s_second);
-  mend_side(complex.prev(side), corner.s_first);
-  const double sum = corner.s_opposite.hi() + corner.s_first.hi() + corner.s_second.hi();
-  if (double& area = saved.areas[complex.face(side).idx()][0];
-      !(std::abs(area - corner.four_areas.hi()) <= near_to_truth * sum))
-    area = corner.four_areas.hi();
+  Double_double_metric metric(surface);
+  const Halfedge_index h = quickest_side(engine, f);
+  if (!mend(h, Unfolding<Double_double_metric>(complex, engine.correspondence(), metric).opposite_corner(h)))
+    settle_precisely(engine, f, surface, mend);
+}
+
+void mend_unbounded(const Exact_engine& engine, const std::vector<bool>& are_bounded,
+                    Large_vector<double>& squared_lengths, Large_vector<std::array<double, 2>>& areas)
+{
+  const Standard_arithmetic arithmetic;
+  const Surface_lease surface = engine.input_surface();
+  for (Face_index f : engine.connectivity().faces())
+    if (!are_bounded[f.idx()])
+      mend_face(engine, f, *surface, are_bounded, squared_lengths, areas);
 }
 
 // See Saved_triangulation::restore().
@@ -193,7 +258,9 @@ void Engine_restorer::operator()(Saved_triangulation& saved, const Block_runner&
   for_each(complex_.number_of_edges(), at_edge, [&](std::uint32_t e, Input_surface&) { check_line(Edge_index(e)); });
 
   const bool has_inserted = !correspondence_.locations().empty();
-  const std::vector<bool> are_bounded = bounded_faces(complex_, saved);
+  const std::vector<bool> are_bounded = bounded_faces(
+    complex_, [&](Edge_index e) { return saved.squared_lengths[e.idx()]; },
+    [&](Face_index f) { return saved.areas[f.idx()][1]; });
   Large_vector<double> angles(has_inserted ? complex_.number_of_halfedges() : 0, default_init);
   std::vector<Face_index> planes(complex_.number_of_faces());
   const auto corner_of = [&](Face_index f, Input_surface& surface) {
@@ -229,14 +296,11 @@ void Engine_restorer::operator()(Saved_triangulation& saved, const Block_runner&
       for (std::size_t v = first; v < last; ++v)
         check_angle_sum(engine_, Vertex_index(std::uint32_t(v)), angle_in_input, angles);
     });
+  mend_unbounded(engine_, are_bounded, saved.squared_lengths, saved.areas);
   const Surface_lease surface = engine_.input_surface();
   for (Face_index f : complex_.faces())
-    if (!are_bounded[f.idx()]) {
-      const auto corner = corner_of(f, *surface);
-      mend_unbounded(complex_, corner.side, corner.corner, are_bounded, saved);
-      if (saved.areas[f.idx()][1] != std::numeric_limits<double>::infinity()) // nor NaN
-        check_numbers(f, corner, *surface);
-    }
+    if (!are_bounded[f.idx()] && saved.areas[f.idx()][1] != std::numeric_limits<double>::infinity()) // nor NaN
+      check_numbers(f, corner_of(f, *surface), *surface);
 }
 
 // The angles opposite to the sides of a face, accurate enough to distinguish full turns. A face without area has angles
@@ -246,13 +310,18 @@ void Engine_restorer::find_angles(Face_index f, const Side_and_corner& at, Input
 {
   const Halfedge_index h = at.side, next = complex_.next(h), prev = complex_.prev(h);
   if (certainly(at.corner.four_areas.sign() == POSITIVE)) {
-    const double four_areas = at.corner.four_areas.hi(), p = at.corner.p.hi();
-    angles[h.idx()] = std::atan2(four_areas, p);
-    angles[next.idx()] = std::atan2(four_areas, 2 * at.corner.s_first.hi() - p);
-    angles[prev.idx()] = std::atan2(four_areas, 2 * at.corner.s_second.hi() - p);
-    return;
-  }
-  if (engine_.sign_of_area(f, surface) == NEGATIVE)
+    const Bounded_double_double &four_areas = at.corner.four_areas, &p = at.corner.p, &s = at.corner.s_first,
+                                &t = at.corner.s_second;
+    const std::array<std::pair<Halfedge_index, Bounded_double_double>, 3> corners{
+      {{h, p}, {next, s + (s - p)}, {prev, t + (t - p)}}};
+    bool are_good = true;
+    for (const auto& [side, q] : corners) {
+      angles[side.idx()] = std::atan2(four_areas.hi(), q.hi());
+      are_good = are_good && four_areas.error() + q.error() <= near_to_truth * (four_areas.hi() + std::abs(q.hi()));
+    }
+    if (are_good)
+      return;
+  } else if (engine_.sign_of_area(f, surface) == NEGATIVE)
     throw_not_a_triangulation("face", f.idx(), "is inverted");
   for (Halfedge_index side : {h, next, prev})
     angles[side.idx()] = numbers_.angle(side);
@@ -270,30 +339,31 @@ bool Engine_restorer::are_sound(Face_index f, const Saved_triangulation& saved, 
   if (!are_finite)
     return false;
   constexpr double u = 0x1p-53, rounded_up = 1 + 0x1p-40;
-  // \param difference bounds the difference of a stored number and the true one
-  const auto are_good = [&](Halfedge_index side, const auto& corner, const auto& difference) {
-    double of_sides = 0, sum = 0;
+  bool result = false;
+  const auto compare = [&](Halfedge_index side, const auto& corner) {
+    Deviation of_sides{0, 0};
+    double sum = 0;
     const auto add = [&](Halfedge_index g, const auto& s) {
       const double stored = saved.squared_lengths[complex_.edge(g).idx()];
-      of_sides += (std::max)(difference(stored, s), 6 * u * stored);
+      const Deviation d = deviation(stored, s);
+      of_sides.least += (std::max)(d.least, 6 * u * stored);
+      of_sides.most += (std::max)(d.most, 6 * u * stored);
       sum += stored;
     };
     add(side, corner.s_opposite);
     add(complex_.next(side), corner.s_second);
     add(complex_.prev(side), corner.s_first);
-    return bound >= rounded_up * 1.5 * of_sides && bound >= rounded_up * 1.5 * difference(area, corner.four_areas) &&
-           bound >= rounded_up * 12 * u * sum && sum >= 0;
+    const Deviation of_area = deviation(area, corner.four_areas);
+    const auto is_bound = [&](double sides, double of_areas) {
+      return bound >= rounded_up * 1.5 * sides && bound >= rounded_up * 1.5 * of_areas &&
+             bound >= rounded_up * 12 * u * sum && sum >= 0;
+    };
+    result = is_bound(of_sides.most, of_area.most);
+    return result || !is_bound(of_sides.least, of_area.least);
   };
-  if (are_good(at.side, at.corner, [](double stored, const Bounded_double_double& x) {
-        return std::abs(stored - x.hi()) + std::abs(x.lo()) + x.error();
-      }))
-    return true;
-  Mpfr_metric precise_metric(surface, {256});
-  return are_good(h, Unfolding<Mpfr_metric>(complex_, correspondence_, precise_metric).opposite_corner(h),
-                  [&](double stored, const Mpfr_interval& x) {
-                    const Mpfr_interval d = x - precise_metric.constant(stored);
-                    return (std::max)(std::abs(d.lower_double()), std::abs(d.upper_double()));
-                  });
+  if (!compare(at.side, at.corner))
+    settle_precisely(engine_, f, surface, compare);
+  return result;
 }
 
 // Checks that an edge begins and ends in the input faces that the integers name, and that each input edge that it

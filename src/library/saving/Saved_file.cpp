@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
 #include <CGAL/Intrinsic_triangulations/reports.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -163,18 +164,20 @@ public:
     });
     put_lengths(engine_.metric());
     put_vertices(complex, false);
+    mend(numbers);
     for (const Surface_point& p : correspondence_.locations())
       bytes_.put(p.halfedge.idx(), p.coordinates[0], p.coordinates[1], p.coordinates[2]);
     for_each(complex.faces(), [&](Face_index f) {
       const std::array<Halfedge_index, 3> h = sides(complex, complex.halfedge(f));
-      const std::array<double, 2> area = numbers.area(f);
+      const std::array<double, 2> area = mended_areas_.empty() ? numbers.area(f) : mended_areas_[f.idx()];
       bytes_.put(h[0].idx(), h[1].idx(), h[2].idx(), area[0], area[1],
                  std::uint8_t(Engine_numbers(engine_).is_known_to_be_straight(f)));
     });
     for_each(complex.edges(), [&](Edge_index e) {
       const Halfedge_index h = complex.halfedge(e);
-      bytes_.put(numbers.squared_length(e), std::int32_t(correspondence_.coordinates().crossings(e)),
-                 correspondence_.input_halfedge(h).idx(), correspondence_.input_halfedge(complex.opposite(h)).idx());
+      bytes_.put(mended_squared_lengths_.empty() ? numbers.squared_length(e) : mended_squared_lengths_[e.idx()],
+                 std::int32_t(correspondence_.coordinates().crossings(e)), correspondence_.input_halfedge(h).idx(),
+                 correspondence_.input_halfedge(complex.opposite(h)).idx());
       if (!is_constrained.empty())
         bytes_.put(std::uint8_t(is_constrained[e.idx()]));
     });
@@ -185,6 +188,23 @@ public:
   }
 
 private:
+  // A copy is made only where something has to be mended.
+  void mend(const Stored_numbers& numbers)
+  {
+    if (!numbers.are_known)
+      return;
+    const Delta_complex& complex = engine_.connectivity();
+    const std::vector<bool> are_bounded =
+      bounded_faces(complex, numbers.squared_length, [&](Face_index f) { return numbers.area(f)[1]; });
+    if (std::find(are_bounded.begin(), are_bounded.end(), false) == are_bounded.end())
+      return;
+    for (Edge_index e : complex.edges())
+      mended_squared_lengths_.push_back(numbers.squared_length(e));
+    for (Face_index f : complex.faces())
+      mended_areas_.push_back(numbers.area(f));
+    mend_unbounded(engine_, are_bounded, mended_squared_lengths_, mended_areas_);
+  }
+
   Saved_header header(bool has_constraints) const
   {
     const Delta_complex &input = correspondence_.input(), &complex = engine_.connectivity();
@@ -256,6 +276,8 @@ private:
   const Exact_engine& engine_;
   const Correspondence& correspondence_;
   const Go_further& go_further_;
+  Large_vector<double> mended_squared_lengths_;
+  Large_vector<std::array<double, 2>> mended_areas_;
 };
 
 // The complex of untrusted halfedges, with their numbers: a halfedge without a face is on the border.

@@ -139,20 +139,24 @@ public:
   }
 
   // The exponent of a power of two by which numbers of the corner are scaled into the range of double, however small
-  // the face.
+  // the face: the larger one becomes about 1.
   // \pre the face of h has positive area
   long scale_of_corner(Halfedge_index h)
   {
+    constexpr long largest_width = 64; // of an interval, in powers of two
     for (long precision = 128;; precision = doubled(precision)) {
       Mpfr_metric metric(surface_, {precision});
       const auto c = unfolding(metric).opposite_corner(h);
       if (!is_certain(c.four_areas.sign()))
         continue;
-      long exponent = long(mpfr_get_exp(c.four_areas.upper()));
+      long least = long(mpfr_get_exp(c.four_areas.lower())), most = long(mpfr_get_exp(c.four_areas.upper()));
       for (mpfr_srcptr end : {c.p.lower(), c.p.upper()})
-        if (mpfr_regular_p(end))
-          exponent = (std::max)(exponent, long(mpfr_get_exp(end)));
-      return -exponent;
+        if (!mpfr_zero_p(end))
+          most = (std::max)(most, mpfr_regular_p(end) ? long(mpfr_get_exp(end)) : most + 2 * largest_width);
+      if (is_certain(c.p.sign()) && get_certain(c.p.sign()) != ZERO)
+        least = (std::max)(least, long(mpfr_get_exp(get_certain(c.p.sign()) == POSITIVE ? c.p.lower() : c.p.upper())));
+      if (most - least <= largest_width)
+        return -most;
     }
   }
 
