@@ -24,7 +24,10 @@
 #include <CGAL/enum.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -141,11 +144,11 @@ private:
   {
     Double_double_metric metric(surface_);
     bool is_good = locate(e, crossed, metric);
-    for (long precision : {128l, 512l, 2048l})
-      if (!is_good) {
-        Mpfr_metric precise_metric(surface_, {precision});
-        is_good = locate(e, crossed, precise_metric);
-      }
+    for (std::size_t i = 0; i < precisions.size() && !is_good; ++i) {
+      if (!precise_metrics_[i])
+        precise_metrics_[i].emplace(surface_, Mpfr_image{precisions[i]});
+      is_good = locate(e, crossed, *precise_metrics_[i]);
+    }
   }
 
   template <class Metric>
@@ -161,8 +164,13 @@ private:
       check_sides(e, areas.left.sign(), areas.right.sign());
       const auto whole = areas.left + areas.right;
       if (!is_certain(whole.sign()) || get_certain(whole.sign()) == ZERO) {
-        is_good = false;
-        positions_.push_back(collinear_position(left, right, strip.target(), starts_left));
+        // In a strip of zero area an edge can be crossed all along, which more digits do not change.
+        const auto along = [&](const auto& end) {
+          return located(times_conjugate(end, strip.target()).x() / squared_norm(strip.target()));
+        };
+        const Located at_left = along(left), at_right = along(right);
+        is_good = is_good && is_certain(whole.sign()) && at_left.is_good && at_right.is_good;
+        positions_.push_back(collinear_position(at_left.value, at_right.value, starts_left));
         return true;
       }
       // Each part as a quotient, so that small parts are precise.
@@ -183,14 +191,10 @@ private:
                             "has flipped a hinge that is not convex");
   }
 
-  // In a strip of zero area two edges can overlap: take the middle of the part that they share.
-  template <class Vector>
-  static Position_on_edges collinear_position(const Vector& left, const Vector& right, const Vector& target,
-                                              bool starts_left)
+  // The middle of what both edges share.
+  // \param a, b where the left and the right end lie along the intrinsic edge
+  static Position_on_edges collinear_position(double a, double b, bool starts_left)
   {
-    const auto length = squared_norm(target);
-    const double a = located(times_conjugate(left, target).x() / length).value,
-                 b = located(times_conjugate(right, target).x() / length).value;
     const double low = (std::max)(0., (std::min)(a, b)), high = (std::min)(1., (std::max)(a, b));
     const double middle = low + (high - low) / 2;
     const double from_left = a == b ? 0.5 : (middle - a) / (b - a);
@@ -204,6 +208,9 @@ private:
   Strip<Space_frame> in_space_;
   Strip<Plane_frame> in_plane_;
   std::vector<Position_on_edges> positions_;
+  // They remember the triangles that neighbouring edges cross, too.
+  static constexpr std::array<long, 3> precisions = {128, 512, 2048};
+  std::array<std::optional<Mpfr_metric>, 3> precise_metrics_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
