@@ -94,7 +94,8 @@ double extent_of(const Surface& surface)
   return (std::min)(result, (std::numeric_limits<double>::max)());
 }
 
-// Below which size no vertex is inserted if nobody says so. Begins with 0. Sides below 2^-14 of the longest side of the
+// Below which size no vertex is inserted beside sharp edges if nobody says so: which these are depends on the size, so
+// that the library cannot choose it. Begins with 0. Sides below 2^-14 of the longest side of the
 // box are what CAD programs leave by mistake if they need many vertices: then refinement begins anew with 2^-20 of the
 // box, 2^-17 and 2^-14 in turn. Places that need few vertices are refined, whatever their size.
 class Smallest_size
@@ -119,15 +120,6 @@ public:
     size_ = std::ldexp(extent_, *std::find_if(levels.begin(), levels.end(),
                                               [this](int level) { return std::ldexp(extent_, level) > size_; }));
     number_ = 0;
-  }
-  // For the report.
-  std::string text() const
-  {
-    if (size_ == 0)
-      return "0: no place needs one";
-    return in_short(size_) + ", chosen as 2^" + std::to_string(std::ilogb(size_ / extent_)) +
-           " of the box: smaller sides need more than " + with_separators(maximum_) +
-           " new vertices, which --minimum-size 0 allows";
   }
 
 private:
@@ -174,7 +166,7 @@ void constrain_sharp_edges(const Surface& surface, double degrees, Refinement_op
   if (!surface.has_points())
     refuse_file(surface.path, "--constrain-angle needs a surface in space, but this one has only edge lengths");
   const std::vector<bool> is_sharp =
-    IT::sharp_edges(surface.connectivity, surface.points, degrees, refinement.criteria.minimum_size);
+    IT::sharp_edges(surface.connectivity, surface.points, degrees, refinement.criteria.minimum_size.value_or(0));
   refinement.is_constrained.resize(is_sharp.size());
   for (std::size_t e = 0; e < is_sharp.size(); ++e)
     if (is_sharp[e])
@@ -203,21 +195,30 @@ Triangulation_result refine_surface(Surface surface, Run_options run_options, co
     is_constrained.resize(read.size());
     std::transform(read.begin(), read.end(), is_constrained.begin(), is_constrained.begin(), std::logical_or<>());
   }
+  const bool is_chosen_here = options.constrained_angle && !options.minimum_size;
   refinement.gives_up = [&](const IT::Refinement_progress& progress, const std::function<Short_side()>& where) {
-    if (options.minimum_size || !chosen.covers(progress.size)) {
+    if (progress.is_on_trial)
+      return false;
+    if (!is_chosen_here || !chosen.covers(progress.size)) {
       warning.look(progress, where);
       return false;
     }
     return chosen.is_exceeded(progress);
   };
   while (true) {
-    refinement.criteria.minimum_size = options.minimum_size.value_or(chosen.size());
+    refinement.criteria.minimum_size = is_chosen_here ? std::make_optional(chosen.size()) : options.minimum_size;
     refinement.is_constrained = is_constrained;
     if (options.constrained_angle)
       constrain_sharp_edges(surface, *options.constrained_angle, refinement);
     Triangulation_result result = triangulate(std::move(surface), run_options);
-    if (!result.outcome.refinement || !result.outcome.refinement->is_given_up) {
-      result.smallest_size = options.minimum_size ? in_short(*options.minimum_size) : chosen.text();
+    if (!result.outcome.refinement)
+      return result;
+    if (!result.outcome.refinement->is_given_up) {
+      const double size = result.outcome.refinement->report.minimum_size;
+      result.smallest_size = options.minimum_size ? in_short(*options.minimum_size)
+                             : size == 0          ? "0: no place needs one"
+                                         : in_short(size) + ", chosen: smaller faces need many vertices, which "
+                                                            "--minimum-size 0 allows";
       return result;
     }
     surface = std::move(result.surface);
@@ -271,6 +272,7 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
                  "triangulation is intrinsic Delaunay except for constrained edges. Where the input leaves no\n"
                  "choice, a face stays below the bound; --stats and the report count such faces by reason:\n"
                  "cone, a vertex with a small angle sum; small input angle, between edges that stay;\n"
+                 "beside small input angle, across from two points at the same distance from such a corner;\n"
                  "unrepresentable, doubles are too coarse for the point; too small, below --minimum-size;\n"
                  "budget, time or the number of points ran out. The status is 4 only for the last of these.\n");
   command.add_option("INPUT", options->input, "as for `idt triangulate`")->required();
@@ -282,8 +284,9 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
   add_option(command, "--maximum-edge-length", options->refinement.criteria.maximum_edge_length, "L",
              "the largest edge length allowed (default: unlimited)");
   add_option(command, "--minimum-size", options->minimum_size, "S",
-             "insert no vertex for a face with a side shorter than S, so that refinement ends early at irrelevantly "
-             "thin sheets and slivers (default: 0, or up to 2^-14 of the box if smaller sides need many vertices)");
+             "insert no vertex for a face with a side or a height shorter than S, so that refinement ends early at "
+             "irrelevantly thin sheets and slivers (default: 0, or up to 2^-14 of the box if smaller faces need many "
+             "vertices)");
   add_option(command, "--maximum-points", options->refinement.maximum_number_of_points, "N",
              "give up after this many new vertices (default: 1,000,000 and 10 for each vertex)")
     ->transform(whole_number());

@@ -232,8 +232,9 @@ std::optional<Shape_summary> summarize_shapes(const Triangulation& triangulation
       is_listed[f.idx()] = degrees < criteria.minimum_angle || radius > criteria.maximum_circumradius ||
                            longest > criteria.maximum_edge_length;
       if (is_listed[f.idx()])
-        refinement->report.unrefined.push_back(
-          {f, shortest < criteria.minimum_size ? IT::Refinement_obstacle::TOO_SMALL : IT::Refinement_obstacle::BUDGET});
+        refinement->report.unrefined.push_back({f, shortest < criteria.minimum_size.value_or(0)
+                                                     ? IT::Refinement_obstacle::TOO_SMALL
+                                                     : IT::Refinement_obstacle::BUDGET});
     }
     if (!is_listed[f.idx()])
       summary.minimum_refined_angle = (std::min)(summary.minimum_refined_angle.value_or(degrees), degrees);

@@ -65,7 +65,7 @@ struct Refinement_criteria
   double minimum_angle = 25;
   double maximum_circumradius = std::numeric_limits<double>::infinity();
   double maximum_edge_length = std::numeric_limits<double>::infinity();
-  double minimum_size = 0;
+  std::optional<double> minimum_size; // the library chooses it otherwise
 };
 
 // The task of Delaunay refinement after the flips.

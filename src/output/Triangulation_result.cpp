@@ -58,6 +58,8 @@ const char* name(IT::Refinement_obstacle reason)
     return "cone";
   case IT::Refinement_obstacle::SMALL_INPUT_ANGLE:
     return "small input angle";
+  case IT::Refinement_obstacle::BESIDE_SMALL_INPUT_ANGLE:
+    return "beside small input angle";
   case IT::Refinement_obstacle::UNREPRESENTABLE:
     return "unrepresentable";
   case IT::Refinement_obstacle::TOO_SMALL:

@@ -138,7 +138,7 @@ Json refinement_statistics(const Triangulation_result& result)
   json["flips"] = outcome.report.flips + report.flips;
   const std::vector<bool>& is_constrained = result.options.refinement->is_constrained;
   json["kept_edges"] = std::count(is_constrained.begin(), is_constrained.end(), true);
-  json["minimum_size"] = result.options.refinement->criteria.minimum_size;
+  json["minimum_size"] = report.minimum_size;
   json["shortest_left"] = outcome.refinement ? shortest_left(*outcome.refinement) : Json(nullptr);
   json["minimum_angle_degrees"] = member(outcome.shapes, &Shape_summary::minimum_angle);
   json["minimum_angle_degrees_of_refined_faces"] = member(outcome.shapes, &Shape_summary::minimum_refined_angle);

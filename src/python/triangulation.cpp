@@ -253,18 +253,19 @@ py::tuple verify(Surface& surface, const std::optional<Booleans>& constrained)
 const char* name_of(IT::Refinement_obstacle obstacle)
 {
   using Obstacle = IT::Refinement_obstacle;
-  return obstacle == Obstacle::CONE                ? "cone"
-         : obstacle == Obstacle::SMALL_INPUT_ANGLE ? "small_input_angle"
-         : obstacle == Obstacle::UNREPRESENTABLE   ? "unrepresentable"
-         : obstacle == Obstacle::TOO_SMALL         ? "too_small"
-                                                   : "budget";
+  return obstacle == Obstacle::CONE                       ? "cone"
+         : obstacle == Obstacle::SMALL_INPUT_ANGLE        ? "small_input_angle"
+         : obstacle == Obstacle::BESIDE_SMALL_INPUT_ANGLE ? "beside_small_input_angle"
+         : obstacle == Obstacle::UNREPRESENTABLE          ? "unrepresentable"
+         : obstacle == Obstacle::TOO_SMALL                ? "too_small"
+                                                          : "budget";
 }
 
 py::tuple refine(Surface& surface, double minimum_angle, double maximum_circumradius, double maximum_edge_length,
                  const std::optional<Booleans>& constrained, const std::optional<std::uint64_t>& maximum_number,
-                 double minimum_size)
+                 const std::optional<double>& minimum_size)
 {
-  require(minimum_size >= 0, "minimum_size is negative");
+  require(!minimum_size || *minimum_size >= 0, "minimum_size is negative");
   require(minimum_angle >= 0 && minimum_angle <= 30, "minimum_angle is not between 0 and 30 degrees");
   require(maximum_circumradius > 0 && maximum_edge_length > 0, "a bound is not positive");
   const std::vector<bool> is_constrained = copied_marks(constrained);
@@ -287,7 +288,7 @@ py::tuple refine(Surface& surface, double minimum_angle, double maximum_circumra
     reasons.append(name_of(f.reason));
   }
   return py::make_tuple(report.status == IT::Refinement_status::REFINED, report.insertions, report.segment_splits,
-                        report.flips, to_array(std::move(unrefined)), reasons);
+                        report.flips, to_array(std::move(unrefined)), reasons, report.minimum_size);
 }
 
 py::array sharp_edges(Surface& surface, const Doubles& points, double degrees, double minimum_size)

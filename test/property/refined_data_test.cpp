@@ -137,7 +137,7 @@ TEST_P(Refined_data, has_no_small_angle_without_a_reason)
     size = std::max(size, double(t.length(e)));
   const IT::Delta_complex& complex = t.connectivity();
   const std::size_t number_of_input_vertices = complex.number_of_vertices();
-  const IT::Refinement_report report = IT::refine_Delaunay(t, CGAL::parameters::minimum_angle(bound));
+  const IT::Refinement_report report = IT::refine_Delaunay(t, CGAL::parameters::minimum_angle(bound).minimum_size(0.));
 
   EXPECT_EQ(report.status, IT::Refinement_status::REFINED);
   EXPECT_EQ(complex.number_of_vertices(), number_of_input_vertices + report.insertions + report.segment_splits);
@@ -174,6 +174,7 @@ TEST_P(Refined_data, has_no_small_angle_without_a_reason)
     EXPECT_LT(angle, bound * (1 + 1e-12)) << "a face is listed that meets the bound: " << f.idx();
     switch (*reasons[f.idx()]) {
     case IT::Refinement_obstacle::SMALL_INPUT_ANGLE:
+    case IT::Refinement_obstacle::BESIDE_SMALL_INPUT_ANGLE:
       EXPECT_TRUE(read.is_small_input_angle(sharpest)) << f.idx() << ": " << angle << " degrees";
       break;
     case IT::Refinement_obstacle::CONE:

@@ -144,9 +144,18 @@ def test_smallest_size_of_refinement():
     report = t.refine(minimum_size=0.001)
     assert report.is_refined and report.insertions + report.segment_splits == 0
     assert list(report.unrefined) == [0, 1] and list(report.reasons) == ["too_small"] * 2
+    assert report.minimum_size == 0.001
     for bad in (-1, "1"):
         with pytest.raises(ValueError):
             t.refine(minimum_size=bad)
+
+
+def test_smallest_size_is_chosen():
+    V, F = [[0, 0, 0], [2, 0, 0], [1.001, 5e-7, 0], [2, 1, 0]], [[0, 1, 2], [2, 1, 3]]
+    report = it.Triangulation(V, F).refine()
+    assert report.insertions + report.segment_splits == 0 and 5e-7 < report.minimum_size < 1e-3
+    everything = it.Triangulation(V, F).refine(minimum_size=0)
+    assert everything.segment_splits > 1000 and everything.minimum_size == 0
 
 
 def test_bounds_of_refinement():

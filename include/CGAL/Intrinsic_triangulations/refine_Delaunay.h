@@ -14,6 +14,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Long_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Delaunay_refiner.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/Measured_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/point_on_input.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
@@ -21,7 +23,12 @@
 
 #include <CGAL/tags.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -42,6 +49,123 @@ struct Flips_before_refinement
   void after_flip(Edge_index) {}
 };
 
+// One run with a smallest size.
+template <class Traits, class Observer>
+struct Refinement_run
+{
+  struct Result
+  {
+    Refinement_report report;
+    std::uint64_t number_of_close_vertices;
+    double cost; // the new vertices, and ten for each face that is left
+  };
+
+  Intrinsic_triangulation<Traits>& triangulation;
+  Refinement_criteria criteria;
+  const std::vector<bool>& is_segment;
+  Observer& observer;
+  const std::uint64_t maximum_number;
+
+  Result operator()(const Refinement_trial& trial)
+  {
+    Delaunay_refiner<Traits, Observer> refiner(triangulation, criteria, is_segment, observer, maximum_number, trial);
+    std::optional<Interruption_scope<Intrinsic_triangulation<Traits>>> scope;
+    if constexpr (!Observer::Is_silent::value)
+      scope.emplace(triangulation, [&refiner] { return refiner.asks_further(); });
+    Result result{refiner(), refiner.number_of_close_vertices(), (std::numeric_limits<double>::infinity)()};
+    const Refinement_report& report = result.report;
+    if (!refiner.is_given_up() && report.status == Refinement_status::REFINED)
+      result.cost = double(report.insertions + report.segment_splits) + 10. * double(report.unrefined.size());
+    return result;
+  }
+};
+
+// The longest side of the box, or the longest edge of a surface without points; in the unit of the input.
+inline double extent(const Exact_engine& engine)
+{
+  const Delta_complex& input = engine.correspondence().input();
+  const Input_metric::Point_vector& points = engine.metric().points();
+  double result = 0;
+  if (points.empty()) {
+    Input_shapes shapes(engine);
+    for (Edge_index e : input.edges())
+      result = (std::max)(result, shapes.length(e));
+  } else {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      double low = (std::numeric_limits<double>::infinity)(), high = -low;
+      for (Vertex_index v : input.vertices())
+        if (input.halfedge(v).is_valid()) {
+          low = (std::min)(low, points[v.idx()][axis]);
+          high = (std::max)(high, points[v.idx()][axis]);
+        }
+      result = (std::max)(result, high - low);
+    }
+  }
+  return (std::min)(std::ldexp(result, engine.metric().unit_exponent()), (std::numeric_limits<double>::max)());
+}
+
+template <class Traits>
+bool has_faces_below(Intrinsic_triangulation<Traits>& triangulation, double height)
+{
+  Measured_faces<Traits> faces(triangulation);
+  faces.measure_all();
+  const auto all = triangulation.connectivity().faces();
+  return std::any_of(all.begin(), all.end(), [&](Face_index f) { return faces.smallest_height(f) < height; });
+}
+
+// Chooses the smallest size, as `refine_Delaunay()` says.
+template <class Traits, class Observer>
+Refinement_report refine_by_trial(Refinement_run<Traits, Observer>& run)
+{
+  using Triangulation = Intrinsic_triangulation<Traits>;
+  // The first is 16 units in the last place of a float as large as the extent.
+  constexpr std::array<int, 3> levels = {-20, -17, -14};
+  Triangulation& triangulation = run.triangulation;
+  const double unit = extent(engine(triangulation));
+  const std::uint32_t n = triangulation.connectivity().number_of_vertices();
+  Refinement_trial trial{std::ldexp(unit, levels.back()), 10000 + std::uint64_t(n)};
+  if (!has_faces_below(triangulation, 8 * trial.size)) // so they will hardly come
+    return run({}).report;
+  const Triangulation start = triangulation;
+  // The function that can interrupt a decision stays.
+  const auto replace = [&](Triangulation other) {
+    std::function<bool()> interruption = triangulation.set_interruption({});
+    Triangulation before = std::exchange(triangulation, std::move(other));
+    triangulation.set_interruption(std::move(interruption));
+    return before;
+  };
+  const auto tell_insertions = [&] {
+    for (std::uint32_t v = n; v < triangulation.connectivity().number_of_vertices(); ++v)
+      run.observer.after_insertion(Vertex_index(v));
+  };
+  try {
+    std::optional<Triangulation> best;
+    std::optional<typename Refinement_run<Traits, Observer>::Result> best_result;
+    for (std::size_t i = 0;; ++i) {
+      if (i == levels.size())
+        trial.maximum_number = (std::numeric_limits<std::uint64_t>::max)();
+      auto result = run(trial);
+      const std::uint64_t points = result.report.insertions + result.report.segment_splits;
+      const bool is_last = i == levels.size() || result.number_of_close_vertices <= 100 + (n + points) / 50;
+      if (!best_result || result.cost < best_result->cost || !std::isfinite(best_result->cost)) {
+        best_result = std::move(result);
+        if (!is_last)
+          best = replace(start);
+      } else {
+        replace(is_last ? std::move(*best) : Triangulation(start));
+      }
+      if (is_last)
+        break;
+      run.criteria.minimum_size = std::ldexp(unit, levels[i]);
+    }
+    tell_insertions();
+    return std::move(best_result->report);
+  } catch (...) {
+    tell_insertions();
+    throw;
+  }
+}
+
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
@@ -56,7 +180,11 @@ struct Flips_before_refinement
 /// `insert_vertex()`: the metric does not change, and after each insertion all edges that are not constrained are
 /// Delaunay.
 ///
-/// No vertex is inserted for a face with a side shorter than the smallest size, if one is given.
+/// No vertex is inserted for a face with a side shorter than the smallest size, nor for a lower one unless it is too long.
+/// If none is given, refinement begins with 0. CAD programs leave slivers, sheets and tubes by mistake that need many
+/// vertices: if many come closer to each other than 2^-14 of the longest side of the bounding box (or of the longest
+/// edge of a surface without points), refinement begins anew with 2^-20, 2^-17 and 2^-14 of it in turn. What needs
+/// the fewest vertices and leaves the fewest faces is the result; the report has the size.
 ///
 /// A vertex inside the surface whose angles sum to less than 60 degrees gets one neighbor close to it, and the triangle
 /// between them is kept. Two edges that are not flipped and form a corner of less than 60 degrees are split at powers
@@ -86,14 +214,15 @@ struct Flips_before_refinement
 ///     \cgalParamDefault{`false`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_size}
-///     \cgalParamDescription{no vertex is inserted for a face with a side shorter than this, in the unit of the input,
-///       so refinement ends early at irrelevantly thin sheets, tubes or slivers}
-///     \cgalParamType{`double`, not negative}
-///     \cgalParamDefault{0}
+///     \cgalParamDescription{no vertex is inserted for a face with a side or a height shorter than this, in the unit of
+///       the input, so refinement ends early at irrelevantly thin sheets, tubes or slivers}
+///     \cgalParamType{`double`, not negative, or `std::optional<double>`}
+///     \cgalParamDefault{chosen as above}
 ///   \cgalParamNEnd
 ///   \cgalParamVisitor{is called before each step and within long ones, with the numbers of new vertices and of flips
 ///     so far. (Before the first new vertex, edges are flipped until the triangulation is Delaunay.) `before_step()` is
-///     called for each step, and `after_insertion()` for each new vertex; pass `std::ref()` to keep its state}
+///     called for each step, and `after_insertion()` for each new vertex; pass `std::ref()` to keep its state. Where
+///     refinement may begin anew, `after_insertion()` is called at its end, for the vertices of the result}
 ///   \cgalParamNBegin{maximum_number}
 ///     \cgalParamDescription{the maximum number of new vertices}
 ///     \cgalParamType{`std::uint64_t`}
@@ -124,7 +253,8 @@ Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation
   criteria.maximum_circumradius = value_of<Parameter::MAXIMUM_CIRCUMRADIUS>(np, criteria.maximum_circumradius);
   criteria.maximum_edge_length = value_of<Parameter::MAXIMUM_EDGE_LENGTH>(np, criteria.maximum_edge_length);
   criteria.splits_encroached_edges = value_of<Parameter::SPLITS_ENCROACHED_EDGES>(np, criteria.splits_encroached_edges);
-  criteria.minimum_size = value_of<Parameter::MINIMUM_SIZE>(np, criteria.minimum_size);
+  const auto minimum_size = value_of<Parameter::MINIMUM_SIZE>(np, std::optional<double>());
+  criteria.minimum_size = minimum_size.value_or(0);
   if (!(criteria.minimum_angle <= 30 && criteria.minimum_size >= 0))
     throw Invalid_argument_error(
       "the minimum angle of a refinement has to be at most 30 degrees, and the minimum size at least 0");
@@ -146,12 +276,8 @@ Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation
       .flips;
   const std::uint64_t maximum_number = choose_parameter(get_parameter(np, internal_np::maximum_number),
                                                         10 * std::uint64_t(complex.number_of_vertices()) + 1000000);
-  internal::Delaunay_refiner<Traits, Observer> refiner(triangulation, criteria, std::move(is_segment), observer,
-                                                       maximum_number);
-  std::optional<internal::Interruption_scope<Intrinsic_triangulation<Traits>>> scope;
-  if constexpr (!Observer::Is_silent::value)
-    scope.emplace(triangulation, [&refiner] { return refiner.asks_further(); });
-  Refinement_report report = refiner();
+  internal::Refinement_run<Traits, Observer> run{triangulation, criteria, is_segment, observer, maximum_number};
+  Refinement_report report = minimum_size ? run({}).report : internal::refine_by_trial(run);
   report.flips += flips_before;
   return report;
 }

@@ -44,10 +44,11 @@ struct Flip_report
 /// \brief why a face does not meet the criteria.
 enum class Refinement_obstacle {
   CONE,              ///< a corner at a vertex with so small an angle sum, or a point that would be too close to one
-  SMALL_INPUT_ANGLE, ///< a corner between two edges that must not be flipped, or between points on two such edges
-  UNREPRESENTABLE,   ///< doubles are too coarse for the point that the face needs
-  TOO_SMALL,         ///< a side is shorter than the smallest size
-  BUDGET             ///< the budget did not suffice
+  SMALL_INPUT_ANGLE, ///< a corner between two edges that must not be flipped
+  BESIDE_SMALL_INPUT_ANGLE, ///< its shortest side joins points on two such edges, at the same distance from their corner
+  UNREPRESENTABLE,          ///< doubles are too coarse for the point that the face needs
+  TOO_SMALL,                ///< a side or a height is shorter than the smallest size
+  BUDGET                    ///< the budget did not suffice
 };
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
@@ -67,6 +68,8 @@ struct Refinement_progress
     0;             ///< an upper bound on the faces that do not meet the criteria: some of them may meet them by now
   double size = 0; ///< the shortest side of the face that is next, in the unit of the input
   Face_index face; ///< that face
+  /// whether a smallest size may still be chosen that leaves this face: then refinement begins anew
+  bool is_on_trial = false;
   /// a rough estimate of the vertices still needed by faces that are too large, and by thin ones whose shortest
   /// sides are of that size. It is computed from the areas of these faces at 1024 new vertices and whenever their
   /// number has doubled
@@ -89,6 +92,7 @@ struct Refinement_report
   std::uint64_t segment_splits = 0;                      ///< the number of vertices inserted on edges
   std::uint64_t flips = 0;                               ///< the number of flips, also before the first vertex
   std::vector<Unrefined_face> unrefined;                 ///< the faces that do not meet the criteria, in order
+  double minimum_size = 0; ///< the smallest size, given or chosen, in the unit of the input
 };
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics

@@ -60,7 +60,9 @@ class RefinementReport(NamedTuple):
     unrefined: numpy.ndarray
     """The numbers of the faces that do not meet the criteria."""
     reasons: List[str]
-    """The reason for each of them: "cone", "small_input_angle", "unrepresentable", "too_small" or "budget"."""
+    """The reason for each of them: "cone", "small_input_angle", "beside_small_input_angle", "unrepresentable", "too_small" or "budget"."""
+    minimum_size: float
+    """The smallest size, given or chosen."""
 
 
 class Triangulation:
@@ -379,7 +381,7 @@ class Triangulation:
         return VerificationReport(*self._surface.verify(self._constrained(constrained)))
 
     def refine(self, minimum_angle: float = 25, maximum_circumradius: float = math.inf, maximum_edge_length: float = math.inf,
-               constrained: Optional[ArrayLike] = None, max_insertions: Optional[int] = None, minimum_size: float = 0) -> RefinementReport:
+               constrained: Optional[ArrayLike] = None, max_insertions: Optional[int] = None, minimum_size: Optional[float] = None) -> RefinementReport:
         """Flip edges and insert vertices until no face is too thin or too large. The surface does not change.
 
         Parameters
@@ -392,8 +394,9 @@ class Triangulation:
             Edges that must not be flipped, but may be split. They must be input edges that were not flipped.
         max_insertions : int, optional
             The maximum number of new vertices. Default: ten for each vertex, and a million.
-        minimum_size : float
-            No vertex is inserted for a face with a side shorter than this, in the unit of the input.
+        minimum_size : float, optional
+            No vertex is inserted for a face with a side or a height shorter than this, in the unit of the input.
+            Default: 0, or up to 2**-14 of the bounding box if smaller faces need many vertices; the report has it.
 
         Returns
         -------
@@ -419,8 +422,8 @@ class Triangulation:
         circumradius = _arrays.number(maximum_circumradius, "maximum_circumradius")
         edge_length = _arrays.number(maximum_edge_length, "maximum_edge_length")
         maximum = None if max_insertions is None else _arrays.integer(max_insertions, "max_insertions")
-        return RefinementReport(*self._surface.refine(angle, circumradius, edge_length, self._constrained(constrained), maximum,
-                                                      _arrays.number(minimum_size, "minimum_size")))
+        size = None if minimum_size is None else _arrays.number(minimum_size, "minimum_size")
+        return RefinementReport(*self._surface.refine(angle, circumradius, edge_length, self._constrained(constrained), maximum, size))
 
     def sharp_edges(self, degrees: float, minimum_size: float = 0) -> numpy.ndarray:
         """Find the sharp edges of the input, to be constrained in `refine` before any flip.

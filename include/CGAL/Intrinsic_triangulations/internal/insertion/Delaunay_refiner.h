@@ -41,6 +41,13 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+// A run that may not count. It ends where a larger smallest size may need far fewer vertices.
+struct Refinement_trial
+{
+  double size = 0; // new vertices with an edge shorter than that are counted; 0 if this is no trial
+  std::uint64_t maximum_number = (std::numeric_limits<std::uint64_t>::max)(); // of them
+};
+
 // Segments are the edges that are not flipped: on the border, or constrained.
 template <class Traits, class Visitor>
 class Delaunay_refiner
@@ -49,19 +56,25 @@ public:
   using Triangulation = Intrinsic_triangulation<Traits>;
 
   Delaunay_refiner(Triangulation& triangulation, const Refinement_criteria& criteria, std::vector<bool> is_segment,
-                   Visitor& visitor, std::uint64_t maximum_number)
+                   Visitor& visitor, std::uint64_t maximum_number, const Refinement_trial& trial)
     : triangulation_(triangulation), complex_(triangulation.connectivity()), engine_(engine(triangulation)),
       correspondence_(engine_.correspondence()), shapes_(engine_), visitor_(visitor), maximum_number_(maximum_number),
-      faces_(triangulation), segments_(complex_, correspondence_, shapes_, faces_, std::move(is_segment)),
-      cones_(engine_, shapes_), quality_(complex_, criteria, faces_, segments_, cones_),
-      search_(complex_, faces_, segments_, quality_)
+      trial_(trial), faces_(triangulation),
+      segments_(complex_, correspondence_, shapes_, faces_, std::move(is_segment)), cones_(engine_, shapes_),
+      quality_(complex_, criteria, faces_, segments_, cones_), search_(complex_, faces_, segments_, quality_)
   {}
 
   Refinement_report operator()()
   {
+    report_.minimum_size = quality_.criteria().minimum_size;
     refine_all();
     return std::move(report_);
   }
+
+  // How many new vertices had an edge shorter than the size of the trial when they came.
+  std::uint64_t number_of_close_vertices() const { return number_of_close_vertices_; }
+  // Whether these were too many. Then nothing is listed.
+  bool is_given_up() const { return number_of_close_vertices_ > trial_.maximum_number; }
 
   // Asks the visitor once more within a step.
   bool asks_further()
@@ -99,7 +112,8 @@ private:
         refine(candidate.face);
       }
     }
-    list_unrefined_faces();
+    if (!is_given_up())
+      list_unrefined_faces();
   }
 
   static constexpr double smallest_whole_cone = CGAL_PI / 3;
@@ -129,7 +143,7 @@ private:
   bool has_candidates() const { return !segments_to_test_.empty() || !bad_faces_.empty(); }
   bool goes_on()
   {
-    if (report_.status != Refinement_status::REFINED)
+    if (report_.status != Refinement_status::REFINED || is_given_up())
       return false;
     if (!asks_further())
       throw Cancelled_error("the refinement was cancelled");
@@ -144,6 +158,7 @@ private:
     progress_.waiting_faces = bad_faces_.size() + 1;
     progress_.face = next;
     progress_.size = faces_.length(faces_.shortest_side(next));
+    progress_.is_on_trial = progress_.size < trial_.size;
     if (progress_.points >= next_estimate_) {
       progress_.estimated_points = estimated_points();
       while (next_estimate_ <= progress_.points)
@@ -386,7 +401,8 @@ private:
       ++report_.flips;
       flipped_.push_back(e);
     });
-    visitor_.after_insertion(v);
+    if (trial_.size == 0)
+      visitor_.after_insertion(v);
     faces_.measure_star(v);
     const auto is_at_v = [&](Edge_index e) {
       return complex_.source(complex_.halfedge(e)) == v || complex_.target(complex_.halfedge(e)) == v;
@@ -398,13 +414,16 @@ private:
       if (!complex_.is_border(h))
         note(complex_.face(h));
     };
+    bool is_close = false;
     for (Halfedge_index h : Halfedges_around(complex_, v)) {
+      is_close = is_close || faces_.length(h) < trial_.size;
       note_faces(h);
       if (quality_.criteria().splits_encroached_edges)
         for (Halfedge_index side : {h, complex_.prev(h)})
           if ((side == h || !complex_.is_border(h)) && segments_.contains(side))
             segments_to_test_.push_back(complex_.edge(side));
     }
+    number_of_close_vertices_ += is_close;
     for (Edge_index e : flipped_)
       for (Halfedge_index side : {complex_.halfedge(e), complex_.opposite(complex_.halfedge(e))})
         note_faces(side);
@@ -423,8 +442,8 @@ private:
           is_below = true;
           if (const auto obstacle = quality_.obstacle_at(corner))
             reason = obstacle;
-          else if (segments_.is_between_shells(complex_.next(corner)))
-            reason = Refinement_obstacle::SMALL_INPUT_ANGLE;
+          else if (!reason && segments_.is_between_shells(complex_.next(corner)))
+            reason = Refinement_obstacle::BESIDE_SMALL_INPUT_ANGLE;
         }
       if (!is_below)
         continue;
@@ -446,6 +465,8 @@ private:
   Input_shapes shapes_;
   Visitor& visitor_;
   const std::uint64_t maximum_number_;
+  const Refinement_trial trial_;
+  std::uint64_t number_of_close_vertices_ = 0;
   Measured_faces<Traits> faces_;
   Segments<Traits> segments_;
   Refinement_report report_;

@@ -121,10 +121,7 @@ public:
   // In radians.
   double minimum_angle() const { return criteria_.minimum_angle / 180 * CGAL_PI; }
 
-  bool is_below_smallest_size(Face_index f) const
-  {
-    return faces_.length(faces_.shortest_side(f)) < criteria_.minimum_size;
-  }
+  bool is_below_smallest_size(Face_index f) const { return has_short_side(f) || is_too_low(f); }
   bool is_too_large(Face_index f) const
   {
     return is_too_large(faces_.length(faces_.longest_side(f)), faces_.circumradius(f));
@@ -143,8 +140,11 @@ public:
   // Whether f is to be refined.
   bool is_bad(Face_index f) const
   {
-    if (is_below_smallest_size(f))
+    if (has_short_side(f))
       return false;
+    if (is_too_low(f)) // the circumcircle of a low face tells how low it is
+      return faces_.length(faces_.longest_side(f)) >
+             (std::min)(criteria_.maximum_edge_length, std::sqrt(3.) * criteria_.maximum_circumradius);
     if (is_too_large(f))
       return true;
     const Halfedge_index h = complex_.halfedge(f);
@@ -171,6 +171,11 @@ public:
   }
 
 private:
+  bool has_short_side(Face_index f) const { return faces_.length(faces_.shortest_side(f)) < criteria_.minimum_size; }
+  bool is_too_low(Face_index f) const
+  {
+    return criteria_.minimum_size > 0 && faces_.smallest_height(f) < criteria_.minimum_size;
+  }
   bool is_too_large(double longest, double circumradius) const
   {
     return longest > criteria_.maximum_edge_length || circumradius > criteria_.maximum_circumradius;

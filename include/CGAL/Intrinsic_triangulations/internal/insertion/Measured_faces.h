@@ -75,6 +75,11 @@ public:
     const double jk = length(complex_.next(h)), ki = length(complex_.prev(h)), height = apex(h).imag();
     return height > 0 ? jk / length(h) * ki / height / 2 : (std::numeric_limits<double>::infinity)();
   }
+  double smallest_height(Face_index f) const
+  {
+    const Halfedge_index h = longest_side(f);
+    return apex(h).imag() * length(h);
+  }
   // The angle at the source of h, in its face.
   double angle(Halfedge_index h) const
   {
