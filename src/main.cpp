@@ -35,6 +35,7 @@ int main(int argc, char** argv)
     idt::Selected_command selected;
     idt::add_triangulate_command(app, selected);
     idt::add_refine_command(app, selected);
+    idt::add_simplify_command(app, selected);
     idt::add_view_command(app, selected);
     idt::add_compare_command(app, selected);
     idt::add_parameterize_command(app, selected);

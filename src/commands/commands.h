@@ -21,6 +21,7 @@ namespace idt {
 using Selected_command = std::function<Exit_status()>;
 
 void add_triangulate_command(CLI::App& app, Selected_command& selected);
+void add_simplify_command(CLI::App& app, Selected_command& selected);
 void add_view_command(CLI::App& app, Selected_command& selected);
 void add_refine_command(CLI::App& app, Selected_command& selected);
 void add_compare_command(CLI::App& app, Selected_command& selected);

@@ -30,3 +30,7 @@
 #include "validation/surface_features.cpp"
 #include "validation/validate_triangles.cpp"
 #include "cover/Cover_builder.cpp"
+#include "simplification/Fan.cpp"
+#include "simplification/Fan_proof.cpp"
+#include "simplification/Simplification_map.cpp"
+#include "simplification/Simplifier.cpp"

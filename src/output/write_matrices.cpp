@@ -18,17 +18,20 @@ namespace IT = CGAL::Intrinsic_triangulations;
 
 // Eigen's own writer takes a file name, and writes both triangles of a symmetric matrix.
 // \param what a comment that describes the matrix
-void write_symmetric_matrix(std::ostream& os, const char* what, const Eigen::SparseMatrix<double>& matrix)
+void write_matrix(std::ostream& os, bool is_symmetric, const char* what, const Eigen::SparseMatrix<double>& matrix)
 {
+  const auto is_written = [is_symmetric](const Eigen::SparseMatrix<double>::InnerIterator& i) {
+    return !is_symmetric || i.row() >= i.col();
+  };
   std::size_t entries = 0;
   for (int c = 0; c < matrix.outerSize(); ++c)
     for (Eigen::SparseMatrix<double>::InnerIterator i(matrix, c); i; ++i)
-      entries += i.row() >= i.col();
-  os << "%%MatrixMarket matrix coordinate real symmetric\n% " << what << '\n'
+      entries += is_written(i);
+  os << "%%MatrixMarket matrix coordinate real " << (is_symmetric ? "symmetric" : "general") << "\n% " << what << '\n'
      << matrix.rows() << ' ' << matrix.cols() << ' ' << entries << '\n';
-  write_elements(os, static_cast<std::size_t>(matrix.outerSize()), [&matrix](Long_text& text, std::size_t c) {
+  write_elements(os, static_cast<std::size_t>(matrix.outerSize()), [&](Long_text& text, std::size_t c) {
     for (Eigen::SparseMatrix<double>::InnerIterator i(matrix, static_cast<int>(c)); i; ++i)
-      if (i.row() >= i.col())
+      if (is_written(i))
         text << i.row() + 1 << ' ' << i.col() + 1 << ' ' << i.value() << '\n';
   });
 }
@@ -37,14 +40,21 @@ void write_symmetric_matrix(std::ostream& os, const char* what, const Eigen::Spa
 
 void write_stiffness_matrix(std::ostream& os, const Eigen::SparseMatrix<double>& matrix)
 {
-  write_symmetric_matrix(os, "Laplace-Beltrami operator: -(cot + cot)/2 off the diagonal, row sums zero", matrix);
+  write_matrix(os, true, "Laplace-Beltrami operator: -(cot + cot)/2 off the diagonal, row sums zero", matrix);
 }
 
 void write_mass_matrix(std::ostream& os, const Eigen::SparseMatrix<double>& matrix, bool is_lumped)
 {
-  write_symmetric_matrix(
-    os, is_lumped ? "lumped mass: a third of the area of the faces at each vertex" : "mass of linear finite elements",
-    matrix);
+  write_matrix(os, true,
+               is_lumped ? "lumped mass: a third of the area of the faces at each vertex"
+                         : "mass of linear finite elements",
+               matrix);
+}
+
+void write_prolongation_matrix(std::ostream& os, const Eigen::SparseMatrix<double>& matrix)
+{
+  write_matrix(os, false, "prolongation: values at the vertices of the simplified surface to those of the given one",
+               matrix);
 }
 
 void write_Laplacian(std::ostream& os, const Triangulation_result& result)

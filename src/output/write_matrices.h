@@ -13,6 +13,8 @@
 namespace idt {
 
 void write_stiffness_matrix(std::ostream& os, const Eigen::SparseMatrix<double>& matrix);
+// A row for each vertex of the given surface.
+void write_prolongation_matrix(std::ostream& os, const Eigen::SparseMatrix<double>& matrix);
 void write_mass_matrix(std::ostream& os, const Eigen::SparseMatrix<double>& matrix, bool is_lumped);
 
 } // namespace idt

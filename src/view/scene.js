@@ -137,9 +137,10 @@ class Picture {
       this.scene.add(this.points = make_points(inserted, [1, 1, 1], 4));
     const path = read_floats("path"), segments = [];
     for (let i = 3; i < path.length; i += 3)
-      segments.push([new THREE.Vector3().fromArray(path, i - 3), new THREE.Vector3().fromArray(path, i)]);
+      if (!isNaN(path[i]) && !isNaN(path[i - 3])) // several lines have NaN between them
+        segments.push([new THREE.Vector3().fromArray(path, i - 3), new THREE.Vector3().fromArray(path, i)]);
     if (segments.length > 0)
-      this.scene.add(this.path = make_line(segments, path_colour, 5));
+      this.scene.add(this.path = make_line(segments, path_colour, isNaN(path[0]) ? 3 : 5));
     this.control = new Orbit_camera(canvas, page.radius, () => this.request(true));
     new ResizeObserver(() => this.request()).observe(canvas);
   }

@@ -1,0 +1,169 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Fewer vertices: another surface, with a proven bound of how much any distance changes.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_SIMPLIFY_SURFACE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_SIMPLIFY_SURFACE_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Simplification_map.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsSimplification
+/// \brief proven factors of a change of lengths: `shrink * l <= l' <= stretch * l`.
+struct Metric_change
+{
+  double shrink = 1;  ///< at most 1, unless all lengths grow
+  double stretch = 1; ///< infinite if nothing is known
+};
+
+/// \ingroup PkgIntrinsicTriangulationsSimplification
+/// \brief how many vertices of a simplified surface were kept, by the reason.
+struct Kept_vertices
+{
+  std::size_t by_request = 0; ///< marked as kept, or where one, or three and more constrained edges end
+  std::size_t as_corners = 0; ///< on a border or a line of constrained edges, with one triangle on a side of it
+  std::size_t for_gluing = 0; ///< with a loop, less than three triangles around it, or a border of two edges
+  std::size_t by_bound = 0;   ///< their removal would change distances too much, or would give no triangles
+  std::size_t by_number = 0;  ///< not asked for, as few enough vertices were left
+  std::size_t isolated = 0;   ///< without a face
+};
+
+/// \ingroup PkgIntrinsicTriangulationsSimplification
+/// \brief how far `simplify_surface()` goes, and what it keeps.
+struct Simplification_options
+{
+  /// by which part a distance may change, not negative: `shrink >= 1 / (1 + maximum_change)` and
+  /// `stretch <= 1 + maximum_change`. Values below 10<sup>-12</sup> count as 10<sup>-12</sup>, which rounding takes. A
+  /// face of the given surface that is so thin that doubles for the lengths of its sides change it more is kept, and then
+  /// so is its bound
+  double maximum_change = 0.05;
+  /// no more vertices are removed when so many are left; with an infinite `maximum_change`, this alone decides
+  std::size_t number_of_vertices = 0;
+  std::vector<bool> is_kept{}; ///< for each vertex, whether it has to be kept; empty if none has to
+  /// for each edge, whether it has to be kept: it is not flipped, and becomes a part of a straight edge of the new
+  /// surface; empty if none has to
+  std::vector<bool> is_constrained{};
+  Progress_function progress{}; ///< is called from time to time with the fraction that is done, and can cancel
+};
+
+namespace internal {
+
+struct Simplification
+{
+  Delta_complex complex;
+  std::vector<double> lengths;
+  std::vector<bool> is_constrained;
+  std::vector<Vertex_index> kept;
+  std::vector<Metric_change> changes; // of the faces
+  Kept_vertices reasons;
+  Simplification_map map;
+};
+
+// \param lengths each within one unit in the last place of the exact length
+Simplification simplify(const Delta_complex& complex, std::vector<double> lengths,
+                        const Simplification_options& options);
+
+// Of all components, each given by the face with the smallest number.
+std::vector<std::pair<Face_index, Metric_change>> changes_by_component(const Simplification& simplification);
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsSimplification
+/// \brief a surface with fewer vertices, and how it relates to the one that it came from.
+///
+/// With the map φ from one surface to the other, `shrink * d(p, q) <= d'(φp, φq) <= stretch * d(p, q)` for all points p
+/// and q of the same component, and the same is true of the lengths of all curves. This is proven, by intervals that are
+/// rounded outward: it includes the rounding of all lengths. Only coordinates of points on the new surface are rounded
+/// without a bound, in their last digits.
+struct Simplified_surface
+{
+  /// the new surface, with a Delaunay triangulation. Its input are the triangles that `map` and all below refer to
+  Intrinsic_triangulation<Filtered_edge_length_traits> triangulation;
+  /// for each vertex of the new surface, the vertex of the given one that it is
+  std::vector<Vertex_index> kept;
+  /// for each vertex of the given surface, where it lies on `triangulation.input()`; undefined if it is isolated
+  std::vector<Surface_point> places;
+  double shrink = 1;  ///< proven for all components at once
+  double stretch = 1; ///< likewise
+  std::vector<Metric_change>
+    changes_in_faces; ///< what is proven for all that lies in a face of `triangulation.input()`
+  /// what is proven for a component, by its face with the smallest number
+  std::vector<std::pair<Face_index, Metric_change>> changes_of_components;
+  std::vector<bool> is_constrained; ///< for each edge of `triangulation.input()`: on a line that was to be kept
+  Kept_vertices reasons;            ///< why there are not fewer vertices
+  Simplification_map map;           ///< φ and its inverse
+};
+
+namespace internal {
+
+Simplified_surface make_simplified_surface(Simplification simplification);
+
+// \exception Invalid_argument_error as simplify_surface()
+void check(const Simplification_options& options, const Delta_complex& complex);
+
+} // namespace internal
+
+/// \ingroup PkgIntrinsicTriangulationsSimplification
+/// \brief removes vertices as long as it is proven that no distance changes by more than a given factor.
+///
+/// \b The \b result \b is \b another \b surface: this function, and no other of the package, changes lengths; by how much
+/// is a part of the result.
+///
+/// The triangles around a vertex are laid flat, with longer or shorter edges from the vertex, and the polygon is
+/// triangulated without it. Each face has bounds for everything that has been mapped into it so far. The vertex whose
+/// removal gives the least bound is next. Flat vertices, and those on straight edges, cost nothing but rounding, so they
+/// go first. On the border, and on lines of constrained edges, vertices are removed by making the line straight.
+///
+/// First `triangulation` is flipped to Delaunay, which does not change its surface; `Simplified_surface::map` refers to
+/// its triangles after that.
+///
+/// \tparam Traits traits with exact geometry
+/// \param triangulation a triangulation that keeps its input
+/// \param options how far to go, and what to keep
+///
+/// \return the new surface. O(n log n) for vertices of bounded degree
+/// \exception Invalid_argument_error if `maximum_change` is negative or not a number, or there are not as many marks as
+///   vertices or edges
+/// \exception Invalid_surface_error if the length of an edge is below the range of normal doubles
+/// \exception Cancelled_error if `progress` asks for it
+/// \exception Undecided_error as `flip_to_Delaunay()`
+///
+/// Source: for the idea of laying a vertex flat, H.-T. D. Liu, M. Gillespie, B. Chislett, N. Sharp, A. Jacobson, K. Crane,
+/// "Surface simplification using intrinsic error metrics" (2023), which gives no bound.
+template <class Traits>
+Simplified_surface simplify_surface(Intrinsic_triangulation<Traits>& triangulation,
+                                    const Simplification_options& options = {})
+{
+  static_assert(Traits::Uses_exact_geometry::value, "simplify_surface(): needs traits that use exact geometry");
+  const Delta_complex& complex = triangulation.connectivity();
+  internal::check(options, complex);
+  const auto is_constrained = boost::make_function_property_map<Edge_index, bool>(
+    [&](Edge_index e) { return !options.is_constrained.empty() && options.is_constrained[e.idx()]; });
+  flip_to_Delaunay(triangulation, parameters::edge_is_constrained_map(is_constrained).visitor([&] {
+    return !options.progress || options.progress(0);
+  }));
+  return internal::make_simplified_surface(internal::simplify(complex, exact_edge_lengths(triangulation), options));
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_SIMPLIFY_SURFACE_H

@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// By which factors the removal of a vertex, a flip and the rounding of lengths change lengths on a surface: proven, in
+// intervals. doc/simplification.md has the mathematics.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_LIBRARY_SIMPLIFICATION_FAN_PROOF_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_LIBRARY_SIMPLIFICATION_FAN_PROOF_H
+
+#include "Fan.h"
+
+#include <array>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// All functions round upward for the time of the call.
+
+// The change by replacing the exact lengths of the sides of a triangle, each within one unit in the last place of `exact`, by
+// the doubles `sides`. Infinite if nothing is known.
+Squared_change change_by_rounding(const std::array<double, 3>& exact, const std::array<double, 3>& sides);
+
+// The lengths around an edge ij, and what its faces (i, j, k) and (j, i, l) have behind them.
+struct Measured_hinge
+{
+  double ij, jk, ki, il, lj;
+  Squared_change ijk, jil;
+};
+// Proves that the edge has another diagonal, and that `kl` makes triangles with its neighbours.
+// \param change that of both new faces
+// \return whether that is proven, and no squared change exceeds `limit`
+bool prove_flip(const Measured_hinge& hinge, double kl, double limit, Squared_change& change);
+
+// Proves that the fan, with its vertex at the place, is mapped one to one to the triangulation.
+//
+// What is proven holds for the triangles that have the given lengths exactly.
+// \param changes for each triangle
+// \return whether that is proven, and no squared change exceeds `limit`
+bool prove_removal(const Fan& fan, const Fan_triangulation& triangulation, double limit,
+                   Fan_array<Squared_change>& changes);
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_LIBRARY_SIMPLIFICATION_FAN_PROOF_H

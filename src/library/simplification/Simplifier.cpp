@@ -1,0 +1,575 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The order in which vertices are removed, and what a removal changes.
+
+#include "Fan.h"
+#include "Fan_proof.h"
+
+#include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
+#include <CGAL/Intrinsic_triangulations/mollify.h>
+#include <CGAL/Intrinsic_triangulations/simplify_surface.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <string>
+#include <tuple>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+namespace {
+
+constexpr std::uint32_t no_vertex = std::uint32_t(-1);
+
+// Rounding takes up to this part.
+constexpr double least_change = 1e-12;
+constexpr double largest_change = 1e100; // its square is finite
+// The triangulation of a hole takes quadratic time.
+constexpr std::size_t largest_degree = 1000;
+
+enum class Obstacle {
+  NONE,
+  REQUEST,
+  CORNER,
+  GLUING,
+  BOUND,
+  NO_FACE
+};
+
+// The edges from a vertex, counterclockwise, and the one or two fans of faces between them.
+struct Vertex_star
+{
+  struct Part
+  {
+    std::size_t first = 0; // its first spoke
+    Fan fan;
+    Spoke_factors factors;
+    Fan_triangulation holes;
+    Fan_array<Squared_change> changes; // of the new triangles
+    Fan_array<Simplification_map::Triangle> old_triangles;
+    Fan_array<std::uint32_t> new_numbers;
+  };
+
+  Fan_array<Halfedge_index> spokes;
+  std::size_t number_of_parts = 1;
+  std::array<Part, 2> parts;
+  double line = 0; // that replaces two border edges, or two constrained ones
+
+  Halfedge_index spoke(const Part& part, std::size_t j) const { return spokes[(part.first + j) % spokes.size()]; }
+};
+
+class Simplifier
+{
+public:
+  Simplifier(const Delta_complex& complex, std::vector<double> lengths, const Simplification_options& options)
+    : options_(options), complex_(complex), lengths_(std::move(lengths)), is_constrained_(options.is_constrained),
+      largest_factor_(1 + (std::min)((std::max)(options.maximum_change, least_change), largest_change)),
+      limit_(largest_factor_ * largest_factor_ * (1 - 1e-15)), stamps_(complex.number_of_vertices(), 0)
+  {
+    is_constrained_.resize(complex_.number_of_edges());
+    normalize();
+    map_ = Simplification_map(complex_, lengths_);
+    for (Vertex_index v : complex_.vertices()) {
+      original_.push_back(v.idx());
+      current_.push_back(v.idx());
+      number_of_vertices_ += complex_.halfedge(v).is_valid();
+    }
+  }
+
+  Simplification operator()()
+  {
+    for (std::size_t v = 0; v < original_.size(); ++v)
+      enqueue(std::uint32_t(v));
+    const std::size_t at_first = number_of_vertices_;
+    std::size_t removed = 0;
+    while (!queue_.empty() && number_of_vertices_ > options_.number_of_vertices) {
+      const Entry entry = queue_.top();
+      queue_.pop();
+      if (entry.stamp != stamps_[entry.vertex] || current_[entry.vertex] == no_vertex)
+        continue;
+      if (!remove(Vertex_index(current_[entry.vertex])))
+        continue;
+      ++removed;
+      if (removed % 256 == 0)
+        report_progress(options_.progress, double(removed) / double(at_first), "the simplification");
+    }
+    return result();
+  }
+
+private:
+  struct Face
+  {
+    double four_areas;
+    Squared_change change;
+    std::uint32_t number; // in the map
+  };
+
+  // -------------------------------------------------------------------------------- at first
+
+  // A power of two makes the longest edge about 1. The lengths become those of triangles, and each face knows the change.
+  void normalize()
+  {
+    const double longest = lengths_.empty() ? 1 : *std::max_element(lengths_.begin(), lengths_.end());
+    exponent_ = -std::ilogb(longest);
+    for (std::size_t e = 0; e < lengths_.size(); ++e) {
+      const double scaled = std::ldexp(lengths_[e], exponent_);
+      constexpr double least = (std::numeric_limits<double>::min)();
+      if (lengths_[e] < least || scaled < least)
+        throw Invalid_surface_error(Invalid_surface_error::Defect::OUT_OF_RANGE, e, 1,
+                                    "the length of edge " + std::to_string(e) +
+                                      " is below the range of normal doubles: scale the surface");
+      lengths_[e] = scaled;
+    }
+    const std::vector<double> exact = lengths_;
+    const auto is_degenerate = [this](Face_index f) { return !(four_areas(complex_.halfedge(f)) > 0); };
+    for (double margin = 0x1p-52; std::any_of(complex_.faces().begin(), complex_.faces().end(), is_degenerate);
+         margin *= 2)
+      mollify_lengths_locally(complex_, lengths_, margin);
+    for (Face_index f : complex_.faces()) {
+      const Halfedge_index h = complex_.halfedge(f);
+      faces_.push_back({four_areas(h), change_by_rounding(sides(exact, h), sides(lengths_, h)), f.idx()});
+    }
+  }
+
+  double length(Halfedge_index h) const { return lengths_[complex_.edge(h).idx()]; }
+  double squared_length(Halfedge_index h) const { return length(h) * length(h); }
+  std::array<double, 3> sides(const std::vector<double>& lengths, Halfedge_index h) const
+  {
+    return {lengths[complex_.edge(h).idx()], lengths[complex_.edge(complex_.next(h)).idx()],
+            lengths[complex_.edge(complex_.prev(h)).idx()]};
+  }
+  double four_areas(Halfedge_index h) const
+  {
+    const auto [a, b, c] = sides(lengths_, h);
+    return std::sqrt((std::max)(0., squared_four_areas_from_lengths(a, b, c)));
+  }
+
+  // -------------------------------------------------------------------------------- the queue
+
+  struct Entry
+  {
+    float change; // so that what differs by rounding is the same
+    float size;
+    std::uint32_t vertex, stamp;
+
+    bool operator<(const Entry& other) const
+    {
+      return std::tie(other.change, other.size, other.vertex) < std::tie(change, size, vertex);
+    }
+  };
+
+  // Under its number at first.
+  void enqueue(std::uint32_t vertex)
+  {
+    ++stamps_[vertex];
+    double change = 0;
+    if (examine(Vertex_index(current_[vertex]), star_, change) != Obstacle::NONE)
+      return;
+    double size = 0;
+    for (Halfedge_index h : star_.spokes)
+      size += length(h);
+    queue_.push(
+      {float(change - 1 < 1e-9 ? 0 : change - 1), float(size / double(star_.spokes.size())), vertex, stamps_[vertex]});
+  }
+
+  // Finds how the faces around a vertex are laid flat, and the squared change after that.
+  Obstacle examine(Vertex_index v, Vertex_star& star, double& change) const
+  {
+    const Obstacle obstacle = find_star(v, star);
+    if (obstacle != Obstacle::NONE)
+      return obstacle;
+    Vertex_star::Part &one = star.parts[0], &two = star.parts[1];
+    if (!flatten(one.fan, largest_factor_, one.factors))
+      return Obstacle::BOUND;
+    if (star.number_of_parts == 2) {
+      if (!flatten(two.fan, largest_factor_, two.factors))
+        return Obstacle::BOUND;
+      one.factors.ends = two.factors.ends = std::sqrt(one.factors.ends * two.factors.ends);
+      if (!flatten_between_ends(one.fan, largest_factor_, one.factors) ||
+          !flatten_between_ends(two.fan, largest_factor_, two.factors))
+        return Obstacle::BOUND;
+    }
+    change = largest_squared_change(one.fan, one.factors);
+    if (star.number_of_parts == 2)
+      change = (std::max)(change, largest_squared_change(two.fan, two.factors));
+    if (!one.fan.is_closed)
+      star.line = one.factors.ends * (one.fan.spokes.front() + one.fan.spokes.back());
+    return change <= limit_ ? Obstacle::NONE : Obstacle::BOUND;
+  }
+
+  Obstacle find_star(Vertex_index v, Vertex_star& star) const
+  {
+    if (!complex_.halfedge(v).is_valid())
+      return Obstacle::NO_FACE;
+    if (!options_.is_kept.empty() && options_.is_kept[original_[v.idx()]])
+      return Obstacle::REQUEST;
+    const bool is_on_border = complex_.is_border(complex_.halfedge(v));
+    star.spokes.clear();
+    std::size_t line[2] = {0, 0}, number_of_lines = 0;
+    Obstacle obstacle = Obstacle::NONE;
+    for_each_halfedge_from(complex_, v, [&](Halfedge_index h) {
+      if (complex_.target(h) == v || star.spokes.size() == largest_degree)
+        obstacle = Obstacle::GLUING;
+      if (is_constrained_[complex_.edge(h).idx()] && !complex_.is_border(complex_.edge(h)) && ++number_of_lines <= 2)
+        line[number_of_lines - 1] = star.spokes.size();
+      star.spokes.push_back(h);
+    });
+    if (obstacle != Obstacle::NONE)
+      return obstacle;
+    if (number_of_lines != 0 && (number_of_lines != 2 || is_on_border))
+      return Obstacle::REQUEST;
+    const std::size_t n = star.spokes.size();
+    if (n < 3)
+      return is_on_border ? Obstacle::CORNER : Obstacle::GLUING;
+    star.number_of_parts = number_of_lines == 0 ? 1 : 2;
+    if (number_of_lines == 2) {
+      if (line[1] - line[0] < 2 || n + line[0] - line[1] < 2)
+        return Obstacle::CORNER;
+      add_fan(star, 0, line[0], line[1] - line[0] + 1, false);
+      add_fan(star, 1, line[1], n + line[0] - line[1] + 1, false);
+    } else {
+      add_fan(star, 0, 0, n, !is_on_border);
+    }
+    const bool is_open = !star.parts[0].fan.is_closed;
+    const Vertex_star::Part& one = star.parts[0];
+    if (is_open && complex_.target(star.spoke(one, 0)) == complex_.target(star.spoke(one, one.fan.size() - 1)))
+      return Obstacle::GLUING;
+    return Obstacle::NONE;
+  }
+
+  void add_fan(Vertex_star& star, std::size_t i, std::size_t first, std::size_t size, bool is_closed) const
+  {
+    Vertex_star::Part& part = star.parts[i];
+    part.first = first;
+    Fan& fan = part.fan;
+    fan.clear();
+    fan.is_closed = is_closed;
+    for (std::size_t j = 0; j < size; ++j) {
+      const Halfedge_index h = star.spoke(part, j);
+      fan.spokes.push_back(length(h));
+      if (j + 1 == size && !is_closed)
+        break;
+      fan.link.push_back(length(complex_.next(h)));
+      fan.changes.push_back(faces_[complex_.face(h).idx()].change);
+    }
+  }
+
+  // -------------------------------------------------------------------------------- removal
+
+  // Removes a vertex if that can be proven to be right.
+  bool remove(Vertex_index v)
+  {
+    double change = 0;
+    if (examine(v, star_, change) != Obstacle::NONE)
+      return false;
+    for (std::size_t i = 0; i < star_.number_of_parts; ++i) {
+      Vertex_star::Part& part = star_.parts[i];
+      if (!triangulate(part.fan, part.factors, star_.line, part.holes) ||
+          !prove_removal(part.fan, part.holes, limit_, part.changes))
+        return false;
+    }
+    touched_.clear();
+    open_.clear();
+    for (Halfedge_index h : star_.spokes)
+      touched_.push_back(original_[complex_.target(h).idx()]);
+    for (std::size_t i = 0; i < star_.number_of_parts; ++i)
+      note_old_triangles(star_.parts[i]);
+    for (std::size_t i = 0; i < star_.number_of_parts; ++i)
+      cut_ears(star_.parts[i]);
+    take_out(v);
+    --number_of_vertices_;
+    settle();
+    std::sort(touched_.begin(), touched_.end());
+    touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+    for (std::uint32_t vertex : touched_)
+      enqueue(vertex);
+    return true;
+  }
+
+  // The corners of a face by the numbers of the points of a step, from `halfedge(f)` on.
+  Simplification_map::Triangle triangle(Halfedge_index h, std::uint32_t source, std::uint32_t target,
+                                        std::uint32_t third) const
+  {
+    const Face_index f = complex_.face(h);
+    std::array<std::uint32_t, 3> corners{source, target, third};
+    if (complex_.halfedge(f) == complex_.next(h))
+      corners = {target, third, source};
+    else if (complex_.halfedge(f) == complex_.prev(h))
+      corners = {third, source, target};
+    return {faces_[f.idx()].number, corners};
+  }
+
+  void note_old_triangles(Vertex_star::Part& part) const
+  {
+    part.old_triangles.clear();
+    const Fan& fan = part.fan;
+    for (std::size_t j = 0; j < fan.link.size(); ++j)
+      part.old_triangles.push_back(
+        triangle(star_.spoke(part, j), std::uint32_t(fan.size()), std::uint32_t(j), std::uint32_t(fan.after(j))));
+  }
+
+  // Flips all spokes but those of the last triangle.
+  void cut_ears(Vertex_star::Part& part)
+  {
+    part.new_numbers.clear();
+    for (std::size_t i = 0; i + 1 < part.holes.ears.size(); ++i) {
+      const Ear& ear = part.holes.ears[i];
+      const Halfedge_index spoke = star_.spoke(part, ear.tip);
+      complex_.flip(complex_.edge(spoke)); // leads from `before` to `after` now
+      lengths_[complex_.edge(spoke).idx()] = ear.after_before;
+      part.new_numbers.push_back(
+        set_face(complex_.opposite(spoke), {ear.after_before, ear.before_tip, ear.tip_after}, part.changes[i]));
+    }
+  }
+
+  // A new face, which begins with h. Returns its number.
+  std::uint32_t set_face(Halfedge_index h, const std::array<double, 3>& sides, const Squared_change& change)
+  {
+    const Face_index f = complex_.face(h);
+    complex_.set_halfedge(f, h);
+    faces_[f.idx()] = {std::sqrt((std::max)(0., squared_four_areas_from_lengths(sides[0], sides[1], sides[2]))), change,
+                       map_.add_triangle(sides)};
+    for (Halfedge_index side : {h, complex_.next(h), complex_.prev(h)})
+      open_.push_back(complex_.edge(side));
+    return faces_[f.idx()].number;
+  }
+
+  // Removes the vertex from the last triangle of each part.
+  void take_out(Vertex_index v)
+  {
+    Halfedge_index cores[2]; // from `before` to `tip`
+    for (std::size_t i = 0; i < star_.number_of_parts; ++i)
+      cores[i] = complex_.next(star_.spoke(star_.parts[i], star_.parts[i].holes.ears.back().before));
+    const bool is_closed = star_.parts[0].fan.is_closed;
+    const Halfedge_index along = complex_.opposite(star_.spokes[star_.parts[0].first]);
+    const Halfedge_index joined = complex_.is_border(complex_.halfedge(v)) ? complex_.halfedge(v) : along;
+    const Edge_index line = complex_.edge(joined);
+    const Removed_elements removed = is_closed ? complex_.unsplit_face(v) : complex_.unsplit_edge(joined);
+    remove_entries(lengths_, removed.edges);
+    remove_entries(is_constrained_, removed.edges);
+    remove_entries(faces_, removed.faces);
+    const std::uint32_t moved = original_.back();
+    current_[original_[v.idx()]] = no_vertex;
+    remove_entries(original_, removed.vertices);
+    if (v.idx() < original_.size())
+      current_[moved] = v.idx();
+    if (!is_closed)
+      lengths_[removed.edge_after(line).idx()] = star_.line;
+    for (Edge_index& e : open_)
+      e = removed.edge_after(e);
+    for (std::size_t i = 0; i < star_.number_of_parts; ++i) {
+      Vertex_star::Part& part = star_.parts[i];
+      const Ear& core = part.holes.ears.back();
+      const Halfedge_index h(2 * removed.edge_after(complex_.edge(cores[i])).idx() + (cores[i].idx() & 1));
+      part.new_numbers.push_back(
+        set_face(h, {core.before_tip, core.tip_after, core.after_before}, part.changes.back()));
+      add_step(part);
+    }
+  }
+
+  // Each new triangle lies beside one before.
+  void add_step(const Vertex_star::Part& part)
+  {
+    for (const Simplification_map::Triangle& t : part.old_triangles)
+      map_.add_to_step(t);
+    const Ear& core = part.holes.ears.back();
+    map_.add_to_step({part.new_numbers.back(), {core.before, core.tip, core.after}});
+    for (std::size_t i = part.holes.ears.size() - 1; i-- > 0;) {
+      const Ear& ear = part.holes.ears[i];
+      map_.add_to_step({part.new_numbers[i], {ear.after, ear.before, ear.tip}});
+    }
+    map_.add_step(std::uint32_t(part.old_triangles.size()), std::uint32_t(part.fan.size() + 1), &part.holes.place);
+  }
+
+  // -------------------------------------------------------------------------------- flips
+
+  // Makes the edges beside new faces Delaunay, up to rounding: for the shapes alone, so that few flips do.
+  void settle()
+  {
+    for (std::size_t left = 100 + 10 * star_.spokes.size(); left > 0 && !open_.empty(); --left) {
+      const Edge_index e = open_.back();
+      open_.pop_back();
+      if (!is_constrained_[e.idx()] && complex_.is_flippable(e))
+        flip_if_better(complex_.hinge(e));
+    }
+  }
+
+  void flip_if_better(const Hinge_halfedges& around)
+  {
+    Face &ijk = faces_[complex_.face(around.ij).idx()], &jil = faces_[complex_.face(around.ji).idx()];
+    const double s_ij = squared_length(around.ij), s_jk = squared_length(around.jk), s_ki = squared_length(around.ki),
+                 s_il = squared_length(around.il), s_lj = squared_length(around.lj);
+    const double value = Delaunay_value(s_jk + s_ki - s_ij, ijk.four_areas, s_il + s_lj - s_ij, jil.four_areas);
+    if (!(value < -1e-9 * ijk.four_areas * jil.four_areas))
+      return;
+    double s_kl, area_ilk, area_jkl;
+    flip_hinge(s_ij, s_jk, s_ki, s_il, s_lj, ijk.four_areas, jil.four_areas, s_kl, area_ilk, area_jkl);
+    const double kl = std::sqrt(s_kl);
+    const Measured_hinge measured{length(around.ij), length(around.jk), length(around.ki), length(around.il),
+                                  length(around.lj), ijk.change,        jil.change};
+    Squared_change change;
+    if (!(area_ilk > 0 && area_jkl > 0) || !prove_flip(measured, kl, limit_, change))
+      return;
+    map_.add_to_step(triangle(around.ij, 0, 1, 2));
+    map_.add_to_step(triangle(around.ji, 1, 0, 3));
+    for (Halfedge_index h : {around.ij, around.ji, around.jk, around.il})
+      touched_.push_back(original_[complex_.target(h).idx()]);
+    complex_.flip(around);
+    lengths_[complex_.edge(around.ij).idx()] = kl;
+    map_.add_to_step({set_face(around.ij, {kl, measured.ki, measured.il}, change), {3, 2, 0}});
+    map_.add_to_step({set_face(around.ji, {kl, measured.lj, measured.jk}, change), {2, 3, 1}});
+    map_.add_step(2, 4, nullptr);
+  }
+
+  // -------------------------------------------------------------------------------- at the end
+
+  Simplification result()
+  {
+    Simplification result;
+    for (Vertex_index v : complex_.vertices())
+      count(v, result.reasons);
+    for (double& l : lengths_)
+      l = std::ldexp(l, -exponent_);
+    std::vector<std::uint32_t> numbers;
+    for (const Face& face : faces_) {
+      numbers.push_back(face.number);
+      // The root is within half a unit in the last place.
+      result.changes.push_back({std::nextafter(std::sqrt(face.change.down), 0.),
+                                std::nextafter(std::sqrt(face.change.up), std::numeric_limits<double>::infinity())});
+    }
+    map_.finish(complex_, std::move(numbers));
+    for (std::uint32_t v : original_)
+      result.kept.push_back(Vertex_index(v));
+    result.complex = std::move(complex_);
+    result.lengths = std::move(lengths_);
+    result.is_constrained = std::move(is_constrained_);
+    result.map = std::move(map_);
+    return result;
+  }
+
+  void count(Vertex_index v, Kept_vertices& reasons)
+  {
+    double change = 0;
+    switch (examine(v, star_, change)) {
+    case Obstacle::NONE:
+      ++(number_of_vertices_ > options_.number_of_vertices ? reasons.by_bound : reasons.by_number);
+      break;
+    case Obstacle::REQUEST:
+      ++reasons.by_request;
+      break;
+    case Obstacle::CORNER:
+      ++reasons.as_corners;
+      break;
+    case Obstacle::GLUING:
+      ++reasons.for_gluing;
+      break;
+    case Obstacle::BOUND:
+      ++reasons.by_bound;
+      break;
+    case Obstacle::NO_FACE:
+      ++reasons.isolated;
+      break;
+    }
+  }
+
+  const Simplification_options& options_;
+  Delta_complex complex_;
+  std::vector<double> lengths_; // times a power of two
+  std::vector<bool> is_constrained_;
+  double largest_factor_, limit_; // the latter of squared changes
+  int exponent_ = 0;
+  std::vector<Face> faces_;
+  std::vector<std::uint32_t> original_, current_; // the numbers of vertices at first and now
+  std::vector<std::uint32_t> stamps_;             // an entry with another one is out of date
+  std::size_t number_of_vertices_ = 0;
+  std::priority_queue<Entry> queue_;
+  Simplification_map map_;
+  Vertex_star star_;
+  std::vector<std::uint32_t> touched_; // vertices whose faces were changed
+  std::vector<Edge_index> open_;       // edges that may have to be flipped
+};
+
+} // namespace
+
+void check(const Simplification_options& options, const Delta_complex& complex)
+{
+  const auto require_marks = [](const std::vector<bool>& marks, std::size_t n, const char* what) {
+    if (!marks.empty() && marks.size() != n)
+      throw Invalid_argument_error("there are " + std::to_string(marks.size()) + " marks for " + std::to_string(n) +
+                                   what);
+  };
+  if (!(options.maximum_change >= 0))
+    throw Invalid_argument_error("the maximum change of a simplification has to be a number that is not negative");
+  require_marks(options.is_kept, complex.number_of_vertices(), " vertices");
+  require_marks(options.is_constrained, complex.number_of_edges(), " edges");
+}
+
+Simplification simplify(const Delta_complex& complex, std::vector<double> lengths,
+                        const Simplification_options& options)
+{
+  const Standard_arithmetic arithmetic;
+  arithmetic.check();
+  return Simplifier(complex, std::move(lengths), options)();
+}
+
+std::vector<std::pair<Face_index, Metric_change>> changes_by_component(const Simplification& simplification)
+{
+  const Delta_complex& complex = simplification.complex;
+  Disjoint_sets sets(complex.number_of_faces());
+  for (Edge_index e : complex.edges())
+    if (!complex.is_border(e))
+      sets.unite(complex.face(complex.halfedge(e)).idx(), complex.face(complex.opposite(complex.halfedge(e))).idx());
+  std::vector<std::size_t> number_of;
+  sets.number(number_of);
+  std::vector<std::pair<Face_index, Metric_change>> result;
+  for (Face_index f : complex.faces()) {
+    const Metric_change& change = simplification.changes[f.idx()];
+    const std::size_t n = number_of[f.idx()];
+    if (n == result.size())
+      result.emplace_back(f, change);
+    result[n].second.shrink = (std::min)(result[n].second.shrink, change.shrink);
+    result[n].second.stretch = (std::max)(result[n].second.stretch, change.stretch);
+  }
+  return result;
+}
+
+Simplified_surface make_simplified_surface(Simplification s)
+{
+  std::vector<Surface_point> points;
+  std::vector<Vertex_index> vertices;
+  const Delta_complex& fine = s.map.fine();
+  for (Vertex_index v : fine.vertices())
+    if (fine.halfedge(v).is_valid()) {
+      vertices.push_back(v);
+      points.push_back({fine.opposite(fine.halfedge(v)), {1, 0, 0}});
+    }
+  points = s.map.to_coarse(points);
+  Simplified_surface result{Intrinsic_triangulation<Filtered_edge_length_traits>::from_lengths(s.complex, s.lengths),
+                            std::move(s.kept),
+                            std::vector<Surface_point>(fine.number_of_vertices()),
+                            1,
+                            1,
+                            s.changes,
+                            changes_by_component(s),
+                            std::move(s.is_constrained),
+                            s.reasons,
+                            std::move(s.map)};
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    result.places[vertices[i].idx()] = points[i];
+  for (const Metric_change& change : result.changes_in_faces) {
+    result.shrink = (std::min)(result.shrink, change.shrink);
+    result.stretch = (std::max)(result.stretch, change.stretch);
+  }
+  flip_to_Delaunay(result.triangulation,
+                   parameters::edge_is_constrained_map(boost::make_function_property_map<Edge_index, bool>(
+                     [&](Edge_index e) { return bool(result.is_constrained[e.idx()]); })));
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal

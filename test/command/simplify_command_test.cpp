@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// `idt simplify`: what it writes, and what it refuses.
+
+#include "Command_test.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+class Simplify_command : public Command_test
+{
+protected:
+  Json stats() const { return Json::parse(content(folder_ / "s.json")); }
+
+  // The rows of a CSV file as numbers, without the header.
+  std::vector<std::vector<double>> rows(const std::string& name) const
+  {
+    std::vector<std::vector<double>> result;
+    std::vector<std::string> text = lines(content(folder_ / name));
+    for (std::size_t i = 1; i < text.size(); ++i) {
+      std::vector<double> row;
+      std::istringstream in(text[i]);
+      for (std::string field; std::getline(in, field, ',');)
+        row.push_back(std::stod(field));
+      result.push_back(row);
+    }
+    return result;
+  }
+};
+
+TEST_F(Simplify_command, writes_the_surface_and_where_all_vertices_went)
+{
+  ASSERT_EQ(idt("sample bumpy-sphere -o m").status, 0);
+  const Command_run run = idt("simplify m.off --maximum-change 0.1 -o c.idt --vertex-map v.csv --places p.csv "
+                              "--prolongation P.mtx --stats s.json");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "times what they were, proven")) << run.out;
+  const Json json = stats();
+  const std::size_t before = json["input_vertices"], after = json["vertices"];
+  EXPECT_LT(after, before);
+  EXPECT_GE(json["shrink"], 1 / 1.1);
+  EXPECT_LE(json["stretch"], 1.1);
+  EXPECT_EQ(json["components"].size(), 1u);
+  EXPECT_EQ(json["kept"]["by_bound"].get<std::size_t>() + json["kept"]["for_gluing"].get<std::size_t>(), after);
+  EXPECT_EQ(rows("v.csv").size(), after);
+  EXPECT_EQ(rows("p.csv").size(), before);
+  for (const std::vector<double>& row : rows("p.csv")) {
+    EXPECT_LT(row[1], json["faces"]);
+    EXPECT_NEAR(row[2] + row[3] + row[4], 1, 1e-12);
+  }
+  const std::vector<std::string> matrix = lines(content(folder_ / "P.mtx"));
+  EXPECT_EQ(matrix[0], "%%MatrixMarket matrix coordinate real general");
+  std::map<std::size_t, double> sums;
+  for (std::size_t i = 3; i < matrix.size(); ++i) {
+    std::istringstream in(matrix[i]);
+    std::size_t row = 0, column = 0;
+    double value = 0;
+    in >> row >> column >> value;
+    sums[row] += value;
+  }
+  EXPECT_EQ(sums.size(), before);
+  for (const auto& [row, sum] : sums)
+    EXPECT_NEAR(sum, 1, 1e-12) << row;
+  // Other subcommands read it.
+  EXPECT_EQ(idt("triangulate c.idt --verify --stats t.json").status, 0);
+  EXPECT_EQ(Json::parse(content(folder_ / "t.json"))["vertices"], after);
+  EXPECT_EQ(idt("refine c.idt").status, 0);
+  EXPECT_EQ(idt("distance c.idt --source 0 --cover none -o d.csv").status, 0);
+  EXPECT_EQ(rows("d.csv").size(), after);
+}
+
+TEST_F(Simplify_command, keeps_what_it_is_told_to_keep)
+{
+  ASSERT_EQ(idt("sample bumpy-sphere -o m").status, 0);
+  ASSERT_EQ(idt("simplify m.off --vertices 200 --stats s.json").status, 0);
+  EXPECT_EQ(stats()["vertices"], 200);
+  std::ofstream(folder_ / "k.csv") << "vertex,keep\n5,1\n6,0\n7,1\n";
+  ASSERT_EQ(idt("simplify m.off --maximum-change 1 --keep k.csv --vertex-map v.csv --stats s.json").status, 0);
+  EXPECT_EQ(stats()["kept"]["by_request"], 2);
+  std::size_t found = 0;
+  for (const std::vector<double>& row : rows("v.csv"))
+    found += row[1] == 5 || row[1] == 7;
+  EXPECT_EQ(found, 2u);
+}
+
+TEST_F(Simplify_command, refuses_triangles_in_space)
+{
+  write("t.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const Command_run run = idt("simplify t.off -o c.off");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_TRUE(contains(run.err, "edge lengths, but no points")) << run.err;
+  EXPECT_EQ(idt("simplify t.off -o c.txt").status, 2);
+  EXPECT_EQ(idt("simplify t.off --maximum-change -1").status, 2);
+  EXPECT_EQ(idt("simplify t.off --constrain-angle 200").status, 2);
+}
+
+TEST_F(Simplify_command, shows_its_edges_on_the_input)
+{
+  ASSERT_EQ(idt("sample bumpy-sphere -o m").status, 0);
+  EXPECT_EQ(idt("simplify m.off --view p.html").status, 0);
+  EXPECT_TRUE(contains(content(folder_ / "p.html"), "before the simplification"));
+}
+
+} // namespace
