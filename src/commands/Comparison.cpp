@@ -313,7 +313,7 @@ bool Comparison_row::is_wrong() const
 
 Surface_comparison compare(const std::string& path, const Comparison_options& options)
 {
-  Surface surface = load_surface(path, options.is_repaired);
+  Surface surface = load_surface(path, options.repair);
   surface.saved.reset(); // all number types start from the same input
   return Surface_comparer(surface, options).run();
 }

@@ -32,7 +32,7 @@ struct Comparison_options
   std::vector<Compared_type> types;
   double time_limit = 10; // seconds for the flips with one type
   int repetitions = 5;
-  bool is_repaired = false;
+  Repair_options repair;
   // By default, decisions are checked only on small surfaces.
   std::optional<bool> counts_wrong_decisions;
 };

@@ -24,12 +24,17 @@ Exit_status say(const std::string& message, Exit_status status)
 
 } // namespace
 
-CLI::Option* add_repair_option(CLI::App& command, bool& is_repaired)
+CLI::Option* add_repair_option(CLI::App& command, Repair_options& repair)
 {
-  return command.add_flag(
-    "--repair", is_repaired,
+  CLI::Option* const result = command.add_flag(
+    "--repair", repair.is_wanted,
     "first turn a mesh that is not a surface into one: triangulate polygons, orient faces, cut where more than two "
     "faces or several fans meet, close seams, remove duplicate faces and unused vertices; everything is reported");
+  add_option(command, "--stitch", repair.stitching_tolerance, "T",
+             "split border edges at the border vertices that lie within them, exactly or not farther than T from them, "
+             "and merge border vertices that are not farther than T apart")
+    ->needs(result);
+  return result;
 }
 
 void add_view_option(CLI::App& command, std::string& path)

@@ -6,6 +6,8 @@
 #ifndef IDT_COMMANDS_H
 #define IDT_COMMANDS_H
 
+#include "input/Surface.h"
+
 #include "system/Exit_status.h"
 
 #include <CLI/CLI.hpp>
@@ -33,8 +35,8 @@ void add_table_command(CLI::App& app, Selected_command& selected);
 void add_sample_command(CLI::App& app, Selected_command& selected);
 void add_describe_command(CLI::App& app, Selected_command& selected);
 
-// Declares the option that repairs an input before anything else.
-CLI::Option* add_repair_option(CLI::App& command, bool& is_repaired);
+// Declares the options that repair an input before anything else.
+CLI::Option* add_repair_option(CLI::App& command, Repair_options& repair);
 
 // Declares the option that writes a page showing the result.
 void add_view_option(CLI::App& command, std::string& path);

@@ -165,7 +165,7 @@ void add_compare_command(CLI::App& app, Selected_command& selected)
              "minimum number of runs, whose median time is reported")
     ->check(CLI::Range(1, 1000))
     ->capture_default_str();
-  add_repair_option(command, options->comparison.is_repaired);
+  add_repair_option(command, options->comparison.repair);
   CLI::Option* const count =
     command.add_flag("--count-decisions", options->counts_decisions, "count wrong tests for large surfaces too");
   command.add_flag("--no-count-decisions", options->leaves_decisions, "do not count wrong tests, whatever the size")

@@ -67,7 +67,8 @@ struct Distance_options
   std::string output_path, overlay_path, stats_path, view_path;
   std::string cover = "tufted", boundary, format = "csv", method;
   std::optional<double> time_coefficient;
-  bool is_refined = false, is_repaired = false, has_vectors = false, is_compared = false;
+  Repair_options repair;
+  bool is_refined = false, has_vectors = false, is_compared = false;
 
   bool is_by_heat() const { return method == "heat" || (method.empty() && (!boundary.empty() || time_coefficient)); }
 
@@ -125,7 +126,7 @@ void check(const Distance_options& options)
     throw Usage_error("--boundary needs --cover none: the tufted cover has no border");
   if (options.cover == "tufted" && options.is_refined)
     throw Usage_error("--refine needs --cover none");
-  if (options.cover == "tufted" && options.is_repaired)
+  if (options.cover == "tufted" && options.repair.is_wanted)
     throw Usage_error("--repair needs --cover none: the tufted cover takes any triangles");
   if (options.cover == "tufted" && options.has_vectors)
     throw Usage_error("--vectors needs --cover none: a vertex of the tufted cover has no tangent plane");
@@ -331,7 +332,7 @@ void find_on_cover(const Distance_options& options, Distance_result& result)
 void find_on_surface(const Distance_options& options, Distance_result& result)
 {
   Stopwatch stopwatch;
-  Surface surface = load_surface(options.input, options.is_repaired);
+  Surface surface = load_surface(options.input, options.repair);
   const IT::Delta_complex& complex = surface.connectivity;
   set_number_of_vertices(options, complex.number_of_vertices(), result);
   result.read_seconds = stopwatch.restart();
@@ -571,7 +572,7 @@ void add_distance_command(CLI::App& app, Selected_command& selected)
                    "also write the first axis of the source, parallel-transported to each vertex, and for one source "
                    "its logarithmic map");
   add_view_option(command, options->view_path);
-  add_repair_option(command, options->is_repaired);
+  add_repair_option(command, options->repair);
   add_option(command, "--stats", options->stats_path, "F.json", "write the report as a JSON object");
   command.callback([options, &selected] { selected = [options] { return run_distance(*options); }; });
 }

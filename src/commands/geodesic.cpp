@@ -60,7 +60,7 @@ struct Geodesic_options
   std::optional<double> direction, length;
   std::uint64_t maximum_number_of_faces = 1000000;
   std::string output_path, cut_path, stats_path, view_path, format = "csv";
-  bool is_repaired = false;
+  Repair_options repair;
 };
 
 // A vertex, or a point in space.
@@ -402,7 +402,7 @@ Exit_status run_geodesic(const Geodesic_options& options)
 {
   check(options);
   return for_each_input({options.input}, [&](const std::string& path) {
-    const Surface surface = load_surface(path, options.is_repaired);
+    const Surface surface = load_surface(path, options.repair);
     const std::string type = extension_with_format(options.output_path, options.format);
     if (!surface.has_points() && !type.empty() && type != ".csv")
       throw Usage_error(options.output_path + ": " + path + " has only lengths, no points: write a .csv file");
@@ -499,7 +499,7 @@ void add_geodesic_command(CLI::App& app, Selected_command& selected)
     ->capture_default_str();
   add_option(command, "--stats", options->stats_path, "F.json", "write the report as a JSON object");
   add_view_option(command, options->view_path);
-  add_repair_option(command, options->is_repaired);
+  add_repair_option(command, options->repair);
   command.callback([options, &selected] { selected = [options] { return run_geodesic(*options); }; });
 }
 

@@ -48,7 +48,7 @@ struct Parameterize_options
   std::string distortion_path;
   std::string json_path;
   std::string view_path;
-  bool is_repaired = false;
+  Repair_options repair;
 };
 
 // The properties of a map on one of the two triangulations.
@@ -274,7 +274,7 @@ Exit_status run_parameterize(Parameterize_options options)
   run_options.wanted.crossings = run_options.wanted.overlay =
     !options.uv_path.empty() || !options.distortion_path.empty() || !options.view_path.empty();
   return for_each_input({options.input}, [&](const std::string& path) {
-    result.triangulation = triangulate(load_surface(path, options.is_repaired), run_options);
+    result.triangulation = triangulate(load_surface(path, options.repair), run_options);
     const Exit_status status = exit_status(result.triangulation.outcome);
     if (status != Exit_status::DONE) {
       std::cerr << "idt: " << path << ": " << describe_status(result.triangulation) << std::endl;
@@ -336,7 +336,7 @@ void add_parameterize_command(CLI::App& app, Selected_command& selected)
              "input_face,intrinsic_face,over_input,over_intrinsic");
   add_view_option(command, options->view_path);
   add_option(command, "--json", options->json_path, "F.json", "write the report as a JSON object");
-  add_repair_option(command, options->is_repaired);
+  add_repair_option(command, options->repair);
   command.callback([options, &selected] { selected = [options] { return run_parameterize(*options); }; });
 }
 

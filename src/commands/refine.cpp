@@ -44,7 +44,7 @@ struct Refine_options
   Refinement_options refinement;
   std::optional<double> constrained_angle, minimum_size, flat_tolerance;
   std::string constraints, kept_edges, flattened;
-  bool is_repaired = false;
+  Repair_options repair;
   bool removes_flat_vertices = false;
   bool is_verified = false;
   Result_files files;
@@ -228,7 +228,7 @@ Triangulation_result refine_surface(Surface surface, Run_options run_options, co
 
 Exit_status refine_file(const std::string& path, const Refine_options& options)
 {
-  Surface surface = load_surface(path, options.is_repaired);
+  Surface surface = load_surface(path, options.repair);
   const double deviation = options.removes_flat_vertices ? remove_flat_vertices(surface, options.flat_tolerance) : 0;
   options.files.check_surface(surface);
   if (!options.flattened.empty() && !surface.has_points())
@@ -310,7 +310,7 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
   add_option(command, "--vertex-map", options->files.vertex_map, "F.csv",
              "write which vertices of the input remain, as CSV: vertex,input")
     ->needs(flat);
-  CLI::Option* const repair = add_repair_option(command, options->is_repaired);
+  CLI::Option* const repair = add_repair_option(command, options->repair);
   command.add_flag("--verify", options->is_verified,
                    "afterwards decide every interior edge that is not constrained again, exactly and from the input "
                    "alone; status 4 if one is not Delaunay");

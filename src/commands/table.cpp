@@ -35,7 +35,7 @@ struct Table_options
   std::vector<std::string> inputs;
   std::string json_path;
   bool without_condition = false;
-  bool is_repaired = false;
+  Repair_options repair;
 };
 
 // A row of Table 1 in Fisher, Springborn, Schroeder, Bobenko (2006).
@@ -218,7 +218,7 @@ Exit_status run_table(const Table_options& options)
   const Exit_status status = for_each_input(options.inputs, [&](const std::string& path) {
     rows.emplace_back();
     rows.back().model = std::filesystem::path(path).stem().string();
-    const Triangulation_result result = triangulate(load_surface(path, options.is_repaired), run_options);
+    const Triangulation_result result = triangulate(load_surface(path, options.repair), run_options);
     Row& row = rows.back();
     row.vertices = result.counts.vertices;
     row.flips = result.outcome.report.flips;
@@ -265,7 +265,7 @@ void add_table_command(CLI::App& app, Selected_command& selected)
                  "paper (cathead, bunnyhead, beautiful_freak, hygeia, planck, bunny, camel, horse,\n"
                  "feline, with as many vertices as there) are its figures.\n");
   command.add_option("INPUT", options->inputs, "as for `idt triangulate`")->required();
-  add_repair_option(command, options->is_repaired);
+  add_repair_option(command, options->repair);
   command.add_flag("--without-condition", options->without_condition,
                    "omit the condition numbers, which take longer than everything else");
   add_option(command, "--json", options->json_path, "F.json", "write the rows as a JSON array of objects");

@@ -33,7 +33,7 @@ struct Triangulate_options
   bool are_ties_proven = false;
   std::optional<double> mollification;
   bool is_mollification_local = false;
-  bool is_repaired = false;
+  Repair_options repair;
   bool is_verified = false;
   bool is_fast = false;
   Result_files files;
@@ -75,7 +75,7 @@ Exit_status triangulate_file(const std::string& path, const Triangulate_options&
   std::optional<Mollification_options> mollification;
   if (options.mollification)
     mollification = {*options.mollification, options.is_mollification_local};
-  Surface surface = load_surface(path, options.is_repaired, mollification);
+  Surface surface = load_surface(path, options.repair, mollification);
   options.files.check_surface(surface);
   if (options.is_fast)
     untwist(surface);
@@ -226,7 +226,7 @@ void add_triangulate_command(CLI::App& app, Selected_command& selected)
     .add_flag("--mollify-local", options->is_mollification_local,
               "lengthen only edges of triangles that lack the margin")
     ->needs(mollify);
-  CLI::Option* const repair = add_repair_option(command, options->is_repaired);
+  CLI::Option* const repair = add_repair_option(command, options->repair);
   command.add_flag("--verify", options->is_verified,
                    "afterwards decide every interior edge again, exactly and from the input alone, for any number "
                    "type; status 4 if one is not Delaunay");

@@ -24,13 +24,13 @@ namespace {
 struct View_options
 {
   std::string input, values;
-  bool is_repaired = false;
+  Repair_options repair;
   Result_files files;
 };
 
 Exit_status view_file(const std::string& path, const View_options& options)
 {
-  Surface surface = load_surface(path, options.is_repaired);
+  Surface surface = load_surface(path, options.repair);
   options.files.check_surface(surface);
   std::vector<Named_values> columns;
   if (!options.values.empty())
@@ -74,7 +74,7 @@ void add_view_command(CLI::App& app, Selected_command& selected)
   add_option(command, "-o,--output", options->files.view, "F.html", "the page")->required();
   add_option(command, "--values", options->values, "F.csv",
              "numbers at the vertices that colour the surface, as CSV: vertex,NAME, and more names if you like");
-  add_repair_option(command, options->is_repaired);
+  add_repair_option(command, options->repair);
   command.callback([options, &selected] { selected = [options] { return run_view(*options); }; });
 }
 

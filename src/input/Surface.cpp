@@ -7,6 +7,7 @@
 #include "system/Interruption.h"
 #include "system/Progress.h"
 #include "system/Stopwatch.h"
+#include "system/text.h"
 #include "input/gluing_file.h"
 #include "input/read_surface.h"
 #include "input/repair.h"
@@ -23,6 +24,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <iostream>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -32,6 +34,14 @@ namespace idt {
 namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
+
+// What to do about gaps.
+std::string stitching_advice(const IT::Surface_report& report, const Repair_options& options)
+{
+  if (options.stitching_tolerance && *options.stitching_tolerance >= report.stitching_tolerance)
+    return "it was left so";
+  return "--repair --stitch " + in_short(report.stitching_tolerance) + " joins them";
+}
 
 // \exception Invalid_surface_error that names the defect, and the option that would help unless it was given
 [[noreturn]] void refuse(const IT::Surface_report& report, const std::string& path, bool is_repaired)
@@ -45,14 +55,15 @@ namespace IT = CGAL::Intrinsic_triangulations;
                                   finding.count, text);
 }
 
-void load_mesh(Surface& surface, bool is_repaired)
+void load_mesh(Surface& surface, const Repair_options& repair_options)
 {
   Stopwatch stopwatch;
   Surface_input input = read_and_warn(surface.path);
   surface.warnings = input.warnings;
   surface.read_seconds = stopwatch.restart();
+  const bool is_repaired = repair_options.is_wanted;
   if (is_repaired)
-    surface.repair = repair(input);
+    surface.repair = repair(input, repair_options.stitching_tolerance);
 
   // Building already examines the faces. The full examination is needed only if there is something to report.
   const auto build = [&] {
@@ -74,6 +85,8 @@ void load_mesh(Surface& surface, bool is_repaired)
     for (Defect defect : {Defect::DEGENERATE_FACE, Defect::UNREFERENCED_VERTEX})
       if (const IT::Finding* finding = report.find(defect))
         surface.warnings.push_back(IT::message(*finding));
+    for (std::string& warning : gap_warnings(report, surface.path, stitching_advice(report, repair_options)))
+      surface.warnings.push_back(std::move(warning));
     if (!is_built)
       build();
   }
@@ -112,11 +125,23 @@ std::vector<double> lengths_of(const Surface& surface)
 
 } // namespace
 
-Surface load_surface(const std::string& path, bool is_repaired,
+std::vector<std::string> gap_warnings(const IT::Surface_report& report, const std::string& path,
+                                      const std::string& advice)
+{
+  std::vector<std::string> warnings;
+  for (const IT::Gap& gap : report.gaps) {
+    warnings.push_back(IT::message(gap, advice));
+    std::cerr << "idt: " << path << ": warning: " << warnings.back() << std::endl;
+  }
+  return warnings;
+}
+
+Surface load_surface(const std::string& path, const Repair_options& repair_options,
                      const std::optional<Mollification_options>& mollification)
 {
   Surface surface;
   surface.path = path;
+  const bool is_repaired = repair_options.is_wanted;
   if (is_gluing_file(path) && is_repaired)
     throw Usage_error(path + ": --repair is for meshes; there is nothing to repair in a gluing");
   const bool is_saved = is_saved_triangulation(readable_file(path));
@@ -127,7 +152,7 @@ Surface load_surface(const std::string& path, bool is_repaired,
   else if (is_gluing_file(path))
     load_gluing(surface);
   else
-    load_mesh(surface, is_repaired);
+    load_mesh(surface, repair_options);
   if (!mollification)
     return surface;
 

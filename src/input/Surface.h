@@ -22,7 +22,8 @@
 
 namespace CGAL::Intrinsic_triangulations {
 struct Repair;
-}
+struct Surface_report;
+} // namespace CGAL::Intrinsic_triangulations
 
 namespace idt {
 
@@ -41,6 +42,12 @@ struct Repair_report
 {
   Repairs repairs;
   std::vector<std::size_t> input_vertices, input_faces;
+};
+
+struct Repair_options
+{
+  bool is_wanted = false;
+  std::optional<double> stitching_tolerance;
 };
 
 struct Saved_triangulation;
@@ -80,8 +87,14 @@ struct Surface
 // \exception Invalid_surface_error if the surface cannot be used; the message begins
 //            with `path` and names the first element at fault and how many more
 // \exception Cancelled_error if an interruption ends the reading
-Surface load_surface(const std::string& path, bool is_repaired = false,
+Surface load_surface(const std::string& path, const Repair_options& repair_options = {},
                      const std::optional<Mollification_options>& mollification = {});
+
+// Says on the standard error what gaps there are.
+// \param advice what to do about them
+// \return the same texts
+std::vector<std::string> gap_warnings(const CGAL::Intrinsic_triangulations::Surface_report& report,
+                                      const std::string& path, const std::string& advice);
 
 // Replaces a gluing by its untwisted form.
 // \exception Usage_error if the surface has points

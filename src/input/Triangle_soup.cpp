@@ -3,7 +3,9 @@
 
 #include "input/Triangle_soup.h"
 
+#include "input/Surface.h"
 #include "input/read_surface.h"
+#include "system/text.h"
 
 #include <CGAL/Intrinsic_triangulations/repair_polygons.h>
 
@@ -67,6 +69,11 @@ Triangle_soup read_triangle_soup(const std::string& path)
   }
   soup.points = std::move(input.points);
   soup.warnings.insert(soup.warnings.begin(), input.warnings.begin(), input.warnings.end());
+  const IT::Surface_report gaps = IT::find_gaps(soup.points, soup.triangles);
+  for (std::string& warning : gap_warnings(gaps, path,
+                                           "--repair --stitch " + in_short(gaps.stitching_tolerance) +
+                                             " --save joined.idt of triangulate joins them: read joined.idt instead"))
+    soup.warnings.push_back(std::move(warning));
   return soup;
 }
 

@@ -22,12 +22,12 @@ namespace idt {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-Repair_report repair(Surface_input& input)
+Repair_report repair(Surface_input& input, const std::optional<double>& stitching_tolerance)
 {
   IT::Repaired_polygons repaired;
   try {
     Progress progress(input.path, "repairing");
-    repaired = IT::repair_polygons(input.points, input.polygons(), std::ref(progress));
+    repaired = IT::repair_polygons(input.points, input.polygons(), std::ref(progress), stitching_tolerance);
   } catch (const IT::Cancelled_error&) {
     throw IT::Cancelled_error(input.path + ": cancelled while it was repaired");
   } catch (const IT::Invalid_surface_error& error) {

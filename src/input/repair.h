@@ -15,9 +15,10 @@
 namespace idt {
 
 // Makes a surface from the polygons, as far as possible, and reports the repairs on the standard error.
+// \param stitching_tolerance as of IT::repair_polygons()
 // \exception Invalid_surface_error if the input cannot be repaired; the message begins with its path
 // \exception Cancelled_error if an interruption ends the repair
-Repair_report repair(Surface_input& input);
+Repair_report repair(Surface_input& input, const std::optional<double>& stitching_tolerance);
 
 // The repairs of a surface.
 inline Repairs repairs(const Surface& surface) { return surface.repair ? surface.repair->repairs : nullptr; }

@@ -18,6 +18,7 @@
 #include <CGAL/Intrinsic_triangulations/Mpfr_float.h>
 #include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 #include <CGAL/Intrinsic_triangulations/triangulation_io.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
@@ -34,6 +35,7 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -466,6 +468,30 @@ Outcome dispatch(const Job& job)
   throw std::logic_error("there is no such number type");
 }
 
+// The faces of the input that leave no room for triangles, and what to do about them.
+std::string flat_faces_around(const Surface& surface, std::size_t vertex)
+{
+  if (!surface.has_points())
+    return {};
+  const IT::Delta_complex& complex = surface.connectivity;
+  std::string faces;
+  std::size_t n = 0;
+  for (IT::Face_index f : complex.faces()) {
+    const IT::Halfedge_index h = complex.halfedge(f);
+    const std::array<std::size_t, 3> v = {complex.source(h).idx(), complex.target(h).idx(),
+                                          complex.target(complex.next(h)).idx()};
+    if (std::find(v.begin(), v.end(), vertex) == v.end() ||
+        !IT::internal::are_collinear(surface.points[v[0]], surface.points[v[1]], surface.points[v[2]]) || n++ >= 10)
+      continue;
+    faces +=
+      (faces.empty() ? "" : ", ") + std::to_string(surface.repair ? surface.repair->input_faces[f.idx()] : f.idx());
+  }
+  if (faces.empty())
+    return {};
+  return "; of the faces of the file, these have zero area there: " + faces +
+         (surface.repair ? "; remove them from the mesh" : "; use --repair to fix what can be fixed");
+}
+
 } // namespace
 
 Outcome run(const Job& job)
@@ -480,7 +506,10 @@ Outcome run(const Job& job)
     throw Invalid_surface_error(
       error.defect(), error.element(), error.count(),
       where + error.what() +
-        (is_mollifiable ? "; the option --mollify of triangulate lengthens edges until it holds" : ""));
+        (is_mollifiable ? "; the option --mollify of triangulate lengthens edges until it holds" : "") +
+        (error.defect() == Invalid_surface_error::Defect::ZERO_LENGTH_EDGE
+           ? flat_faces_around(job.surface, error.element())
+           : std::string()));
   } catch (const CGAL::Intrinsic_triangulations::Undecided_error& error) {
     throw CGAL::Intrinsic_triangulations::Undecided_error(where + error.what());
   } catch (const CGAL::Uncertain_conversion_exception&) {

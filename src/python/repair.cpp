@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,7 +23,8 @@ namespace idt_python {
 namespace {
 
 // \param first_corner where the corners of each face begin, and where those of the last face end
-py::tuple repair(const Doubles& points, const Indices& corners, const std::vector<std::size_t>& first_corner)
+py::tuple repair(const Doubles& points, const Indices& corners, const std::vector<std::size_t>& first_corner,
+                 const std::optional<double>& stitching_tolerance)
 {
   const std::vector<std::array<double, 3>> rows = copied_rows(points);
   const std::vector<std::uint32_t> all = copied(corners);
@@ -32,8 +34,10 @@ py::tuple repair(const Doubles& points, const Indices& corners, const std::vecto
     polygons.emplace_back(all.begin() + std::ptrdiff_t(first_corner[f]),
                           all.begin() + std::ptrdiff_t(first_corner[f + 1]));
   }
-  IT::Repaired_polygons repaired =
-    without_lock([&] { return IT::repair_polygons(rows, polygons, [](double) { return Signal_watch::goes_on(); }); });
+  IT::Repaired_polygons repaired = without_lock([&] {
+    return IT::repair_polygons(
+      rows, polygons, [](double) { return Signal_watch::goes_on(); }, stitching_tolerance);
+  });
   py::list repairs;
   for (const IT::Repair& r : repaired.repairs)
     repairs.append(py::make_tuple(IT::name(r.kind), r.count, r.elements, IT::message(r)));
@@ -50,5 +54,5 @@ PYBIND11_MODULE(_repair, module)
   module.doc() = "Mesh repair for the package intrinsic_triangulations, under the GPL.";
   idt_python::register_errors();
   module.def("repair", &idt_python::repair, pybind11::arg("points").noconvert(), pybind11::arg("corners").noconvert(),
-             pybind11::arg("first_corner"));
+             pybind11::arg("first_corner"), pybind11::arg("stitching_tolerance"));
 }

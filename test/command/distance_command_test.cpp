@@ -56,6 +56,32 @@ TEST_F(Distance_command, writes_a_table_and_statistics)
   EXPECT_TRUE(stats["time"].contains("distances"));
 }
 
+TEST_F(Distance_command, goes_along_the_edges_of_a_flat_spike)
+{
+  // All faces at vertex 3 lie on the x-axis, from its point -1 to 2.
+  write("spike.off",
+        "OFF\n5 6 0\n0 0 0\n2 0 0\n1 0 0\n-1 0 0\n1 1 1\n3 0 2 3\n3 2 1 3\n3 1 0 3\n3 0 1 4\n3 2 0 4\n3 1 2 4\n");
+  for (const std::string method : {"", " --method exact"}) {
+    ASSERT_EQ(idt("distance spike.off --source 4 -o d.csv" + method).status, 0);
+    const std::vector<double> from_above = {std::sqrt(3.), std::sqrt(3.), std::sqrt(2.), 1 + std::sqrt(3.), 0};
+    for (std::size_t v = 0; v < 5; ++v)
+      EXPECT_NEAR(distances("d.csv")[v], from_above[v], 1e-12) << v;
+    ASSERT_EQ(idt("distance spike.off --source 3 -o d.csv" + method).status, 0);
+    const std::vector<double> from_tip = {1, 3, 2, 0, 1 + std::sqrt(3.)};
+    for (std::size_t v = 0; v < 5; ++v)
+      EXPECT_NEAR(distances("d.csv")[v], from_tip[v], 1e-12) << v;
+    ASSERT_EQ(idt("distance spike.off --source 1,3 -o d.csv" + method).status, 0);
+    const std::vector<double> from_both = {1, 0, 1, 0, std::sqrt(3.)};
+    for (std::size_t v = 0; v < 5; ++v)
+      EXPECT_NEAR(distances("d.csv")[v], from_both[v], 1e-12) << v;
+  }
+  // A wire between two triangles, of faces without area.
+  write("wire.off", "OFF\n8 4 0\n0 0 0\n0 1 0\n-1 0 0\n1 0 0\n3 0 0\n3 1 0\n4 0 0\n2 0 0\n"
+                    "3 0 1 2\n3 4 5 6\n3 0 3 7\n3 3 7 4\n");
+  ASSERT_EQ(idt("distance wire.off --source 2 -o d.csv").status, 0);
+  EXPECT_NEAR(distances("d.csv")[6], 5, 1e-12);
+}
+
 TEST_F(Distance_command, takes_the_mesh_behind_its_options)
 {
   write_kite("kite.off");

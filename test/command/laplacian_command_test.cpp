@@ -152,6 +152,29 @@ TEST_F(Laplacian_command, reads_soups_polygons_and_gluings)
   EXPECT_EQ(json::parse(content(folder_ / "s.json"))["vertices"], 1);
 }
 
+TEST_F(Laplacian_command, counts_the_tips_of_flat_spikes)
+{
+  write("spike.off",
+        "OFF\n5 6 0\n0 0 0\n2 0 0\n1 0 0\n-1 0 0\n1 1 1\n3 0 2 3\n3 2 1 3\n3 1 0 3\n3 0 1 4\n3 2 0 4\n3 1 2 4\n");
+  const Command_run run = idt("laplacian spike.off --stats s.json");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "without faces     1 vertex: rows of zeros")) << run.out;
+  EXPECT_EQ(json::parse(content(folder_ / "s.json"))["unreferenced_vertices"], 1);
+}
+
+TEST_F(Laplacian_command, warns_of_gaps)
+{
+  write("gap.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0.5 0 0\n0.5 -1 0\n3 0 1 2\n3 0 4 3\n3 3 4 1\n");
+  const Command_run run = idt("laplacian gap.off --stats s.json");
+  ASSERT_EQ(run.status, 0);
+  const std::string warning = "vertex 3 lies within edge 0-1 of face 0, which does not end there; --repair --stitch 0 "
+                              "--save joined.idt of triangulate joins them: read joined.idt instead";
+  EXPECT_EQ(run.err, "idt: gap.off: warning: " + warning + "\n");
+  EXPECT_EQ(json::parse(content(folder_ / "s.json"))["warnings"], json({warning}));
+  ASSERT_EQ(idt("triangulate gap.off --repair --stitch 0 --save joined.idt").status, 0);
+  EXPECT_EQ(idt("laplacian joined.idt").err, "");
+}
+
 TEST_F(Laplacian_command, mollification_is_reported)
 {
   write("cap.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0.5 1e-9 0\n3 0 1 2\n");

@@ -216,3 +216,14 @@ def test_advice_ends_in_a_result(what, function):
         rules = [(re.search(pattern, messages[-1]), action) for pattern, action in ADVICE]
         assert any(match for match, _ in rules), f"nothing to do: {messages}"
         mesh = next(action(*mesh, match) for match, action in rules if match)
+
+
+def test_gaps_cause_a_warning_and_are_closed():
+    V = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.5, 0, 0], [0.5, -1, 0]]
+    F = [[0, 1, 2], [0, 4, 3], [3, 4, 1]]
+    for function in (it.laplacian, lambda V, F: it.geodesic_distances(V, F, 2)):
+        with pytest.warns(UserWarning, match=r"vertex 3 lies within edge 0-1 .*; repair\(V, F, stitching_tolerance=0\) joins them"):
+            function(V, F)
+    assert it.geodesic_distances(*it.repair(V, F, stitching_tolerance=0)[:2], 2)[4] == pytest.approx(numpy.hypot(0.5, 2), rel=0.01)
+    with pytest.raises(it.InvalidArgumentError):
+        it.repair(V, F, stitching_tolerance=-1)

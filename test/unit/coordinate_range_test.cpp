@@ -78,7 +78,7 @@ std::optional<Defect> common_refusal(const Points& points, const Triangles& tria
   const std::optional<Defect> examination = refusal([&] { IT::throw_if_fatal(report); });
   EXPECT_EQ(examination, refusal_of_constructor<IT::Filtered_edge_length_traits>(points, triangles)) << text;
   EXPECT_EQ(examination, refusal_of_constructor<IT::Edge_length_traits<double>>(points, triangles)) << text;
-  std::size_t findings = 0;
+  std::size_t findings = report.gaps.size();
   for (const IT::Finding& finding : report.findings)
     findings += finding.defect != IT::Invalid_surface_error::Defect::SEVERAL_COMPONENTS;
   const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(points.size(), triangles);

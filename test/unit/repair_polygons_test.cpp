@@ -310,6 +310,137 @@ TEST(Repair_polygons, merges_the_ends_of_an_edge_without_length)
   EXPECT_EQ(repaired.input_faces, (Indices{0, 2, 4, 5}));
 }
 
+double area(const Points& points, const std::vector<std::array<std::size_t, 3>>& triangles)
+{
+  double result = 0;
+  for (const auto& [a, b, c] : triangles) {
+    std::array<double, 3> p, q;
+    for (std::size_t i = 0; i < 3; ++i) {
+      p[i] = points[b][i] - points[a][i];
+      q[i] = points[c][i] - points[a][i];
+    }
+    result += std::hypot(p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]) / 2;
+  }
+  return result;
+}
+
+// The unit square from x = 0 to 1 and another one beside it, which meet at x = 1 but have other vertices there.
+struct Two_squares
+{
+  Points points;
+  Polygons faces;
+};
+Two_squares two_squares(const std::vector<double>& left, const std::vector<double>& right, double angle = 0)
+{
+  Two_squares result;
+  for (const auto& [places, x] : {std::make_pair(left, -1.), std::make_pair(right, 1.)}) {
+    const std::size_t first = result.points.size();
+    for (const double y : places)
+      result.points.push_back({{0, y, 0}});
+    result.points.push_back({{x, 0, 0}});
+    result.points.push_back({{x, 1, 0}});
+    const std::size_t n = places.size(), below = first + n, above = below + 1;
+    for (std::size_t i = 0; i + 1 < n; ++i)
+      result.faces.push_back(x < 0 ? Indices{first + i, first + i + 1, below}
+                                   : Indices{first + i + 1, first + i, below});
+    result.faces.push_back(x < 0 ? Indices{first + n - 1, above, below} : Indices{above, first + n - 1, below});
+  }
+  for (auto& p : result.points)
+    p = {{p[0] * std::cos(angle) - p[1] * std::sin(angle), p[0] * std::sin(angle) + p[1] * std::cos(angle), p[0] / 3}};
+  return result;
+}
+
+TEST(Repair_polygons, stitches_T_junctions)
+{
+  // One on each side, several, and chains; the ends of the sides are merged.
+  const std::vector<std::array<std::vector<double>, 2>> sides = {
+    {{{0, 1}, {0, 0.5, 1}}},
+    {{{0, 1}, {0, 0.125, 0.25, 0.5, 0.875, 1}}},
+    {{{0, 0.25, 0.75, 1}, {0, 0.5, 1}}},
+    {{{0, 0.25, 0.5, 1}, {0, 0.375, 0.5, 0.625, 0.75, 1}}}};
+  for (const auto& [left, right] : sides)
+    for (const bool is_exact : {true, false}) {
+      const auto [points, faces] = two_squares(left, right, is_exact ? 0 : 0.3);
+      const double tolerance = is_exact ? 0 : 1e-15;
+      const IT::Surface_report before = IT::examine_polygons(points, faces);
+      ASSERT_EQ(before.gaps.size(), 1u);
+      EXPECT_LE(before.stitching_tolerance, tolerance);
+      EXPECT_EQ(IT::find_gaps(points, faces).gaps[0].description, before.gaps[0].description);
+      const IT::Repaired_polygons apart = IT::repair_polygons(points, faces);
+      EXPECT_EQ(examine(apart).gaps.size(), 1u);
+      const IT::Repaired_polygons repaired = IT::repair_polygons(points, faces, {}, tolerance);
+      const IT::Surface_report report = examine(repaired);
+      EXPECT_EQ(report.first_fatal(), nullptr) << IT::message(report);
+      EXPECT_TRUE(report.gaps.empty());
+      EXPECT_EQ(report.number_of_components, 1u);
+      EXPECT_EQ(report.number_of_border_edges, 6u);
+      EXPECT_NEAR(area(repaired.points, repaired.triangles), area(apart.points, apart.triangles), 1e-14);
+      for (std::size_t v = 0; v < repaired.points.size(); ++v)
+        EXPECT_EQ(repaired.points[v], points[repaired.input_vertices[v]]);
+      for (const IT::Repair& repair : repaired.repairs)
+        EXPECT_NE(static_cast<int>(repair.kind), static_cast<int>(Kind::OPENED_EDGE));
+    }
+  const auto [points, faces] = two_squares({0, 1}, {0, 0.5, 1});
+  const IT::Repaired_polygons one = IT::repair_polygons(points, faces, {}, 0);
+  EXPECT_EQ(IT::message(one.repairs.back()), "edge 0-1 of face 0 was split at vertex 5, which lies within it");
+  EXPECT_THROW(IT::repair_polygons(points, faces, {}, -1), IT::Invalid_argument_error);
+}
+
+TEST(Repair_polygons, merges_what_is_nearer_than_the_tolerance)
+{
+  Points points = {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{1 + 4e-13, 0, 0}}, {{1e-13, 1, 0}}, {{1, 1, 0}}};
+  const Polygons faces = {{0, 1, 2}, {3, 5, 4}};
+  const IT::Surface_report report = IT::examine_polygons(points, faces);
+  ASSERT_EQ(report.gaps.size(), 1u);
+  EXPECT_EQ(report.gaps[0].count, 2u);
+  EXPECT_EQ(report.stitching_tolerance, 5e-13);
+  EXPECT_EQ(
+    IT::message(report.gaps[0], "so"),
+    "vertices 1 and 3 at (1, 0, 0) are only 4e-13 apart, beside an edge 1.41 long, and 1 more pair like it; so");
+  EXPECT_EQ(examine(IT::repair_polygons(points, faces, {}, 2e-13)).gaps.size(), 1u);
+  const IT::Repaired_polygons repaired = IT::repair_polygons(points, faces, {}, report.stitching_tolerance);
+  EXPECT_EQ(repaired.points.size(), 4u);
+  EXPECT_TRUE(examine(repaired).gaps.empty());
+  points[3][0] = 1.001; // far enough to be meant so
+  points[4][0] = 0.001;
+  EXPECT_TRUE(IT::examine_polygons(points, faces).gaps.empty());
+}
+
+TEST(Repair_polygons, removes_flat_spikes)
+{
+  // The tip of a spike, or of one on a spike, whose faces lie on the x-axis.
+  Points points = {{{0, 0, 0}}, {{2, 0, 0}}, {{1, 0, 0}}, {{-1, 0, 0}}, {{1, 1, 1}}};
+  Polygons faces = {{0, 2, 3}, {2, 1, 3}, {1, 0, 3}, {0, 1, 4}, {2, 0, 4}, {1, 2, 4}};
+  const IT::Surface_report report = IT::examine_polygons(points, faces);
+  ASSERT_NE(report.first_fatal(), nullptr);
+  EXPECT_EQ(report.first_fatal()->description,
+            "all faces around vertex 3 (faces 0, 1, 2) have zero area and an angle of zero there");
+  EXPECT_TRUE(IT::is_repairable(report.first_fatal()->defect));
+  for (const bool has_second_tip : {false, true}) {
+    if (has_second_tip) {
+      points.push_back({{-2, 0, 0}});
+      faces[0] = {0, 2, 5};
+      faces.push_back({2, 3, 5});
+      faces.push_back({3, 0, 5});
+    }
+    const IT::Repaired_polygons repaired = IT::repair_polygons(points, faces);
+    const IT::Surface_report after = examine(repaired);
+    EXPECT_EQ(after.first_fatal(), nullptr) << IT::message(after);
+    EXPECT_EQ(after.number_of_border_edges, 0u);
+    EXPECT_EQ(repaired.points.size(), 4u);
+    EXPECT_NEAR(area(repaired.points, repaired.triangles), 2 * std::sqrt(2.), 1e-14);
+    const auto spikes = std::find_if(repaired.repairs.begin(), repaired.repairs.end(),
+                                     [](const IT::Repair& repair) { return repair.kind == Kind::FLAT_SPIKE; });
+    ASSERT_NE(spikes, repaired.repairs.end());
+    EXPECT_EQ(spikes->elements, has_second_tip ? (Indices{3, 5}) : Indices{3});
+  }
+  // At the border there is room, and faces without area stay.
+  const Polygons open = {{0, 2, 3}, {0, 1, 4}};
+  EXPECT_EQ(IT::examine_polygons(points, open).first_fatal()->defect,
+            IT::Invalid_surface_error::Defect::NON_MANIFOLD_VERTEX);
+  EXPECT_EQ(IT::repair_polygons(points, open).triangles.size(), 2u);
+}
+
 TEST(Repair_polygons, removes_duplicate_and_collapsed_faces_and_unused_vertices)
 {
   Points points = tetrahedron_points;

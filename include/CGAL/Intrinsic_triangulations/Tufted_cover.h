@@ -103,6 +103,15 @@ struct Tufted_cover
   Tufted_cover_report report;
   /// whether border edges of the cover between the same vertices of the input are one edge that was cut
   bool is_cut = false;
+  /// an edge of faces of zero area, at a vertex of the input that has no face in the cover
+  struct Flat_edge
+  {
+    std::uint32_t source; ///< a vertex of the input that represents itself
+    std::uint32_t target; ///< another one
+    double length;        ///< its length
+  };
+  /// the edges that lead to vertices without faces in the cover, such as the tips of flat spikes
+  std::vector<Flat_edge> flat_edges;
 };
 
 namespace internal {

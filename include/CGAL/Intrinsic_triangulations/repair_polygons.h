@@ -15,7 +15,9 @@
 #include <CGAL/number_utils.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,6 +33,8 @@ enum class Repair_kind {
   DUPLICATE_PART,    ///< some or all parts of a face that was cut were removed: other faces have the same corners
   TRIANGULATED_FACE, ///< a face was cut into triangles
   FANNED_FACE,       ///< its triangles are a fan, which may overlap: the face is large and far from any plane
+  FLAT_SPIKE,        ///< a vertex around which all faces had zero area and an angle of zero was removed
+  STITCHED_EDGE,     ///< a border edge was split at vertices that lie within it
   REVERSED_FACE,     ///< a face was turned over
   SPLIT_VERTEX,      ///< a vertex was copied for each fan of faces after the first
   OPENED_EDGE,       ///< an edge that had several faces, or lay inside one, became a border edge
@@ -71,7 +75,7 @@ struct Repaired_polygons
 namespace internal {
 
 Repaired_polygons repair(std::vector<std::array<double, 3>> points, std::vector<std::vector<std::size_t>> polygons,
-                         const Progress_function& progress);
+                         const Progress_function& progress, const std::optional<double>& stitching_tolerance);
 
 } // namespace internal
 
@@ -84,7 +88,7 @@ const char* name(Repair_kind kind);
 /// \brief returns whether `repair_polygons()` can repair a defect.
 ///
 /// It repairs the connectivity. Invalid indices and coordinates are damage to
-/// the data, which cannot be repaired. Complexity: constant.
+/// the data, which cannot be repaired. Of faces of zero area, it removes those of flat spikes. Complexity: constant.
 /// \param defect the defect
 bool is_repairable(Invalid_surface_error::Defect defect);
 
@@ -96,6 +100,11 @@ bool is_repairable(Invalid_surface_error::Defect defect);
 ///   closes seams. Elsewhere they stay apart, as do surfaces that merely touch.
 /// - A face that encloses nothing, such as one with fewer than three different corners, is removed.
 /// - Polygons are cut into triangles as by `triangulate_polygon()`.
+/// - Vertices around which all faces have zero area and an angle of zero are removed: no area is lost. Vertices at the
+///   same place on the common longest side of two faces of zero area become one.
+/// - If a stitching tolerance is given, border edges are split at the border vertices that lie within them, exactly or
+///   not farther away, and border vertices and the ends of edges that are not farther from each other are merged:
+///   T-junctions and narrow gaps are closed.
 /// - Of several triangles with the same corners, one is kept; or two, if they are the wall between two rooms or the
 ///   sides of a fin, as an even number of other faces at their edges tells. A fin of one triangle goes with both sides.
 /// - Faces are oriented consistently; the first of all that edges join keeps its orientation. A one-sided surface is
@@ -108,7 +117,7 @@ bool is_repairable(Invalid_surface_error::Defect defect);
 /// - Vertices that belong to no triangle are removed.
 ///
 /// No vertex is moved. Faces and vertices keep their order; copies of vertices come last.
-/// Zero-area faces stay. If an edge had several faces and is border afterwards, there is an entry of `repairs` for
+/// Other zero-area faces stay. If an edge had several faces and is border afterwards, there is an entry of `repairs` for
 /// it (`Repair_kind::OPENED_EDGE`): without that entry, the repair has made no border. In most cases the result has no
 /// fatal finding, but check it with `examine_polygons()`: lengths can be zero or out of range.
 ///
@@ -118,16 +127,21 @@ bool is_repairable(Invalid_surface_error::Defect defect);
 /// \param points the vertices; their coordinates are converted to `double`
 /// \param polygons the faces, as indices into `points`
 /// \param progress is called from time to time, at least before each polygon is triangulated
+/// \param stitching_tolerance a length, at least 0, in the unit of the input; nothing is stitched by default
 ///
 /// \exception Invalid_surface_error if there is no face, an index is invalid, a coordinate is not finite, or a face
 ///   crosses itself
+/// \exception Invalid_argument_error if the tolerance is negative or not finite
 /// \exception Cancelled_error if `progress` returns `false`
 ///
 /// Complexity: O(n log n), plus that of `triangulate_polygon()` for faces with more than three corners.
 template <class PointRange, class PolygonRange>
 Repaired_polygons repair_polygons(const PointRange& points, const PolygonRange& polygons,
-                                  const Progress_function& progress = {})
+                                  const Progress_function& progress = {},
+                                  const std::optional<double>& stitching_tolerance = std::nullopt)
 {
+  if (stitching_tolerance && !(*stitching_tolerance >= 0 && std::isfinite(*stitching_tolerance)))
+    throw Invalid_argument_error("a stitching tolerance is at least 0 and finite");
   const Surface_report report = examine_polygons(points, polygons);
   if (const Finding* const first = report.first_fatal();
       first != nullptr && (first->defect <= Invalid_surface_error::Defect::NOT_FINITE || first->elements.empty()))
@@ -144,7 +158,7 @@ Repaired_polygons repair_polygons(const PointRange& points, const PolygonRange& 
     for (const auto index : polygon)
       faces.back().push_back(static_cast<std::size_t>(index));
   }
-  return internal::repair(std::move(coordinates), std::move(faces), progress);
+  return internal::repair(std::move(coordinates), std::move(faces), progress, stitching_tolerance);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsValidation

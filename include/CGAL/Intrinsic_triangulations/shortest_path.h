@@ -18,6 +18,7 @@
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Cut_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Flat_ways.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Laid_out_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Window_propagation.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
@@ -150,7 +151,7 @@ Geodesic_distances geodesic_distances(const Intrinsic_triangulation<Traits>& tri
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
 /// \brief as `geodesic_distances()` of a triangulation, for any triangles. The vertices are those of the input; merged
-/// vertices have the same distance.
+/// vertices have the same distance. To vertices whose faces all have zero area, ways go along edges.
 ///
 /// If the cover is made of sheets (`Surface_cover::SHEETS`), paths go from each face at an edge into all others. On a
 /// tufted cover, they go into the next faces around an edge only; distances across edges with more than two faces are
@@ -163,7 +164,17 @@ template <class NamedParameters = parameters::Default_named_parameters>
 Geodesic_distances geodesic_distances(const Tufted_cover& cover, const std::vector<Vertex_index>& sources,
                                       const NamedParameters& np = parameters::default_values())
 {
-  return internal::distances_by_windows(cover.triangulation, internal::Row_of_cover_vertex(cover), sources, np);
+  Geodesic_distances result;
+  const internal::Flat_ways::Surface_distances on_surface = [&](const std::vector<Vertex_index>& from) {
+    Geodesic_distances found =
+      internal::distances_by_windows(cover.triangulation, internal::Row_of_cover_vertex(cover), from, np);
+    result.number_of_ways += found.number_of_ways;
+    result.is_complete = result.is_complete && found.is_complete;
+    return std::move(found.distances);
+  };
+  result.distances =
+    cover.flat_edges.empty() ? on_surface(sources) : internal::Flat_ways(cover, on_surface).run(sources);
+  return result;
 }
 
 /// \ingroup PkgIntrinsicTriangulationsHeat

@@ -15,9 +15,11 @@
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/Polygon_sides.h>
+#include <CGAL/Intrinsic_triangulations/internal/validation/Vertices_on_edges.h>
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -49,6 +51,29 @@ struct Finding
 };
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief a kind of gap in a surface that one does not see. Distances go around it.
+enum class Gap_kind {
+  T_JUNCTION,    ///< a border vertex lies within a border edge, exactly or nearly
+  CLOSE_VERTICES ///< two border vertices, or the ends of an edge, are much nearer to each other than to others
+};
+
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief one kind of gap that `examine_polygons()` found, with the first edges that it concerns. No gap is fatal.
+struct Gap
+{
+  /// the kind of gap.
+  Gap_kind kind;
+  /// the end vertices of the first ten edges with a vertex within, or the first ten pairs of vertices.
+  std::vector<std::array<std::size_t, 2>> edges;
+  /// a face at each of them.
+  std::vector<std::size_t> faces;
+  /// the number of gaps of this kind.
+  std::size_t count;
+  /// a description of the first one, e.g. "vertex 6 lies within edge 1-2 of face 1, which does not end there".
+  std::string description;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsValidation
 /// \brief everything that `examine_polygons()` found, and the numbers of elements.
 struct Surface_report
 {
@@ -66,6 +91,10 @@ struct Surface_report
   int exponent_of_longest_edge = 0;
   /// the same for the shortest edge of nonzero length.
   int exponent_of_shortest_edge = 0;
+  /// one entry per kind of gap.
+  std::vector<Gap> gaps;
+  /// the tolerance by which `repair_polygons()` closes these gaps.
+  double stitching_tolerance = 0;
 
   /// returns the first entry of a defect, or `nullptr` if there is none. Complexity: constant.
   const Finding* find(Invalid_surface_error::Defect defect) const
@@ -95,13 +124,20 @@ struct Surface_report
 std::string message(const Finding& finding, const std::optional<std::string>& advice = std::nullopt);
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief returns a sentence that says which gap there is, how often, and what to do about it.
+/// \param gap an entry of a report
+/// \param advice what to do about it, instead of the default advice for programmers
+/// Complexity: constant.
+std::string message(const Gap& gap, const std::optional<std::string>& advice = std::nullopt);
+
+/// \ingroup PkgIntrinsicTriangulationsValidation
 /// \brief returns a text that describes the defects of a surface.
 /// \param report what `examine_polygons()` returned
 /// \param name the name of the surface, e.g. of its file; it precedes the text unless it is empty
 /// \param advice what to do about the first fatal entry, instead of the default advice for programmers
 /// \return if the report has fatal entries, the first one in full and the counts of the
-/// others; otherwise all entries, one after the other; the
-/// empty string if there is no entry. Complexity: constant.
+/// others; otherwise all entries and gaps, one after the other; the
+/// empty string if there is none. Complexity: constant.
 std::string message(const Surface_report& report, const std::string& name = std::string(),
                     const std::optional<std::string>& advice = std::nullopt);
 
@@ -117,7 +153,30 @@ void throw_if_fatal(const Surface_report& report, const std::string& name = std:
 namespace internal {
 
 // The findings in copied polygons.
-Surface_report examine(const std::vector<std::array<double, 3>>& points, Polygon_sides& polygons);
+// \param only_gaps whether nothing but gaps is looked for
+Surface_report examine(const std::vector<std::array<double, 3>>& points, Polygon_sides& polygons, bool only_gaps);
+
+// Two vertices are close if their distance is at most this part of the edges there.
+constexpr double closeness = 0x1p-30;
+inline double close_distance(double length) { return std::isfinite(length) ? closeness * length : 0; }
+
+// The side of a triangle whose ends are close beside the other sides, if there is one: where it begins.
+inline std::optional<std::size_t> shortest_side(std::array<std::array<double, 3>, 3> p)
+{
+  for (std::array<double, 3>& point : p)
+    for (double& x : point)
+      x /= 4; // lest differences overflow
+  std::array<double, 3> lengths;
+  for (std::size_t i = 0; i < 3; ++i)
+    lengths[i] = Vertices_on_edges::norm(Vertices_on_edges::difference(p[i], p[(i + 1) % 3]));
+  const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
+  if (*shortest > closeness * *longest)
+    return std::nullopt;
+  return std::size_t(shortest - lengths.begin());
+}
+
+// Whether a border vertex lies within a border edge, or beside another one.
+bool have_gaps(const std::vector<std::array<double, 3>>& points, const std::vector<Vertices_on_edges::Edge>& border);
 
 } // namespace internal
 
@@ -140,8 +199,8 @@ Surface_report examine(const std::vector<std::array<double, 3>>& points, Polygon
 /// (except `std::bad_alloc`).
 ///
 /// Complexity: linear in the numbers of vertices and corners, except for the
-/// union-find structures (linear for all practical purposes) and a sort of the faces at
-/// edges with more than two faces; a constant number of memory allocations.
+/// union-find structures (linear for all practical purposes), a sort of the faces at
+/// edges with more than two faces, and O(k log k) for k border edges.
 template <class PointRange, class PolygonRange>
 Surface_report examine_polygons(const PointRange& points, const PolygonRange& polygons)
 {
@@ -153,7 +212,30 @@ Surface_report examine_polygons(const PointRange& points, const PolygonRange& po
     for (const auto& p : points)
       coordinates.push_back({to_double(p[0]), to_double(p[1]), to_double(p[2])});
   }
-  return internal::examine(coordinates, copy);
+  return internal::examine(coordinates, copy, false);
+}
+
+/// \ingroup PkgIntrinsicTriangulationsValidation
+/// \brief finds the gaps in triangles that `examine_polygons()` finds, and nothing else: for functions that take any
+/// triangles as they are.
+///
+/// Distances go around a gap, and operators do not know of it. Vertices that are as near as a billionth of an edge are
+/// found; whether a vertex lies within an edge is decided exactly.
+/// \param points the vertices
+/// \param triangles the faces
+/// \return a report with numbers of edges, without findings. Complexity: linear, and O(k log k) for k border edges
+template <class PointRange, class TriangleRange>
+Surface_report find_gaps(const PointRange& points, const TriangleRange& triangles)
+{
+  internal::Polygon_sides copy(static_cast<std::size_t>(std::distance(std::begin(points), std::end(points))),
+                               static_cast<std::size_t>(std::distance(std::begin(triangles), std::end(triangles))));
+  std::vector<std::array<double, 3>> coordinates;
+  if (copy.add_polygons(triangles)) {
+    coordinates.reserve(copy.number_of_vertices());
+    for (const auto& p : points)
+      coordinates.push_back({to_double(p[0]), to_double(p[1]), to_double(p[2])});
+  }
+  return internal::examine(coordinates, copy, true);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
@@ -164,7 +246,7 @@ Surface_report examine_polygons(const PointRange& points, const PolygonRange& po
 ///   form an oriented 2-manifold
 /// \param points the vertices; coordinates are `p[0]`, `p[1]` and `p[2]`
 ///
-/// Complexity: linear; no memory.
+/// Complexity: linear, and O(k log k) for k border edges, which alone need memory.
 template <class PointRange>
 bool is_clean(const Delta_complex& complex, const PointRange& points)
 {
@@ -195,16 +277,28 @@ bool is_clean(const Delta_complex& complex, const PointRange& points)
   }
   if (lengths.vanishes_in_unit(exponent))
     return false;
+  const bool may_be_close = lengths.exponent_of_longest() - lengths.exponent_of_shortest() >= 28;
+  std::vector<std::array<double, 3>> border_points;
+  std::vector<internal::Vertices_on_edges::Edge> border;
   for (Face_index f : complex.faces()) {
     const Halfedge_index h = complex.halfedge(f), i = complex.next(h), j = complex.prev(h);
     const Face_index g = complex.face(complex.opposite(h));
     // Two faces with three common edges are the same triangle twice.
     if (g.is_valid() && complex.face(complex.opposite(i)) == g && complex.face(complex.opposite(j)) == g)
       return false;
-    if (internal::are_collinear(place(complex.target(h)), place(complex.target(i)), place(complex.target(j))))
+    const std::array<std::array<double, 3>, 3> p = {
+      {place(complex.source(h)), place(complex.source(i)), place(complex.source(j))}};
+    if (internal::are_collinear(p[0], p[1], p[2]) || (may_be_close && internal::shortest_side(p)))
       return false;
+    Halfedge_index side = h;
+    for (std::uint32_t k = 0; k < 3; ++k, side = complex.next(side))
+      if (complex.is_border(complex.opposite(side))) {
+        const auto n = static_cast<std::uint32_t>(border_points.size());
+        border.push_back({n, n + 1, n + 2});
+        border_points.insert(border_points.end(), {p[k], p[(k + 1) % 3], p[(k + 2) % 3]});
+      }
   }
-  return true;
+  return border.empty() || !internal::have_gaps(border_points, border);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsValidation

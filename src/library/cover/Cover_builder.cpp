@@ -383,7 +383,10 @@ private:
     for (Index f = 0; f < cover_.size(); ++f)
       if (is_flat[cover_.face_of[f]])
         flat.push_back(f);
-    return Flat_face_remover(points_, cover_).run(std::move(flat));
+    std::vector<Vertex_number_pair> coincident = Flat_face_remover(points_, cover_).run(std::move(flat));
+    if (coincident.empty())
+      count_vertices_that_lost_all_faces();
+    return coincident;
   }
 
   void drop_parts_without_area(const std::vector<bool>& is_flat)
@@ -407,14 +410,25 @@ private:
   }
   void count_dropped(const std::vector<bool>& has_copy)
   {
-    std::vector<unsigned char> has_faces(points_.size(), 0); // 1 before, 2 afterwards
-    for (Index f = 0; f < triangles().size(); ++f) {
+    for (Index f = 0; f < triangles().size(); ++f)
       report().faces_without_area += !has_copy[f];
-      for (Index v : triangles()[f])
-        has_faces[v] = (std::max)(has_faces[v], static_cast<unsigned char>(has_copy[f] ? 2 : 1));
-    }
+  }
+  // With those of parts without area, the tips of flat spikes.
+  void count_vertices_that_lost_all_faces()
+  {
+    const std::vector<bool> had_faces = have_faces(points_.size(), triangles());
+    std::vector<bool> has_faces(points_.size(), false);
+    for (Index v : cover_.corners)
+      has_faces[v] = true;
     for (Index v : cleaned_.representative)
-      report().unreferenced_vertices += has_faces[v] == 1;
+      report().unreferenced_vertices += had_faces[v] && !has_faces[v];
+    sides_.for_each_edge([&](Index v, const Side* begin, const Side*) {
+      const Index w = begin->larger_end;
+      if (has_faces[v] && has_faces[w])
+        return;
+      const auto &p = points_[v], &q = points_[w];
+      flat_edges_.push_back({v, w, std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2])});
+    });
   }
 
   Tufted_cover assemble()
@@ -446,7 +460,8 @@ private:
             std::move(is_half),
             std::move(cleaned_.representative),
             cleaned_.report,
-            is_cut_};
+            is_cut_,
+            std::move(flat_edges_)};
   }
 
   Intrinsic_triangulation<Filtered_edge_length_traits> mollified(Delta_complex complex, const Points& points)
@@ -469,7 +484,8 @@ private:
   std::vector<bool> is_doubled_, is_turned_; // of each triangle
   bool is_cut_ = false;
   Index_vector first_copy_;
-  Glued_faces cover_;                   // faces are copies of triangles
+  Glued_faces cover_; // faces are copies of triangles
+  std::vector<Tufted_cover::Flat_edge> flat_edges_;
   std::optional<Points> scaled_points_; // if faces have to be ordered around some edge
 };
 
@@ -574,7 +590,9 @@ Tufted_cover build_cover_of_complex(const Delta_complex& complex, const std::vec
           std::move(is_back),
           std::vector<bool>(is_doubled ? 2 * n : n, is_doubled),
           std::move(representative),
-          report};
+          report,
+          false,
+          {}};
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

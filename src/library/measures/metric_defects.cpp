@@ -49,10 +49,12 @@ void throw_no_length(const Delta_complex& complex, Edge_index e)
   const std::string source = std::to_string(complex.source(h).idx()), target = std::to_string(complex.target(h).idx());
   throw Invalid_surface_error(Defect::ZERO_LENGTH_EDGE, complex.source(h).idx(), 1,
                               complex.is_loop(e)
-                                ? "a loop at vertex " + source + " has length zero: the lengths leave no room there"
+                                ? "a loop at vertex " + source +
+                                    " has length zero: faces of zero area leave no room for triangles there; remove "
+                                    "those around it, as repair_polygons() does"
                                 : "vertices " + source + " and " + target +
-                                    " coincide on the surface, though no edge joins them; "
-                                    "merge them first");
+                                    " coincide on the surface, as faces of zero area join them, though no edge does; "
+                                    "merge them first, as repair_polygons() does");
 }
 
 double area_in_input_unit(double area, int unit_exponent, Face_index f)

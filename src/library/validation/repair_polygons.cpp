@@ -8,8 +8,10 @@
 #include <CGAL/Intrinsic_triangulations/repair_polygons.h>
 #include "../gluing/Surface_gluer.h"
 #include "Doubled_faces.h"
+#include "Flat_spikes.h"
 #include "Polygon_cutter.h"
 #include <CGAL/Intrinsic_triangulations/internal/validation/Polygon_sides.h>
+#include <CGAL/Intrinsic_triangulations/internal/validation/Vertices_on_edges.h>
 
 #include <boost/functional/hash.hpp>
 
@@ -19,6 +21,9 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
+#include <set>
+#include <sstream>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -39,6 +44,7 @@ inline Repair_words words_of(Repair_kind kind)
     {"merged vertices", "vertex", "vertices"}, {"collapsed faces", "face", "faces"},
     {"duplicate faces", "face", "faces"},      {"duplicate parts of faces", "face", "faces"},
     {"triangulated faces", "face", "faces"},   {"fanned faces", "face", "faces"},
+    {"flat spikes", "vertex", "vertices"},     {"stitched edges", "edge", "edges"},
     {"reversed faces", "face", "faces"},       {"split vertices", "vertex", "vertices"},
     {"opened edges", "edge", "edges"},         {"dropped vertices", "vertex", "vertices"}};
   return words[static_cast<std::size_t>(kind)];
@@ -51,7 +57,8 @@ const char* name(Repair_kind kind) { return internal::words_of(kind).name; }
 bool is_repairable(Invalid_surface_error::Defect defect)
 {
   using Defect = Invalid_surface_error::Defect;
-  return (defect > Defect::NOT_FINITE && defect < Defect::OUT_OF_RANGE) || defect == Defect::UNREFERENCED_VERTEX;
+  return (defect > Defect::NOT_FINITE && defect < Defect::OUT_OF_RANGE) || defect == Defect::DEGENERATE_FACE ||
+         defect == Defect::UNREFERENCED_VERTEX;
 }
 
 std::string message(const Repair& repair)
@@ -96,8 +103,9 @@ class Polygon_repairer
   static constexpr Index none = (std::numeric_limits<Index>::max)();
 
 public:
-  Polygon_repairer(std::vector<std::array<double, 3>> points, std::vector<std::vector<Index>> polygons)
-    : input_points_(std::move(points)), input_polygons_(std::move(polygons)),
+  Polygon_repairer(std::vector<std::array<double, 3>> points, std::vector<std::vector<Index>> polygons,
+                   const std::optional<double>& stitching_tolerance)
+    : input_points_(std::move(points)), input_polygons_(std::move(polygons)), tolerance_(stitching_tolerance),
       is_reversed_(input_polygons_.size(), false), is_repeated_(input_polygons_.size(), false),
       has_lost_part_(input_polygons_.size(), false)
   {
@@ -112,6 +120,10 @@ public:
     merge_points();
     remove_repeated_corners();
     triangulate(progress);
+    ask(progress, 0.8);
+    remove_flat_spikes();
+    if (tolerance_)
+      stitch(progress);
     remove_duplicates();
     ask(progress, 0.9);
     glue();
@@ -137,7 +149,7 @@ private:
       for (Index i = 0; i < polygon.corners.size(); ++i) {
         const Index v = polygon.corners[i], w = polygon.corners[(i + 1) % polygon.corners.size()];
         representative_[v] = v;
-        if (input_points_[v] == input_points_[w])
+        if (input_points_[v] == input_points_[w] || (tolerance_ && distance(v, w) <= *tolerance_))
           may_merge[v] = may_merge[w] = true;
         edges.push_back({(std::min)(v, w), (std::max)(v, w)});
       }
@@ -150,9 +162,31 @@ private:
     for (Index v = 0; v < input_points_.size(); ++v)
       if (may_merge[v])
         representative_[v] = first_at.emplace(input_points_[v], v).first->second;
+    if (tolerance_ && *tolerance_ > 0)
+      merge_near(may_merge);
     for (Polygon_part& polygon : polygons_)
       for (Index& v : polygon.corners)
         v = representative_[v];
+  }
+
+  double distance(Index v, Index w) const
+  {
+    return Vertices_on_edges::norm(Vertices_on_edges::difference(input_points_[v], input_points_[w]));
+  }
+
+  void merge_near(const std::vector<bool>& may_merge)
+  {
+    std::vector<std::uint32_t> vertices;
+    for (Index v = 0; v < may_merge.size(); ++v)
+      if (may_merge[v] && representative_[v] == v)
+        vertices.push_back(std::uint32_t(v));
+    const Vertices_on_edges near(input_points_, vertices);
+    Disjoint_sets sets(input_points_.size());
+    for (std::uint32_t v : vertices)
+      near.for_each_within(input_points_[v], *tolerance_, [&](std::uint32_t w, double) { sets.unite(v, w); });
+    for (Index& v : representative_)
+      if (v != none)
+        v = sets.find(std::uint32_t(v));
   }
 
   // Of corners that follow each other. A polygon with fewer than three different ones goes.
@@ -258,6 +292,92 @@ private:
     polygons_ = std::move(triangles);
   }
 
+  void remove_flat_spikes()
+  {
+    std::vector<Index_triangle> all = triangles();
+    const Flat_spikes spikes(input_points_, all);
+    if (spikes.tips().empty() && spikes.merged().empty())
+      return;
+    tips_.insert(spikes.tips().begin(), spikes.tips().end());
+    std::map<Index, Index> to(spikes.merged().begin(), spikes.merged().end());
+    for (Index& v : representative_)
+      for (auto it = to.find(v); it != to.end(); it = to.find(v))
+        v = it->second;
+    std::vector<Polygon_part> left;
+    std::fill(is_kept_.begin(), is_kept_.end(), false);
+    for (Index t = 0; t < all.size(); ++t) {
+      const auto& [a, b, c] = all[t];
+      if (a == b || b == c || c == a)
+        continue;
+      left.push_back({polygons_[t].input, {a, b, c}});
+      is_kept_[polygons_[t].input] = true;
+    }
+    polygons_ = std::move(left);
+  }
+
+  // Splits border edges at the border vertices within them.
+  void stitch(const Progress_function& progress)
+  {
+    const std::vector<Index_triangle> all = triangles();
+    std::vector<Vertices_on_edges::Edge> border;
+    std::vector<std::uint32_t> sides, vertices;
+    const Sides_by_edge edges(input_points_.size(), all);
+    edges.for_each_edge([&](std::uint32_t v, const Side_at_edge* begin, const Side_at_edge* end) {
+      if (end - begin > 1)
+        return;
+      const std::uint32_t s = begin->side();
+      sides.push_back(s);
+      border.push_back({v, begin->larger_end, all[s / 3][(s + 2) % 3]});
+      vertices.insert(vertices.end(), {v, begin->larger_end});
+    });
+    std::size_t calls = 0;
+    const Vertices_on_edges near(input_points_, std::move(vertices));
+    std::map<std::uint32_t, std::vector<Index>> within; // of each side, in its direction
+    for (const Vertices_on_edges::Found& found : near.within(border, *tolerance_, 0, [&] {
+           if (++calls % 4096 == 0)
+             ask(progress, 0.85);
+         }))
+      within[sides[found.edge]].push_back(found.vertex);
+    std::vector<Polygon_part> result;
+    for (Index t = 0; t < all.size(); ++t) {
+      std::vector<std::vector<Index>> parts{polygons_[t].corners};
+      for (std::uint32_t s = 3 * std::uint32_t(t), i = 0; i < 3; ++i, ++s)
+        if (const auto found = within.find(s); found != within.end()) {
+          if (all[t][i] > all[t][(i + 1) % 3])
+            std::reverse(found->second.begin(), found->second.end());
+          note_stitch(all[t][i], all[t][(i + 1) % 3], found->second, polygons_[t].input);
+          split_side(parts, all[t][i], all[t][(i + 1) % 3], found->second);
+        }
+      for (std::vector<Index>& part : parts)
+        result.push_back({polygons_[t].input, std::move(part)});
+    }
+    polygons_ = std::move(result);
+  }
+  void note_stitch(Index v, Index w, const std::vector<Index>& within, Index face)
+  {
+    if (stitched_.count() == 0 || face < stitched_.first())
+      first_stitch_ = {v, w, within.front()};
+    stitched_.add(face);
+    for (Index last = v, i = 0; i <= within.size(); ++i) {
+      const Index next = i < within.size() ? within[i] : w;
+      new_sides_.insert({(std::min)(last, next), (std::max)(last, next)});
+      last = next;
+    }
+  }
+  // The triangle that has the side becomes a fan.
+  static void split_side(std::vector<std::vector<Index>>& parts, Index v, Index w, const std::vector<Index>& within)
+  {
+    for (std::vector<Index>& part : parts)
+      for (Index i = 0; i < 3; ++i)
+        if (part[i] == v && part[(i + 1) % 3] == w) {
+          const Index apex = part[(i + 2) % 3];
+          part = {v, within.front(), apex};
+          for (Index k = 0; k < within.size(); ++k)
+            parts.push_back({within[k], k + 1 < within.size() ? within[k + 1] : w, apex});
+          return;
+        }
+  }
+
   std::vector<Index_triangle> triangles() const
   {
     std::vector<Index_triangle> result;
@@ -324,7 +444,7 @@ private:
       }
     for (Index i = 0; i < border.size(); ++i) {
       const auto& [ends, face] = border[i];
-      if (number_of_faces[i] == 1)
+      if (number_of_faces[i] == 1 || new_sides_.count(ends) != 0)
         continue;
       if (opened_.count() == 0 || face < opened_.first())
         first_opened_edge_ = {ends[0], ends[1], number_of_faces[i]};
@@ -337,6 +457,10 @@ private:
   {
     std::vector<Index> input(copied_from_.size(), none);
     for_each_corner([&](Index v, Index in_input) { input[v] = (std::min)(input[v], in_input); });
+    for (const Polygon_part& triangle : polygons_)
+      for (Index v : triangle.corners)
+        if (input[v] == none) // all its faces had other corners before
+          input[v] = copied_from_[v];
     std::vector<Index> number(input.size(), none);
     for (Index v = 0; v < input.size(); ++v)
       if (input[v] != none) {
@@ -385,12 +509,12 @@ private:
     for (Index f : result_.input_faces)
       ++face_count[f];
 
-    Element_collector merged, collapsed, duplicates, lost_parts, triangulated, reversed, split, dropped;
+    Element_collector merged, collapsed, duplicates, lost_parts, triangulated, spikes, reversed, split, dropped;
     for (Index v = 0; v < vertex_count.size(); ++v) {
       if (vertex_count[v] > 1)
         split.add(v);
       else if (vertex_count[v] == 0)
-        (merged_with_[v] != none ? merged : dropped).add(v);
+        (merged_with_[v] != none ? merged : tips_.count(v) != 0 ? spikes : dropped).add(v);
     }
     for (Index f = 0; f < face_count.size(); ++f) {
       if (!is_kept_[f])
@@ -409,8 +533,15 @@ private:
 
     const auto vertex = [](Index v) { return "vertex " + std::to_string(v); };
     const auto face = [](Index f) { return "face " + std::to_string(f); };
-    add(Repair_kind::MERGED_VERTEX, merged,
-        [&](Index v) { return vertex(v) + " was merged with " + vertex(merged_with_[v]) + " at the same place"; });
+    add(Repair_kind::MERGED_VERTEX, merged, [&](Index v) {
+      const double apart = distance(v, merged_with_[v]);
+      std::ostringstream where;
+      if (apart > 0)
+        where << ", which is " << apart << " away";
+      else
+        where << " at the same place";
+      return vertex(v) + " was merged with " + vertex(merged_with_[v]) + where.str();
+    });
     add(Repair_kind::COLLAPSED_FACE, collapsed,
         [&](Index f) { return face(f) + " was removed, as it encloses nothing"; });
     add(Repair_kind::DUPLICATE_FACE, duplicates, [&](Index f) {
@@ -427,6 +558,14 @@ private:
       return face(f) + " (" + std::to_string(input_polygons_[f].size()) + " corners) was cut into triangles";
     });
     add(Repair_kind::FANNED_FACE, fans_, [&](Index) { return first_fan_; });
+    add(Repair_kind::FLAT_SPIKE, spikes, [&](Index v) {
+      return vertex(v) + " was removed: all faces around it had zero area and an angle of zero there";
+    });
+    add(Repair_kind::STITCHED_EDGE, stitched_, [&](Index f) {
+      const auto [v, w, x] = first_stitch_;
+      return "edge " + std::to_string(v) + "-" + std::to_string(w) + " of " + face(f) + " was split at " + vertex(x) +
+             ", which lies within it";
+    });
     add(Repair_kind::REVERSED_FACE, reversed, [&](Index f) { return face(f) + " was turned over"; });
     add(Repair_kind::SPLIT_VERTEX, split, [&](Index v) {
       return vertex(v) + " became " + std::to_string(vertex_count[v]) + " vertices, one for each fan of its faces";
@@ -453,6 +592,7 @@ private:
 
   const std::vector<std::array<double, 3>> input_points_;
   const std::vector<std::vector<Index>> input_polygons_;
+  const std::optional<double> tolerance_;
   std::vector<Polygon_part> polygons_;      // in the order of the input
   std::vector<Index> representative_;       // of each input vertex that a face names, the one it was merged into
   std::vector<std::uint32_t> copied_from_;  // of each vertex after the gluing, the one of the input
@@ -461,16 +601,19 @@ private:
   std::vector<bool> is_repeated_;           // of each input face, whether one before it has the same corners in order
   std::vector<bool> has_lost_part_;         // of each input face of which several parts were left
   std::map<Index, Index> other_side_;       // of input faces that enclose nothing
-  Element_collector fans_, opened_;
+  Element_collector fans_, stitched_, opened_;
   std::string first_fan_;                       // what is to be said about it
+  std::set<Index> tips_;                        // of flat spikes that were removed
+  std::array<Index, 3> first_stitch_ = {};      // ends, and the vertex
+  std::set<std::array<Index, 2>> new_sides_;    // parts of border edges that were split
   std::array<Index, 3> first_opened_edge_ = {}; // ends, and how many faces it had
   Repaired_polygons result_;
 };
 
 Repaired_polygons repair(std::vector<std::array<double, 3>> points, std::vector<std::vector<std::size_t>> polygons,
-                         const Progress_function& progress)
+                         const Progress_function& progress, const std::optional<double>& stitching_tolerance)
 {
-  return Polygon_repairer(std::move(points), std::move(polygons)).run(progress);
+  return Polygon_repairer(std::move(points), std::move(polygons), stitching_tolerance).run(progress);
 }
 
 } // namespace internal

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -61,18 +62,26 @@ public:
     : points_(points), polygons_(polygons)
   {}
 
-  Surface_report examine()
+  Surface_report examine(bool only_gaps)
   {
     report_.number_of_vertices = number_of_vertices_;
     report_.number_of_faces = polygons_.number_of_faces();
     if (examine_numbers()) {
       examine_coordinates();
-      examine_faces();
+      if (!only_gaps)
+        examine_faces();
       polygons_.sort_sides();
       examine_edges();
       examine_lengths();
-      examine_use();
+      if (!only_gaps)
+        examine_use();
+      if (all_finite_) {
+        examine_spikes();
+        examine_gaps();
+      }
     }
+    if (only_gaps)
+      report_.findings.clear();
     std::stable_sort(report_.findings.begin(), report_.findings.end(),
                      [](const Finding& a, const Finding& b) { return a.defect < b.defect; });
     return std::move(report_);
@@ -216,6 +225,183 @@ private:
     const auto face = [this](const std::size_t f) { return "face " + face_text(polygons_, f); };
     add(Defect::REPEATED_CORNER, repeated, [&](const std::size_t f) { return face(f) + " names a vertex twice"; });
     add(Defect::DEGENERATE_FACE, flat, [&](const std::size_t f) { return face(f) + " has zero area"; });
+    has_flat_faces_ = flat.count() > 0;
+  }
+
+  // Vertices around which all faces are flat, with an angle of zero: no triangulation is Delaunay there.
+  void examine_spikes()
+  {
+    if (!has_flat_faces_)
+      return;
+    std::vector<bool> is_tip(number_of_vertices_, true);
+    for (std::size_t v = 0; v < number_of_vertices_; ++v)
+      is_tip[v] = polygons_.is_used(v);
+    for (std::size_t f = 0; f < report_.number_of_faces; ++f) {
+      const std::size_t begin = polygons_.begin_of_face(f), end = polygons_.begin_of_face(f + 1);
+      if (begin == end || polygons_.vertex(begin) == none_)
+        continue;
+      std::array<Index, 3> v = {};
+      for (std::size_t i = 0; i < 3 && end - begin == 3; ++i)
+        v[i] = polygons_.vertex(begin + i);
+      const bool is_flat = end - begin == 3 && are_collinear(point(v[0]), point(v[1]), point(v[2]));
+      for (std::size_t i = 0; i < end - begin; ++i)
+        if (!is_flat || is_between(point(v[i]), point(v[(i + 1) % 3]), point(v[(i + 2) % 3])))
+          is_tip[polygons_.vertex(begin + i)] = false;
+    }
+    for (const Index s : border_)
+      for (const std::size_t v : polygons_.ends(s))
+        is_tip[v] = false; // a border leaves room
+    Element_collector tips;
+    for (std::size_t v = 0; v < number_of_vertices_; ++v)
+      if (is_tip[v])
+        tips.add(v);
+    if (tips.count() == 0)
+      return;
+    add(Defect::DEGENERATE_FACE, tips, [this](const std::size_t v) {
+      std::string faces;
+      std::size_t n = 0;
+      for (std::size_t c = 0; c < polygons_.number_of_corners(); ++c)
+        if (polygons_.vertex(c) == v && n++ < 8)
+          faces += (n == 1 ? "" : ", ") + std::to_string(polygons_.face_of_corner(c));
+      return "all faces around vertex " + std::to_string(v) + " (faces " + faces + (n > 8 ? ", ..." : "") +
+             ") have zero area and an angle of zero there";
+    });
+    Finding& finding = report_.findings.back();
+    finding.is_fatal = true;
+    for (std::size_t& element : finding.elements)
+      element = first_face(element);
+  }
+  std::size_t first_face(const std::size_t vertex) const
+  {
+    std::size_t c = 0;
+    while (polygons_.vertex(c) != vertex)
+      ++c;
+    return polygons_.face_of_corner(c);
+  }
+  // On a line, points are in the order of their coordinates.
+  static bool is_between(const Coordinates& p, const Coordinates& q, const Coordinates& r)
+  {
+    return (q < p) != (r < p);
+  }
+
+  // T-junctions and close vertices. What there is of them is described by the first edge.
+  void examine_gaps()
+  {
+    std::vector<Narrow_place> junctions, close;
+    if (report_.exponent_of_longest_edge - report_.exponent_of_shortest_edge >= 28)
+      find_short_sides(close);
+    if (!border_.empty())
+      find_gaps_at_border(junctions, close);
+    add_gaps(Gap_kind::T_JUNCTION, junctions, [](const Narrow_place& gap) {
+      const std::string edge = "edge " + std::to_string(gap.edge[0]) + "-" + std::to_string(gap.edge[1]) + " of face " +
+                               std::to_string(gap.face);
+      const std::string vertex = "vertex " + std::to_string(gap.vertex);
+      return gap.distance == 0
+               ? vertex + " lies within " + edge + ", which does not end there"
+               : vertex + " lies " + short_text(gap.distance) + " beside " + edge + ", which does not end there";
+    });
+    add_gaps(Gap_kind::CLOSE_VERTICES, close, [this](const Narrow_place& gap) {
+      const Coordinates& p = point(gap.edge[0]);
+      return "vertices " + std::to_string(gap.edge[0]) + " and " + std::to_string(gap.edge[1]) + " at (" +
+             short_text(p[0]) + ", " + short_text(p[1]) + ", " + short_text(p[2]) + ") are only " +
+             short_text(gap.distance) + " apart, beside an edge " + short_text(gap.length) + " long";
+    });
+    // One digit is enough.
+    if (const double needed = report_.stitching_tolerance * (1 + 0x1p-40); needed > 0) {
+      const double power = std::pow(10, std::floor(std::log10(needed)));
+      for (const double digit : {1, 2, 5, 10})
+        if (digit * power >= needed) {
+          report_.stitching_tolerance = digit * power;
+          break;
+        }
+    }
+  }
+
+  // At the border, which is a vertex in an edge, or a pair of vertices that is an edge or has a gap between.
+  struct Narrow_place
+  {
+    std::array<std::size_t, 2> edge;
+    std::size_t face, vertex;
+    double distance, length; // of an edge there
+  };
+
+  static std::string short_text(const double x)
+  {
+    std::ostringstream text;
+    text.precision(3);
+    text << x;
+    return text.str();
+  }
+
+  void add_close(std::size_t v, std::size_t w, std::size_t face, double length, std::vector<Narrow_place>& close) const
+  {
+    if (point(v) != point(w))
+      close.push_back({{(std::min)(v, w), (std::max)(v, w)}, face, v, distance(v, w), length});
+  }
+  double distance(std::size_t v, std::size_t w) const
+  {
+    return Vertices_on_edges::norm(Vertices_on_edges::difference(point(v), point(w)));
+  }
+
+  void find_short_sides(std::vector<Narrow_place>& close) const
+  {
+    for (std::size_t f = 0; f < report_.number_of_faces; ++f) {
+      const std::size_t begin = polygons_.begin_of_face(f);
+      if (polygons_.degree(f) != 3 || polygons_.vertex(begin) == none_)
+        continue;
+      const std::array<std::size_t, 3> v = {polygons_.vertex(begin), polygons_.vertex(begin + 1),
+                                            polygons_.vertex(begin + 2)};
+      if (const std::optional<std::size_t> side = shortest_side({{point(v[0]), point(v[1]), point(v[2])}}))
+        add_close(v[*side], v[(*side + 1) % 3], f, distance(v[*side], v[(*side + 2) % 3]), close);
+    }
+  }
+
+  void find_gaps_at_border(std::vector<Narrow_place>& junctions, std::vector<Narrow_place>& close) const
+  {
+    std::vector<Vertices_on_edges::Edge> edges;
+    std::vector<Index> vertices;
+    for (const Index s : border_) {
+      const auto [v, w] = polygons_.ends(s);
+      const Index third = polygons_.third_vertex(polygons_.side(s));
+      edges.push_back({Index(v), Index(w), third == none_ ? Index(v) : third});
+      vertices.insert(vertices.end(), {Index(v), Index(w)});
+    }
+    const Vertices_on_edges near(points_, std::move(vertices));
+    for (const Vertices_on_edges::Found& found : near.within(edges, 0, closeness, [] {})) {
+      const Index s = border_[found.edge];
+      junctions.push_back({polygons_.ends(s), polygons_.face_of_side(s), found.vertex, found.distance, 0});
+    }
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      const double length = distance(edges[e].source, edges[e].target);
+      for (const Index v : {edges[e].source, edges[e].target})
+        near.for_each_within(point(v), close_distance(length), [&](Index w, double) {
+          add_close(v, w, polygons_.face_of_side(border_[e]), length, close);
+        });
+    }
+  }
+
+  template <class Describe>
+  void add_gaps(const Gap_kind kind, std::vector<Narrow_place>& gaps, const Describe& describe)
+  {
+    const auto key = [kind](const Narrow_place& gap) {
+      return std::make_tuple(gap.edge[0], gap.edge[1], kind == Gap_kind::T_JUNCTION ? gap.vertex : 0);
+    };
+    std::sort(gaps.begin(), gaps.end(), [&](const Narrow_place& a, const Narrow_place& b) {
+      return std::make_pair(key(a), -a.length) < std::make_pair(key(b), -b.length);
+    });
+    gaps.erase(std::unique(gaps.begin(), gaps.end(),
+                           [&](const Narrow_place& a, const Narrow_place& b) { return key(a) == key(b); }),
+               gaps.end());
+    if (gaps.empty())
+      return;
+    Gap all{kind, {}, {}, gaps.size(), describe(gaps.front())};
+    for (std::size_t i = 0; i < gaps.size() && i < 10; ++i) {
+      all.edges.push_back(gaps[i].edge);
+      all.faces.push_back(gaps[i].face);
+    }
+    report_.gaps.push_back(std::move(all));
+    for (const Narrow_place& gap : gaps)
+      report_.stitching_tolerance = (std::max)(report_.stitching_tolerance, gap.distance);
   }
 
   void examine_edges()
@@ -251,6 +437,8 @@ private:
         if (mark.first_side == s) {
           ++report_.number_of_edges;
           report_.number_of_border_edges += mark.count == 1;
+          if (mark.count == 1)
+            border_.push_back(static_cast<Index>(s));
           if (!lengths.add(point(a), point(side.other), s))
             coincident.add(s);
           if (mark.count > 2) {
@@ -417,8 +605,9 @@ private:
   const std::vector<Coordinates>& points_;
   Polygon_sides& polygons_;
   const std::size_t number_of_vertices_ = polygons_.number_of_vertices();
-  bool all_finite_ = true;
-  Box box_; // of the vertices that are used
+  bool all_finite_ = true, has_flat_faces_ = false;
+  std::vector<Index> border_; // positions of sides that are alone
+  Box box_;                   // of the vertices that are used
   int exponent_ = 0;
   Length_range lengths_;
   Surface_report report_;
@@ -470,6 +659,9 @@ inline Finding_words words_of(const Finding& finding)
       "edge", "edges", "out of range",
       "no scaling brings both squared lengths, and their products, into the range of double: remove the outliers"};
   case Defect::DEGENERATE_FACE:
+    if (finding.is_fatal)
+      return {"flat spike", "flat spikes", "with no room for triangles",
+              "remove the vertex and its faces, as repair_polygons() does: no area is lost"};
     return {"face", "faces", "of zero area", ""};
   case Defect::UNREFERENCED_VERTEX:
     return {"vertex", "vertices", "not referenced by any face", ""};
@@ -478,9 +670,27 @@ inline Finding_words words_of(const Finding& finding)
   }
 }
 
-Surface_report examine(const std::vector<std::array<double, 3>>& points, Polygon_sides& polygons)
+Surface_report examine(const std::vector<std::array<double, 3>>& points, Polygon_sides& polygons, bool only_gaps)
 {
-  return Surface_examiner(points, polygons).examine();
+  return Surface_examiner(points, polygons).examine(only_gaps);
+}
+
+bool have_gaps(const std::vector<std::array<double, 3>>& points, const std::vector<Vertices_on_edges::Edge>& border)
+{
+  std::vector<std::uint32_t> vertices;
+  for (const Vertices_on_edges::Edge& e : border)
+    vertices.push_back(e.source); // each end of a border edge begins one
+  const Vertices_on_edges near(points, std::move(vertices));
+  if (!near.within(border, 0, closeness, [] {}).empty())
+    return true;
+  bool result = false;
+  for (const Vertices_on_edges::Edge& e : border)
+    for (const std::uint32_t v : {e.source, e.target})
+      near.for_each_within(
+        points[v],
+        close_distance(Vertices_on_edges::norm(Vertices_on_edges::difference(points[e.source], points[e.target]))),
+        [&](std::uint32_t w, double) { result = result || points[v] != points[w]; });
+  return result;
 }
 
 } // namespace internal
@@ -498,6 +708,20 @@ std::string message(const Finding& finding, const std::optional<std::string>& ad
   return text;
 }
 
+std::string message(const Gap& gap, const std::optional<std::string>& advice)
+{
+  const bool is_junction = gap.kind == Gap_kind::T_JUNCTION;
+  std::string text = gap.description;
+  if (gap.count > 1)
+    text += ", and " + std::to_string(gap.count - 1) + " more " + (is_junction ? "T-junction" : "pair") +
+            (gap.count == 2 ? "" : "s") + " like it";
+  return text + "; " +
+         advice.value_or(is_junction ? "ways go around the gap: split the edge there, as repair_polygons() does if a "
+                                       "stitching tolerance is given"
+                                     : "merge them if they are to be one, as repair_polygons() does if a stitching "
+                                       "tolerance is given");
+}
+
 std::string message(const Surface_report& report, const std::string& name, const std::optional<std::string>& advice)
 {
   std::string text;
@@ -513,9 +737,12 @@ std::string message(const Surface_report& report, const std::string& name, const
                 (finding.count == 1 ? words.singular : words.plural) + " " + words.summary;
     }
     text += others.empty() ? others : others + ")";
-  } else
+  } else {
     for (const Finding& finding : report.findings)
       text += (text.empty() ? "" : "; ") + message(finding);
+    for (const Gap& gap : report.gaps)
+      text += (text.empty() ? "" : "; ") + message(gap);
+  }
   return name.empty() || text.empty() ? text : name + ": " + text;
 }
 

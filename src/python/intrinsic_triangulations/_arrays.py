@@ -9,11 +9,13 @@ from __future__ import annotations
 
 import math
 import operator
+import warnings
 from typing import Any, Optional, Sequence, Tuple
 
 import numpy
 import scipy.sparse
 
+from . import _core
 from ._errors import InvalidArgumentError, InvalidPointError, InvalidSurfaceError
 
 LARGEST_INDEX = 2**32 - 2
@@ -130,6 +132,12 @@ def refuse_counts(F: Any) -> None:
         raise InvalidSurfaceError(
             f"all {len(rows)} rows of F begin with {count}, the number of the others: leave this column out, {advice}. If vertex {count} is "
             "a corner of each face, begin one of them with another corner", "NOT_A_TRIANGLE", 0, len(rows))
+
+
+def warn_of_gaps(points: numpy.ndarray, faces: numpy.ndarray) -> None:
+    """Warn the caller's caller of T-junctions and of vertices that are very close."""
+    for text in _core.gaps(points, faces):
+        warnings.warn(text, stacklevel=3)
 
 
 def _refuse_polygons(F: Any) -> None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from typing import Any, List, NamedTuple, Tuple, Union
+from typing import Any, List, NamedTuple, Optional, Tuple, Union
 
 import numpy
 from numpy.typing import ArrayLike
@@ -149,7 +149,7 @@ def _check_orientation(faces: numpy.ndarray) -> None:
             "agree; repair(V, F) cuts it open", "INCONSISTENT_ORIENTATION", face, int(is_bad.sum()))
 
 
-def repair(V: ArrayLike, F: ArrayLike) -> RepairedMesh:
+def repair(V: ArrayLike, F: ArrayLike, stitching_tolerance: Optional[float] = None) -> RepairedMesh:
     """Turn any polygons into an oriented triangle mesh by repairing their connectivity.
 
     This cuts polygons into triangles, closes seams, orients faces, and removes duplicate faces and unused vertices. At
@@ -163,6 +163,9 @@ def repair(V: ArrayLike, F: ArrayLike) -> RepairedMesh:
         The positions of the vertices.
     F : (m, k) array of integers, or sequence of sequences
         The corners of the faces, counted from 0; faces may have any number of corners.
+    stitching_tolerance : float, optional
+        If it is given, border edges are split at the border vertices that lie within them, exactly or not farther away
+        than this length, and border vertices not farther apart are merged.
 
     Returns
     -------
@@ -187,6 +190,7 @@ def repair(V: ArrayLike, F: ArrayLike) -> RepairedMesh:
     """
     from . import _repair
 
+    tolerance = None if stitching_tolerance is None else _arrays.number(stitching_tolerance, "stitching_tolerance")
     points = _arrays.doubles(V, "V", (None, 3))
     _arrays.refuse_counts(F)
     if isinstance(F, numpy.ndarray):
@@ -208,5 +212,5 @@ def repair(V: ArrayLike, F: ArrayLike) -> RepairedMesh:
         raise InvalidSurfaceError(_arrays.bad_index("F", row, "vertex", int(corners[where]), corners, len(points)), "BAD_INDEX", row,
                                   int(is_bad.sum()))
     first = numpy.concatenate([[0], numpy.cumsum(lengths, dtype=numpy.int64)]).tolist()
-    V, F, vertices, faces, repairs = _repair.repair(points, corners.astype(numpy.uint32), first)
+    V, F, vertices, faces, repairs = _repair.repair(points, corners.astype(numpy.uint32), first, tolerance)
     return RepairedMesh(V, F, vertices, faces, [Repair(*entry) for entry in repairs])

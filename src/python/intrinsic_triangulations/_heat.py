@@ -171,6 +171,7 @@ def geodesic_distances(V: ArrayLike, F: ArrayLike, v_inds: ArrayLike, tolerance:
     if not (isinstance(tolerance, (int, float, numpy.integer, numpy.floating)) and 0 <= tolerance < 1):
         raise ValueError(f"tolerance has to be a number of at least 0 and below 1, not {tolerance!r}")
     sources = _arrays.indices(v_inds if numpy.ndim(v_inds) else [v_inds], "v_inds", (None,), len(points))
+    _arrays.warn_of_gaps(points, faces)
     return _core.geodesic_distances(points, faces, sources, float(tolerance))
 
 

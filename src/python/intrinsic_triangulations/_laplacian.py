@@ -49,6 +49,9 @@ def laplacian(V: ArrayLike, F: ArrayLike, mass: str = "lumped") -> Tuple[scipy.s
 
     Notes
     -----
+    Vertices that lie within border edges, or much nearer to each other than to others, cause a warning with the
+    tolerance by which `repair` joins them.
+
     A vertex without faces has a row of zeros in both matrices. The first of several vertices joined by edges of length
     zero represents all of them; the others have rows of zeros.
 
@@ -63,6 +66,7 @@ def laplacian(V: ArrayLike, F: ArrayLike, mass: str = "lumped") -> Tuple[scipy.s
     """
     is_lumped = _arrays.choice(mass, "mass", ("lumped", "galerkin")) == 0
     points, faces = _arrays.points_and_faces(V, F)
+    _arrays.warn_of_gaps(points, faces)
     L, M = _core.laplacian(points, faces, 0.0, is_lumped)
     return _arrays.sparse(L), _arrays.sparse(M)
 

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <CGAL/assertions.h>
@@ -340,11 +341,10 @@ inline Coherent_angles find_coherent_angles(const Delta_complex& complex, const 
     const Halfedge_index h = complex.halfedge(v);
     if (h.is_valid() && !complex.is_border(h) && corners[v.idx()] < 3)
       throw Invalid_surface_error(Invalid_surface_error::Defect::WRONG_TOPOLOGY, v.idx(), 1,
-                                  "the " + std::to_string(corners[v.idx()]) + " corners at inner vertex " +
-                                    std::to_string(v.idx()) +
-                                    " cannot be flattened: their angles are less than pi each and "
-                                    "would have to sum to 2 pi; remove the vertex, or cut the "
-                                    "surface open there");
+                                  "inner vertex " + std::to_string(v.idx()) + " has " +
+                                    counted(std::size_t(corners[v.idx()]), "corner", "corners") +
+                                    ", too few to be flattened: angles are less than pi each and would have to sum to "
+                                    "2 pi; remove the vertex, or cut the surface open there");
   }
   Coherent_angles result;
   const std::vector<double> margins = internal::margins(corners, margin);

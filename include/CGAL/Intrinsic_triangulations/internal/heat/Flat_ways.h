@@ -1,0 +1,106 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Distances to vertices that have no face in a cover, along the edges of faces without area.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_FLAT_WAYS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_FLAT_WAYS_H
+
+#include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
+#include <CGAL/Intrinsic_triangulations/internal/Index.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// A way goes over the surface, and along flat edges where there are some. Wherever these reach a vertex of the surface
+// sooner, ways begin there anew.
+class Flat_ways
+{
+  using Waiting = std::pair<double, std::uint32_t>; // a distance, and a vertex
+
+public:
+  // Distances of all vertices from some of them over the surface alone.
+  using Surface_distances = std::function<std::vector<double>(const std::vector<Vertex_index>&)>;
+
+  Flat_ways(const Tufted_cover& cover, const Surface_distances& on_surface)
+    : cover_(cover), on_surface_(on_surface), edges_(cover.representative.size())
+  {
+    for (const Tufted_cover::Flat_edge& e : cover.flat_edges) {
+      edges_[e.source].push_back({e.length, e.target});
+      edges_[e.target].push_back({e.length, e.source});
+    }
+  }
+
+  std::vector<double> run(const std::vector<Vertex_index>& sources)
+  {
+    distances_ = on_surface_(sources);
+    std::vector<std::uint32_t> reached;
+    for (std::uint32_t v = 0; v < edges_.size(); ++v)
+      if (!edges_[v].empty())
+        reached.push_back(v);
+    for (reached = go_along_edges(reached); !reached.empty();) {
+      const std::uint32_t v = reached.front();
+      const double start = distances_[v];
+      const std::vector<double> beyond = on_surface_({Vertex_index(v)});
+      std::vector<std::uint32_t> nearer;
+      for (std::uint32_t w = 0; w < beyond.size(); ++w)
+        if (start + beyond[w] < distances_[w]) {
+          distances_[w] = start + beyond[w];
+          if (!edges_[w].empty())
+            nearer.push_back(w);
+        }
+      reached.erase(reached.begin());
+      for (std::uint32_t w : go_along_edges(nearer))
+        if (std::find(reached.begin(), reached.end(), w) == reached.end())
+          reached.push_back(w);
+    }
+    for (std::size_t v = 0; v < distances_.size(); ++v)
+      distances_[v] = distances_[cover_.representative[v]];
+    return std::move(distances_);
+  }
+
+private:
+  // \return the vertices that come nearer, the nearest first. Those without faces need no more.
+  std::vector<std::uint32_t> go_along_edges(const std::vector<std::uint32_t>& from)
+  {
+    std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> queue;
+    for (std::uint32_t v : from)
+      queue.push({distances_[v], v});
+    std::vector<std::uint32_t> result;
+    while (!queue.empty()) {
+      const auto [d, v] = queue.top();
+      queue.pop();
+      if (d > distances_[v] || d == std::numeric_limits<double>::infinity())
+        continue;
+      for (const auto& [length, w] : edges_[v])
+        if (d + length < distances_[w] * (1 - 0x1p-40)) {
+          distances_[w] = d + length;
+          queue.push({distances_[w], w});
+          if (std::find(result.begin(), result.end(), w) == result.end())
+            result.push_back(w);
+        }
+    }
+    std::sort(result.begin(), result.end(),
+              [this](std::uint32_t v, std::uint32_t w) { return distances_[v] < distances_[w]; });
+    return result;
+  }
+
+  const Tufted_cover& cover_;
+  const Surface_distances& on_surface_;
+  std::vector<std::vector<Waiting>> edges_; // of each vertex: length, and where they lead
+  std::vector<double> distances_;
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_FLAT_WAYS_H

@@ -1,0 +1,182 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Vertices that lie within edges, or beside other vertices: gaps in a surface that are too narrow to be seen.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_VERTICES_ON_EDGES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_VERTICES_ON_EDGES_H
+
+#include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The vertices of a list in a tree of boxes. O(n log n); a query takes O(log n) where few vertices are near.
+class Vertices_on_edges
+{
+  using Index = std::uint32_t;
+  using Place = std::array<double, 3>;
+
+public:
+  struct Edge
+  {
+    Index source, target;
+    Index third; // of its face, which may lie on the edge without a gap
+  };
+  struct Found
+  {
+    Index edge, vertex;
+    double distance; // 0 if it lies on the edge exactly
+    double position; // increases along the edge
+  };
+
+  Vertices_on_edges(const std::vector<Place>& points, std::vector<Index> vertices)
+    : points_(points), vertices_(std::move(vertices))
+  {
+    std::sort(vertices_.begin(), vertices_.end());
+    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+    if (!vertices_.empty())
+      build(0, Index(vertices_.size()));
+  }
+
+  // The vertices within each edge, in order along it: those that lie on it exactly, and those nearer than a tolerance
+  // that are not as near to an end. The tolerance is the larger one of a length and a part of the length of the edge.
+  // \param go_on is called for each edge
+  template <class Function>
+  std::vector<Found> within(const std::vector<Edge>& edges, double length, double part, const Function& go_on) const
+  {
+    std::vector<Found> result;
+    for (Index e = 0; e < edges.size(); ++e) {
+      go_on();
+      const std::size_t first = result.size();
+      const Place &p = points_[edges[e].source], &q = points_[edges[e].target];
+      const Place d = difference(p, q);
+      const double size = norm(d), tolerance = std::isfinite(size) ? (std::max)(length, part * size) : length;
+      const std::size_t axis = std::size_t(
+        std::max_element(d.begin(), d.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) - d.begin());
+      for_each_near(p, q, tolerance, [&](Index v) {
+        const Place& r = points_[v];
+        if (v == edges[e].source || v == edges[e].target || v == edges[e].third || r == p || r == q)
+          return;
+        const double position = d[axis] < 0 ? -r[axis] : r[axis];
+        if ((r < p) != (r < q) && are_collinear(p, q, r))
+          result.push_back({e, v, 0, position});
+        else if (tolerance > 0) {
+          const Place s = difference(p, r);
+          const double along = (s[0] * (d[0] / size) + s[1] * (d[1] / size) + s[2] * (d[2] / size)) / size;
+          const double distance = norm({s[0] - along * d[0], s[1] - along * d[1], s[2] - along * d[2]});
+          if (along > 0 && along < 1 && distance <= tolerance && norm(s) > tolerance &&
+              norm(difference(q, r)) > tolerance)
+            result.push_back({e, v, distance, position});
+        }
+      });
+      std::sort(result.begin() + std::ptrdiff_t(first), result.end(), [](const Found& a, const Found& b) {
+        return a.position != b.position ? a.position < b.position : a.vertex < b.vertex;
+      });
+    }
+    return result;
+  }
+
+  // Calls visit(vertex, distance) for those that are not farther from a point than a length.
+  template <class Function>
+  void for_each_within(const Place& p, double length, const Function& visit) const
+  {
+    for_each_near(p, p, length, [&](Index v) {
+      const double distance = norm(difference(p, points_[v]));
+      if (distance <= length)
+        visit(v, distance);
+    });
+  }
+
+  static Place difference(const Place& p, const Place& q) { return {q[0] - p[0], q[1] - p[1], q[2] - p[2]}; }
+  static double norm(const Place& d) { return std::hypot(d[0], d[1], d[2]); }
+
+private:
+  struct Node
+  {
+    Index begin, end; // of its vertices
+    Index behind;     // the first node that is not below this one
+    Place lower, upper;
+  };
+  static constexpr Index few = 8;
+
+  void build(Index begin, Index end)
+  {
+    const std::size_t node = nodes_.size();
+    Place lower = points_[vertices_[begin]], upper = lower;
+    for (Index i = begin; i < end; ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        lower[k] = (std::min)(lower[k], points_[vertices_[i]][k]);
+        upper[k] = (std::max)(upper[k], points_[vertices_[i]][k]);
+      }
+    nodes_.push_back({begin, end, 0, lower, upper});
+    if (end - begin > few) {
+      std::size_t axis = 0;
+      for (std::size_t k = 1; k < 3; ++k)
+        if (upper[k] / 2 - lower[k] / 2 > upper[axis] / 2 - lower[axis] / 2)
+          axis = k;
+      const Index middle = begin + (end - begin) / 2;
+      std::nth_element(vertices_.begin() + begin, vertices_.begin() + middle, vertices_.begin() + end,
+                       [&](Index v, Index w) { return points_[v][axis] < points_[w][axis]; });
+      build(begin, middle);
+      build(middle, end);
+    }
+    nodes_[node].behind = Index(nodes_.size());
+  }
+
+  // Calls visit(vertex) for all that may be as near to the segment, and some others.
+  template <class Function>
+  void for_each_near(const Place& p, const Place& q, double tolerance, const Function& visit) const
+  {
+    for (Index n = 0; n < nodes_.size();) {
+      const Node& node = nodes_[n];
+      if (is_far(node, p, q, tolerance)) {
+        n = node.behind;
+        continue;
+      }
+      if (node.behind == n + 1)
+        for (Index i = node.begin; i < node.end; ++i)
+          visit(vertices_[i]);
+      ++n;
+    }
+  }
+
+  // The part of the segment between the two planes of each axis is empty. Boxes are larger than all rounding.
+  static bool is_far(const Node& node, const Place& p, const Place& q, double tolerance)
+  {
+    double first = 0, last = 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double size =
+        std::abs(p[k]) / 4 + std::abs(q[k]) / 4 + std::abs(node.lower[k]) / 4 + std::abs(node.upper[k]) / 4;
+      const double slack = tolerance / 4 + 0x1p-48 * size + (std::numeric_limits<double>::min)();
+      const double lower = node.lower[k] / 4 - slack, upper = node.upper[k] / 4 + slack;
+      const double a = p[k] / 4, b = q[k] / 4;
+      if ((std::max)(a, b) < lower || (std::min)(a, b) > upper)
+        return true;
+      if (std::abs(b - a) <= slack)
+        continue;
+      const double to_lower = (lower - a) / (b - a), to_upper = (upper - a) / (b - a);
+      first = (std::max)(first, (std::min)(to_lower, to_upper) - 0x1p-40);
+      last = (std::min)(last, (std::max)(to_lower, to_upper) + 0x1p-40);
+    }
+    return first > last;
+  }
+
+  const std::vector<Place>& points_;
+  std::vector<Index> vertices_; // in the order of the tree
+  std::vector<Node> nodes_;     // each before those below it
+};
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_VERTICES_ON_EDGES_H
