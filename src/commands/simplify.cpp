@@ -59,7 +59,7 @@ struct Simplify_options
   std::string input, output, kept, vertex_map, places, prolongation, view, stats;
   std::optional<double> maximum_change, constrained_angle;
   std::optional<std::uint64_t> number_of_vertices;
-  bool is_repaired = false;
+  Repair_options repair;
 };
 
 void check(const Simplify_options& options)
@@ -212,7 +212,7 @@ void write_report(std::ostream& os, const Simplify_options& options, std::size_t
 
 Exit_status simplify_file(const std::string& path, const Simplify_options& options)
 {
-  Surface surface = load_surface(path, options.is_repaired);
+  Surface surface = load_surface(path, options.repair);
   if (!options.view.empty() && !surface.has_points())
     throw Usage_error(path + " has only lengths, no points: omit --view");
   check_view(options.view, surface.connectivity.number_of_faces());
@@ -295,7 +295,7 @@ void add_simplify_command(CLI::App& app, Selected_command& selected)
   add_option(command, "--prolongation", options->prolongation, "F.mtx",
              "write the matrix that carries values at the vertices of the result to those of the input");
   add_view_option(command, options->view);
-  add_repair_option(command, options->is_repaired);
+  add_repair_option(command, options->repair);
   add_option(command, "--stats", options->stats, "F.json", "write the report as a JSON object");
   command.callback([options, &selected] { selected = [options] { return run_simplify(*options); }; });
 }
