@@ -35,7 +35,7 @@ void add_table_command(CLI::App& app, Selected_command& selected);
 void add_sample_command(CLI::App& app, Selected_command& selected);
 void add_describe_command(CLI::App& app, Selected_command& selected);
 
-// Declares the options that repair an input before anything else.
+// Declares the options that repair an input first.
 CLI::Option* add_repair_option(CLI::App& command, Repair_options& repair);
 
 // Declares the option that writes a page showing the result.

@@ -114,10 +114,10 @@ std::vector<bool> constrained_edges(const Simplify_options& options, const Surfa
   return result;
 }
 
-// By which part distances may have changed, as a percentage.
+// The possible change of distances, as a percentage.
 double percentage(const IT::Metric_change& change) { return 100 * ((std::max)(change.stretch, 1 / change.shrink) - 1); }
 
-// The coarse edges on the input, and by how much distances may have changed where the vertices of the input went.
+// The coarse edges on the input, and the possible change of distances at the places of the input's vertices.
 View view_of(const Simplify_options& options, const Surface& surface, const Triangulation& fine,
              const IT::Element_numbers& input_numbers, const IT::Simplified_surface& result)
 {

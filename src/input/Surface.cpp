@@ -35,7 +35,7 @@ namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
 
-// What to do about gaps.
+// The remedy for gaps.
 std::string stitching_advice(const IT::Surface_report& report, const Repair_options& options)
 {
   if (options.stitching_tolerance && *options.stitching_tolerance >= report.stitching_tolerance)

@@ -90,8 +90,8 @@ struct Surface
 Surface load_surface(const std::string& path, const Repair_options& repair_options = {},
                      const std::optional<Mollification_options>& mollification = {});
 
-// Says on the standard error what gaps there are.
-// \param advice what to do about them
+// Reports the gaps on the standard error.
+// \param advice the remedy
 // \return the same texts
 std::vector<std::string> gap_warnings(const CGAL::Intrinsic_triangulations::Surface_report& report,
                                       const std::string& path, const std::string& advice);

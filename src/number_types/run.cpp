@@ -468,7 +468,7 @@ Outcome dispatch(const Job& job)
   throw std::logic_error("there is no such number type");
 }
 
-// The faces of the input that leave no room for triangles, and what to do about them.
+// The faces of the input that leave no room for triangles, and the remedy.
 std::string flat_faces_around(const Surface& surface, std::size_t vertex)
 {
   if (!surface.has_points())

@@ -32,7 +32,7 @@ py::tuple Laplacian_of_triangles(const Doubles& points, const Indices& triangles
   return py::make_tuple(to_sparse(std::move(result.stiffness)), to_sparse(std::move(result.mass)));
 }
 
-// What is said of gaps.
+// The text about gaps.
 std::vector<std::string> gaps(const Doubles& points, const Indices& triangles)
 {
   const Rows<double> rows(points);

@@ -253,7 +253,7 @@ private:
   }
 };
 
-// Coordinates from 1e-50 to 1e50, each of its own scale: what was written is read, and has the same bytes again.
+// Coordinates from 1e-50 to 1e50, each of its own scale: a written file is read, and written again with the same bytes.
 TEST(SavedTriangulation, RandomScales)
 {
   for (std::uint32_t seed = 0; seed < 16; ++seed) {

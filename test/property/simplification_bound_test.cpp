@@ -63,7 +63,7 @@ TEST(Simplification_bound, exact_distances_of_all_vertices_are_within_it)
       ASSERT_LT(result.kept.size(), surface.points.size());
       EXPECT_GE(result.shrink, 1 / (1 + change));
       EXPECT_LE(result.stretch, 1 + change);
-      // Removed vertices become vertices at their places, so that all pairs can be asked for.
+      // Removed vertices become vertices at their places, so that all pairs can be tested.
       const auto kept = result.kept.size();
       std::vector<IT::Vertex_index> image(surface.points.size());
       for (std::size_t v = 0; v < kept; ++v)

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What simplification leaves of surfaces that are flat in parts, symmetric or hard, and where points go.
+// The results of simplification for partly flat, symmetric and hard surfaces, and the images of points.
 
 #include "evaluation_data.h"
 #include "samples/sample_surfaces.h"
@@ -153,7 +153,7 @@ TEST(Simplify_surface, given_vertices_are_kept)
     EXPECT_EQ(std::count(result.kept.begin(), result.kept.end(), IT::Vertex_index(v)), 1) << v;
 }
 
-// Lines of constrained edges stay straight, and what lies on them.
+// Lines of constrained edges stay straight, with the points on them.
 TEST(Simplify_surface, sharp_edges_are_kept_as_lines)
 {
   const Indexed_triangles surface = box(6, {1, 0.5, 2});
@@ -282,7 +282,7 @@ TEST(Simplification_map, faces_cover_the_coarse_surface_once)
   const IT::Delta_complex& coarse = result.map.coarse();
   EXPECT_TRUE(coarse.is_valid());
   EXPECT_EQ(int(coarse.number_of_vertices()) - int(coarse.number_of_edges()) + int(coarse.number_of_faces()), 2);
-  // Random points of the coarse surface: their faces on the fine one are as many as their areas say.
+  // Random points of the coarse surface are distributed over the fine faces as their areas.
   std::mt19937 random(5);
   std::uniform_real_distribution<double> unit(0, 1);
   std::vector<IT::Surface_point> points;

@@ -231,7 +231,7 @@ struct Noting_visitor
   std::vector<std::size_t> vertices;
 };
 
-// 0 needs thousands of vertices. What was tried before leaves no trace but in the stage counts.
+// 0 needs thousands of vertices. Earlier trials leave no trace except in the stage counts.
 TEST(Refine_Delaunay, chooses_a_smallest_size)
 {
   Triangulation all = triangulation_of(low_cap);

@@ -401,7 +401,7 @@ TEST(Repair_polygons, merges_what_is_nearer_than_the_tolerance)
   const IT::Repaired_polygons repaired = IT::repair_polygons(points, faces, {}, report.stitching_tolerance);
   EXPECT_EQ(repaired.points.size(), 4u);
   EXPECT_TRUE(examine(repaired).gaps.empty());
-  points[3][0] = 1.001; // far enough to be meant so
+  points[3][0] = 1.001; // far enough to be intended
   points[4][0] = 0.001;
   EXPECT_TRUE(IT::examine_polygons(points, faces).gaps.empty());
 }

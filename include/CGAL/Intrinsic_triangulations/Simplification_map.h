@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Where points of a surface lie on a simplified one, and the other way round.
+// Maps points of a surface to a simplified one, and back.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_SIMPLIFICATION_MAP_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_SIMPLIFICATION_MAP_H
@@ -53,19 +53,19 @@ public:
 
   /// returns the triangles of the given surface: the connectivity of the triangulation that was simplified.
   const Delta_complex& fine() const { return fine_; }
-  /// returns the triangles of the simplified surface: the input of the triangulation that came of it.
+  /// returns the triangles of the simplified surface: the input of the resulting triangulation.
   const Delta_complex& coarse() const { return coarse_; }
 
   /// \cond SKIP_IN_MANUAL
-  // A triangle of a step: its number among all triangles that ever were, and its corners by the points of the step.
+  // A triangle of a step: its number among all triangles of all steps, and its corners by the points of the step.
   struct Triangle
   {
     std::uint32_t number;
     std::array<std::uint32_t, 3> corners;
   };
-  // Some triangles are replaced by others that cover the same part of the plane. The new ones can be laid out in order, each
-  // beside one before. If `place` is not that of no point, the last point of the step is the vertex that is removed, and
-  // the number of its place in the first new triangle.
+  // Some triangles are replaced by others that cover the same part of the plane. The new ones can be laid out in order,
+  // each beside one before. If `place` is set, the last point of the step is the vertex that is removed, and the number
+  // of its place in the first new triangle.
   struct Step
   {
     std::size_t first; // of its triangles: first the old ones

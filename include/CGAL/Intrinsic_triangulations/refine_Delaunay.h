@@ -124,7 +124,7 @@ Refinement_report refine_by_trial(Refinement_run<Traits, Observer>& run)
   const double unit = extent(engine(triangulation));
   const std::uint32_t n = triangulation.connectivity().number_of_vertices();
   Refinement_trial trial{std::ldexp(unit, levels.back()), 10000 + std::uint64_t(n)};
-  if (!has_faces_below(triangulation, 8 * trial.size)) // so they will hardly come
+  if (!has_faces_below(triangulation, 8 * trial.size)) // so such vertices are unlikely
     return run({}).report;
   const Triangulation start = triangulation;
   // The function that can interrupt a decision stays.
@@ -180,11 +180,11 @@ Refinement_report refine_by_trial(Refinement_run<Traits, Observer>& run)
 /// `insert_vertex()`: the metric does not change, and after each insertion all edges that are not constrained are
 /// Delaunay.
 ///
-/// No vertex is inserted for a face with a side shorter than the smallest size, nor for a lower one unless it is too long.
-/// If none is given, refinement begins with 0. CAD programs leave slivers, sheets and tubes by mistake that need many
-/// vertices: if many come closer to each other than 2^-14 of the longest side of the bounding box (or of the longest
-/// edge of a surface without points), refinement begins anew with 2^-20, 2^-17 and 2^-14 of it in turn. What needs
-/// the fewest vertices and leaves the fewest faces is the result; the report has the size.
+/// No vertex is inserted for a face with a side shorter than the smallest size, nor for a lower one unless it is too
+/// long. If none is given, refinement begins with 0. CAD programs leave slivers, sheets and tubes by mistake that need
+/// many vertices: if many come closer to each other than 2^-14 of the longest side of the bounding box (or of the
+/// longest edge of a surface without points), refinement begins anew with 2^-20, 2^-17 and 2^-14 of it in turn. The
+/// result is the run with the fewest vertices and the fewest faces left; the report has its size.
 ///
 /// A vertex inside the surface whose angles sum to less than 60 degrees gets one neighbor close to it, and the triangle
 /// between them is kept. Two edges that are not flipped and form a corner of less than 60 degrees are split at powers

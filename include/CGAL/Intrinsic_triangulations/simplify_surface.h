@@ -88,7 +88,7 @@ std::vector<std::pair<Face_index, Metric_change>> changes_by_component(const Sim
 } // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsSimplification
-/// \brief a surface with fewer vertices, and how it relates to the one that it came from.
+/// \brief a surface with fewer vertices, and its relation to the original one.
 ///
 /// With the map φ from one surface to the other, `shrink * d(p, q) <= d'(φp, φq) <= stretch * d(p, q)` for all points p
 /// and q of the same component, and the same is true of the lengths of all curves. This is proven, by intervals that are
@@ -102,14 +102,13 @@ struct Simplified_surface
   std::vector<Vertex_index> kept;
   /// for each vertex of the given surface, where it lies on `triangulation.input()`; undefined if it is isolated
   std::vector<Surface_point> places;
-  double shrink = 1;  ///< proven for all components at once
-  double stretch = 1; ///< likewise
-  std::vector<Metric_change>
-    changes_in_faces; ///< what is proven for all that lies in a face of `triangulation.input()`
-  /// what is proven for a component, by its face with the smallest number
+  double shrink = 1;                           ///< proven for all components at once
+  double stretch = 1;                          ///< likewise
+  std::vector<Metric_change> changes_in_faces; ///< the proven bounds within each face of `triangulation.input()`
+  /// the proven bounds for each component, by its face with the smallest number
   std::vector<std::pair<Face_index, Metric_change>> changes_of_components;
-  std::vector<bool> is_constrained; ///< for each edge of `triangulation.input()`: on a line that was to be kept
-  Kept_vertices reasons;            ///< why there are not fewer vertices
+  std::vector<bool> is_constrained; ///< for each edge of `triangulation.input()`: whether it is on a line to keep
+  Kept_vertices reasons;            ///< the reasons why vertices were kept
   Simplification_map map;           ///< φ and its inverse
 };
 

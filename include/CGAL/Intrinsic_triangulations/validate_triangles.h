@@ -51,7 +51,7 @@ struct Finding
 };
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
-/// \brief a kind of gap in a surface that one does not see. Distances go around it.
+/// \brief a kind of invisible gap in a surface. Distances go around it.
 enum class Gap_kind {
   T_JUNCTION,    ///< a border vertex lies within a border edge, exactly or nearly
   CLOSE_VERTICES ///< two border vertices, or the ends of an edge, are much nearer to each other than to others
@@ -124,10 +124,9 @@ struct Surface_report
 std::string message(const Finding& finding, const std::optional<std::string>& advice = std::nullopt);
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
-/// \brief returns a sentence that says which gap there is, how often, and what to do about it.
+/// \brief returns a sentence about a kind of gap: what it is, how often it occurs, and the remedy.
 /// \param gap an entry of a report
-/// \param advice what to do about it, instead of the default advice for programmers
-/// Complexity: constant.
+/// \param advice the remedy, instead of the default advice for programmers Complexity: constant.
 std::string message(const Gap& gap, const std::optional<std::string>& advice = std::nullopt);
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
@@ -153,19 +152,19 @@ void throw_if_fatal(const Surface_report& report, const std::string& name = std:
 namespace internal {
 
 // The findings in copied polygons.
-// \param only_gaps whether nothing but gaps is looked for
+// \param only_gaps whether to look for gaps alone
 Surface_report examine(const std::vector<std::array<double, 3>>& points, Polygon_sides& polygons, bool only_gaps);
 
 // Two vertices are close if their distance is at most this part of the edges there.
 constexpr double closeness = 0x1p-30;
 inline double close_distance(double length) { return std::isfinite(length) ? closeness * length : 0; }
 
-// The side of a triangle whose ends are close beside the other sides, if there is one: where it begins.
+// The first corner of the side whose ends are close compared with the other sides, if any.
 inline std::optional<std::size_t> shortest_side(std::array<std::array<double, 3>, 3> p)
 {
   for (std::array<double, 3>& point : p)
     for (double& x : point)
-      x /= 4; // lest differences overflow
+      x /= 4; // so that differences do not overflow
   std::array<double, 3> lengths;
   for (std::size_t i = 0; i < 3; ++i)
     lengths[i] = Vertices_on_edges::norm(Vertices_on_edges::difference(p[i], p[(i + 1) % 3]));

@@ -413,7 +413,7 @@ private:
     for (Index f = 0; f < triangles().size(); ++f)
       report().faces_without_area += !has_copy[f];
   }
-  // With those of parts without area, the tips of flat spikes.
+  // Including those of parts without area, the tips of flat spikes.
   void count_vertices_that_lost_all_faces()
   {
     const std::vector<bool> had_faces = have_faces(points_.size(), triangles());

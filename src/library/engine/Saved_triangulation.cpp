@@ -88,13 +88,13 @@ std::vector<bool> bounded_faces(const Delta_complex& complex, const std::functio
   return result;
 }
 
-// What a number with a bound is near to, and by how much.
+// The center of a number's bounds, and their distance from it.
 inline double middle_of(const Bounded_double_double& x) { return x.hi(); }
 inline double middle_of(const Mpfr_interval& x) { return x.lower_double() + (x.upper_double() - x.lower_double()) / 2; }
 inline double width_of(const Bounded_double_double& x) { return std::abs(x.lo()) + x.error(); }
 inline double width_of(const Mpfr_interval& x) { return x.upper_double() - x.lower_double(); }
 
-// How far a stored number is from the true one, at least and at most.
+// The least and the largest possible distance of a stored number from the true one.
 struct Deviation
 {
   double least, most;
@@ -111,7 +111,7 @@ inline Deviation deviation(double stored, const Mpfr_interval& x)
   return {is_certain(d.sign()) ? least : 0, most};
 }
 
-// Calls settles(side, corner opposite to it) with the numbers of a face, with more and more digits until it does.
+// Calls settles(side, corner opposite to it) with the numbers of a face and more and more digits until it returns true.
 template <class Settles>
 void settle_precisely(const Exact_engine& engine, Face_index f, Input_surface& surface, const Settles& settles)
 {

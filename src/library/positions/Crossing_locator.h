@@ -164,7 +164,7 @@ private:
       check_sides(e, areas.left.sign(), areas.right.sign());
       const auto whole = areas.left + areas.right;
       if (!is_certain(whole.sign()) || get_certain(whole.sign()) == ZERO) {
-        // In a strip of zero area an edge can be crossed all along, which more digits do not change.
+        // In a strip of zero area an edge can be crossed along its whole length, however many digits are used.
         const auto along = [&](const auto& end) {
           return located(times_conjugate(end, strip.target()).x() / squared_norm(strip.target()));
         };
@@ -191,7 +191,7 @@ private:
                             "has flipped a hinge that is not convex");
   }
 
-  // The middle of what both edges share.
+  // The middle of the common part of both edges.
   // \param a, b where the left and the right end lie along the intrinsic edge
   static Position_on_edges collinear_position(double a, double b, bool starts_left)
   {

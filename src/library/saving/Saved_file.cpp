@@ -188,7 +188,7 @@ public:
   }
 
 private:
-  // A copy is made only where something has to be mended.
+  // A copy is made only if something has to be corrected.
   void mend(const Stored_numbers& numbers)
   {
     if (!numbers.are_known)

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// How the faces around a vertex are laid flat, and the hole is triangulated.
+// Lays the faces around a vertex flat, and triangulates the hole.
 
 #include "Fan.h"
 
@@ -190,8 +190,8 @@ private:
     return d > 0 && d * d > 1e-18 * u.squared_length() * w.squared_length();
   }
 
-  // Least for the triangle that is Delaunay without the vertex, which lies at the origin: O. Devillers, "On deletion in
-  // Delaunay triangulations" (1999). Infinite if the point is no ear, or the vertex would be behind it.
+  // Smallest for the triangle that is Delaunay without the vertex, which lies at the origin: O. Devillers, "On deletion
+  // in Delaunay triangulations" (1999). Infinite if the point is no ear, or the vertex would be behind it.
   double value_of(std::uint32_t tip) const
   {
     constexpr double none = std::numeric_limits<double>::infinity();
@@ -223,8 +223,8 @@ private:
   const Fan& fan_;
   Fan_triangulation& result_;
   Fan_array<Laid_out_point> points_;
-  Fan_array<std::uint32_t> before_, after_; // of the points that are left
-  Fan_array<double> side_;                  // to the next point that is left
+  Fan_array<std::uint32_t> before_, after_; // of the remaining points
+  Fan_array<double> side_;                  // to the next remaining point
 };
 
 } // namespace

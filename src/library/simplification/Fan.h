@@ -4,7 +4,7 @@
 // Author(s)     : The Intrinsic_triangulations developers
 //
 // The faces around a vertex that is about to be removed, how they are laid flat, and how the hole is triangulated: in
-// doubles. Nothing here is relied on: Fan_proof.h proves what came of it.
+// doubles. Nothing relies on these numbers: Fan_proof.h proves the result.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_LIBRARY_SIMPLIFICATION_FAN_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_LIBRARY_SIMPLIFICATION_FAN_H
@@ -20,7 +20,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 template <class T>
 using Fan_array = boost::container::small_vector<T, 16>;
 
-// By which factors the map into a face can change lengths, squared: `down <= squared factor <= up`.
+// Bounds of the squared factors by which the map into a face changes lengths: `down <= squared factor <= up`.
 struct Squared_change
 {
   double down = 1, up = 1;
@@ -61,8 +61,8 @@ bool flatten_between_ends(const Fan& fan, double largest, Spoke_factors& factors
 // The largest squared factor by which the map to the flat fan, after those before, changes a length, or its inverse.
 double largest_squared_change(const Fan& fan, const Spoke_factors& factors);
 
-// A triangle of three points of the link, counterclockwise, and the lengths of its sides. It is cut off at `tip`; the last
-// one is what is left.
+// A triangle of three points of the link, counterclockwise, and the lengths of its sides. It is cut off at `tip`; the
+// last triangle is the rest.
 struct Ear
 {
   std::uint32_t before, tip, after;

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// By which factors the steps of a simplification change lengths, in intervals.
+// The factors by which the steps of a simplification change lengths, in intervals.
 
 #include "Fan_proof.h"
 
@@ -161,7 +161,7 @@ public:
           return false;
       return true;
     }
-    // How often they cross a ray, in a direction that is not that of any edge of a grid.
+    // The number of times that they cross a ray whose direction is not that of an edge of a grid.
     int crossings = 0;
     const auto side = [this](std::size_t j) {
       const Interval y = points_[j].x * Interval(0.8312475) + points_[j].y * Interval(0.5558923);

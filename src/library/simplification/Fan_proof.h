@@ -3,8 +3,8 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// By which factors the removal of a vertex, a flip and the rounding of lengths change lengths on a surface: proven, in
-// intervals. doc/simplification.md has the mathematics.
+// The factors by which the removal of a vertex, a flip and the rounding of lengths change lengths on a surface: proven,
+// in intervals. doc/simplification.md has the mathematics.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_LIBRARY_SIMPLIFICATION_FAN_PROOF_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_LIBRARY_SIMPLIFICATION_FAN_PROOF_H

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// How points are carried through the steps of a simplification.
+// Carries points through the steps of a simplification.
 
 #include <CGAL/Intrinsic_triangulations/Simplification_map.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
@@ -88,7 +88,7 @@ struct Simplification_map::Layout
   std::vector<Planar_position> points;
 };
 
-// What carries points through one step, or back: from some triangles to those that they are replaced by.
+// Carries points through one step, or back: from triangles to their replacements.
 class Simplification_map::Carrier
 {
 public:
@@ -106,7 +106,7 @@ public:
   const Triangles& from() const { return from_; }
   const Triangles& to() const { return to_; }
 
-  // Returns in which of the other triangles a point lies. One at a corner that stays is there exactly.
+  // Returns the other triangle in which a point lies. A point at a remaining corner is there exactly.
   std::uint32_t carry(const Triangle& t, Coordinates& coordinates)
   {
     const auto one = std::find(coordinates.begin(), coordinates.end(), 1.);

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The order in which vertices are removed, and what a removal changes.
+// The order in which vertices are removed, and the changes by a removal.
 
 #include "Fan.h"
 #include "Fan_proof.h"
@@ -154,7 +154,7 @@ private:
 
   struct Entry
   {
-    float change; // so that what differs by rounding is the same
+    float change; // so that numbers that differ by rounding are equal
     float size;
     std::uint32_t vertex, stamp;
 
@@ -178,7 +178,7 @@ private:
       {float(change - 1 < 1e-9 ? 0 : change - 1), float(size / double(star_.spokes.size())), vertex, stamps_[vertex]});
   }
 
-  // Finds how the faces around a vertex are laid flat, and the squared change after that.
+  // Lays the faces around a vertex flat, and returns the squared change after that.
   Obstacle examine(Vertex_index v, Vertex_star& star, double& change) const
   {
     const Obstacle obstacle = find_star(v, star);
@@ -262,7 +262,7 @@ private:
 
   // -------------------------------------------------------------------------------- removal
 
-  // Removes a vertex if that can be proven to be right.
+  // Removes a vertex if the bound can be proven.
   bool remove(Vertex_index v)
   {
     double change = 0;
@@ -389,7 +389,7 @@ private:
 
   // -------------------------------------------------------------------------------- flips
 
-  // Makes the edges beside new faces Delaunay, up to rounding: for the shapes alone, so that few flips do.
+  // Makes the edges beside new faces Delaunay, up to rounding: only for better shapes, so few flips suffice.
   void settle()
   {
     for (std::size_t left = 100 + 10 * star_.spokes.size(); left > 0 && !open_.empty(); --left) {
@@ -486,7 +486,7 @@ private:
   int exponent_ = 0;
   std::vector<Face> faces_;
   std::vector<std::uint32_t> original_, current_; // the numbers of vertices at first and now
-  std::vector<std::uint32_t> stamps_;             // an entry with another one is out of date
+  std::vector<std::uint32_t> stamps_;             // an entry with another stamp is out of date
   std::size_t number_of_vertices_ = 0;
   std::priority_queue<Entry> queue_;
   Simplification_map map_;

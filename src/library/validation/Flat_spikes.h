@@ -3,8 +3,8 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Takes away what leaves no room for triangles: vertices with angles of zero alone, and those that faces without area
-// make one point.
+// Removes vertices that leave no room for triangles: those whose angles are all zero, and those that faces without area
+// unite.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_FLAT_SPIKES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_FLAT_SPIKES_H
@@ -24,10 +24,10 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A part all of whose faces have no area is left as it is. In others:
+// A part without any area is left as it is. In other parts:
 //
 // - A vertex that is not on the border, all of whose faces have no area, and at which their angles are zero, is the tip
-//   of a spike. It becomes one with its nearest neighbor, which lies on all its edges: so nothing changes but the tip.
+//   of a spike. It becomes one with its nearest neighbor, which lies on all its edges: only the tip changes.
 // - Vertices at the same place become one if they lie on the longest side of two faces without area that meet there.
 // - Faces that lose a corner vanish, and so do two without area that come to have the same corners.
 class Flat_spikes
@@ -50,7 +50,7 @@ public:
     }
   }
 
-  // The tips that were taken away, and the vertices that became one with another at the same place.
+  // The removed tips, and the vertices that were merged with another one at the same place.
   const std::vector<Index>& tips() const { return tips_; }
   const std::vector<std::pair<Index, Index>>& merged() const { return merged_; }
 
@@ -93,7 +93,7 @@ private:
     keep_flat([&](Index f) { return bool(has_area[parts.find(triangles_[f][0])]); });
   }
 
-  // Replaces vertices, each by what to[vertex] names in the end.
+  // Replaces each vertex by the last one of the chain to[vertex], to[to[vertex]], ….
   void replace(const std::map<Index, Index>& to)
   {
     for (Index f = 0; f < triangles_.size(); ++f)

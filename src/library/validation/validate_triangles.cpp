@@ -284,7 +284,7 @@ private:
     return (q < p) != (r < p);
   }
 
-  // T-junctions and close vertices. What there is of them is described by the first edge.
+  // T-junctions and close vertices. The first edge is described.
   void examine_gaps()
   {
     std::vector<Narrow_place> junctions, close;
@@ -317,7 +317,7 @@ private:
     }
   }
 
-  // At the border, which is a vertex in an edge, or a pair of vertices that is an edge or has a gap between.
+  // At the border: a vertex in an edge, or a pair of vertices with an edge or a gap between them.
   struct Narrow_place
   {
     std::array<std::size_t, 2> edge;
@@ -606,7 +606,7 @@ private:
   Polygon_sides& polygons_;
   const std::size_t number_of_vertices_ = polygons_.number_of_vertices();
   bool all_finite_ = true, has_flat_faces_ = false;
-  std::vector<Index> border_; // positions of sides that are alone
+  std::vector<Index> border_; // positions of sides without a partner
   Box box_;                   // of the vertices that are used
   int exponent_ = 0;
   Length_range lengths_;
@@ -679,7 +679,7 @@ bool have_gaps(const std::vector<std::array<double, 3>>& points, const std::vect
 {
   std::vector<std::uint32_t> vertices;
   for (const Vertices_on_edges::Edge& e : border)
-    vertices.push_back(e.source); // each end of a border edge begins one
+    vertices.push_back(e.source); // each end of a border edge begins another one
   const Vertices_on_edges near(points, std::move(vertices));
   if (!near.within(border, 0, closeness, [] {}).empty())
     return true;

@@ -40,10 +40,10 @@ struct Saved_triangulation
   void restore(Exact_engine& engine, const Block_runner& run, const std::function<bool(Face_index)>& is_known);
 };
 
-// Which faces have a bound that says something.
+// The faces with a useful bound.
 std::vector<bool> bounded_faces(const Delta_complex& complex, const std::function<double(Edge_index)>& squared_length,
                                 const std::function<double(Face_index)>& error);
-// Replaces the numbers of other faces where they are not near to the true ones. Who writes a file does that, too: so it
+// Replaces the numbers of other faces where they are not near to the true ones. Writing a file does so, too: so it
 // stays the same when it is read and written again.
 void mend_unbounded(const Exact_engine& engine, const std::vector<bool>& are_bounded,
                     Large_vector<double>& squared_lengths, Large_vector<std::array<double, 2>>& areas);

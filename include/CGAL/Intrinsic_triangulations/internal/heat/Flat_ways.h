@@ -22,14 +22,14 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A way goes over the surface, and along flat edges where there are some. Wherever these reach a vertex of the surface
-// sooner, ways begin there anew.
+// Ways lead over the surface and along flat edges. Wherever flat edges reach a vertex of the surface sooner, ways begin
+// there anew.
 class Flat_ways
 {
   using Waiting = std::pair<double, std::uint32_t>; // a distance, and a vertex
 
 public:
-  // Distances of all vertices from some of them over the surface alone.
+  // Distances of all vertices from some sources over the surface alone.
   using Surface_distances = std::function<std::vector<double>(const std::vector<Vertex_index>&)>;
 
   Flat_ways(const Tufted_cover& cover, const Surface_distances& on_surface)
@@ -70,7 +70,7 @@ public:
   }
 
 private:
-  // \return the vertices that come nearer, the nearest first. Those without faces need no more.
+  // \return the vertices that come nearer, the nearest first. Vertices without faces are finished.
   std::vector<std::uint32_t> go_along_edges(const std::vector<std::uint32_t>& from)
   {
     std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> queue;
@@ -97,7 +97,7 @@ private:
 
   const Tufted_cover& cover_;
   const Surface_distances& on_surface_;
-  std::vector<std::vector<Waiting>> edges_; // of each vertex: length, and where they lead
+  std::vector<std::vector<Waiting>> edges_; // for each vertex: length and other end of each edge
   std::vector<double> distances_;
 };
 

@@ -41,10 +41,10 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// A run that may not count. It ends where a larger smallest size may need far fewer vertices.
+// A run that may be discarded. It ends when a larger minimum size may need far fewer vertices.
 struct Refinement_trial
 {
-  double size = 0; // new vertices with an edge shorter than that are counted; 0 if this is no trial
+  double size = 0; // new vertices with a shorter edge are counted; 0 if this is not a trial
   std::uint64_t maximum_number = (std::numeric_limits<std::uint64_t>::max)(); // of them
 };
 
@@ -71,9 +71,9 @@ public:
     return std::move(report_);
   }
 
-  // How many new vertices had an edge shorter than the size of the trial when they came.
+  // The number of new vertices that had an edge shorter than the size of the trial when inserted.
   std::uint64_t number_of_close_vertices() const { return number_of_close_vertices_; }
-  // Whether these were too many. Then nothing is listed.
+  // Whether they were too many. Then nothing is listed.
   bool is_given_up() const { return number_of_close_vertices_ > trial_.maximum_number; }
 
   // Asks the visitor once more within a step.

@@ -48,7 +48,7 @@ struct Stored_numbers
   const std::vector<Halfedge_index>& first_sides; // must outlive this; or empty for the one of the input
   std::function<double(Edge_index)> squared_length;
   std::function<std::array<double, 2>(Face_index)> area;
-  bool are_known = true; // or else the reader finds them
+  bool are_known = true; // otherwise the reader computes them
 };
 
 // \exception Undecided_error if an edge crosses more input edges than can be laid out

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Vertices that lie within edges, or beside other vertices: gaps in a surface that are too narrow to be seen.
+// Finds vertices within edges or close to other vertices: gaps in a surface that are too narrow to be seen.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_VERTICES_ON_EDGES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_VERTICES_ON_EDGES_H
@@ -49,8 +49,9 @@ public:
       build(0, Index(vertices_.size()));
   }
 
-  // The vertices within each edge, in order along it: those that lie on it exactly, and those nearer than a tolerance
-  // that are not as near to an end. The tolerance is the larger one of a length and a part of the length of the edge.
+  // The vertices within each edge, in order along it: vertices exactly on it, and vertices that are nearer to it than a
+  // tolerance, and farther from its ends. The tolerance is a length or a part of the edge's length, whichever is
+  // larger.
   // \param go_on is called for each edge
   template <class Function>
   std::vector<Found> within(const std::vector<Edge>& edges, double length, double part, const Function& go_on) const
@@ -87,7 +88,7 @@ public:
     return result;
   }
 
-  // Calls visit(vertex, distance) for those that are not farther from a point than a length.
+  // Calls visit(vertex, distance) for the vertices within a given distance of a point.
   template <class Function>
   void for_each_within(const Place& p, double length, const Function& visit) const
   {
@@ -105,7 +106,7 @@ private:
   struct Node
   {
     Index begin, end; // of its vertices
-    Index behind;     // the first node that is not below this one
+    Index behind;     // the first node after the nodes below this one
     Place lower, upper;
   };
   static constexpr Index few = 8;
@@ -134,7 +135,7 @@ private:
     nodes_[node].behind = Index(nodes_.size());
   }
 
-  // Calls visit(vertex) for all that may be as near to the segment, and some others.
+  // Calls visit(vertex) for all vertices that may be that near to the segment, and some others.
   template <class Function>
   void for_each_near(const Place& p, const Place& q, double tolerance, const Function& visit) const
   {
