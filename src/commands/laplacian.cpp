@@ -142,9 +142,10 @@ void find_eigenvalues(const Laplacian_options& options, Laplacian_result& result
     std::vector<double> values;
     for (std::uint32_t v : representative)
       values.push_back(found.functions(Eigen::Index(v), Eigen::Index(i)));
-    const double rounded = std::abs(found.eigenvalues[i]) < 1e-9 * found.eigenvalues.back() ? 0 : found.eigenvalues[i];
-    result.fields.push_back(
-      {"eigenfunction " + std::to_string(i) + ", eigenvalue " + in_short(rounded), "", false, {std::move(values)}});
+    result.fields.push_back({"eigenfunction " + std::to_string(i) + ", eigenvalue " + in_short(found.eigenvalues[i]),
+                             "",
+                             false,
+                             {std::move(values)}});
   }
 }
 

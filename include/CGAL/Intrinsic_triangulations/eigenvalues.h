@@ -26,6 +26,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -34,6 +38,8 @@ namespace CGAL::Intrinsic_triangulations {
 /// @{
 
 namespace internal {
+
+constexpr Eigen::Index largest_dense_part = 64; // larger ones are iterated unless most eigenvalues are wanted
 
 // Solves (L + M) x = b, as Spectra requires; the shift is always -1.
 class Shifted_inverse
@@ -58,87 +64,165 @@ private:
   Sparse_Cholesky<> cholesky_;
 };
 
-// Of a connected part of a surface.
+// The rows of a connected part that have mass.
+struct Spectrum_part
+{
+  std::vector<int> rows; // in increasing order
+  double mass = 0;
+  bool has_constants = true; // they solve the equation with zero: all sums of rows vanish
+
+  // Of what is not zero for this reason.
+  std::size_t number_of_eigenvalues() const { return rows.size() - (has_constants ? 1 : 0); }
+};
+
 struct Eigenpair
 {
   double value = 0;
   std::size_t part = 0;
-  Eigen::VectorXd function; // if requested
+  Eigen::VectorXd function; // on the rows of the part, if requested
 };
 
-// Of a connected part. \pre the diagonal of the mass matrix is positive
-inline void append_smallest_eigenpairs(const Eigen::SparseMatrix<double>& stiffness, Eigen::SparseMatrix<double> mass,
-                                       Eigen::Index k, bool has_functions, std::size_t part,
-                                       std::vector<Eigenpair>& result)
+inline std::vector<Spectrum_part> connected_parts(const Eigen::SparseMatrix<double>& stiffness,
+                                                  const Eigen::SparseMatrix<double>& mass)
 {
-  const Eigen::Index n = stiffness.rows();
-  // By Weyl's law the j-th eigenvalue of a surface of area 4π is about j.
-  const double unit = 4 * 3.14159265358979 / mass.sum();
-  mass *= unit;
-  Eigen::VectorXd values;
-  Eigen::MatrixXd functions;
-  const auto keep = [&](const auto& solver) {
-    values = solver.eigenvalues();
-    if (has_functions)
-      functions = solver.eigenvectors();
-  };
-  if (n <= 64 || 3 * k > n) {
-    keep(Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(
-      Eigen::MatrixXd(stiffness), Eigen::MatrixXd(mass),
-      Eigen::Ax_lBx | (has_functions ? Eigen::ComputeEigenvectors : Eigen::EigenvaluesOnly)));
-  } else {
-    Shifted_inverse inverse(stiffness, mass);
-    Spectra::SparseSymMatProd<double> product(mass);
-    Spectra::SymGEigsShiftSolver<Shifted_inverse, Spectra::SparseSymMatProd<double>, Spectra::GEigsMode::ShiftInvert>
-      solver(inverse, product, k, (std::min)(n, (std::max)(3 * k, Eigen::Index(40))), -1);
-    solver.init();
-    solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-11);
-    if (solver.info() != Spectra::CompInfo::Successful)
-      throw Numerical_error("the smallest eigenvalues do not converge");
-    keep(solver);
-  }
-  for (Eigen::Index i = 0; i < values.size(); ++i)
-    result.push_back({values[i] * unit, part,
-                      has_functions ? Eigen::VectorXd(functions.col(i) * std::sqrt(unit)) : Eigen::VectorXd()});
-}
-
-// The connected parts of a symmetric matrix, each as an increasing list of its rows.
-inline std::vector<std::vector<int>> connected_rows(const Eigen::SparseMatrix<double>& matrix)
-{
-  Disjoint_sets sets(std::size_t(matrix.rows()));
-  for (int c = 0; c < matrix.outerSize(); ++c)
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(matrix, c); entry; ++entry)
+  CGAL_precondition(stiffness.rows() == mass.rows());
+  const auto n = std::size_t(stiffness.rows());
+  const Eigen::VectorXd masses = mass.diagonal();
+  Disjoint_sets sets(n);
+  std::vector<bool> has_sum_zero(n);
+  for (int c = 0; c < stiffness.outerSize(); ++c) {
+    double sum = 0, sum_of_sizes = 0, number = 4; // of roundings of a unit in the last place, at most
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(stiffness, c); entry; ++entry) {
+      if (!std::isfinite(entry.value()))
+        throw Numerical_error("the stiffness matrix has an entry that is not finite, in row " + std::to_string(c));
       if (entry.value() != 0)
         sets.unite(std::uint32_t(entry.row()), std::uint32_t(c));
+      sum += entry.value();
+      sum_of_sizes += std::abs(entry.value());
+      ++number;
+    }
+    has_sum_zero[std::size_t(c)] = std::abs(sum) <= number * 0x1p-52 * sum_of_sizes;
+  }
   std::vector<std::size_t> part_of;
-  std::vector<std::vector<int>> parts(sets.number(part_of));
-  for (int row = 0; row < matrix.rows(); ++row)
-    parts[part_of[std::size_t(row)]].push_back(row);
+  std::vector<Spectrum_part> parts(sets.number(part_of));
+  for (std::size_t row = 0; row < n; ++row) {
+    Spectrum_part& part = parts[part_of[row]];
+    const bool has_mass = masses[Eigen::Index(row)] > 0;
+    part.has_constants = part.has_constants && has_mass && has_sum_zero[row];
+    if (has_mass)
+      part.rows.push_back(int(row));
+  }
+  for (int c = 0; c < mass.outerSize(); ++c)
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(mass, c); entry; ++entry)
+      parts[part_of[std::size_t(c)]].mass += entry.value();
   return parts;
 }
 
-// Of all parts. \param rows the rows of each part with mass, in the order of its functions
+// The k smallest eigenvalues of a part beside the zero that is known.
+// \param row_in_part of all rows; -1 before and after the call
+inline std::vector<Eigenpair> eigenpairs_of_part(const Eigen::SparseMatrix<double>& stiffness,
+                                                 const Eigen::SparseMatrix<double>& mass, const Spectrum_part& part,
+                                                 Eigen::Index k, bool has_functions, std::vector<int>& row_in_part)
+{
+  const auto n = Eigen::Index(part.rows.size()), known = Eigen::Index(part.has_constants);
+  // By Weyl's law the j-th eigenvalue of a surface of area 4π is about j.
+  const double unit = 4 * 3.14159265358979 / part.mass;
+  for (Eigen::Index i = 0; i < n; ++i)
+    row_in_part[std::size_t(part.rows[std::size_t(i)])] = int(i);
+  const Eigen::SparseMatrix<double> L = principal_submatrix(stiffness, part.rows, row_in_part),
+                                    M = principal_submatrix(mass, part.rows, row_in_part) * unit;
+  for (int row : part.rows)
+    row_in_part[std::size_t(row)] = -1;
+  std::vector<Eigenpair> result;
+  const auto keep = [&](const auto& solver, bool is_solved) {
+    if (!is_solved)
+      throw Numerical_error("the smallest eigenvalues do not converge");
+    const Eigen::VectorXd values = solver.eigenvalues() * unit;
+    if (!values.allFinite())
+      throw Numerical_error("the smallest eigenvalues leave the range of double: scale the surface");
+    Eigen::MatrixXd functions;
+    if (has_functions)
+      functions = solver.eigenvectors() * std::sqrt(unit);
+    for (Eigen::Index i = 0; i < values.size(); ++i)
+      result.push_back({values[i], 0, has_functions ? Eigen::VectorXd(functions.col(i)) : Eigen::VectorXd()});
+    std::sort(result.begin(), result.end(), [](const Eigenpair& a, const Eigenpair& b) { return a.value < b.value; });
+    result.erase(result.begin() + known + k, result.end());
+    result.erase(result.begin(), result.begin() + known);
+  };
+  const Eigen::Index number = known + k;
+  if (n <= largest_dense_part || 3 * number > n) {
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+      Eigen::MatrixXd(L), Eigen::MatrixXd(M),
+      Eigen::Ax_lBx | (has_functions ? Eigen::ComputeEigenvectors : Eigen::EigenvaluesOnly));
+    keep(solver, solver.info() == Eigen::Success);
+  } else {
+    Shifted_inverse inverse(L, M);
+    Spectra::SparseSymMatProd<double> product(M);
+    Spectra::SymGEigsShiftSolver<Shifted_inverse, Spectra::SparseSymMatProd<double>, Spectra::GEigsMode::ShiftInvert>
+      solver(inverse, product, number, (std::min)(n, (std::max)(3 * number, Eigen::Index(40))), -1);
+    solver.init();
+    solver.compute(Spectra::SortRule::LargestMagn, 1000, 1e-11);
+    keep(solver, solver.info() == Spectra::CompInfo::Successful);
+  }
+  return result;
+}
+
+// Of all parts: the zeros that are known, and of the others so many of each part that those that are left out cannot be
+// among the smallest.
 inline std::vector<Eigenpair> smallest_eigenpairs(const Eigen::SparseMatrix<double>& stiffness,
                                                   const Eigen::SparseMatrix<double>& mass, std::size_t number,
-                                                  bool has_functions, std::vector<std::vector<int>>& rows)
+                                                  bool has_functions, std::vector<Spectrum_part>& parts)
 {
-  CGAL_precondition(stiffness.rows() == mass.rows());
+  parts = connected_parts(stiffness, mass);
   std::vector<Eigenpair> result;
-  const Eigen::VectorXd masses = mass.diagonal();
-  rows = connected_rows(stiffness);
-  std::vector<int> new_row(std::size_t(stiffness.rows()), -1);
-  for (std::size_t part = 0; part < rows.size(); ++part) {
-    rows[part].erase(std::remove_if(rows[part].begin(), rows[part].end(), [&](int row) { return !(masses[row] > 0); }),
-                     rows[part].end());
-    const int n = int(rows[part].size());
-    for (int i = 0; i < n; ++i)
-      new_row[std::size_t(rows[part][std::size_t(i)])] = i;
-    if (n > 0)
-      append_smallest_eigenpairs(submatrix(stiffness, new_row, new_row, n, n), submatrix(mass, new_row, new_row, n, n),
-                                 (std::min)(Eigen::Index(number), Eigen::Index(n)), has_functions, part, result);
-    for (int row : rows[part])
-      new_row[std::size_t(row)] = -1;
+  double total_mass = 0;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    const Spectrum_part& part = parts[p];
+    if (part.rows.empty())
+      continue;
+    if (!(part.mass > 0x1p-1016 && part.mass < 0x1p1016))
+      throw Numerical_error("the mass of row " + std::to_string(part.rows.front()) +
+                            " and of those connected with it leaves the range of double: scale the surface");
+    total_mass += part.mass;
+    if (part.has_constants && result.size() < number)
+      result.push_back({0, p,
+                        has_functions
+                          ? Eigen::VectorXd::Constant(Eigen::Index(part.rows.size()), std::sqrt(1 / part.mass))
+                          : Eigen::VectorXd()});
   }
+  const std::size_t missing = number - result.size();
+  std::vector<std::vector<Eigenpair>> found(parts.size());
+  std::vector<int> row_in_part(std::size_t(stiffness.rows()), -1);
+  double bound = std::numeric_limits<double>::infinity(); // of those that are looked for
+  for (bool is_complete = missing == 0; !is_complete;) {
+    is_complete = true;
+    std::vector<double> values;
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      if (parts[p].rows.empty())
+        continue;
+      const std::size_t most = (std::min)(parts[p].number_of_eigenvalues(), missing), before = found[p].size();
+      if (before < most && (before == 0 || found[p].back().value < bound)) {
+        is_complete = false;
+        const double share = double(missing) * (parts[p].mass / total_mass); // by Weyl's law
+        const std::size_t k = parts[p].rows.size() <= std::size_t(largest_dense_part) ? most
+                              : before > 0                                            ? 2 * before
+                                                                                      : 2 + std::size_t(1.2 * share);
+        found[p] =
+          eigenpairs_of_part(stiffness, mass, parts[p], Eigen::Index((std::min)(k, most)), has_functions, row_in_part);
+      }
+      for (Eigenpair& pair : found[p]) {
+        pair.part = p;
+        values.push_back(pair.value);
+      }
+    }
+    if (values.size() >= missing) {
+      const auto last = values.begin() + std::ptrdiff_t(missing - 1);
+      std::nth_element(values.begin(), last, values.end());
+      bound = *last;
+    }
+  }
+  for (std::vector<Eigenpair>& pairs : found)
+    std::move(pairs.begin(), pairs.end(), std::back_inserter(result));
   std::stable_sort(result.begin(), result.end(),
                    [](const Eigenpair& a, const Eigenpair& b) { return a.value < b.value; });
   if (result.size() > number)
@@ -150,8 +234,9 @@ inline std::vector<Eigenpair> smallest_eigenpairs(const Eigen::SparseMatrix<doub
 
 /// \brief returns the smallest solutions λ of `L u = λ M u`, in increasing order.
 ///
-/// Rows without mass, which belong to vertices without faces, are left out. Each connected component is solved
-/// separately, so zero appears once for each.
+/// Rows without mass, which belong to vertices without faces, are left out. Zero appears once for each connected
+/// component whose rows sum to zero; these zeros are exact. The rest is found on each component by itself, as far as it
+/// can be among the smallest.
 ///
 /// Method: Lanczos (Spectra) for the inverse of `L + c M`, with one sparse Cholesky factorization; small components
 /// with dense matrices. The error of an eigenvalue is about 1e-10 times the sum of itself and the first positive one.
@@ -160,14 +245,14 @@ inline std::vector<Eigenpair> smallest_eigenpairs(const Eigen::SparseMatrix<doub
 /// \param mass the mass matrix, lumped or Galerkin
 /// \param number how many to compute; at most as many as there are rows with mass
 /// \pre both matrices have the same size
-/// \exception Numerical_error if the iteration does not converge, or if the matrix is not positive definite after
-///   rounding
+/// \exception Numerical_error if the iteration does not converge, if the matrix is not positive definite after
+///   rounding, if an entry is not finite, or if the masses or eigenvalues leave the range of `double`
 inline std::vector<double> smallest_eigenvalues(const Eigen::SparseMatrix<double>& stiffness,
                                                 const Eigen::SparseMatrix<double>& mass, std::size_t number)
 {
   std::vector<double> result;
-  std::vector<std::vector<int>> rows;
-  for (const internal::Eigenpair& pair : internal::smallest_eigenpairs(stiffness, mass, number, false, rows))
+  std::vector<internal::Spectrum_part> parts;
+  for (const internal::Eigenpair& pair : internal::smallest_eigenpairs(stiffness, mass, number, false, parts))
     result.push_back(pair.value);
   return result;
 }
@@ -189,8 +274,8 @@ struct Eigenfunctions
 inline Eigenfunctions smallest_eigenfunctions(const Eigen::SparseMatrix<double>& stiffness,
                                               const Eigen::SparseMatrix<double>& mass, std::size_t number)
 {
-  std::vector<std::vector<int>> rows;
-  const std::vector<internal::Eigenpair> pairs = internal::smallest_eigenpairs(stiffness, mass, number, true, rows);
+  std::vector<internal::Spectrum_part> parts;
+  const std::vector<internal::Eigenpair> pairs = internal::smallest_eigenpairs(stiffness, mass, number, true, parts);
   Eigenfunctions result;
   result.functions.setZero(stiffness.rows(), Eigen::Index(pairs.size()));
   for (const internal::Eigenpair& pair : pairs) {
@@ -199,8 +284,9 @@ inline Eigenfunctions smallest_eigenfunctions(const Eigen::SparseMatrix<double>&
     Eigen::Index largest = 0;
     pair.function.cwiseAbs().maxCoeff(&largest);
     const double sign = pair.function[largest] < 0 ? -1 : 1;
-    for (std::size_t i = 0; i < rows[pair.part].size(); ++i)
-      result.functions(rows[pair.part][i], column) = sign * pair.function[Eigen::Index(i)];
+    const std::vector<int>& rows = parts[pair.part].rows;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      result.functions(rows[i], column) = sign * pair.function[Eigen::Index(i)];
   }
   return result;
 }

@@ -192,6 +192,22 @@ inline Eigen::SparseMatrix<double> submatrix(const Eigen::SparseMatrix<double>& 
   return result;
 }
 
+// The rows of an increasing list, and their columns: in time that grows with what these have.
+// \param new_row the position of each in the list; negative for others
+inline Eigen::SparseMatrix<double> principal_submatrix(const Eigen::SparseMatrix<double>& matrix,
+                                                       const std::vector<int>& rows, const std::vector<int>& new_row)
+{
+  Eigen::SparseMatrix<double> result(Eigen::Index(rows.size()), Eigen::Index(rows.size()));
+  for (std::size_t c = 0; c < rows.size(); ++c) {
+    result.startVec(Eigen::Index(c));
+    for (Eigen::SparseMatrix<double>::InnerIterator i(matrix, rows[c]); i; ++i)
+      if (new_row[std::size_t(i.row())] >= 0)
+        result.insertBack(new_row[std::size_t(i.row())], Eigen::Index(c)) = i.value();
+  }
+  result.finalize();
+  return result;
+}
+
 } // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MATRICES_SPARSE_CHOLESKY_H
