@@ -94,8 +94,8 @@ double extent_of(const Surface& surface)
   return (std::min)(result, (std::numeric_limits<double>::max)());
 }
 
-// Below which size no vertex is inserted beside sharp edges if nobody says so: which these are depends on the size, so
-// that the library cannot choose it. Begins with 0. Sides below 2^-14 of the longest side of the
+// The default minimum size beside sharp edges: which edges are sharp depends on the size, so the library cannot choose
+// it. Begins with 0. Sides below 2^-14 of the longest side of the
 // box are what CAD programs leave by mistake if they need many vertices: then refinement begins anew with 2^-20 of the
 // box, 2^-17 and 2^-14 in turn. Places that need few vertices are refined, whatever their size.
 class Smallest_size

@@ -18,16 +18,20 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-namespace {
-
-constexpr std::uint32_t no_triangle = std::uint32_t(-1);
+namespace internal {
 
 struct Planar_position
 {
   double x = 0, y = 0;
 };
 
-double determinant(const Planar_position& p, const Planar_position& q, const Planar_position& r)
+} // namespace internal
+
+namespace {
+
+constexpr std::uint32_t no_triangle = std::uint32_t(-1);
+
+double determinant(const internal::Planar_position& p, const internal::Planar_position& q, const internal::Planar_position& r)
 {
   return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
 }
@@ -53,7 +57,7 @@ struct Simplification_map::Layout
         std::rotate(corners.begin(), corners.begin() + 1, corners.end());
         std::rotate(sides.begin(), sides.begin() + 1, sides.end());
       }
-      const Planar_position p = points[corners[0]], q = points[corners[1]];
+      const internal::Planar_position p = points[corners[0]], q = points[corners[1]];
       const double s = sides[0] * sides[0], along = (sides[2] * sides[2] + s - sides[1] * sides[1]) / (2 * s),
                    across =
                      std::sqrt((std::max)(0., squared_four_areas_from_lengths(sides[0], sides[1], sides[2]))) / (2 * s);
@@ -65,9 +69,9 @@ struct Simplification_map::Layout
       points.back() = position(fresh[0], map.places_[step.place]);
   }
 
-  Planar_position position(const Triangle& t, const Coordinates& b) const
+  internal::Planar_position position(const Triangle& t, const Coordinates& b) const
   {
-    Planar_position result;
+    internal::Planar_position result;
     for (std::size_t i = 0; i < 3; ++i) {
       result.x += b[i] * points[t.corners[i]].x;
       result.y += b[i] * points[t.corners[i]].y;
@@ -75,9 +79,9 @@ struct Simplification_map::Layout
     return result;
   }
   // Some are negative outside of the triangle.
-  Coordinates coordinates(const Triangle& t, const Planar_position& p) const
+  Coordinates coordinates(const Triangle& t, const internal::Planar_position& p) const
   {
-    const Planar_position &a = points[t.corners[0]], &b = points[t.corners[1]], &c = points[t.corners[2]];
+    const internal::Planar_position &a = points[t.corners[0]], &b = points[t.corners[1]], &c = points[t.corners[2]];
     Coordinates result{determinant(p, b, c), determinant(p, c, a), determinant(p, a, b)};
     const double sum = result[0] + result[1] + result[2];
     for (double& x : result)
@@ -85,7 +89,7 @@ struct Simplification_map::Layout
     return result;
   }
 
-  std::vector<Planar_position> points;
+  std::vector<internal::Planar_position> points;
 };
 
 // Carries points through one step, or back: from triangles to their replacements.
@@ -120,7 +124,7 @@ public:
         coordinates[std::size_t(same - other.corners.begin())] = 1;
         return other.number;
       }
-    const Planar_position p = layout().position(t, coordinates);
+    const internal::Planar_position p = layout().position(t, coordinates);
     std::uint32_t result = no_triangle;
     double best = -std::numeric_limits<double>::infinity();
     for (const Triangle& other : to_) {
