@@ -31,7 +31,8 @@ namespace {
 
 constexpr std::uint32_t no_triangle = std::uint32_t(-1);
 
-double determinant(const internal::Planar_position& p, const internal::Planar_position& q, const internal::Planar_position& r)
+double determinant(const internal::Planar_position& p, const internal::Planar_position& q,
+                   const internal::Planar_position& r)
 {
   return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
 }
