@@ -18,16 +18,16 @@
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/internal/gluing/Cut_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
-#include <CGAL/Intrinsic_triangulations/internal/heat/Flat_ways.h>
-#include <CGAL/Intrinsic_triangulations/internal/heat/Laid_out_faces.h>
-#include <CGAL/Intrinsic_triangulations/internal/heat/Window_propagation.h>
+#include <CGAL/Intrinsic_triangulations/internal/distances/Flat_ways.h>
+#include <CGAL/Intrinsic_triangulations/internal/distances/Laid_out_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/distances/Window_propagation.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
-#include <CGAL/Intrinsic_triangulations/internal/heat/Distance_bounds.h>
+#include <CGAL/Intrinsic_triangulations/internal/distances/Distance_bounds.h>
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 
 #include <CGAL/number_utils.h>
@@ -42,6 +42,7 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -84,11 +85,9 @@ Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& t
   const Interruption interruption(go_further_function_of(np));
   const std::optional<Intrinsic_triangulation<Traits>> by_place = with_ties_by_place(triangulation, row, interruption);
   const Laid_out_faces faces(by_place ? *by_place : triangulation, row);
-  Window_propagation windows(faces, tolerance);
-  Geodesic_distances result;
-  result.is_complete = windows.run(rows, number_of_ways(np, triangulation.connectivity()), interruption);
-  result.number_of_ways = windows.number_of_steps();
-  result.distances = windows.distances();
+  Window_distances windows =
+    propagate_windows(faces, tolerance, rows, number_of_ways(np, triangulation.connectivity()), interruption);
+  Geodesic_distances result{std::move(windows.distances), windows.number_of_steps, windows.is_complete};
   Distance_bounds(by_place ? *by_place : triangulation, row).apply(result.distances, pins);
   for (double& d : result.distances)
     d = std::ldexp(d, faces.exponent());
@@ -165,7 +164,7 @@ Geodesic_distances geodesic_distances(const Tufted_cover& cover, const std::vect
                                       const NamedParameters& np = parameters::default_values())
 {
   Geodesic_distances result;
-  const internal::Flat_ways::Surface_distances on_surface = [&](const std::vector<Vertex_index>& from) {
+  const internal::Surface_distances on_surface = [&](const std::vector<Vertex_index>& from) {
     Geodesic_distances found =
       internal::distances_by_windows(cover.triangulation, internal::Row_of_cover_vertex(cover), from, np);
     result.number_of_ways += found.number_of_ways;
@@ -173,7 +172,7 @@ Geodesic_distances geodesic_distances(const Tufted_cover& cover, const std::vect
     return std::move(found.distances);
   };
   result.distances =
-    cover.flat_edges.empty() ? on_surface(sources) : internal::Flat_ways(cover, on_surface).run(sources);
+    cover.flat_edges.empty() ? on_surface(sources) : internal::distances_along_flat_edges(cover, on_surface, sources);
   return result;
 }
 
@@ -193,8 +192,8 @@ template <class Traits>
 class Way_back
 {
 public:
-  Way_back(Intrinsic_triangulation<Traits>& triangulation, const Laid_out_faces& faces,
-           const Window_propagation& windows, const Interruption& interruption)
+  Way_back(Intrinsic_triangulation<Traits>& triangulation, const Laid_out_faces& faces, const Window_distances& windows,
+           const Interruption& interruption)
     : triangulation_(triangulation), faces_(faces), windows_(windows), interruption_(interruption)
   {}
 
@@ -203,12 +202,12 @@ public:
   // \return the null descriptor if it was not found
   Halfedge_index follow(std::uint32_t v)
   {
-    const std::uint32_t side = windows_.arrival(v).side;
+    const std::uint32_t side = windows_.arrivals[v].side;
     if (side == Laid_out_faces::none)
       return {};
     v_ = v;
     // v lies at the origin, and the way on the axis. It runs between the last corners on the left and on the right.
-    const double sine = std::sin(windows_.arrival(v).angle), cosine = std::cos(windows_.arrival(v).angle);
+    const double sine = std::sin(windows_.arrivals[v].angle), cosine = std::cos(windows_.arrivals[v].angle);
     const Laid_out_faces::Side& first = faces_.side(side);
     corners_ = {{first.apex_x * cosine + first.apex_y * sine, first.apex_y * cosine - first.apex_x * sine},
                 {first.length * cosine, -first.length * sine}};
@@ -261,9 +260,9 @@ private:
   // Whether the way meets a vertex at a point, and the rest of it is as long as the way from that vertex.
   bool comes_from(std::uint32_t vertex, const Point& p) const
   {
-    const double gone = std::hypot(p.x, p.y), whole = windows_.distances()[v_];
+    const double gone = std::hypot(p.x, p.y), whole = windows_.distances[v_];
     return p.x > 0 && std::abs(p.y) <= 1e-5 * gone &&
-           std::abs(windows_.distances()[vertex] + gone - whole) <= 1e-9 * whole;
+           std::abs(windows_.distances[vertex] + gone - whole) <= 1e-9 * whole;
   }
 
   // Flips crossed edges until there are none: edges whose flip reduces the number of crossings, and edges that are not
@@ -321,7 +320,7 @@ private:
 
   Intrinsic_triangulation<Traits>& triangulation_;
   const Laid_out_faces& faces_;
-  const Window_propagation& windows_;
+  const Window_distances& windows_;
   const Interruption& interruption_;
   std::uint32_t v_ = 0;
   std::vector<Point> corners_;
@@ -357,10 +356,11 @@ Shortest_path shortest_path(Intrinsic_triangulation<Traits>& triangulation, Vert
   if (source == target)
     return result;
   const internal::Laid_out_faces faces(triangulation, row);
-  internal::Window_propagation windows(faces, 0);
   const internal::Interruption interruption(internal::go_further_function_of(np));
-  result.is_complete = windows.run({source.idx()}, internal::number_of_ways(np, complex), interruption, target.idx());
-  result.distance = std::ldexp(windows.distances()[target.idx()], faces.exponent());
+  const internal::Window_distances windows = internal::propagate_windows(
+    faces, 0, {source.idx()}, internal::number_of_ways(np, complex), interruption, target.idx());
+  result.is_complete = windows.is_complete;
+  result.distance = std::ldexp(windows.distances[target.idx()], faces.exponent());
   internal::Way_back<Traits> way(triangulation, faces, windows, interruption);
   for (Vertex_index v = target; v != source; v = complex.target(result.halfedges.back())) {
     const Halfedge_index h = way.follow(v.idx());

@@ -5,11 +5,7 @@
 //
 // Shortest distances on a triangulated surface.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_WINDOW_PROPAGATION_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_WINDOW_PROPAGATION_H
-
-#include <CGAL/Intrinsic_triangulations/internal/heat/Laid_out_faces.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
+#include <CGAL/Intrinsic_triangulations/internal/distances/Window_propagation.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -25,13 +21,13 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+namespace {
+
 // The points of a side that straight ways from a vertex reach through the same faces are a window. Windows are passed
 // on from face to face, the nearest first, and dropped where a way over a vertex is not longer. Ways bend only at
 // vertices whose angles sum to more than 2π, and on the border: these send windows of their own into their shadow.
 //
-// Each number kept for a vertex is the length of a way on the surface, up to rounding and the tolerance; so none is too
-// small. Windows that wait at the same side are merged if they come from the same point, as on both sides of a flat
-// vertex.
+// Windows that wait at the same side are merged if they come from the same point, as on both sides of a flat vertex.
 //
 // With a tolerance, all windows at a side wait for each other. Those that are nowhere the shortest are dropped, and
 // neighbors are merged if that changes no distance and no direction by more than the tolerance. Far from the sources,
@@ -43,15 +39,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 class Window_propagation
 {
 public:
-  // How the shortest way reaches a row: at the vertex where the side begins, from this angle to the left of it.
-  struct Arrival
-  {
-    std::uint32_t side = Laid_out_faces::none; // none at sources and at unreachable rows
-    double angle = 0;
-  };
-
   // \param surface must outlive this
-  // \param tolerance of the lengths of ways, as a fraction of each edge that they cross
   Window_propagation(const Laid_out_faces& surface, double tolerance)
     : surface_(surface), tolerance_(tolerance), distances_(surface.number_of_rows(), infinity),
       arrivals_(surface.number_of_rows()), splits_(surface.sides().size()), waiting_(surface.sides().size(), none),
@@ -66,12 +54,9 @@ public:
   Window_propagation(const Window_propagation&) = delete; // the queue refers to it
   Window_propagation& operator=(const Window_propagation&) = delete;
 
-  // \param sources rows
-  // \param most the maximum number of windows passed on; the others are lost
-  // \param goal a row: without a tolerance, windows farther away are not followed
-  // \return whether that was enough
+  // \return whether the maximum number of steps was enough
   bool run(const std::vector<std::uint32_t>& sources, std::uint64_t most, const Interruption& interruption,
-           std::uint32_t goal = none)
+           std::uint32_t goal)
   {
     for (std::uint32_t row : sources)
       distances_[row] = 0;
@@ -102,10 +87,10 @@ public:
     return true;
   }
 
-  // Of the rows, in the unit of the faces; infinite if unreachable.
-  const std::vector<double>& distances() const { return distances_; }
-  const Arrival& arrival(std::uint32_t row) const { return arrivals_[row]; }
-  std::uint64_t number_of_steps() const { return number_of_steps_; }
+  Window_distances result(bool is_complete)
+  {
+    return {std::move(distances_), std::move(arrivals_), number_of_steps_, is_complete};
+  }
 
 private:
   using Side = Laid_out_faces::Side;
@@ -548,9 +533,9 @@ private:
 
   const Laid_out_faces& surface_;
   double tolerance_;
-  std::vector<double> distances_; // of the rows
-  std::vector<Arrival> arrivals_; // likewise
-  std::vector<Split> splits_;     // of the sides
+  std::vector<double> distances_;                   // of the rows
+  std::vector<Window_distances::Arrival> arrivals_; // likewise
+  std::vector<Split> splits_;                       // of the sides
   std::vector<Window> windows_;
   std::vector<Window> meeting_;                      // at one side
   std::vector<std::uint32_t> free_;                  // places for windows
@@ -560,6 +545,15 @@ private:
   std::uint64_t number_of_steps_ = 0;
 };
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_WINDOW_PROPAGATION_H
+Window_distances propagate_windows(const Laid_out_faces& surface, double tolerance,
+                                   const std::vector<std::uint32_t>& sources, std::uint64_t most,
+                                   const Interruption& interruption, std::uint32_t goal)
+{
+  Window_propagation windows(surface, tolerance);
+  const bool is_complete = windows.run(sources, most, interruption, goal);
+  return windows.result(is_complete);
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal

@@ -5,15 +5,14 @@
 //
 // All faces of a triangulation, laid out in the plane relative to each of their sides.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_LAID_OUT_FACES_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_LAID_OUT_FACES_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DISTANCES_LAID_OUT_FACES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DISTANCES_LAID_OUT_FACES_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/heat/Places.h>
+#include <CGAL/Intrinsic_triangulations/internal/distances/Places.h>
 #include <CGAL/Intrinsic_triangulations/internal/numbers/Accurate_shapes.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -59,14 +58,17 @@ public:
     for (Face_index f : complex.faces()) {
       const Halfedge_index base = longest_side(complex, row, complex.halfedge(f), lengths);
       const std::array<Halfedge_index, 3> around{base, complex.next(base), complex.prev(base)};
+      Corners corners;
       std::array<double, 3> length;
       for (int i = 0; i < 3; ++i) {
+        const Vertex_index v = complex.source(around[i]);
+        corners[i] = {std::uint32_t(v.idx()), std::uint32_t(row(v))};
         side_of[around[i].idx()] = std::uint32_t(sides_.size() + std::size_t(i));
         halfedges_.push_back(around[i]);
         length[i] = lengths[complex.edge(around[i]).idx()];
       }
       const std::optional<Face_apex> apex = apex_by_lengths(length);
-      add_face(complex, row, around, length,
+      add_face(corners, length,
                apex                 ? *apex
                : shapes.has_area(f) ? apex_by_cotangents(shapes, complex, base)
                                     : apex_of_flat_face(length));
@@ -103,19 +105,13 @@ public:
   std::uint32_t first_corner(std::uint32_t row) const { return first_[row]; }
   std::uint32_t corner(std::uint32_t i) const { return corners_[i]; }
   // An order independent of numbering: by the positions of the corners of the faces, from the side on.
-  bool is_before(std::uint32_t i, std::uint32_t j) const
-  {
-    for (int corner = 0; corner < 3; ++corner, i = next(i), j = next(j)) {
-      const std::uint32_t v = sides_[i].row, w = sides_[j].row;
-      if (v != w)
-        return places_.is_before(v, w);
-    }
-    return i < j;
-  }
+  bool is_before(std::uint32_t i, std::uint32_t j) const;
   // k such that lengths are in units of 2^k units of the input.
   int exponent() const { return exponent_; }
 
 private:
+  using Corners = std::array<std::pair<std::uint32_t, std::uint32_t>, 3>; // vertices, and their rows
+
   // The one whose corner comes first, if there are several.
   template <class Row>
   Halfedge_index longest_side(const Delta_complex& complex, const Row& row, Halfedge_index first,
@@ -131,98 +127,12 @@ private:
     return result;
   }
 
-  static Face_apex apex_of_flat_face(const std::array<double, 3>& length)
-  {
-    const double sum = length[1] + length[2];
-    return {length[2] / sum, length[1] / sum, 0x1p-40};
-  }
-
-  template <class Row>
-  void add_face(const Delta_complex& complex, const Row& row, const std::array<Halfedge_index, 3>& around,
-                const std::array<double, 3>& length, const Face_apex& apex)
-  {
-    const double x = apex.x * length[0], rest = apex.rest * length[0], height = apex.height * length[0];
-    // Of the two sides at each corner.
-    const std::array<double, 3> dot{x * length[0], rest * length[0], height * height - x * rest};
-    const double cross = height * length[0];
-    for (int i = 0; i < 3; ++i) {
-      const Vertex_index v = complex.source(around[i]);
-      Side side;
-      side.vertex = std::uint32_t(v.idx());
-      side.row = std::uint32_t(row(v));
-      side.length = length[i];
-      side.apex_x = dot[i] / length[i];
-      side.apex_y = cross / length[i];
-      side.angle = std::atan2(cross, dot[i]);
-      angle_sums_[v.idx()] += std::int64_t(side.angle * angle_scale);
-      sides_.push_back(side);
-    }
-  }
-
-  void join_cut_sides()
-  {
-    std::vector<std::array<std::uint32_t, 3>> cut; // two rows, and the side between them
-    for (std::uint32_t i = 0; i < sides_.size(); ++i)
-      if (sides_[i].opposite == none)
-        cut.push_back(
-          {(std::min)(sides_[i].row, sides_[next(i)].row), (std::max)(sides_[i].row, sides_[next(i)].row), i});
-    std::sort(cut.begin(), cut.end(), [this](const auto& a, const auto& b) {
-      return std::make_pair(a[0], a[1]) != std::make_pair(b[0], b[1]) ? a < b : is_before(a[2], b[2]);
-    });
-    beside_.assign(sides_.size(), none);
-    for (std::size_t i = 0, j; i < cut.size(); i = j) {
-      for (j = i + 1; j < cut.size() && cut[j][0] == cut[i][0] && cut[j][1] == cut[i][1]; ++j)
-        beside_[cut[j - 1][2]] = cut[j][2];
-      if (j > i + 1)
-        beside_[cut[j - 1][2]] = cut[i][2];
-    }
-  }
-
-  // Sides along which a face is so thin that ways can circle a needle again and again before they meet a corner.
-  void number_narrow_edges()
-  {
-    for (std::uint32_t i = 0; i < sides_.size(); ++i) {
-      if (sides_[i].narrow != none || !(sides_[i].apex_y < sides_[i].length / 16))
-        continue;
-      const std::uint32_t edge = 2 * std::uint32_t(number_of_narrow_edges_++);
-      sides_[i].narrow = edge;
-      if (sides_[i].opposite != none)
-        sides_[sides_[i].opposite].narrow = edge + 1;
-      for (std::uint32_t j = beside(i); j != none && j != i; j = beside(j))
-        sides_[j].narrow = edge + (sides_[j].row == sides_[i].row ? 0 : 1);
-    }
-  }
-
-  void index_corners()
-  {
-    for (const Side& side : sides_) {
-      ++first_[side.row + 1];
-      if (side.opposite == none)
-        angle_sums_[side.vertex] = angle_sums_[sides_[next(std::uint32_t(&side - sides_.data()))].vertex] = -1;
-    }
-    for (std::size_t v = 0; v + 1 < first_.size(); ++v)
-      first_[v + 1] += first_[v];
-    corners_.resize(sides_.size());
-    std::vector<std::uint32_t> position(first_.begin(), first_.end() - 1);
-    for (std::size_t i = 0; i < sides_.size(); ++i)
-      corners_[position[sides_[i].row]++] = std::uint32_t(i);
-    // If two ways along edges reach the same row at once, the first one counts.
-    for (std::size_t row = 0; row + 1 < first_.size(); ++row) {
-      const auto begin = corners_.begin() + first_[row], end = corners_.begin() + first_[row + 1];
-      if (end - begin > 16 || has_edges_to_same_row(begin, end))
-        std::sort(begin, end, [this](std::uint32_t i, std::uint32_t j) { return is_before(i, j); });
-    }
-  }
-
-  template <class Corner>
-  bool has_edges_to_same_row(Corner begin, Corner end) const
-  {
-    for (Corner i = begin; i != end; ++i)
-      for (Corner j = begin; j != i; ++j)
-        if (sides_[prev(*i)].row == sides_[prev(*j)].row)
-          return true;
-    return std::any_of(begin, end, [this](std::uint32_t side) { return sides_[side].opposite == none; });
-  }
+  static Face_apex apex_of_flat_face(const std::array<double, 3>& length);
+  void add_face(const Corners& corners, const std::array<double, 3>& length, const Face_apex& apex);
+  void join_cut_sides();
+  void number_narrow_edges();
+  void index_corners();
+  bool has_edges_to_same_row(std::uint32_t begin, std::uint32_t end) const;
 
   static constexpr double angle_scale = 0x1p50;
 
@@ -238,4 +148,4 @@ private:
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_LAID_OUT_FACES_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DISTANCES_LAID_OUT_FACES_H

@@ -5,8 +5,8 @@
 //
 // An order of vertices and faces, and a choice among Delaunay triangulations, that do not depend on the numbering.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_PLACES_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_PLACES_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DISTANCES_PLACES_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DISTANCES_PLACES_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
@@ -98,4 +98,4 @@ std::optional<Intrinsic_triangulation<Traits>> with_ties_by_place(const Intrinsi
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_PLACES_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DISTANCES_PLACES_H

@@ -5,11 +5,7 @@
 //
 // Distances to vertices that have no face in a cover, along the edges of faces without area.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_FLAT_WAYS_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_FLAT_WAYS_H
-
-#include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
-#include <CGAL/Intrinsic_triangulations/internal/Index.h>
+#include <CGAL/Intrinsic_triangulations/internal/distances/Flat_ways.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -22,16 +18,13 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// Ways lead over the surface and along flat edges. Wherever flat edges reach a vertex of the surface sooner, ways begin
-// there anew.
+namespace {
+
 class Flat_ways
 {
   using Waiting = std::pair<double, std::uint32_t>; // a distance, and a vertex
 
 public:
-  // Distances of all vertices from some sources over the surface alone.
-  using Surface_distances = std::function<std::vector<double>(const std::vector<Vertex_index>&)>;
-
   Flat_ways(const Tufted_cover& cover, const Surface_distances& on_surface)
     : cover_(cover), on_surface_(on_surface), edges_(cover.representative.size())
   {
@@ -101,6 +94,12 @@ private:
   std::vector<double> distances_;
 };
 
-} // namespace CGAL::Intrinsic_triangulations::internal
+} // namespace
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_HEAT_FLAT_WAYS_H
+std::vector<double> distances_along_flat_edges(const Tufted_cover& cover, const Surface_distances& on_surface,
+                                               const std::vector<Vertex_index>& sources)
+{
+  return Flat_ways(cover, on_surface).run(sources);
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal

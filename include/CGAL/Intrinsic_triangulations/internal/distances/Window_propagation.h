@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Shortest distances on a triangulated surface.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DISTANCES_WINDOW_PROPAGATION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DISTANCES_WINDOW_PROPAGATION_H
+
+#include <CGAL/Intrinsic_triangulations/internal/distances/Laid_out_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// Each distance is the length of a way on the surface, up to rounding and the tolerance; so none is too small.
+struct Window_distances
+{
+  // How the shortest way reaches a row: at the vertex where the side begins, from this angle to the left of it.
+  struct Arrival
+  {
+    std::uint32_t side = Laid_out_faces::none; // none at sources and at unreachable rows
+    double angle = 0;
+  };
+
+  std::vector<double> distances; // of the rows, in the unit of the faces; infinite if unreachable
+  std::vector<Arrival> arrivals; // likewise
+  std::uint64_t number_of_steps = 0;
+  bool is_complete = true; // whether the maximum number of steps was enough
+};
+
+// \param tolerance of the lengths of ways, as a fraction of each edge that they cross
+// \param sources rows
+// \param most the maximum number of windows passed on; the others are lost
+// \param goal a row: without a tolerance, windows farther away are not followed
+Window_distances propagate_windows(const Laid_out_faces& surface, double tolerance,
+                                   const std::vector<std::uint32_t>& sources, std::uint64_t most,
+                                   const Interruption& interruption, std::uint32_t goal = Laid_out_faces::none);
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DISTANCES_WINDOW_PROPAGATION_H
