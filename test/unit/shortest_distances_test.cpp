@@ -179,6 +179,21 @@ TEST(Geodesic_distances, need_fewer_ways_for_each_face_if_faces_are_finer)
   }
 }
 
+// Behind each vertex of a bowl, ways that passed it on the left and on the right cover the same points.
+TEST(Geodesic_distances, need_few_ways_in_a_bowl_also_if_they_are_exact)
+{
+  Points points;
+  Triangles triangles;
+  make_hills(30, 0, points, triangles);
+  for (auto& [x, y, z] : points)
+    z = ((x - 15) * (x - 15) + (y - 15) * (y - 15)) / 30;
+  const std::vector<double> exact = exact_distances(points, triangles, 0);
+  const auto found = IT::geodesic_distances(Delaunay(points, triangles), {Vertex_index(0)}, with_tolerance(0));
+  for (std::size_t v = 0; v < exact.size(); ++v)
+    EXPECT_NEAR(found.distances[v], exact[v], 1e-13 * exact[v]) << v;
+  EXPECT_LT(found.number_of_ways, 18 * triangles.size()); // if all of them go on: 20.7
+}
+
 // A hub in the middle of a border that waves: paths bend at it again and again.
 void make_fan(std::uint32_t n, Points& points, Triangles& triangles)
 {

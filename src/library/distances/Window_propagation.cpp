@@ -7,15 +7,19 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/distances/Window_propagation.h>
 
+#include "Nearest_first_queue.h"
+#include "Window.h"
+
+#include <CGAL/Intrinsic_triangulations/internal/system/memory_access.h>
+
 #include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
-#include <queue>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -27,7 +31,8 @@ namespace {
 // on from face to face, the nearest first, and dropped where a way over a vertex is not longer. Ways bend only at
 // vertices whose angles sum to more than 2π, and on the border: these send windows of their own into their shadow.
 //
-// Windows that wait at the same side are merged if they come from the same point, as on both sides of a flat vertex.
+// Windows that wait at the same side are merged if they come from the same point, as on both sides of a flat vertex. Of
+// two that come from the same vertex over different faces, each is cut off where the other is shorter.
 //
 // With a tolerance, all windows at a side wait for each other. Those that are nowhere the shortest are dropped, and
 // neighbors are merged if that changes no distance and no direction by more than the tolerance. Far from the sources,
@@ -42,7 +47,8 @@ public:
   // \param surface must outlive this
   Window_propagation(const Laid_out_faces& surface, double tolerance)
     : surface_(surface), tolerance_(tolerance), distances_(surface.number_of_rows(), infinity),
-      arrivals_(surface.number_of_rows()), splits_(surface.sides().size()), waiting_(surface.sides().size(), none),
+      arrivals_(surface.number_of_rows()), splits_(surface.sides().size()),
+      waiting_(tolerance > 0 ? surface.sides().size() : 0, none), in_order_(tolerance > 0 ? 0 : surface.sides().size()),
       at_narrow_edges_(surface.number_of_narrow_edges())
   {
     // Of two ways to a corner, the longer one ends what lies beyond the other, because they have crossed in the face
@@ -69,6 +75,8 @@ public:
         interruption.check();
       const auto [distance, slot] = queue_.top();
       queue_.pop();
+      if (!queue_.empty())
+        prefetch(&windows_[queue_.top().second]);
       if (goal != none && distance > distances_[goal])
         break;
       const Window window = windows_[slot];
@@ -97,31 +105,10 @@ private:
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr std::uint32_t none = Laid_out_faces::none, taken = none - 1;
-  static constexpr double shorter = 1 - 1e-12; // by more than rounding
   static constexpr double equal = 1 + 1e-15;
   static constexpr std::size_t most_at_narrow_edge = 32;
   static constexpr double least_width = 1e-12, least_angle = 1e-9;
   static constexpr double shadow_begin = CGAL_PI - least_angle; // from the way to a vertex
-
-  // std::hypot() takes four times as long. It is needed only if squares leave the range of double.
-  static double length_of(double x, double y)
-  {
-    const double square = x * x + y * y;
-    return square > 0x1p-900 && square < 0x1p1000 ? std::sqrt(square) : std::hypot(x, y);
-  }
-
-  // The part from b0 to b1 of a side, to be crossed into its face. Relative to the side, the way comes from (x, -y),
-  // where its length is sigma. A negative sigma means the way that reaches the vertex where the side begins, at the
-  // angle x to the left of the side.
-  struct Window
-  {
-    double b0, b1, x, y, sigma;
-    std::uint32_t side;
-    std::uint32_t next = none; // of the windows that wait at the side; invalid once another one has taken its place
-    std::uint32_t turns = 0;   // the number of narrow edges crossed since the vertex
-
-    double distance(double b) const { return sigma + length_of(b - x, y); }
-  };
 
   // A window in the queue: its distance, and where it is stored.
   using Place = std::pair<double, std::uint32_t>;
@@ -145,13 +132,6 @@ private:
     double distance = infinity, crossing = 0;
   };
 
-  // At the same side. If both are equal in all numbers, their order does not matter.
-  static bool is_before(const Window& u, const Window& v)
-  {
-    const auto key = [](const Window& w) { return std::make_tuple(w.b0, -w.b1, w.sigma, w.x, w.y); };
-    return key(u) < key(v);
-  }
-
   std::uint32_t store(const Window& window)
   {
     std::uint32_t slot = std::uint32_t(windows_.size());
@@ -165,60 +145,78 @@ private:
     return slot;
   }
 
-  // Removes a window from those that wait at its side.
+  // Removes a window from those that wait at its side in order.
   void remove(std::uint32_t slot)
   {
-    std::uint32_t* place = &waiting_[windows_[slot].side];
-    while (*place != slot)
-      place = &windows_[*place].next;
-    *place = windows_[slot].next;
+    std::vector<Place>& row = in_order_[windows_[slot].side];
+    auto place = std::lower_bound(row.begin(), row.end(), Place(windows_[slot].x, 0));
+    while (place->second != slot)
+      ++place;
+    row.erase(place);
   }
 
   void wait(Window w)
   {
     if (tolerance_ == 0)
-      unite_with_waiting(w);
+      return wait_in_order(w);
     std::uint32_t& first = waiting_[w.side];
     w.next = first;
     first = store(w);
-    // At the distance of its nearest point: windows derived from it are not nearer, so ways continue from a vertex only
-    // once the shortest way to it is known.
-    if (tolerance_ == 0)
-      queue_.push({w.distance((std::min)((std::max)(w.x, w.b0), w.b1)), first});
-    else if (w.next == none) // a front enters a face without obtuse angle through sides whose middles are nearer
+    if (w.next == none) // a front enters a face without obtuse angle through sides whose middles are nearer
       queue_.push({w.distance(surface_.side(w.side).length / 2), first});
   }
 
-  // Merges a window with waiting neighbors, if possible.
+  // Between the waiting windows whose ways come from farther to the left and to the right. What others reach sooner is
+  // cut off, of this window and of those.
+  void wait_in_order(Window& w)
+  {
+    unite_with_waiting(w);
+    std::vector<Place>& row = in_order_[w.side];
+    auto place = std::lower_bound(row.begin(), row.end(), Place(w.x, 0));
+    for (; place != row.end(); place = row.erase(place)) {
+      Window& other = windows_[place->second];
+      if (!trim_end(w, other))
+        return;
+      if (trim_beginning(other, w))
+        break;
+      other.next = taken;
+    }
+    for (; place != row.begin(); place = row.erase(place)) {
+      Window& other = windows_[std::prev(place)->second];
+      if (!trim_beginning(w, other))
+        return;
+      if (trim_end(other, w))
+        break;
+      other.next = taken;
+      --place;
+    }
+    const std::uint32_t slot = store(w);
+    row.insert(place, Place(w.x, slot));
+    // At the distance of its nearest point: windows derived from it are not nearer, so ways continue from a vertex
+    // only once the shortest way to it is known.
+    queue_.push({w.distance((std::min)((std::max)(w.x, w.b0), w.b1)), slot});
+  }
+
+  // Merges a window with waiting ones that come from the same point, if possible.
   void unite_with_waiting(Window& w)
   {
     const double least_gap = least_width * surface_.side(w.side).length;
-    for (std::uint32_t slot = waiting_[w.side]; slot != none;) {
-      const Window& other = windows_[slot];
+    std::vector<Place>& row = in_order_[w.side];
+    const auto first_near = [&] {
+      return std::lower_bound(row.begin(), row.end(), Place(w.x - 2 * least_difference(w), 0));
+    };
+    for (auto place = first_near(); place != row.end() && place->first <= w.x + 2 * least_difference(w);) {
+      Window& other = windows_[place->second];
       const Window &u = other.b0 < w.b0 ? other : w, &v = other.b0 < w.b0 ? w : other;
       if (v.b0 > u.b1 + least_gap || !come_from_same_point(u, v)) {
-        slot = other.next;
+        ++place;
         continue;
       }
       w = both(u, v);
-      remove(slot);
-      windows_[slot].next = taken;
-      slot = waiting_[w.side];
+      other.next = taken;
+      row.erase(place);
+      place = first_near();
     }
-  }
-
-  static bool come_from_same_point(const Window& u, const Window& v)
-  {
-    return std::abs(u.x - v.x) + std::abs(u.y - v.y) + std::abs(u.sigma - v.sigma) <=
-           1e-11 * (std::abs(u.x) + u.y + u.sigma);
-  }
-
-  static Window both(const Window& u, const Window& v)
-  {
-    Window result = u.b1 - u.b0 > v.b1 - v.b0 ? u : v;
-    result.b0 = u.b0;
-    result.b1 = (std::max)(u.b1, v.b1);
-    return result;
   }
 
   // All windows that wait at a side, merged as far as the tolerance allows.
@@ -326,12 +324,6 @@ private:
             surface_.side(other).row == surface_.side(side).row ? turned_over(w, surface_.side(side).length) : w);
   }
 
-  // The window as seen from a face that is turned over.
-  static Window turned_over(const Window& w, double length)
-  {
-    return {length - w.b1, length - w.b0, length - w.x, w.y, w.sigma, 0, none, w.turns};
-  }
-
   void enter(std::uint32_t side, Window w)
   {
     w.side = side;
@@ -366,21 +358,6 @@ private:
       others[number_of_steps_ % most_at_narrow_edge] = forward;
     ++w.turns;
     return true;
-  }
-
-  // Whether the ways of a window, and from its ends along the edge, are nowhere longer than those of w times a factor.
-  static bool is_nowhere_longer(const Window& other, const Window& w, double factor)
-  {
-    const auto is_longer = [&](double b) {
-      const double at = (std::min)((std::max)(b, other.b0), other.b1);
-      return other.distance(at) + std::abs(b - at) > w.distance(b) * factor;
-    };
-    if (is_longer(w.b0) || is_longer(w.b1))
-      return false;
-    // Beyond the ends of the other window, the difference grows outward. Between them, its derivative is zero where
-    // both ways have the same direction.
-    const double b = (w.x * other.y - other.x * w.y) / (other.y - w.y);
-    return !(b > (std::max)(w.b0, other.b0) && b < (std::min)(w.b1, other.b1) && is_longer(b));
   }
 
   // The error of compared lengths across a side. Dropping a window for another one that only seems to be shorter leaves
@@ -539,9 +516,10 @@ private:
   std::vector<Window> windows_;
   std::vector<Window> meeting_;                      // at one side
   std::vector<std::uint32_t> free_;                  // places for windows
-  std::vector<std::uint32_t> waiting_;               // at each side, the first window
+  std::vector<std::uint32_t> waiting_;               // at each side, the first window, with a tolerance
+  std::vector<std::vector<Place>> in_order_;         // at each side, all of them by `x`, without a tolerance
   std::vector<std::vector<Window>> at_narrow_edges_; // some of the windows that arrived, by the number of the edge
-  std::priority_queue<Place, std::vector<Place>, Comes_later> queue_{Comes_later{*this}};
+  Nearest_first_queue<Place, Comes_later> queue_{Comes_later{*this}};
   std::uint64_t number_of_steps_ = 0;
 };
 
