@@ -33,14 +33,19 @@ struct Expected
   Indices elements;
 };
 
-// Vertices have the coordinates of the input vertices that they come from, and the corners of a triangle are at corners
-// of its input face.
+// Vertices have the coordinates of the input vertices that they come from.
+void expect_true_corners(const Points& points, const IT::Repaired_polygons& repaired)
+{
+  for (std::size_t v = 0; v < repaired.points.size(); ++v)
+    EXPECT_EQ(repaired.points[v], points[repaired.input_vertices[v]]) << v;
+}
+
+// Likewise, and the corners of a triangle are at corners of its input face.
 void expect_true_map(const Points& points, const Polygons& polygons, const IT::Repaired_polygons& repaired)
 {
   ASSERT_EQ(repaired.input_vertices.size(), repaired.points.size());
   ASSERT_EQ(repaired.input_faces.size(), repaired.triangles.size());
-  for (std::size_t v = 0; v < repaired.points.size(); ++v)
-    EXPECT_EQ(repaired.points[v], points[repaired.input_vertices[v]]) << v;
+  expect_true_corners(points, repaired);
   for (std::size_t f = 0; f < repaired.triangles.size(); ++f) {
     const Indices& face = polygons[repaired.input_faces[f]];
     for (std::size_t v : repaired.triangles[f])
@@ -375,8 +380,7 @@ TEST(Repair_polygons, stitches_T_junctions)
       EXPECT_EQ(report.number_of_components, 1u);
       EXPECT_EQ(report.number_of_border_edges, 6u);
       EXPECT_NEAR(area(repaired.points, repaired.triangles), area(apart.points, apart.triangles), 1e-14);
-      for (std::size_t v = 0; v < repaired.points.size(); ++v)
-        EXPECT_EQ(repaired.points[v], points[repaired.input_vertices[v]]);
+      expect_true_corners(points, repaired);
       for (const IT::Repair& repair : repaired.repairs)
         EXPECT_NE(static_cast<int>(repair.kind), static_cast<int>(Kind::OPENED_EDGE));
     }
@@ -384,6 +388,73 @@ TEST(Repair_polygons, stitches_T_junctions)
   const IT::Repaired_polygons one = IT::repair_polygons(points, faces, {}, 0);
   EXPECT_EQ(IT::message(one.repairs.back()), "edge 0-1 of face 0 was split at vertex 5, which lies within it");
   EXPECT_THROW(IT::repair_polygons(points, faces, {}, -1), IT::Invalid_argument_error);
+}
+
+// An edge from v = 0 to w = 1 with faces on both sides, and others whose edges end within it or within which it ends.
+TEST(Repair_polygons, stitches_edges_of_two_faces)
+{
+  const Points points = {{{0, 0, 0}}, {{2, 0, 0}}, {{1, 1, 0}},  {{1, -1, 0}}, {{1, 0, 0}},
+                         {{1, 0, 1}}, {{1, 1, 1}}, {{1, -1, 1}}, {{1, 1, -1}}, {{1, -1, -1}}};
+  struct Case
+  {
+    Polygons faces;
+    std::string gap;
+    std::size_t components, border_edges; // after the repair
+  };
+  const Polygons wall = {{0, 1, 2}, {1, 0, 3}}, finer_wall = {{0, 4, 2}, {4, 1, 2}, {4, 0, 3}, {1, 4, 3}};
+  const Polygons solid = {{0, 1, 8}, {1, 0, 9}, {0, 8, 9}, {1, 9, 8}};
+  const Polygons finer_solid = {{0, 6, 4}, {4, 6, 1}, {4, 7, 0}, {1, 7, 4}, {0, 7, 6}, {1, 6, 7}};
+  const auto both = [](Polygons a, const Polygons& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+  };
+  const std::string gap = "vertex 4 lies within edge 0-1 of face ";
+  for (const Case& c : {Case{both(wall, {{0, 4, 5}, {4, 1, 5}}), gap + "0", 3, 12}, // a finer fin
+                        Case{both(finer_wall, {{0, 1, 5}}), gap + "4", 3, 12},      // a finer wall
+                        Case{both(wall, {{4, 5, 6}}), gap + "0", 2, 7},             // a corner that touches it
+                        Case{both(solid, finer_solid), gap + "0", 2, 0}}) {
+    const IT::Surface_report before = IT::find_gaps(points, c.faces);
+    ASSERT_EQ(before.gaps.size(), 1u);
+    EXPECT_EQ(before.gaps[0].description, c.gap + ", which does not end there");
+    EXPECT_EQ(before.stitching_tolerance, 0);
+    const IT::Repaired_polygons apart = IT::repair_polygons(points, c.faces),
+                                repaired = IT::repair_polygons(points, c.faces, {}, 0);
+    const IT::Surface_report report = examine(repaired);
+    EXPECT_EQ(report.first_fatal(), nullptr) << IT::message(report);
+    EXPECT_EQ(report.number_of_components, c.components) << c.gap;
+    EXPECT_EQ(report.number_of_border_edges, c.border_edges) << c.gap;
+    EXPECT_NEAR(area(repaired.points, repaired.triangles), area(apart.points, apart.triangles), 1e-14);
+    expect_true_corners(points, repaired);
+  }
+  // Solids that touch are none of this.
+  Points apart = points;
+  apart.insert(apart.end(), {{{1, 0, 0}}, {{1, 1, -1}}, {{0, -1, 1}}, {{2, -1, 1}}});
+  EXPECT_TRUE(IT::find_gaps(apart, both(solid, {{10, 11, 12}, {10, 12, 13}, {10, 13, 11}, {11, 13, 12}})).gaps.empty());
+}
+
+// Two rooms whose wall, which is there twice, has vertices within the edges of the outer walls.
+TEST(Repair_polygons, stitches_a_wall_between_two_rooms)
+{
+  Points points;
+  for (const double x : {0, 1, 2})
+    for (const auto& [y, z] : {std::pair{0., 0.}, std::pair{1., 0.}, std::pair{1., 1.}, std::pair{0., 1.}})
+      points.push_back({{x, y, z}});
+  Polygons faces = {{0, 3, 2, 1}, {8, 9, 10, 11}};
+  for (const std::size_t x : {0, 4})
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t j = (i + 1) % 4;
+      faces.push_back({x + i, x + j, x + 4 + j, x + 4 + i});
+    }
+  points.insert(points.end(), {{{1, 0.5, 0}}, {{1, 1, 0.5}}, {{1, 0.5, 1}}, {{1, 0, 0.5}}}); // 12 to 15
+  faces.push_back({4, 12, 5, 13, 6, 14, 7, 15});
+  faces.push_back({15, 7, 14, 6, 13, 5, 12, 4});
+  EXPECT_EQ(IT::find_gaps(points, faces).gaps[0].count, 4u);
+  const IT::Surface_report apart = examine(IT::repair_polygons(points, faces)),
+                           joined = examine(IT::repair_polygons(points, faces, {}, 0));
+  EXPECT_EQ(joined.first_fatal(), nullptr) << IT::message(joined);
+  EXPECT_EQ(joined.number_of_border_edges, 0u);
+  EXPECT_EQ(joined.number_of_components, 2u);
+  EXPECT_NE(apart.number_of_border_edges, 0u);
 }
 
 TEST(Repair_polygons, merges_what_is_nearer_than_the_tolerance)
@@ -404,6 +475,29 @@ TEST(Repair_polygons, merges_what_is_nearer_than_the_tolerance)
   points[3][0] = 1.001; // far enough to be intended
   points[4][0] = 0.001;
   EXPECT_TRUE(IT::examine_polygons(points, faces).gaps.empty());
+}
+
+// A closed sheet of zero area along an edge with four vertices, as CAD programs write it.
+TEST(Repair_polygons, removes_flat_pieces_that_it_cuts_off)
+{
+  const Points points = {{{0, 0, 0}}, {{1, 0, 0}}, {{2, 0, 0}}, {{3, 0, 0}}, {{1, 1, 0}}, {{1, 0, 1}}};
+  Polygons faces = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {1, 0, 5}, {2, 1, 5}, {3, 2, 5}, {0, 4, 5}, {3, 5, 4}};
+  const double before = area(IT::repair_polygons(points, faces));
+  for (const Indices& flat : Polygons{{0, 3, 2}, {0, 2, 1}, {2, 3, 0}, {1, 2, 0}})
+    faces.push_back(flat);
+  const IT::Repaired_polygons repaired = IT::repair_polygons(points, faces);
+  std::size_t removed = 0;
+  for (const IT::Repair& repair : repaired.repairs) {
+    EXPECT_TRUE(repair.kind == Kind::COLLAPSED_FACE || repair.kind == Kind::DUPLICATE_FACE) << IT::message(repair);
+    removed += repair.count;
+  }
+  EXPECT_EQ(removed, 4u);
+  EXPECT_EQ(repaired.triangles.size(), 8u);
+  EXPECT_EQ(examine(repaired).number_of_border_edges, 0u);
+  EXPECT_EQ(area(repaired), before);
+  // Nothing else is there: it stays.
+  const IT::Repaired_polygons alone = IT::repair_polygons(points, Polygons{{0, 3, 2}, {0, 2, 1}, {1, 2, 3}});
+  EXPECT_FALSE(alone.triangles.empty());
 }
 
 TEST(Repair_polygons, removes_flat_spikes)

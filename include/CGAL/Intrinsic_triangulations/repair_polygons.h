@@ -34,7 +34,7 @@ enum class Repair_kind {
   TRIANGULATED_FACE, ///< a face was cut into triangles
   FANNED_FACE,       ///< its triangles are a fan, which may overlap: the face is large and far from any plane
   FLAT_SPIKE,        ///< a vertex around which all faces had zero area and an angle of zero was removed
-  STITCHED_EDGE,     ///< a border edge was split at vertices that lie within it
+  STITCHED_EDGE,     ///< an edge was split at vertices that lie within it
   REVERSED_FACE,     ///< a face was turned over
   SPLIT_VERTEX,      ///< a vertex was copied for each fan of faces after the first
   OPENED_EDGE,       ///< an edge that had several faces, or lay inside one, became a border edge
@@ -102,8 +102,8 @@ bool is_repairable(Invalid_surface_error::Defect defect);
 /// - Polygons are cut into triangles as by `triangulate_polygon()`.
 /// - Vertices around which all faces have zero area and an angle of zero are removed: no area is lost. Vertices at the
 ///   same place on the common longest side of two faces of zero area become one.
-/// - If a stitching tolerance is given, border edges are split at the border vertices that lie within them, exactly or
-///   not farther away, and border vertices and the ends of edges that are not farther from each other are merged:
+/// - If a stitching tolerance is given, edges are split where others end within them (see `Gap_kind::T_JUNCTION`), exactly
+///   or not farther away, and border vertices and the ends of edges that are not farther from each other are merged:
 ///   T-junctions and narrow gaps are closed.
 /// - Of several triangles with the same corners, one is kept; or two, if they are the wall between two rooms or the
 ///   sides of a fin, as an even number of other faces at their edges tells. A fin of one triangle goes with both sides.
@@ -112,7 +112,7 @@ bool is_repairable(Invalid_surface_error::Defect defect);
 /// - At an edge with more than two faces, those that bound the same piece of a solid stay together: they are found by
 ///   their exact order around the edge and by their orientation. Closed oriented parts, and boundaries of solids with
 ///   faces of any orientation, stay closed. Where faces do not pair up, such as three sheets at an edge, the surface is
-///   cut.
+///   cut. Pieces of zero area that this cuts off are removed.
 /// - Vertices are copied for each fan of faces.
 /// - Vertices that belong to no triangle are removed.
 ///

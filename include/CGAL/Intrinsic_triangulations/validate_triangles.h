@@ -53,7 +53,7 @@ struct Finding
 /// \ingroup PkgIntrinsicTriangulationsValidation
 /// \brief a kind of invisible gap in a surface. Distances go around it.
 enum class Gap_kind {
-  T_JUNCTION,    ///< a border vertex lies within a border edge, exactly or nearly
+  T_JUNCTION,    ///< an edge ends within another one, exactly or nearly, and the faces there do not meet
   CLOSE_VERTICES ///< two border vertices, or the ends of an edge, are much nearer to each other than to others
 };
 
@@ -174,8 +174,22 @@ inline std::optional<std::size_t> shortest_side(std::array<std::array<double, 3>
   return std::size_t(shortest - lengths.begin());
 }
 
-// Whether a border vertex lies within a border edge, or beside another one.
-bool have_gaps(const std::vector<std::array<double, 3>>& points, const std::vector<Vertices_on_edges::Edge>& border);
+// The ends of border edges, two for each.
+class Border_gaps
+{
+public:
+  // \param points must outlive this
+  explicit Border_gaps(const std::vector<std::array<double, 3>>& points);
+
+  // Whether one of them lies within this edge.
+  bool are_within(const std::array<double, 3>& p, const std::array<double, 3>& q) const;
+  // Whether two of them lie beside each other.
+  bool are_close() const;
+
+private:
+  const std::vector<std::array<double, 3>>& points_;
+  Vertices_on_edges near_;
+};
 
 } // namespace internal
 
@@ -199,7 +213,7 @@ bool have_gaps(const std::vector<std::array<double, 3>>& points, const std::vect
 ///
 /// Complexity: linear in the numbers of vertices and corners, except for the
 /// union-find structures (linear for all practical purposes), a sort of the faces at
-/// edges with more than two faces, and O(k log k) for k border edges.
+/// edges with more than two faces, and O(n log k) for k edges at the border and where sheets meet.
 template <class PointRange, class PolygonRange>
 Surface_report examine_polygons(const PointRange& points, const PolygonRange& polygons)
 {
@@ -222,7 +236,7 @@ Surface_report examine_polygons(const PointRange& points, const PolygonRange& po
 /// found; whether a vertex lies within an edge is decided exactly.
 /// \param points the vertices
 /// \param triangles the faces
-/// \return a report with numbers of edges, without findings. Complexity: linear, and O(k log k) for k border edges
+/// \return a report with numbers of edges, without findings. Complexity: as `examine_polygons()`
 template <class PointRange, class TriangleRange>
 Surface_report find_gaps(const PointRange& points, const TriangleRange& triangles)
 {
@@ -245,7 +259,7 @@ Surface_report find_gaps(const PointRange& points, const TriangleRange& triangle
 ///   form an oriented 2-manifold
 /// \param points the vertices; coordinates are `p[0]`, `p[1]` and `p[2]`
 ///
-/// Complexity: linear, and O(k log k) for k border edges, which alone need memory.
+/// Complexity: linear, and O(n log k) for k border edges, which alone need memory.
 template <class PointRange>
 bool is_clean(const Delta_complex& complex, const PointRange& points)
 {
@@ -277,8 +291,7 @@ bool is_clean(const Delta_complex& complex, const PointRange& points)
   if (lengths.vanishes_in_unit(exponent))
     return false;
   const bool may_be_close = lengths.exponent_of_longest() - lengths.exponent_of_shortest() >= 28;
-  std::vector<std::array<double, 3>> border_points;
-  std::vector<internal::Vertices_on_edges::Edge> border;
+  std::vector<std::array<double, 3>> border;
   for (Face_index f : complex.faces()) {
     const Halfedge_index h = complex.halfedge(f), i = complex.next(h), j = complex.prev(h);
     const Face_index g = complex.face(complex.opposite(h));
@@ -291,13 +304,18 @@ bool is_clean(const Delta_complex& complex, const PointRange& points)
       return false;
     Halfedge_index side = h;
     for (std::uint32_t k = 0; k < 3; ++k, side = complex.next(side))
-      if (complex.is_border(complex.opposite(side))) {
-        const auto n = static_cast<std::uint32_t>(border_points.size());
-        border.push_back({n, n + 1, n + 2});
-        border_points.insert(border_points.end(), {p[k], p[(k + 1) % 3], p[(k + 2) % 3]});
-      }
+      if (complex.is_border(complex.opposite(side)))
+        border.insert(border.end(), {p[k], p[(k + 1) % 3]});
   }
-  return border.empty() || !internal::have_gaps(border_points, border);
+  if (border.empty())
+    return true;
+  const internal::Border_gaps gaps(border);
+  for (Edge_index e : complex.edges()) {
+    const Halfedge_index h = complex.halfedge(e);
+    if (gaps.are_within(place(complex.source(h)), place(complex.target(h))))
+      return false;
+  }
+  return !gaps.are_close();
 }
 
 /// \ingroup PkgIntrinsicTriangulationsValidation

@@ -49,6 +49,11 @@ public:
     mpfr_set_q(lower_, x, MPFR_RNDD);
     mpfr_set_q(upper_, x, MPFR_RNDU);
   }
+  Mpfr_interval(double x, mpfr_prec_t precision) : Mpfr_interval(precision)
+  {
+    mpfr_set_d(lower_, x, MPFR_RNDD);
+    mpfr_set_d(upper_, x, MPFR_RNDU);
+  }
   Mpfr_interval(const Mpfr_interval& other) : Mpfr_interval(other.precision())
   {
     mpfr_set(lower_, other.lower_, MPFR_RNDD);

@@ -62,7 +62,7 @@ std::array<std::complex<double>, N> Engine_numbers::rounded_vectors(Input_surfac
     width[i] = vectors[i].x().error();
   }
   for (long precision = 256; !is_good() && precision <= largest_precision; precision = doubled(precision)) {
-    Mpfr_metric metric(surface, {precision});
+    Mpfr_metric& metric = surface.mpfr_metric(precision);
     const auto precise_vectors = evaluate(metric);
     width = {};
     const auto middle = [](const Mpfr_interval& x, double& largest_width) {

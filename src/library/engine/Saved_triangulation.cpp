@@ -118,7 +118,7 @@ void settle_precisely(const Exact_engine& engine, Face_index f, Input_surface& s
   const Halfedge_index h = quickest_side(engine, f);
   bool is_settled = false;
   for (long precision = 256; !is_settled; precision = doubled(precision)) {
-    Mpfr_metric metric(surface, {precision});
+    Mpfr_metric& metric = surface.mpfr_metric(precision);
     is_settled =
       settles(h, Unfolding<Mpfr_metric>(engine.connectivity(), engine.correspondence(), metric).opposite_corner(h));
   }

@@ -10,6 +10,8 @@
 #include "Doubled_faces.h"
 #include "Flat_spikes.h"
 #include "Polygon_cutter.h"
+#include <CGAL/Intrinsic_triangulations/internal/gluing/Sides_by_edge.h>
+#include <CGAL/Intrinsic_triangulations/internal/validation/Hanging_vertices.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/Polygon_sides.h>
 #include <CGAL/Intrinsic_triangulations/internal/validation/Vertices_on_edges.h>
 
@@ -95,6 +97,39 @@ struct Polygon_part
 {
   std::size_t input;
   std::vector<std::size_t> corners;
+};
+
+// As Hanging_vertices asks for them; sides are numbered three for each triangle.
+class Edges_of_triangles
+{
+  using Index = std::uint32_t;
+
+public:
+  Edges_of_triangles(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles)
+    : triangles_(triangles), sides_(number_of_vertices, triangles)
+  {}
+
+  template <class Function>
+  void for_each_edge(const Function& function) const
+  {
+    std::vector<Index> sides;
+    sides_.for_each_edge([&](Index v, const Side_at_edge* begin, const Side_at_edge* end) {
+      sides.clear();
+      for (const Side_at_edge* side = begin; side != end; ++side)
+        sides.push_back(side->side());
+      function(v, begin->larger_end, sides);
+    });
+  }
+  static Index face(Index side) { return side / 3; }
+  bool has_corner(Index face, Index v) const
+  {
+    const Index_triangle& t = triangles_[face];
+    return std::find(t.begin(), t.end(), v) != t.end();
+  }
+
+private:
+  const std::vector<Index_triangle>& triangles_;
+  Sides_by_edge sides_;
 };
 
 class Polygon_repairer
@@ -315,29 +350,42 @@ private:
     polygons_ = std::move(left);
   }
 
-  // Splits border edges at the border vertices within them.
+  // Splits edges at the vertices that hang within them.
   void stitch(const Progress_function& progress)
   {
     const std::vector<Index_triangle> all = triangles();
-    std::vector<Vertices_on_edges::Edge> border;
-    std::vector<std::uint32_t> sides, vertices;
-    const Sides_by_edge edges(input_points_.size(), all);
-    edges.for_each_edge([&](std::uint32_t v, const Side_at_edge* begin, const Side_at_edge* end) {
-      if (end - begin > 1)
-        return;
-      const std::uint32_t s = begin->side();
-      sides.push_back(s);
-      border.push_back({v, begin->larger_end, all[s / 3][(s + 2) % 3]});
-      vertices.insert(vertices.end(), {v, begin->larger_end});
-    });
+    const Edges_of_triangles edges(input_points_.size(), all);
     std::size_t calls = 0;
-    const Vertices_on_edges near(input_points_, std::move(vertices));
-    std::map<std::uint32_t, std::vector<Index>> within; // of each side, in its direction
-    for (const Vertices_on_edges::Found& found : near.within(border, *tolerance_, 0, [&] {
-           if (++calls % 4096 == 0)
-             ask(progress, 0.85);
-         }))
-      within[sides[found.edge]].push_back(found.vertex);
+    struct Place
+    {
+      double position;
+      Index vertex;
+    };
+    std::map<std::uint32_t, std::vector<Place>> places; // within each side, from its smaller end
+    std::set<std::uint32_t> border;                     // sides
+    Hanging_vertices(input_points_, all.size(), edges)
+      .find(
+        *tolerance_, 0,
+        [&](Index, Index, const std::vector<std::uint32_t>& sides, Index vertex, double, double position) {
+          for (std::uint32_t side : sides)
+            places[side].push_back({position, vertex});
+          if (sides.size() == 1)
+            border.insert(sides.front());
+        },
+        [&] {
+          if (++calls % 4096 == 0)
+            ask(progress, 0.85);
+        });
+    std::map<std::uint32_t, std::vector<Index>> within; // in the direction of the side
+    for (auto& [side, list] : places) {
+      std::sort(list.begin(), list.end(), [](const Place& a, const Place& b) {
+        return a.position != b.position ? a.position < b.position : a.vertex < b.vertex;
+      });
+      for (const Place& place : list)
+        if (std::vector<Index>& vertices = within[side];
+            vertices.empty() || input_points_[vertices.back()] != input_points_[place.vertex])
+          vertices.push_back(place.vertex);
+    }
     std::vector<Polygon_part> result;
     for (Index t = 0; t < all.size(); ++t) {
       std::vector<std::vector<Index>> parts{polygons_[t].corners};
@@ -345,7 +393,7 @@ private:
         if (const auto found = within.find(s); found != within.end()) {
           if (all[t][i] > all[t][(i + 1) % 3])
             std::reverse(found->second.begin(), found->second.end());
-          note_stitch(all[t][i], all[t][(i + 1) % 3], found->second, polygons_[t].input);
+          note_stitch(all[t][i], all[t][(i + 1) % 3], found->second, polygons_[t].input, border.count(s) != 0);
           split_side(parts, all[t][i], all[t][(i + 1) % 3], found->second);
         }
       for (std::vector<Index>& part : parts)
@@ -353,14 +401,18 @@ private:
     }
     polygons_ = std::move(result);
   }
-  void note_stitch(Index v, Index w, const std::vector<Index>& within, Index face)
+  void note_stitch(Index v, Index w, const std::vector<Index>& within, Index face, bool is_border)
   {
     if (stitched_.count() == 0 || face < stitched_.first())
       first_stitch_ = {v, w, within.front()};
     stitched_.add(face);
     for (Index last = v, i = 0; i <= within.size(); ++i) {
       const Index next = i < within.size() ? within[i] : w;
-      new_sides_.insert({(std::min)(last, next), (std::max)(last, next)});
+      const std::array<Index, 2> ends = {(std::min)(last, next), (std::max)(last, next)};
+      if (is_border)
+        new_sides_.insert(ends);
+      else
+        new_inner_sides_.insert({ends[0], ends[1], face});
       last = next;
     }
   }
@@ -405,10 +457,13 @@ private:
     remove_sheets(gluer);
   }
 
-  // Two triangles that are glued to each other alone enclose nothing, and have the same corners.
+  // Two triangles that are glued to each other alone enclose nothing, and have the same corners. Nothing is lost with
+  // pieces of zero area that were cut off.
   void remove_sheets(const Surface_gluer& gluer)
   {
     std::vector<bool> is_kept;
+    for (Index t : cut_off_)
+      is_kept_[polygons_[t].input] = false;
     for (Index t = 0; t < polygons_.size(); ++t) {
       std::array<std::uint32_t, 3> beyond;
       for (Index i = 0; i < 3; ++i)
@@ -417,8 +472,27 @@ private:
       is_kept.push_back(beyond[0] == Surface_gluer::none || beyond[0] != beyond[1] || beyond[0] != beyond[2]);
       if (!is_kept.back())
         other_side_.emplace(polygons_[t].input, polygons_[beyond[0]].input);
+      is_kept.back() = is_kept.back() && cut_off_.count(t) == 0;
     }
     keep(is_kept);
+    for (const Polygon_part& polygon : polygons_)
+      is_kept_[polygon.input] = true;
+  }
+
+  // Triangles that are glued together.
+  Disjoint_sets pieces(const Surface_gluer& gluer) const
+  {
+    Disjoint_sets result(polygons_.size());
+    for (Index c = 0; c < 3 * polygons_.size(); ++c)
+      if (gluer.neighbor(c) != Surface_gluer::none)
+        result.unite(std::uint32_t(c / 3), gluer.neighbor(c) / 3);
+    return result;
+  }
+
+  bool has_area(Index triangle) const
+  {
+    const std::vector<Index>& v = polygons_[triangle].corners;
+    return !are_collinear(input_points_[v[0]], input_points_[v[1]], input_points_[v[2]]);
   }
 
   // Border edges that had several faces in the input, or lay inside one.
@@ -426,11 +500,11 @@ private:
   {
     using Edge = std::array<Index, 2>;
     const auto edge = [](Index v, Index w) { return Edge{(std::min)(v, w), (std::max)(v, w)}; };
-    std::vector<std::pair<Edge, Index>> border; // with the face
+    std::vector<std::pair<Edge, Index>> border; // with the triangle
     for (Index c = 0; c < 3 * polygons_.size(); ++c)
       if (gluer.neighbor(c) == Surface_gluer::none) {
-        const auto& [input, v] = polygons_[c / 3];
-        border.emplace_back(edge(v[c % 3], v[(c + 1) % 3]), input);
+        const std::vector<Index>& v = polygons_[c / 3].corners;
+        border.emplace_back(edge(v[c % 3], v[(c + 1) % 3]), c / 3);
       }
     std::sort(border.begin(), border.end());
     std::vector<Index> number_of_faces(border.size(), 0);
@@ -442,14 +516,35 @@ private:
              it != border.end() && it->first == key.first; ++it)
           ++number_of_faces[Index(it - border.begin())];
       }
+    std::vector<Index> opened; // positions in the list
     for (Index i = 0; i < border.size(); ++i) {
-      const auto& [ends, face] = border[i];
-      if (number_of_faces[i] == 1 || new_sides_.count(ends) != 0)
+      const auto& [ends, triangle] = border[i];
+      const bool was_inner = new_inner_sides_.count({ends[0], ends[1], polygons_[triangle].input}) != 0;
+      number_of_faces[i] += was_inner ? 2 : 0;
+      if (was_inner || (number_of_faces[i] != 1 && new_sides_.count(ends) == 0))
+        opened.push_back(i);
+    }
+    if (opened.empty())
+      return;
+    Disjoint_sets pieces = this->pieces(gluer);
+    std::set<Index> with_area, cut_off;
+    for (Index t = 0; t < polygons_.size(); ++t)
+      if (has_area(t))
+        with_area.insert(pieces.find(std::uint32_t(t)));
+    for (Index i : opened) {
+      const auto& [ends, triangle] = border[i];
+      const Index face = polygons_[triangle].input, piece = pieces.find(std::uint32_t(triangle));
+      if (!with_area.empty() && with_area.count(piece) == 0) {
+        cut_off.insert(piece);
         continue;
+      }
       if (opened_.count() == 0 || face < opened_.first())
         first_opened_edge_ = {ends[0], ends[1], number_of_faces[i]};
       opened_.add(face);
     }
+    for (Index t = 0; t < polygons_.size() && !cut_off.empty(); ++t)
+      if (cut_off.count(pieces.find(std::uint32_t(t))) != 0)
+        cut_off_.insert(t);
   }
 
   // The vertices that are left, and for each the first vertex of the input that has become it.
@@ -602,11 +697,13 @@ private:
   std::vector<bool> has_lost_part_;         // of each input face of which several parts were left
   std::map<Index, Index> other_side_;       // of input faces that enclose nothing
   Element_collector fans_, stitched_, opened_;
-  std::string first_fan_;                       // what is to be said about it
-  std::set<Index> tips_;                        // of flat spikes that were removed
-  std::array<Index, 3> first_stitch_ = {};      // ends, and the vertex
-  std::set<std::array<Index, 2>> new_sides_;    // parts of border edges that were split
-  std::array<Index, 3> first_opened_edge_ = {}; // ends, and how many faces it had
+  std::string first_fan_;                          // what is to be said about it
+  std::set<Index> tips_;                           // of flat spikes that were removed
+  std::array<Index, 3> first_stitch_ = {};         // ends, and the vertex
+  std::set<std::array<Index, 2>> new_sides_;       // parts of border edges that were split
+  std::set<std::array<Index, 3>> new_inner_sides_; // parts of other edges, and a face
+  std::array<Index, 3> first_opened_edge_ = {};    // ends, and how many faces it had
+  std::set<Index> cut_off_;                        // triangles of pieces without area
   Repaired_polygons result_;
 };
 

@@ -9,6 +9,7 @@
 #include "../gluing/Surface_gluer.h"
 #include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
+#include <CGAL/Intrinsic_triangulations/internal/validation/Hanging_vertices.h>
 
 #include <algorithm>
 #include <array>
@@ -290,8 +291,10 @@ private:
     std::vector<Narrow_place> junctions, close;
     if (report_.exponent_of_longest_edge - report_.exponent_of_shortest_edge >= 28)
       find_short_sides(close);
+    if (!border_.empty() || are_sheets_meeting_)
+      find_junctions(junctions);
     if (!border_.empty())
-      find_gaps_at_border(junctions, close);
+      find_close_vertices(close);
     add_gaps(Gap_kind::T_JUNCTION, junctions, [](const Narrow_place& gap) {
       const std::string edge = "edge " + std::to_string(gap.edge[0]) + "-" + std::to_string(gap.edge[1]) + " of face " +
                                std::to_string(gap.face);
@@ -317,7 +320,7 @@ private:
     }
   }
 
-  // At the border: a vertex in an edge, or a pair of vertices with an edge or a gap between them.
+  // A vertex in an edge, or a pair of vertices with an edge or a gap between them.
   struct Narrow_place
   {
     std::array<std::size_t, 2> edge;
@@ -356,27 +359,30 @@ private:
     }
   }
 
-  void find_gaps_at_border(std::vector<Narrow_place>& junctions, std::vector<Narrow_place>& close) const
+  void find_junctions(std::vector<Narrow_place>& junctions) const
   {
-    std::vector<Vertices_on_edges::Edge> edges;
+    Hanging_vertices hanging(points_, report_.number_of_faces, polygons_);
+    hanging.find(
+      0, closeness,
+      [&](Index v, Index w, const std::vector<Index>& sides, Index vertex, double distance, double) {
+        junctions.push_back({{v, w}, polygons_.face_of_side(sides.front()), vertex, distance, 0});
+      },
+      [] {});
+  }
+
+  void find_close_vertices(std::vector<Narrow_place>& close) const
+  {
     std::vector<Index> vertices;
-    for (const Index s : border_) {
-      const auto [v, w] = polygons_.ends(s);
-      const Index third = polygons_.third_vertex(polygons_.side(s));
-      edges.push_back({Index(v), Index(w), third == none_ ? Index(v) : third});
-      vertices.insert(vertices.end(), {Index(v), Index(w)});
-    }
+    for (const Index s : border_)
+      for (const std::size_t v : polygons_.ends(s))
+        vertices.push_back(Index(v));
     const Vertices_on_edges near(points_, std::move(vertices));
-    for (const Vertices_on_edges::Found& found : near.within(edges, 0, closeness, [] {})) {
-      const Index s = border_[found.edge];
-      junctions.push_back({polygons_.ends(s), polygons_.face_of_side(s), found.vertex, found.distance, 0});
-    }
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-      const double length = distance(edges[e].source, edges[e].target);
-      for (const Index v : {edges[e].source, edges[e].target})
-        near.for_each_within(point(v), close_distance(length), [&](Index w, double) {
-          add_close(v, w, polygons_.face_of_side(border_[e]), length, close);
-        });
+    for (const Index s : border_) {
+      const std::array<std::size_t, 2> ends = polygons_.ends(s);
+      const double length = distance(ends[0], ends[1]);
+      for (const std::size_t v : ends)
+        near.for_each_within(point(v), close_distance(length),
+                             [&](Index w, double) { add_close(v, w, polygons_.face_of_side(s), length, close); });
     }
   }
 
@@ -452,6 +458,7 @@ private:
       if (is_crowded)
         find_duplicates_in_bucket(begin, end, marks, crowded_faces, duplicates);
     }
+    are_sheets_meeting_ = crowded.count() > 0;
     report_.is_orientable = turned.count() == 0 || (crowded.count() == 0 && is_orientable(marks));
     const auto edge = [this](const std::size_t s) { return edge_text(polygons_, s); };
     const auto faces = [this](const std::size_t s) { return faces_text(polygons_, s); };
@@ -571,6 +578,7 @@ private:
     for (std::size_t v = 0; v < number_of_vertices_; ++v)
       if (number_of_fans[v] > 1)
         pinched.add(v);
+    are_sheets_meeting_ = are_sheets_meeting_ || pinched.count() > 0;
     add(Defect::NON_MANIFOLD_VERTEX, pinched, [&](const std::size_t v) {
       std::string faces;
       std::size_t written = 0;
@@ -605,7 +613,7 @@ private:
   const std::vector<Coordinates>& points_;
   Polygon_sides& polygons_;
   const std::size_t number_of_vertices_ = polygons_.number_of_vertices();
-  bool all_finite_ = true, has_flat_faces_ = false;
+  bool all_finite_ = true, has_flat_faces_ = false, are_sheets_meeting_ = false;
   std::vector<Index> border_; // positions of sides without a partner
   Box box_;                   // of the vertices that are used
   int exponent_ = 0;
@@ -675,21 +683,34 @@ Surface_report examine(const std::vector<std::array<double, 3>>& points, Polygon
   return Surface_examiner(points, polygons).examine(only_gaps);
 }
 
-bool have_gaps(const std::vector<std::array<double, 3>>& points, const std::vector<Vertices_on_edges::Edge>& border)
+// Each end of a border edge begins another one.
+inline std::vector<std::uint32_t> even_numbers_below(std::size_t n)
 {
-  std::vector<std::uint32_t> vertices;
-  for (const Vertices_on_edges::Edge& e : border)
-    vertices.push_back(e.source); // each end of a border edge begins another one
-  const Vertices_on_edges near(points, std::move(vertices));
-  if (!near.within(border, 0, closeness, [] {}).empty())
-    return true;
+  std::vector<std::uint32_t> result;
+  for (std::size_t i = 0; i < n; i += 2)
+    result.push_back(std::uint32_t(i));
+  return result;
+}
+
+Border_gaps::Border_gaps(const std::vector<std::array<double, 3>>& points)
+  : points_(points), near_(points, even_numbers_below(points.size()))
+{}
+
+bool Border_gaps::are_within(const std::array<double, 3>& p, const std::array<double, 3>& q) const
+{
   bool result = false;
-  for (const Vertices_on_edges::Edge& e : border)
-    for (const std::uint32_t v : {e.source, e.target})
-      near.for_each_within(
-        points[v],
-        close_distance(Vertices_on_edges::norm(Vertices_on_edges::difference(points[e.source], points[e.target]))),
-        [&](std::uint32_t w, double) { result = result || points[v] != points[w]; });
+  near_.for_each_within_edge(p, q, 0, closeness, [&](std::uint32_t, double, double) { result = true; });
+  return result;
+}
+
+bool Border_gaps::are_close() const
+{
+  bool result = false;
+  for (std::size_t i = 0; i < points_.size(); i += 2)
+    for (const std::size_t v : {i, i + 1})
+      near_.for_each_within(
+        points_[v], close_distance(Vertices_on_edges::norm(Vertices_on_edges::difference(points_[i], points_[i + 1]))),
+        [&](std::uint32_t w, double) { result = result || points_[v] != points_[w]; });
   return result;
 }
 

@@ -103,7 +103,7 @@ public:
 
   Mpfr_interval squared_length(Edge_index e, long precision)
   {
-    Mpfr_metric metric(surface_, {precision});
+    Mpfr_metric& metric = surface_.mpfr_metric(precision);
     return unfolding(metric).squared_length(e);
   }
 
@@ -145,7 +145,7 @@ public:
   {
     constexpr long largest_width = 64; // of an interval, in powers of two
     for (long precision = 128;; precision = doubled(precision)) {
-      Mpfr_metric metric(surface_, {precision});
+      Mpfr_metric& metric = surface_.mpfr_metric(precision);
       const auto c = unfolding(metric).opposite_corner(h);
       if (!is_certain(c.four_areas.sign()))
         continue;
@@ -207,7 +207,7 @@ private:
   double narrowed(const Evaluate& evaluate, const IsNarrow& is_narrow, Face_index f, long precision)
   {
     for (;; precision = doubled(precision)) {
-      Mpfr_metric metric(surface_, {precision});
+      Mpfr_metric& metric = surface_.mpfr_metric(precision);
       const Mpfr_interval x = evaluate(metric);
       if (is_tiny(x))
         return int(get_certain(x.sign())) * smallest;

@@ -84,7 +84,7 @@ public:
 
   Uncertain<Sign> sign_with_bits(long precision) const
   {
-    Mpfr_metric metric(surface_, {precision});
+    Mpfr_metric& metric = surface_.mpfr_metric(precision);
     return by_intervals_(metric).sign();
   }
 

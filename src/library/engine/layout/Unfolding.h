@@ -321,7 +321,13 @@ private:
     const Real s_ij = metric_.squared_length(input_.edge(ij));
     const Real s_jk = metric_.squared_length(input_.edge(input_.next(ij)));
     const Real s_ki = metric_.squared_length(input_.edge(input_.prev(ij)));
-    return {s_jk + s_ki - s_ij, metric_.four_areas(input_.face(ij)), s_ki, s_jk, s_ij};
+    const Real p = [&]() -> Real {
+      if constexpr (Metric::has_accurate_ratios)
+        return (s_ki + s_ki) * Frame(input_, metric_).ratios(input_.prev(ij)).at_source.x();
+      else
+        return s_jk + s_ki - s_ij;
+    }();
+    return {p, metric_.four_areas(input_.face(ij)), s_ki, s_jk, s_ij};
   }
 
   Real reference_length(const Edge_vector& v) const { return metric_.squared_length(input_.edge(v.reference)); }

@@ -36,11 +36,15 @@
 
 #include <boost/config.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <limits>
+#include <map>
+#include <memory>
 #include <optional>
 #include <tuple>
 #include <unordered_map>
@@ -97,6 +101,11 @@ private:
   double largest_size_ = 0;
 };
 
+template <class Image>
+class Rational_metric;
+struct Mpfr_image;
+using Mpfr_metric = Rational_metric<Mpfr_image>;
+
 // The input with all images of its metric, and their caches.
 class Input_surface
 {
@@ -147,6 +156,9 @@ public:
 
   Fan_positions& fans() { return fans_; }
 
+  // Valid until the next call.
+  Mpfr_metric& mpfr_metric(long precision);
+
 private:
   // Twice the digits before and after the point.
   static constexpr double size_of_double = 2 * (1024 + 1074 + 53);
@@ -159,6 +171,7 @@ private:
   Direct_mapped_cache<Halfedge_index, Corner_ratios<Double_double_disk>> ratios_;
   Direct_mapped_cache<std::tuple<Halfedge_index, Vertex_index, Vertex_index>, Double_double_disk> ratios_in_plane_;
   Fan_positions fans_;
+  std::map<long, std::shared_ptr<Mpfr_metric>> mpfr_metrics_; // by precision
 };
 
 // As Metric_frame::ratios(), in half of the time: one bound for all errors instead of a running one. Empty without
@@ -196,6 +209,7 @@ public:
 class Double_double_metric
 {
 public:
+  static constexpr bool has_accurate_ratios = false;
   using Real = Bounded_double_double;
   using Vector = Double_double_disk;
 
@@ -269,6 +283,7 @@ inline std::optional<Corner_ratios<Double_disk>> rounded_ratios_in_space(const D
 class Double_metric
 {
 public:
+  static constexpr bool has_accurate_ratios = false;
   using Real = Double_with_bound;
   using Vector = Double_disk;
 
@@ -318,6 +333,9 @@ private:
 
 // In a ring given by the images of the rationals and of their square roots, and of coordinates, which may stay in a
 // smaller ring until they meet roots. Remembers recent results, and counts the requested quantities.
+//
+// Where the image rounds, scalar and cross products of sides give each number with an error relative to the sides that it
+// belongs to. Squared lengths of very different sides would cancel, and all digits of the coordinates be needed.
 template <class Image>
 class Rational_metric
 {
@@ -355,14 +373,28 @@ public:
   Real four_areas(Face_index f)
   {
     count();
-    return remembered_in(
-      roots_, f, [&] { return image_.root(squared_four_areas(surface_.metric(), surface_.connectivity(), f)); });
+    return remembered_in(roots_, f, [&]() -> Real {
+      if constexpr (Image::is_rounded)
+        if (!surface_.metric().points().empty()) {
+          const auto n = normal(f);
+          const Real square = scalar_product(n, n), root = sqrt(square);
+          if (certainly(square.sign() == POSITIVE))
+            return root + root;
+        }
+      return image_.root(squared_four_areas(surface_.metric(), surface_.connectivity(), f));
+    });
   }
+  static constexpr bool has_accurate_ratios = Image::is_rounded;
   template <class Compute>
   const Corner_ratios<Vector>& remembered(Halfedge_index h, const Compute& compute)
   {
     count();
-    return remembered_in(ratios_, h, compute);
+    return remembered_in(ratios_, h, [&]() -> Corner_ratios<Vector> {
+      if constexpr (Image::is_rounded)
+        if (!surface_.metric().points().empty())
+          return ratios_of_points(h);
+      return compute();
+    });
   }
   std::false_type keeps_fans() const { return {}; }
   bool is_flat(Halfedge_index h) { return surface_.is_flat(h); }
@@ -379,9 +411,29 @@ public:
 private:
   using Coordinate = typename Image::Coordinate;
 
-  // Computed once for all ratios to a halfedge, with the third corner k of its triangle to its left: the side u from i
-  // to j, with v from i to k a multiple of the height, |u|² v − (u·v) u, and the factors for scalar products with
-  // either.
+  Corner_ratios<Vector> ratios_of_points(Halfedge_index h)
+  {
+    const Delta_complex& c = surface_.connectivity();
+    const Vertex_index i = c.source(h), j = c.target(h), k = apex(c, h);
+    const auto u = vector(i, j);
+    const Real s = scalar_product(u, u), height = four_areas(c.face(h)) / (s + s);
+    return {Vector(scalar_product(u, vector(i, k)) / s, height), Vector(scalar_product(u, vector(k, j)) / s, -height)};
+  }
+
+  // As long as twice the area. From the shorter sides, since errors are relative to the lengths of the factors.
+  Vector_3<Coordinate> normal(Face_index f)
+  {
+    const Delta_complex& c = surface_.connectivity();
+    const Halfedge_index h = side_with_largest(c, f, [&](Halfedge_index side) {
+      const auto d = difference<double>(surface_.metric().points(), c.source(side), c.target(side));
+      return (std::max)({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
+    });
+    const Vertex_index k = apex(c, h);
+    return cross_product(vector(k, c.source(h)), vector(k, c.target(h)));
+  }
+
+  // Computed once for all ratios to a halfedge, with its triangle to its left: the side u, a multiple of the height, n
+  // × u with the normal n, and the factors for scalar products with either.
   struct Base
   {
     Vector_3<Coordinate> side, height;
@@ -391,14 +443,11 @@ private:
   Base base_of(Halfedge_index h)
   {
     const Delta_complex& c = surface_.connectivity();
-    const Vertex_index i = c.source(h);
-    const auto u = vector(i, c.target(h)), v = vector(i, c.target(c.next(h)));
-    const Coordinate s = scalar_product(u, u), t = scalar_product(u, v);
-    // Twice |u|² |u × v|², where four_areas is twice |u × v|.
-    const Coordinate divisor = (s + s) * (s * scalar_product(v, v) - t * t);
-    return {u,
-            {s * v[0] - t * u[0], s * v[1] - t * u[1], s * v[2] - t * u[2]},
-            image_.real(image_.coordinate(1)) / image_.real(s),
+    const auto u = vector(c.source(h), c.target(h)), n = normal(c.face(h));
+    const Coordinate s = scalar_product(u, u);
+    // Twice |u|² |n|², where four_areas is twice |n|.
+    const Coordinate divisor = (s + s) * scalar_product(n, n);
+    return {u, cross_product(n, u), image_.real(image_.coordinate(1)) / image_.real(s),
             four_areas(c.face(h)) / image_.real(divisor)};
   }
 
@@ -451,12 +500,13 @@ private:
 // Multiple-precision intervals.
 struct Mpfr_image
 {
+  static constexpr bool is_rounded = true;
   using Real = Mpfr_interval;
-  using Coordinate = Rational;
+  using Coordinate = Mpfr_interval;
   using Vector = Mpfr_disk;
   Real rational(const Rational& x) const { return Real(data(x), precision); }
-  Rational coordinate(double x) const { return Rational(x); }
-  Real real(const Rational& x) const { return rational(x); }
+  Real coordinate(double x) const { return Real(x, precision); }
+  const Real& real(const Real& x) const { return x; }
   Real root(const Rational& x) const { return sqrt(rational(x)); }
   long precision;
 };
@@ -464,6 +514,7 @@ struct Mpfr_image
 // The multiquadratic field of the requested roots; without any, the rationals.
 struct Multiquadratic_image
 {
+  static constexpr bool is_rounded = false;
   using Real = Multiquadratic;
   using Coordinate = Rational;
   using Vector = Planar_vector<Real>;
@@ -484,6 +535,7 @@ struct Multiquadratic_image
 // Finite fields.
 struct Residue_image
 {
+  static constexpr bool is_rounded = false;
   using Real = Residues;
   using Coordinate = Residues;
   using Vector = Planar_vector<Real>;
@@ -494,9 +546,17 @@ struct Residue_image
   Residue_rings& rings;
 };
 
-using Mpfr_metric = Rational_metric<Mpfr_image>;
 using Multiquadratic_metric = Rational_metric<Multiquadratic_image>;
 using Residue_metric = Rational_metric<Residue_image>;
+
+inline Mpfr_metric& Input_surface::mpfr_metric(long precision)
+{
+  constexpr long largest_kept = 1024; // in bits
+  std::shared_ptr<Mpfr_metric>& metric = mpfr_metrics_[(std::min)(precision, largest_kept + 1)];
+  if (!metric || precision > largest_kept)
+    metric = std::make_shared<Mpfr_metric>(*this, Mpfr_image{precision});
+  return *metric;
+}
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

@@ -171,6 +171,32 @@ public:
     const std::size_t a = corners_[sides_[position].source], b = corners_[sides_[position].target];
     return {{(std::min)(a, b), (std::max)(a, b)}};
   }
+  // Calls function(smaller end, larger end, positions of the sides) for each edge.
+  template <class Function>
+  void for_each_edge(const Function& function) const
+  {
+    std::vector<Index> bucket, sides;
+    for (std::size_t v = 0; v < number_of_vertices_; ++v) {
+      bucket.resize(bucket_begin(v + 1) - bucket_begin(v));
+      std::iota(bucket.begin(), bucket.end(), bucket_begin_[v]);
+      std::stable_sort(bucket.begin(), bucket.end(),
+                       [this](Index s, Index t) { return sides_[s].other < sides_[t].other; });
+      for (std::size_t i = 0; i < bucket.size(); i += sides.size()) {
+        const Index w = sides_[bucket[i]].other;
+        sides.clear();
+        for (std::size_t j = i; j < bucket.size() && sides_[bucket[j]].other == w; ++j)
+          sides.push_back(bucket[j]);
+        function(Index(v), w, sides);
+      }
+    }
+  }
+  Index face(const Index position) const { return Index(face_of_side(position)); }
+  bool has_corner(const std::size_t face, const Index v) const
+  {
+    const auto begin = corners_.begin() + std::ptrdiff_t(begin_of_face(face)),
+               end = corners_.begin() + std::ptrdiff_t(begin_of_face(face + 1));
+    return std::find(begin, end, v) != end;
+  }
   // The faces of the edge whose first side this is.
   std::vector<std::size_t> faces_of_edge(const std::size_t position) const
   {

@@ -28,18 +28,6 @@ class Vertices_on_edges
   using Place = std::array<double, 3>;
 
 public:
-  struct Edge
-  {
-    Index source, target;
-    Index third; // of its face, which may lie on the edge without a gap
-  };
-  struct Found
-  {
-    Index edge, vertex;
-    double distance; // 0 if it lies on the edge exactly
-    double position; // increases along the edge
-  };
-
   Vertices_on_edges(const std::vector<Place>& points, std::vector<Index> vertices)
     : points_(points), vertices_(std::move(vertices))
   {
@@ -49,43 +37,30 @@ public:
       build(0, Index(vertices_.size()));
   }
 
-  // The vertices within each edge, in order along it: vertices exactly on it, and vertices that are nearer to it than a
-  // tolerance, and farther from its ends. The tolerance is a length or a part of the edge's length, whichever is
-  // larger.
-  // \param go_on is called for each edge
+  // Calls visit(vertex, distance, position) for the vertices within an edge: those exactly on it, with distance 0, and
+  // those that are nearer to it than a tolerance, and farther from its ends. The tolerance is a length or a part of the
+  // edge's length, whichever is larger. Positions increase from p to q.
   template <class Function>
-  std::vector<Found> within(const std::vector<Edge>& edges, double length, double part, const Function& go_on) const
+  void for_each_within_edge(const Place& p, const Place& q, double length, double part, const Function& visit) const
   {
-    std::vector<Found> result;
-    for (Index e = 0; e < edges.size(); ++e) {
-      go_on();
-      const std::size_t first = result.size();
-      const Place &p = points_[edges[e].source], &q = points_[edges[e].target];
-      const Place d = difference(p, q);
+    const Place d = difference(p, q);
+    const std::size_t axis = std::size_t(
+      std::max_element(d.begin(), d.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) - d.begin());
+    const double part_of_more = 2 * part * std::abs(d[axis]);
+    for_each_near(p, q, std::isfinite(part_of_more) ? (std::max)(length, part_of_more) : length, [&](Index v) {
+      const Place& r = points_[v];
+      if (r == p || r == q)
+        return;
+      const double position = d[axis] < 0 ? -r[axis] : r[axis];
+      if ((r < p) != (r < q) && are_collinear(p, q, r))
+        return visit(v, 0., position);
       const double size = norm(d), tolerance = std::isfinite(size) ? (std::max)(length, part * size) : length;
-      const std::size_t axis = std::size_t(
-        std::max_element(d.begin(), d.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) - d.begin());
-      for_each_near(p, q, tolerance, [&](Index v) {
-        const Place& r = points_[v];
-        if (v == edges[e].source || v == edges[e].target || v == edges[e].third || r == p || r == q)
-          return;
-        const double position = d[axis] < 0 ? -r[axis] : r[axis];
-        if ((r < p) != (r < q) && are_collinear(p, q, r))
-          result.push_back({e, v, 0, position});
-        else if (tolerance > 0) {
-          const Place s = difference(p, r);
-          const double along = (s[0] * (d[0] / size) + s[1] * (d[1] / size) + s[2] * (d[2] / size)) / size;
-          const double distance = norm({s[0] - along * d[0], s[1] - along * d[1], s[2] - along * d[2]});
-          if (along > 0 && along < 1 && distance <= tolerance && norm(s) > tolerance &&
-              norm(difference(q, r)) > tolerance)
-            result.push_back({e, v, distance, position});
-        }
-      });
-      std::sort(result.begin() + std::ptrdiff_t(first), result.end(), [](const Found& a, const Found& b) {
-        return a.position != b.position ? a.position < b.position : a.vertex < b.vertex;
-      });
-    }
-    return result;
+      const Place s = difference(p, r);
+      const double along = (s[0] * (d[0] / size) + s[1] * (d[1] / size) + s[2] * (d[2] / size)) / size;
+      const double distance = norm({s[0] - along * d[0], s[1] - along * d[1], s[2] - along * d[2]});
+      if (along > 0 && along < 1 && distance <= tolerance && norm(s) > tolerance && norm(difference(q, r)) > tolerance)
+        visit(v, distance, position);
+    });
   }
 
   // Calls visit(vertex, distance) for the vertices within a given distance of a point.
