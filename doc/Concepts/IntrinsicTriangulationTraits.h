@@ -9,6 +9,9 @@ The concept `IntrinsicTriangulationTraits` describes the metric of an `Intrinsic
 edge and face, when an edge is Delaunay, and how a flip changes the numbers. It knows nothing of the connectivity:
 functors see one hinge, an edge `ij` with the triangle `ijk` to its left and `jil` to its right, and never a descriptor.
 
+The triangles are Euclidean, or, with `Ptolemy_traits`, ideal hyperbolic ones: then "length" is λ-length, and areas and
+cotangents are those of the Euclidean triangle with the same lengths.
+
 A model is `CopyConstructible`, and `DefaultConstructible` if users need not pass it. Member functions with the suffix
 `_object` return the functors, whose operators are `const`.
 
@@ -19,6 +22,7 @@ decide: the algorithms then report the edge and do not guess.
 \cgalHasModels{CGAL::Intrinsic_triangulations::Edge_length_traits}
 \cgalHasModels{CGAL::Intrinsic_triangulations::Half_angle_traits}
 \cgalHasModels{CGAL::Intrinsic_triangulations::Filtered_edge_length_traits}
+\cgalHasModels{CGAL::Intrinsic_triangulations::Ptolemy_traits}
 \cgalHasModelsEnd
 
 \sa `IntrinsicTriangulationVisitor`
@@ -60,7 +64,9 @@ public:
   /// A default-constructed value is never read.
   typedef unspecified_type Edge_data;
 
-  /// the data stored for a face, with the requirements of `Edge_data`
+  /// \brief the data stored for a face, with the requirements of `Edge_data`.
+  ///
+  /// If it is an empty class, any three positive lengths are those of a face; otherwise they obey the triangle inequality.
   typedef unspecified_type Face_data;
 
   /// `CGAL::Tag_true` if every decision is exact for the surface that the input defines, otherwise
@@ -110,7 +116,8 @@ public:
 
   /*!
   Provides `Boolean operator()(const Hinge_data& hinge) const`: whether the edge `ij` is Delaunay, that is, whether the
-  angles at `k` and `l` sum to at most π. Ties must be Delaunay; otherwise `flip_to_Delaunay()` would not end.
+  angles at `k` and `l` sum to at most π, or a corresponding criterion. If it fails, the flipped edge is Delaunay. Ties must be
+  Delaunay; otherwise `flip_to_Delaunay()` would not end.
   */
   typedef unspecified_type Is_locally_Delaunay;
 

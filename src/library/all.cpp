@@ -14,6 +14,7 @@
 #include "overlay/Overlay_builder.cpp"
 #include "measures/are_collinear.cpp"
 #include "measures/metric_defects.cpp"
+#include "measures/Ptolemy_length.cpp"
 #include "engine/metric/Input_metric.cpp"
 #include "engine/metric/Rational_points.cpp"
 #include "engine/Angle_sum.cpp"

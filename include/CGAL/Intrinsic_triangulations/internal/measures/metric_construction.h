@@ -300,8 +300,9 @@ void construct_metric_from_lengths(const Delta_complex& complex, const Traits& t
     const Face_halfedges sides(complex, f);
     const FT &ij = lengths[complex.edge(sides.h).idx()], &jk = lengths[complex.edge(sides.next).idx()],
              &ki = lengths[complex.edge(sides.prev).idx()];
-    if (violate_triangle_inequality(ij, jk, ki))
-      offenders.add(f.idx());
+    if constexpr (!std::is_empty<typename Traits::Face_data>::value) // without numbers, it is no Euclidean triangle
+      if (violate_triangle_inequality(ij, jk, ki))
+        offenders.add(f.idx());
     faces[f.idx()] = construct_face_data.from_lengths(ij, jk, ki);
   }
   offenders.refuse(Defect::TRIANGLE_INEQUALITY, "the lengths of face ", " violate the triangle inequality");
