@@ -90,8 +90,9 @@ struct Ptolemy_numbers<double>
 /// A triangulation with these traits is constructed by `Intrinsic_triangulation::from_lengths()`, not from points.
 ///
 /// \tparam FT_ a model of `Field` and `RealEmbeddable`. With `double`, decisions are exact for the doubles given as
-///   lengths: where error bounds do not decide, rational numbers do. With an exact number type they are exact; an interval
-///   that cannot decide gives an uncertain answer
+///   lengths: each length knows the flips that made it, so where error bounds do not decide, more digits do. A tie is
+///   accepted with an error probability below 2<sup>-128</sup>, by finite fields. With an exact number type decisions are
+///   exact; an interval that cannot decide gives an uncertain answer
 ///
 /// \cgalModels{IntrinsicTriangulationTraits}
 ///

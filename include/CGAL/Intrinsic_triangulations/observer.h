@@ -17,6 +17,8 @@
 
 #include <boost/core/ref.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -237,6 +239,13 @@ private:
   const char* what_;
   double begin_, step_;
 };
+
+// The progress of an iteration whose error falls from `first` to `tolerance`, measured in digits.
+inline double fraction_of_digits(double first, double error, double tolerance)
+{
+  const double all = std::log(first / tolerance);
+  return all > 0 ? (std::max)(0., (std::min)(1., std::log(first / error) / all)) : 0;
+}
 
 } // namespace internal
 

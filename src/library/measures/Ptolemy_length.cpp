@@ -7,19 +7,27 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/measures/Ptolemy_length.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
+#include "../arithmetic/Mpfr_interval.h"
+#include "../arithmetic/Prime_field.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <mutex>
-#include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The lengths before a flip, and the exact length after it, once it was needed. Flips depend on each other in chains of
-// any length, so nothing here is recursive.
+namespace {
+
+constexpr std::size_t number_of_primes = 3; // each with more than 61 bits
+using Prime_residues = std::array<Prime_field::Number, number_of_primes>;
+
+} // namespace
+
+// The lengths before a flip, and what was needed of the exact length after it. Flips depend on each other in chains of any
+// length, so nothing here is recursive.
 struct Ptolemy_flip
 {
   explicit Ptolemy_flip(const Ptolemy_hinge& h) : ij(h.ij), around{h.jk, h.ki, h.il, h.lj} {}
@@ -52,7 +60,10 @@ struct Ptolemy_flip
 
   Ptolemy_length ij;
   std::array<Ptolemy_length, 4> around; // jk, ki, il, lj
-  std::optional<Rational> exact;        // guarded by the mutex
+  // Guarded by the mutex:
+  Mpfr_interval interval;
+  Prime_residues residues{};
+  bool has_residues = false;
 };
 
 namespace {
@@ -64,14 +75,68 @@ std::mutex& mutex()
   return result;
 }
 
-Rational known(const Ptolemy_length& length) { return length.flip ? *length.flip->exact : Rational(length.value); }
+// Intervals of a given precision.
+struct Intervals
+{
+  long precision;
 
-// \pre the mutex is locked
-Rational exact(const Ptolemy_length& length)
+  bool is_known(const Ptolemy_flip& flip) const { return flip.interval.precision() >= precision; }
+  Mpfr_interval known(const Ptolemy_length& l) const
+  {
+    return l.flip ? l.flip->interval : Mpfr_interval(data(Rational(l.value)), (std::max)(precision, 53l));
+  }
+  void set(Ptolemy_flip& flip) const
+  {
+    const auto& [jk, ki, il, lj] = flip.around;
+    flip.interval = (known(jk) * known(il) + known(ki) * known(lj)) / known(flip.ij);
+  }
+};
+
+// Numbers modulo primes, for proofs that a number is zero: the same primes in each run.
+struct Fields
+{
+  std::array<Prime_field, number_of_primes> fields;
+
+  Fields()
+  {
+    Random_bits random(20260101);
+    for (Prime_field& field : fields)
+      field = Prime_field(random);
+  }
+  bool is_known(const Ptolemy_flip& flip) const { return flip.has_residues; }
+  Prime_residues known(const Ptolemy_length& l) const
+  {
+    if (l.flip)
+      return l.flip->residues;
+    return for_each([&](const Prime_field& field, std::size_t) { return field.from_double(l.value); });
+  }
+  void set(Ptolemy_flip& flip) const
+  {
+    const Prime_residues ij = known(flip.ij), jk = known(flip.around[0]), ki = known(flip.around[1]),
+                         il = known(flip.around[2]), lj = known(flip.around[3]);
+    flip.residues = for_each([&](const Prime_field& f, std::size_t i) {
+      return f.product(f.sum(f.product(jk[i], il[i]), f.product(ki[i], lj[i])),
+                       f.power(ij[i], f.exponent_of_inverse()));
+    });
+    flip.has_residues = true;
+  }
+  template <class Operation>
+  Prime_residues for_each(const Operation& operation) const
+  {
+    Prime_residues result;
+    for (std::size_t i = 0; i < number_of_primes; ++i)
+      result[i] = operation(fields[i], i);
+    return result;
+  }
+};
+
+// The value of a length, after those that it depends on. \pre the mutex is locked
+template <class Numbers>
+auto value_of(const Numbers& numbers, const Ptolemy_length& length)
 {
   std::vector<Ptolemy_flip*> open;
   const auto add = [&](const Ptolemy_length& l) {
-    if (l.flip && !l.flip->exact)
+    if (l.flip && !numbers.is_known(*l.flip))
       open.push_back(l.flip.get());
   };
   add(length);
@@ -82,23 +147,43 @@ Rational exact(const Ptolemy_length& length)
     if (open.size() > n)
       continue;
     open.pop_back();
-    const auto& [jk, ki, il, lj] = flip.around;
-    flip.exact = (known(jk) * known(il) + known(ki) * known(lj)) / known(flip.ij);
+    numbers.set(flip);
   }
-  return known(length);
+  return numbers.known(length);
 }
 
-constexpr double unit = 0x1p-53;
+bool is_tie(const Ptolemy_hinge& h)
+{
+  static const Fields numbers;
+  const Prime_residues ij = value_of(numbers, h.ij), jk = value_of(numbers, h.jk), ki = value_of(numbers, h.ki),
+                       il = value_of(numbers, h.il), lj = value_of(numbers, h.lj);
+  const Prime_residues left_and_right = numbers.for_each([&](const Prime_field& f, std::size_t i) {
+    const auto two = [&](Prime_field::Number a, Prime_field::Number b, Prime_field::Number c, Prime_field::Number d) {
+      return f.sum(f.product(a, b), f.product(c, d));
+    };
+    return f.difference(f.product(f.product(ij[i], ij[i]), two(jk[i], ki[i], il[i], lj[i])),
+                        f.product(two(jk[i], il[i], ki[i], lj[i]), two(ki[i], il[i], jk[i], lj[i])));
+  });
+  return left_and_right == Prime_residues{};
+}
+
+constexpr double half_ulp = 0x1p-53;
 constexpr double largest_error = 0x1p-30; // most tests are far from a tie
+constexpr long first_precision = 128;     // bits
 
 } // namespace
 
 Ptolemy_length rounded_once(const Ptolemy_length& length)
 {
-  if (!length.flip || length.relative_error <= 2 * unit)
+  if (!length.flip || length.relative_error <= 2 * half_ulp)
     return length;
   const std::lock_guard<std::mutex> lock(mutex());
-  return {exact(length).convert_to<double>(), 2 * unit, length.flip};
+  for (long precision = first_precision;; precision = doubled(precision)) {
+    const Mpfr_interval x = value_of(Intervals{precision}, length);
+    const double low = x.lower_double(), high = x.upper_double(); // two neighbors, or one
+    if (high - low <= 2 * half_ulp * low)
+      return {low, 2 * half_ulp, length.flip};
+  }
 }
 
 Ptolemy_length flipped_length(const Ptolemy_hinge& h)
@@ -109,7 +194,7 @@ Ptolemy_length flipped_length(const Ptolemy_hinge& h)
   kl.relative_error =
     1.01 * ((std::max)(h.jk.relative_error + h.il.relative_error, h.ki.relative_error + h.lj.relative_error) +
             h.ij.relative_error) +
-    4 * unit;
+    4 * half_ulp;
   kl.flip = std::make_shared<Ptolemy_flip>(h);
   return kl.relative_error < largest_error ? kl : rounded_once(kl);
 }
@@ -117,8 +202,16 @@ Ptolemy_length flipped_length(const Ptolemy_hinge& h)
 Sign exact_sign_of_Ptolemy_test(const Ptolemy_hinge& h)
 {
   const std::lock_guard<std::mutex> lock(mutex());
-  const Rational ij = exact(h.ij), jk = exact(h.jk), ki = exact(h.ki), il = exact(h.il), lj = exact(h.lj);
-  return CGAL::Sign(Rational(ij * ij * (jk * ki + il * lj) - (jk * il + ki * lj) * (ki * il + jk * lj)).sign());
+  for (long precision = first_precision;; precision = doubled(precision)) {
+    const Intervals numbers{precision};
+    const Mpfr_interval ij = value_of(numbers, h.ij), jk = value_of(numbers, h.jk), ki = value_of(numbers, h.ki),
+                        il = value_of(numbers, h.il), lj = value_of(numbers, h.lj);
+    const auto sign = (ij * ij * (jk * ki + il * lj) - (jk * il + ki * lj) * (ki * il + jk * lj)).sign();
+    if (is_certain(sign))
+      return get_certain(sign);
+    if (precision == first_precision && is_tie(h))
+      return ZERO;
+  }
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -33,7 +33,8 @@ struct Ptolemy_hinge
 // value.
 Ptolemy_length flipped_length(const Ptolemy_hinge& hinge);
 
-// The exact sign of λ_ij² (λ_jk λ_ki + λ_il λ_lj) − (λ_jk λ_il + λ_ki λ_lj) (λ_ki λ_il + λ_jk λ_lj), in rationals. Slow.
+// The exact sign of λ_ij² (λ_jk λ_ki + λ_il λ_lj) − (λ_jk λ_il + λ_ki λ_lj) (λ_ki λ_il + λ_jk λ_lj). Slow. A zero is
+// wrong with a probability below 2^-128.
 Sign exact_sign_of_Ptolemy_test(const Ptolemy_hinge& hinge);
 
 // The same length, with a double that is the nearest to the exact value, or one beside it.

@@ -83,13 +83,6 @@ inline double edge_margin(const Delta_complex& complex, const std::vector<double
   return (std::min)(margins[complex.source(h).idx()], margins[complex.target(h).idx()]);
 }
 
-// The progress of an iteration whose error falls from `first` to `tolerance`, measured in digits.
-inline double fraction_of_digits(double first, double error, double tolerance)
-{
-  const double all = std::log(first / tolerance);
-  return all > 0 ? (std::max)(0., (std::min)(1., std::log(first / error) / all)) : 0;
-}
-
 // Minimizes |x - given|^2 / 2 subject to A x = b, x >= lowest, and the sums over the two sides of each interior edge <=
 // pi - margin, by a primal-dual interior-point method with Mehrotra's predictor and corrector (Nocedal, Wright,
 // "Numerical optimization", section 16.6). Each unknown occurs in one edge sum only, so inequalities and objective add

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// What a conformal metric is to be like, and the metric.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONFORMAL_METRIC_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CONFORMAL_METRIC_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsParameterization
+/// \brief what a conformal map does with the border.
+enum class Conformal_boundary {
+  FREE,   ///< it keeps its scale, u = 0, which stretches least; its angles follow
+  ANGLES, ///< its angles are given: π, so that it is straight, where none is
+  DISK ///< it becomes a polygon whose outer angles are proportional to the lengths of the edges: a convex one, for a disk
+};
+
+/// \ingroup PkgIntrinsicTriangulationsParameterization
+/// \brief what a conformal map is to be like.
+struct Conformal_options
+{
+  /// vertices and the sums of the angles wanted there, positive: at cones, and with `Conformal_boundary::ANGLES` on the
+  /// border. All other vertices inside the surface get 2π
+  std::vector<std::pair<Vertex_index, double>> angles{};
+  Conformal_boundary boundary = Conformal_boundary::FREE; ///< what to do with the border
+  /// how many cones are chosen. By default, none if `angles` has vertices inside the surface; otherwise so many that u
+  /// has a range of at most `largest_range`. Chosen cones keep their scale, u = 0, and their angles follow
+  std::optional<std::size_t> number_of_cones{};
+  double largest_range = 5;     ///< of u, in a linear estimate: e<sup>5</sup> is a ratio of 148 between lengths
+  Progress_function progress{}; ///< is called from time to time with the fraction that is done, and can cancel
+};
+
+/// \ingroup PkgIntrinsicTriangulationsParameterization
+/// \brief a metric that is discretely conformally equivalent to that of a surface.
+struct Discrete_conformal_metric
+{
+  /// for each vertex of the surface, the logarithm of the scale factor: λ-lengths are multiplied by e<sup>(u_i + u_j) /
+  /// 2</sup>
+  std::vector<double> u;
+  std::vector<Vertex_index> cones; ///< the vertices inside the surface whose angles do not sum to 2π, given or chosen
+  /// proven: at no vertex whose angle was wanted does the sum of the angles differ by more from it, in radians
+  double residual = 0;
+  double range_of_u = 0; ///< the largest minus the smallest value of u
+  int steps = 0;         ///< steps of Newton's method
+  /// the ideal Delaunay triangulation of the surface, or if it has a border, of its double: two copies that are glued along
+  /// the border
+  Delta_complex triangulation;
+  std::vector<double> lengths;        ///< the new lengths of its edges: triangles with these lengths are the metric
+  std::vector<Vertex_index> vertices; ///< for each vertex of `triangulation`, the vertex of the surface
+  /// for each halfedge of the surface's input that has a face, that of the first copy of the input
+  std::vector<Halfedge_index> halfedges;
+  std::vector<Edge_index>
+    flips; ///< from the Delaunay triangulation of the surface, or of its double, to `triangulation`
+};
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CONFORMAL_METRIC_H

@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Scale factors at the vertices that make a surface flat except at cones: discrete conformal equivalence with flips.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_DISCRETE_CONFORMAL_METRIC_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_DISCRETE_CONFORMAL_METRIC_H
+
+#include <CGAL/Intrinsic_triangulations/internal/require_Eigen.h>
+#include <CGAL/Intrinsic_triangulations/Conformal_metric.h>
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/parameterization/Doubled_surface.h>
+#include <CGAL/Intrinsic_triangulations/internal/parameterization/conformal_solver.h>
+#include <CGAL/Intrinsic_triangulations/internal/parameterization/factorize.h>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsParameterization
+/// \brief finds the metric with given cone angles that is discretely conformally equivalent to that of a surface.
+///
+/// Newton's method finds u. In each step, edges of the Delaunay triangulation of the surface are flipped until it is, with
+/// scaled lengths, an ideal Delaunay triangulation, by exact decisions; so there are triangles with these lengths. The
+/// energy is convex, so u is unique, up to a constant for each component without a vertex that keeps its scale; there the
+/// area stays the same. A surface with a border is doubled. Components may have any topology.
+///
+/// \b Exactness. The lengths of the Delaunay triangulation are doubles within 1 ulp. In each step they are scaled, and
+/// rounded after it where edges were flipped; in between, decisions are exact. So the result is equivalent to a surface
+/// whose lengths differ by rounding. `residual` is proven for triangles with exactly the resulting lengths.
+///
+/// \param triangulation a triangulation, which is not changed
+/// \param options the cones and the border
+///
+/// \exception Invalid_argument_error if a vertex does not exist, is named twice or isolated, an angle is not positive, or
+///   the angles of a component do not have the sum that the theorem of Gauss and Bonnet demands: the message says what is
+///   missing. Less than 10<sup>-9</sup> is added to the last angle
+/// \exception Invalid_surface_error if the length of an edge is below the range of normal doubles
+/// \exception Numerical_error if rounding prevents convergence: the message names the range of u, and where a cone helps
+/// \exception Cancelled_error if `progress` asks for it
+/// \exception Undecided_error as `flip_to_Delaunay()`
+///
+/// A sparse Cholesky factorization and flips in each step; 5 to 10 steps are usual.
+///
+/// Sources: B. Springborn, P. Schröder, U. Pinkall, "Conformal equivalence of triangle meshes" (2008); X. Gu, F. Luo, J.
+/// Sun, T. Wu, "A discrete uniformization theorem for polyhedral surfaces" (2018); M. Gillespie, B. Springborn, K. Crane,
+/// "Discrete conformal equivalence of polyhedral surfaces" (2021); for the step size, M. Campen, R. Capouellez, H. Shen, L.
+/// Zhu, D. Panozzo, D. Zorin, "Efficient and robust discrete conformal equivalence with boundary" (2021).
+inline Discrete_conformal_metric
+discrete_conformal_metric(const Intrinsic_triangulation<Filtered_edge_length_traits>& triangulation,
+                          const Conformal_options& options = {})
+{
+  const internal::Doubled_surface doubled(triangulation, options.progress);
+  return internal::find_conformal_metric(triangulation, doubled, options, internal::factorize);
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_DISCRETE_CONFORMAL_METRIC_H

@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Newton's method for conformal metrics, compiled without a solver of linear systems.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_PARAMETERIZATION_CONFORMAL_SOLVER_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_PARAMETERIZATION_CONFORMAL_SOLVER_H
+
+#include <CGAL/Intrinsic_triangulations/Conformal_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/parameterization/Doubled_surface.h>
+
+#include <functional>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// A sum of squares w (x_i − x_j)². A negative number of a variable stands for the value zero.
+struct Weighted_pair
+{
+  int i, j;
+  double weight;
+};
+using Solve = std::function<std::vector<double>(const std::vector<double>&)>;
+// Factorizes the matrix of such a sum with n variables.
+// \exception Numerical_error if it is not positive definite after rounding
+using Factorize = std::function<Solve(int n, const std::vector<Weighted_pair>& sum)>;
+
+// \param surface the given one; `doubled` is made from it
+Discrete_conformal_metric find_conformal_metric(const Doubled_surface::Triangulation& surface,
+                                                const Doubled_surface& doubled, const Conformal_options& options,
+                                                const Factorize& factorize);
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_PARAMETERIZATION_CONFORMAL_SOLVER_H

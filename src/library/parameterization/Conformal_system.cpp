@@ -1,0 +1,203 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Definitions of Conformal_system.h.
+
+#include "Conformal_system.h"
+#include <CGAL/Intrinsic_triangulations/Ptolemy_traits.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <limits>
+#include <utility>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+namespace {
+
+// The angles opposite to the sides, half their cotangents, and the area. Where rounding makes a side longer than the others
+// together, its angle is π.
+struct Measured_triangle
+{
+  explicit Measured_triangle(const std::array<double, 3>& sides)
+  {
+    const double s = sides[0] + sides[1] + sides[2];
+    std::array<double, 3> t;
+    for (std::size_t i = 0; i < 3; ++i)
+      t[i] = (std::max)(sides[(i + 1) % 3] + sides[(i + 2) % 3] - sides[i], 0.);
+    area = std::sqrt(s * t[0]) * std::sqrt(t[1] * t[2]) / 4;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double x = std::sqrt(t[(i + 1) % 3] * t[(i + 2) % 3]),
+                   y = std::sqrt(s * t[i]); // x / y = tan of half the angle
+      angles[i] = 2 * std::atan2(x, y);
+      constexpr double most = 1e10;
+      half_cotangents[i] =
+        x * y > 0 ? (std::max)(-most, (std::min)((y - x) * (y + x) / (4 * x * y), most)) : (x > 0 ? -most : most);
+    }
+  }
+  std::array<double, 3> angles, half_cotangents;
+  double area;
+};
+
+// Notes the flips, and ends a run as soon as a length has an error bound of 2^-40 of itself.
+template <class Triangulation>
+struct Flip_recorder
+{
+  const Triangulation& triangulation;
+  const Progress_function& progress;
+  std::vector<Edge_index>& flips;
+  bool is_rounded = false;
+
+  bool go_further(const Progress&) const { return !is_rounded && (!progress || progress(0.5)); }
+  void after_flip(Edge_index e)
+  {
+    flips.push_back(e);
+    is_rounded = is_rounded || triangulation.edge_data(e).relative_error > 0x1p-40;
+  }
+};
+
+} // namespace
+
+double range_of(const std::vector<double>& x)
+{
+  const auto [least, most] = std::minmax_element(x.begin(), x.end());
+  return x.empty() ? 0 : *most - *least;
+}
+
+std::string shown(double x)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", x);
+  return text;
+}
+
+std::vector<double> Conformal_system::scaled_lengths(const std::vector<double>& u) const
+{
+  std::vector<double> lengths;
+  lengths.reserve(lengths_.size());
+  for (Edge_index e : complex_.edges()) {
+    lengths.push_back(lengths_[e.idx()] * scale(e, u));
+    if (!(lengths.back() >= (std::numeric_limits<double>::min)() &&
+          lengths.back() <= (std::numeric_limits<double>::max)()))
+      throw Numerical_error("lengths leave the range of double");
+  }
+  return lengths;
+}
+
+double Conformal_system::scale(Edge_index e, const std::vector<double>& u) const
+{
+  const Halfedge_index h = complex_.halfedge(e);
+  return std::exp((u[vertex(complex_.source(h))] + u[vertex(complex_.target(h))]) / 2);
+}
+
+void Conformal_system::evaluate(const std::vector<double>& u)
+{
+  flip(u);
+  measure(scaled_lengths(u));
+}
+
+// Decisions are exact for the doubles with which a run begins. The bounds on the errors of lengths that depend on long
+// chains of flips grow beyond use, so then the lengths are rounded, and another run begins.
+void Conformal_system::flip(const std::vector<double>& u)
+{
+  using Triangulation = Intrinsic_triangulation<Ptolemy_traits<double>>;
+  for (bool is_settled = false; !is_settled;) {
+    const std::vector<double> scaled = scaled_lengths(u);
+    Triangulation triangulation = Triangulation::from_lengths(complex_, scaled);
+    const std::size_t before = flips_.size();
+    Flip_recorder<Triangulation> recorder{triangulation, options_.progress, flips_};
+    try {
+      flip_to_Delaunay(triangulation, parameters::visitor(std::ref(recorder)));
+      is_settled = true;
+    } catch (const Cancelled_error&) {
+      if (!recorder.is_rounded)
+        throw;
+    }
+    complex_ = triangulation.connectivity();
+    for (std::size_t i = before; i < flips_.size(); ++i)
+      lengths_[flips_[i].idx()] = triangulation.length(flips_[i]) / scale(flips_[i], u);
+  }
+}
+
+void Conformal_system::measure(const std::vector<double>& lengths)
+{
+  std::fill(sums_.begin(), sums_.end(), 0.);
+  areas_.assign(sums_.size(), 0.);
+  std::vector<double> weights(complex_.number_of_edges(), 0.);
+  for (Face_index f : complex_.faces()) {
+    const Halfedge_index h = complex_.halfedge(f);
+    const std::array<Halfedge_index, 3> sides{h, complex_.next(h), complex_.prev(h)};
+    std::array<double, 3> of_sides;
+    for (std::size_t i = 0; i < 3; ++i)
+      of_sides[i] = lengths[complex_.edge(sides[i]).idx()];
+    const Measured_triangle triangle(of_sides);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t v = vertex(complex_.target(complex_.next(sides[i])));
+      sums_[v] += triangle.angles[i];
+      areas_[v] += triangle.area / 3;
+      weights[complex_.edge(sides[i]).idx()] += triangle.half_cotangents[i];
+    }
+  }
+  pairs_.clear();
+  for (Edge_index e : complex_.edges()) {
+    const Halfedge_index h = complex_.halfedge(e);
+    const std::size_t i = vertex(complex_.source(h)), j = vertex(complex_.target(h));
+    if (i != j) // the derivatives of a loop cancel, and so do those of an edge between the copies of a vertex
+      pairs_.push_back({int(i), int(j), (std::max)(weights[e.idx()], 0.)});
+  }
+}
+
+double Conformal_system::area(const Conformal_targets& targets, std::size_t component) const
+{
+  double result = 0;
+  for (std::size_t v : targets.components()[component].vertices)
+    result += areas_[v];
+  return result;
+}
+
+void Conformal_system::factorize(const Conformal_targets& targets)
+{
+  unknown_.assign(sums_.size(), -1);
+  vertex_of_.clear();
+  for (std::size_t v = 0; v < sums_.size(); ++v)
+    if (targets.has_angle(v) && !targets.component_of(v).is_pin(v)) {
+      unknown_[v] = int(vertex_of_.size());
+      vertex_of_.push_back(v);
+    }
+  std::vector<Weighted_pair> pairs;
+  pairs.reserve(pairs_.size());
+  for (const Weighted_pair& pair : pairs_)
+    pairs.push_back({unknown_[std::size_t(pair.i)], unknown_[std::size_t(pair.j)], pair.weight});
+  solve_ = factorize_(int(vertex_of_.size()), pairs);
+}
+
+std::vector<double> Conformal_system::solve(const std::vector<double>& right) const
+{
+  std::vector<double> packed, result(right.size(), 0.);
+  for (std::size_t v : vertex_of_)
+    packed.push_back(right[v]);
+  packed = solve_(packed);
+  for (std::size_t i = 0; i < packed.size(); ++i)
+    result[vertex_of_[i]] = packed[i];
+  return result;
+}
+
+std::vector<double> Conformal_system::product(const std::vector<double>& u) const
+{
+  std::vector<double> result(u.size(), 0.);
+  for (const auto& [i, j, weight] : pairs_) {
+    const double flow = weight * (u[std::size_t(i)] - u[std::size_t(j)]);
+    result[std::size_t(i)] += flow;
+    result[std::size_t(j)] -= flow;
+  }
+  return result;
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal

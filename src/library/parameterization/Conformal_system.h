@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// The ideal Delaunay triangulation for given scale factors, its angles, and the linear model around it.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_LIBRARY_PARAMETERIZATION_CONFORMAL_SYSTEM_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_LIBRARY_PARAMETERIZATION_CONFORMAL_SYSTEM_H
+
+#include <CGAL/Intrinsic_triangulations/Conformal_metric.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
+#include <CGAL/Intrinsic_triangulations/internal/parameterization/conformal_solver.h>
+#include "Conformal_targets.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+// The variables are the values of u at the vertices of the surface; the copies of a vertex share one. Sums of angles, and
+// derivatives, are those of the double.
+class Conformal_system
+{
+public:
+  Conformal_system(const Doubled_surface& doubled, std::size_t number_of_vertices, const Conformal_options& options,
+                   const Factorize& factorize)
+    : doubled_(doubled), complex_(doubled.triangulation.connectivity()),
+      lengths_(exact_edge_lengths(doubled.triangulation)), options_(options), factorize_(factorize),
+      sums_(number_of_vertices)
+  {}
+
+  // Flips to the ideal Delaunay triangulation with scaled lengths; finds sums of angles and the weights of the linear model.
+  // \exception Numerical_error if a length leaves the range of double
+  void evaluate(const std::vector<double>& u);
+
+  // The ideal Delaunay triangulation of the last evaluation, and the flips that led to it.
+  const Delta_complex& complex() const { return complex_; }
+  const std::vector<Edge_index>& flips() const { return flips_; }
+  std::vector<double> scaled_lengths(const std::vector<double>& u) const;
+
+  // By how much the sum of angles at a vertex, of all its copies, is too large.
+  double excess(std::size_t v, const Conformal_targets& targets) const
+  {
+    return targets.has_angle(v) ? sums_[v] - doubled_.factor() * targets.angle(v) : 0;
+  }
+  double sum_of_angles(std::size_t v) const { return sums_[v]; }
+  double factor() const { return doubled_.factor(); }
+  // The area of a component, of both copies, and by the scale of the last evaluation.
+  double area(const Conformal_targets& targets, std::size_t component) const;
+
+  // The variables of the vertices with a wanted angle, except for pins. Factorizes the linear model for them.
+  // \exception Numerical_error as `Factorize`
+  void factorize(const Conformal_targets& targets);
+  // Solves the linear model; zero for the other vertices. \pre it was factorized
+  std::vector<double> solve(const std::vector<double>& right) const;
+  // The change of the excesses, times -1, that a small change of u makes.
+  std::vector<double> product(const std::vector<double>& u) const;
+
+private:
+  std::size_t vertex(Vertex_index v) const { return doubled_.vertices[v.idx()].idx(); }
+  double scale(Edge_index e, const std::vector<double>& u) const;
+  void flip(const std::vector<double>& u);
+  void measure(const std::vector<double>& lengths);
+
+  const Doubled_surface& doubled_;
+  Delta_complex complex_;
+  std::vector<double> lengths_; // not scaled
+  std::vector<Edge_index> flips_;
+  const Conformal_options& options_;
+  const Factorize& factorize_;
+  std::vector<double> sums_, areas_; // of the vertices of the surface; of a face, a third is at each corner
+  std::vector<Weighted_pair> pairs_;
+  std::vector<int> unknown_;
+  std::vector<std::size_t> vertex_of_; // of each unknown
+  Solve solve_;
+};
+
+// The largest minus the smallest.
+double range_of(const std::vector<double>& x);
+
+// With three digits.
+std::string shown(double x);
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_LIBRARY_PARAMETERIZATION_CONFORMAL_SYSTEM_H

@@ -1,0 +1,169 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Definitions of Conformal_targets.h.
+
+#include "Conformal_targets.h"
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <sstream>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+namespace {
+
+constexpr double two_pi = 2 * CGAL_PI;
+
+std::string in_full(double x)
+{
+  std::ostringstream os;
+  os.precision(17);
+  os << x;
+  return os.str();
+}
+
+} // namespace
+
+Conformal_targets::Conformal_targets(const Delta_complex& surface, const std::vector<double>& border_lengths,
+                                     const Conformal_options& options)
+  : surface_(surface), kinds_(surface.number_of_vertices(), Kind::ANGLE), is_on_border_(kinds_.size()),
+    angles_(kinds_.size(), two_pi)
+{
+  for (Vertex_index v : surface.vertices())
+    if (!surface.halfedge(v).is_valid())
+      kinds_[v.idx()] = Kind::ISOLATED;
+    else
+      is_on_border_[v.idx()] = surface.is_border(surface.halfedge(v));
+  find_components();
+  set_given(options);
+  set_border(border_lengths, options);
+}
+
+void Conformal_targets::find_components()
+{
+  Disjoint_sets sets(kinds_.size());
+  for (Edge_index e : surface_.edges())
+    sets.unite(surface_.source(surface_.halfedge(e)).idx(), surface_.target(surface_.halfedge(e)).idx());
+  components_.resize(sets.number(component_of_));
+  for (std::size_t v = 0; v < kinds_.size(); ++v) {
+    components_[component_of_[v]].vertices.push_back(v);
+    components_[component_of_[v]].total += two_pi;
+  }
+  for (Edge_index e : surface_.edges())
+    components_[component_of_[surface_.source(surface_.halfedge(e)).idx()]].total -= two_pi;
+  for (Face_index f : surface_.faces())
+    components_[component_of_[surface_.source(surface_.halfedge(f)).idx()]].total += two_pi;
+}
+
+void Conformal_targets::set_given(const Conformal_options& options)
+{
+  for (const auto& [vertex, angle] : options.angles) {
+    require_vertex(vertex, kinds_.size());
+    const std::size_t v = vertex.idx();
+    const std::string name = "vertex " + std::to_string(v);
+    if (kinds_[v] == Kind::GIVEN_ANGLE)
+      throw Invalid_argument_error("two angles are given for " + name);
+    if (kinds_[v] == Kind::ISOLATED)
+      throw Invalid_argument_error("an angle is given for " + name + ", which has no face");
+    if (is_on_border_[v] && options.boundary != Conformal_boundary::ANGLES)
+      throw Invalid_argument_error("an angle is given for " + name +
+                                   ", which lies on the border: ask for given angles of the border");
+    if (!(angle > 0 && angle < (std::numeric_limits<double>::max)()))
+      throw Invalid_argument_error("the angle given for " + name + " is not positive and finite");
+    kinds_[v] = Kind::GIVEN_ANGLE;
+    angles_[v] = angle;
+    given_.push_back(v);
+    if (!is_on_border_[v])
+      cones_.push_back(vertex);
+  }
+}
+
+void Conformal_targets::set_border(const std::vector<double>& border_lengths, const Conformal_options& options)
+{
+  const auto for_each_border_vertex = [&](const auto& f) {
+    for (std::size_t v = 0; v < kinds_.size(); ++v)
+      if (is_on_border_[v])
+        f(v);
+  };
+  if (options.boundary == Conformal_boundary::FREE) {
+    for_each_border_vertex([&](std::size_t v) {
+      kinds_[v] = Kind::SCALE;
+      components_[component_of_[v]].keeps_scale = true;
+    });
+    return;
+  }
+  for_each_border_vertex([&](std::size_t v) {
+    if (kinds_[v] != Kind::GIVEN_ANGLE)
+      angles_[v] = CGAL_PI;
+    kinds_[v] = Kind::GIVEN_ANGLE;
+  });
+  if (options.boundary == Conformal_boundary::ANGLES)
+    return;
+  std::vector<double> perimeters(components_.size(), 0.), turns(components_.size());
+  for (std::size_t i = 0; i < components_.size(); ++i)
+    turns[i] = components_[i].total;
+  for (Vertex_index v : cones_)
+    turns[component_of_[v.idx()]] -= curvature(v.idx());
+  const auto for_each_border_halfedge = [&](const auto& to) {
+    for (Halfedge_index h : surface_.halfedges())
+      if (surface_.is_border(h))
+        to(h);
+  };
+  for_each_border_halfedge([&](Halfedge_index h) {
+    perimeters[component_of_[surface_.source(h).idx()]] += border_lengths[surface_.edge(h).idx()];
+  });
+  for_each_border_halfedge([&](Halfedge_index h) {
+    for (Vertex_index v : {surface_.source(h), surface_.target(h)}) {
+      const std::size_t i = component_of_[v.idx()];
+      angles_[v.idx()] -= turns[i] * (border_lengths[surface_.edge(h).idx()] / (2 * perimeters[i]));
+    }
+  });
+  for_each_border_vertex([&](std::size_t v) {
+    if (!(angles_[v] > 0))
+      throw Invalid_argument_error("the border cannot become a convex polygon: an edge at vertex " + std::to_string(v) +
+                                   " is too long a part of it; leave the border free");
+    given_.push_back(v);
+  });
+}
+
+void Conformal_targets::make_cone(std::size_t v)
+{
+  kinds_[v] = Kind::CONE;
+  components_[component_of_[v]].keeps_scale = true;
+  cones_.push_back(Vertex_index(std::uint32_t(v)));
+}
+
+double Conformal_targets::curvature(std::size_t v) const { return (is_on_border_[v] ? CGAL_PI : two_pi) - angles_[v]; }
+
+void Conformal_targets::check_sums()
+{
+  for (const Component& component : components_) {
+    if (component.keeps_scale || kinds_[component.vertices.front()] == Kind::ISOLATED)
+      continue;
+    double missing = component.total;
+    for (std::size_t v : component.vertices)
+      missing -= curvature(v);
+    if (!(std::abs(missing) <= 1e-9 + 1e-14 * double(component.vertices.size())))
+      throw Invalid_argument_error(
+        "the angles wanted in the component of vertex " + std::to_string(component.vertices.front()) +
+        " have the wrong sum: by the theorem of Gauss and Bonnet, the sums of angles have to be smaller by " +
+        in_full(missing) +
+        " in total; the sum of 2 pi minus the angle, or of pi minus the angle on the border, has to be " +
+        in_full(component.total) + ": name other angles, or let cones be chosen");
+    std::size_t last = component.vertices.back();
+    for (std::size_t v : given_)
+      if (&component_of(v) == &component)
+        last = v;
+    angles_[last] -= missing;
+  }
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal

@@ -1,0 +1,220 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Definitions of conformal_solver.h: Newton's method, and the proof of its result.
+
+#include <CGAL/Intrinsic_triangulations/internal/parameterization/conformal_solver.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Angle_sum.h>
+#include "Conformal_system.h"
+#include "Conformal_targets.h"
+#include "Cone_chooser.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+namespace {
+
+constexpr double sufficient_error = 1e-12, tolerable_error = 1e-10;
+constexpr int maximum_number_of_steps = 100;
+
+std::vector<double> lengths_of_border(const Doubled_surface::Triangulation& surface)
+{
+  std::vector<double> result;
+  for (Edge_index e : surface.connectivity().edges())
+    result.push_back(surface.connectivity().is_border(e) ? surface.length(e) : 0);
+  return result;
+}
+
+class Conformal_solver
+{
+public:
+  Conformal_solver(const Doubled_surface::Triangulation& surface, const Doubled_surface& doubled,
+                   const Conformal_options& options, const Factorize& factorize)
+    : doubled_(doubled), options_(options), targets_(surface.connectivity(), lengths_of_border(surface), options),
+      system_(doubled, surface.connectivity().number_of_vertices(), options, factorize),
+      u_(surface.connectivity().number_of_vertices(), 0.)
+  {}
+
+  Discrete_conformal_metric run()
+  {
+    evaluate();
+    std::vector<double> areas;
+    for (std::size_t i = 0; i < targets_.components().size(); ++i)
+      areas.push_back(system_.area(targets_, i));
+    choose_cones();
+    targets_.check_sums();
+    minimize();
+    for (std::size_t i = 0; i < areas.size(); ++i)
+      if (!targets_.components()[i].keeps_scale && areas[i] > 0)
+        for (std::size_t v : targets_.components()[i].vertices)
+          u_[v] += 0.5 * std::log(areas[i] / system_.area(targets_, i));
+    evaluate();
+    const std::vector<double> lengths = system_.scaled_lengths(u_);
+    return {u_,      targets_.cones(),  proven_residual(lengths), range_of(u_),   steps_, system_.complex(),
+            lengths, doubled_.vertices, doubled_.halfedges,       system_.flips()};
+  }
+
+private:
+  void evaluate()
+  {
+    try {
+      system_.evaluate(u_);
+    } catch (const Numerical_error& error) {
+      throw_not_converged(error.what());
+    }
+  }
+
+  void choose_cones()
+  {
+    const bool is_given = !options_.number_of_cones && !targets_.cones().empty();
+    if (is_given || (options_.number_of_cones && *options_.number_of_cones == 0))
+      return;
+    try {
+      system_.factorize(targets_);
+      Cone_chooser chooser(system_, targets_, options_);
+      for (const Conformal_targets::Component& component : targets_.components())
+        if (component.vertices.size() > 1)
+          chooser.run(component);
+    } catch (const Numerical_error& error) {
+      throw_not_converged(error.what());
+    }
+  }
+
+  double largest_excess() const
+  {
+    double result = 0;
+    for (std::size_t v = 0; v < u_.size(); ++v)
+      result = (std::max)(result, std::abs(system_.excess(v, targets_)) / system_.factor());
+    return result;
+  }
+
+  // The gradient of the convex energy is half the wanted minus the present angles. So the energy still falls at the end of
+  // a step as long as the product of the step and the excesses is not negative.
+  void minimize()
+  {
+    double least = largest_excess();
+    const double first = (std::max)(least, 1.);
+    for (int idle = 0; least > sufficient_error; ++steps_) {
+      report_progress(options_.progress, fraction_of_digits(first, least, sufficient_error),
+                      "the search for a conformal metric");
+      if (idle == 2 && least <= tolerable_error)
+        return;
+      if (steps_ == maximum_number_of_steps || idle == 6)
+        throw_not_converged("a sum of angles still differs by " + shown(least) + " from the wanted one");
+      const std::vector<double> step = newton_step(), before = u_;
+      const double squares = sum_of_squares(), range = range_of(step);
+      double part = 1;
+      while (part * range > 10) // beyond that, the linear model is useless
+        part /= 2;
+      for (int halvings = 0;; ++halvings, part /= 2) {
+        for (std::size_t v = 0; v < u_.size(); ++v)
+          u_[v] = before[v] + part * step[v];
+        evaluate();
+        double slope = 0;
+        for (std::size_t v = 0; v < u_.size(); ++v)
+          slope += step[v] * system_.excess(v, targets_);
+        if (slope >= 0 || sum_of_squares() < squares / 4 || halvings == 40)
+          break;
+      }
+      const double now = largest_excess();
+      idle = now < 0.9 * least ? 0 : idle + 1;
+      least = now;
+    }
+  }
+
+  std::vector<double> newton_step()
+  {
+    std::vector<double> excesses;
+    for (std::size_t v = 0; v < u_.size(); ++v)
+      excesses.push_back(system_.excess(v, targets_));
+    try {
+      system_.factorize(targets_);
+      return system_.solve(excesses);
+    } catch (const Numerical_error& error) {
+      throw_not_converged(error.what());
+    }
+  }
+
+  double sum_of_squares() const
+  {
+    double result = 0;
+    for (std::size_t v = 0; v < u_.size(); ++v)
+      result += system_.excess(v, targets_) * system_.excess(v, targets_);
+    return result;
+  }
+
+  [[noreturn]] void throw_not_converged(const std::string& what) const
+  {
+    std::size_t largest = 0;
+    for (std::size_t v = 0; v < u_.size(); ++v)
+      if (std::abs(u_[v]) > std::abs(u_[largest]))
+        largest = v;
+    throw Numerical_error("the conformal metric does not converge: " + what + ", with a range of u of " +
+                          shown(range_of(u_)) + ": allow more cones, the first at vertex " + std::to_string(largest) +
+                          ", or repair triangles that are too thin");
+  }
+
+  // For triangles with exactly these lengths.
+  double proven_residual(const std::vector<double>& lengths) const
+  {
+    const Delta_complex& complex = system_.complex();
+    std::vector<Bounded_angle> sums(complex.number_of_vertices());
+    for (Face_index f : complex.faces()) {
+      const Halfedge_index h = complex.halfedge(f);
+      const std::array<Halfedge_index, 3> sides{h, complex.next(h), complex.prev(h)};
+      std::array<Bounded_double_double, 3> length;
+      for (std::size_t i = 0; i < 3; ++i)
+        length[i] = Bounded_double_double(lengths[complex.edge(sides[i]).idx()]);
+      std::array<Bounded_double_double, 3> sorted = length;
+      std::sort(sorted.begin(), sorted.end(), [](const auto& x, const auto& y) { return x.hi() > y.hi(); });
+      const auto& [a, b, c] = sorted;
+      const Double_with_bound four_areas(sqrt((a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c))));
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Bounded_double_double &l = length[i], &m = length[(i + 1) % 3], &n = length[(i + 2) % 3];
+        const Double_with_bound p(m * m + (n - l) * (n + l));
+        sums[complex.target(complex.next(sides[i])).idx()] += bounded_angle(p, four_areas);
+      }
+    }
+    std::vector<int> copies(u_.size(), 0);
+    for (Vertex_index v : complex.vertices())
+      ++copies[doubled_.vertices[v.idx()].idx()];
+    double result = 0;
+    for (Vertex_index v : complex.vertices()) {
+      const std::size_t w = doubled_.vertices[v.idx()].idx();
+      if (!targets_.has_angle(w))
+        continue;
+      const double wanted = targets_.angle(w) * (copies[w] == 1 ? doubled_.factor() : 1);
+      result = (std::max)(result, std::abs(sums[v.idx()].value - wanted) + sums[v.idx()].error);
+    }
+    return result;
+  }
+
+  const Doubled_surface& doubled_;
+  const Conformal_options& options_;
+  Conformal_targets targets_;
+  Conformal_system system_;
+  std::vector<double> u_;
+  int steps_ = 0;
+};
+
+} // namespace
+
+Discrete_conformal_metric find_conformal_metric(const Doubled_surface::Triangulation& surface,
+                                                const Doubled_surface& doubled, const Conformal_options& options,
+                                                const Factorize& factorize)
+{
+  return Conformal_solver(surface, doubled, options, factorize).run();
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
