@@ -9,14 +9,15 @@
 #include "commands/triangulate.h"
 #include "input/constraints.h"
 #include "input/flat_vertices.h"
-#include "input/mesh_file.h"
 #include "input/saved_triangulation.h"
 #include "input/standard_input.h"
 #include "output/Output_file.h"
+#include "output/write_straight_mesh.h"
 #include "system/Progress.h"
 #include "system/text.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/straight_mesh.h>
 #include <CGAL/Intrinsic_triangulations/surface_features.h>
 
 #include <algorithm>
@@ -69,8 +70,8 @@ void check(const Refine_options& options)
   options.files.check_paths({options.input});
   std::vector<std::string> outputs = options.files.paths();
   outputs.insert(outputs.end(), {options.kept_edges, options.flattened});
-  if (!options.flattened.empty() && !find_mesh_format(options.flattened))
-    throw Usage_error("--flatten: " + options.flattened + " does not end in " + mesh_extensions(false));
+  if (!options.flattened.empty() && !is_straight_mesh_name(options.flattened))
+    throw Usage_error("--flatten: " + options.flattened + " does not end in " + straight_mesh_extensions());
   check_output_paths(outputs, {options.input, options.constraints});
 }
 
@@ -243,10 +244,10 @@ Exit_status refine_file(const std::string& path, const Refine_options& options)
   result.flat_tolerance = options.flat_tolerance;
   result.flat_deviation = deviation;
   if (!options.flattened.empty() && result.outcome.subdivision) {
-    result.flattened = flatten(*result.outcome.subdivision, result.surface.points);
-    write_file(options.flattened, [&](std::ostream& os) {
-      write_mesh(os, result.flattened->points, result.flattened->triangles, *find_mesh_format(options.flattened));
-    });
+    result.straight =
+      IT::straight_mesh(*result.outcome.subdivision, result.surface.points, result.options.refinement->is_constrained);
+    write_file(options.flattened,
+               [&](std::ostream& os) { write_straight_mesh(os, *result.straight, options.flattened); });
   }
   options.files.write(result);
   write_file(options.kept_edges, [&](std::ostream& os) {
@@ -317,9 +318,11 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
   add_option(command, "--points", options->files.points, "F.csv",
              "write the positions of the new vertices as CSV: vertex,input_face,b0,b1,b2,x,y,z; the barycentric "
              "coordinates are exact once they are divided by their sum, the position in space is rounded");
-  add_option(command, "--flatten", options->flattened, "F.(vtp|ply|off|obj|stl|ts)",
-             "write the result as a mesh of straight triangles, for other solvers: that is another surface, and the "
-             "report gives its distance; --overlay and --laplacian keep the surface");
+  add_option(
+    command, "--flatten", options->flattened, "F.(msh|inp|vtp|ply|off|obj|stl|ts)",
+    "write the result as a mesh of straight triangles, for other solvers: that is another surface, and the "
+    "report gives its distance; status 4 if they are no surface. Gmsh's .msh and Abaqus' .inp name the regions "
+    "between kept edges, and the lines around them");
   options->files.add_options(command, repair);
   command.get_option("--repair-map")->excludes(flat);
   constraints->excludes(flat);

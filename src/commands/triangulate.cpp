@@ -146,7 +146,7 @@ Exit_status report(const Triangulation_result& result, bool is_verbose)
 {
   write_report(std::cout, result, is_verbose);
   flush_standard_output();
-  const Exit_status status = exit_status(result.outcome);
+  const Exit_status status = exit_status(result);
   if (status != Exit_status::DONE)
     std::cerr << "idt: " << result.surface.path << ": " << describe_status(result) << std::endl;
   if (result.no_Laplacian)

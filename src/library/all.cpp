@@ -30,6 +30,7 @@
 #include "geodesics/trace_geodesic.cpp"
 #include "validation/surface_features.cpp"
 #include "validation/validate_triangles.cpp"
+#include "straight/straight_mesh.cpp"
 #include "cover/Cover_builder.cpp"
 #include "distances/Distance_bounds.cpp"
 #include "distances/Flat_ways.cpp"

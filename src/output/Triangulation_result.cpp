@@ -49,6 +49,15 @@ std::string describe_refinement(const Outcome& outcome)
   return {};
 }
 
+// What is said of them beside the rest, if they are no surface.
+std::string describe_straight_triangles(const Triangulation_result& result)
+{
+  if (!result.straight || result.straight->is_surface())
+    return {};
+  return "; but the straight triangles of --flatten are no surface: " + message(*result.straight) +
+         "; keep more edges by a smaller --constrain-angle, or choose a smaller --maximum-edge-length";
+}
+
 } // namespace
 
 const char* name(IT::Refinement_obstacle reason)
@@ -97,8 +106,14 @@ Exit_status exit_status(const Outcome& outcome)
   return is_done ? Exit_status::DONE : Exit_status::NOT_FINISHED;
 }
 
-const char* status_word(const Outcome& outcome)
+Exit_status exit_status(const Triangulation_result& result)
 {
+  return result.straight && !result.straight->is_surface() ? Exit_status::NOT_FINISHED : exit_status(result.outcome);
+}
+
+const char* status_word(const Triangulation_result& result)
+{
+  const Outcome& outcome = result.outcome;
   if (outcome.is_interrupted || outcome.are_flips_cancelled)
     return "interrupted";
   switch (outcome.report.status) {
@@ -109,7 +124,9 @@ const char* status_word(const Outcome& outcome)
       return "interrupted";
     if (!outcome.failure.empty())
       return "incomplete";
-    return outcome.verification && !outcome.verification->is_Delaunay() ? "not Delaunay" : "done";
+    if (outcome.verification && !outcome.verification->is_Delaunay())
+      return "not Delaunay";
+    return result.straight && !result.straight->is_surface() ? "no surface" : "done";
   case IT::Flip_status::INCONSISTENT:
     return "inconsistent";
   case IT::Flip_status::NOT_FLIPPABLE:
@@ -156,7 +173,8 @@ std::string describe_status(const Triangulation_result& result)
     return "not Delaunay: " + describe_verification(outcome);
   switch (report.status) {
   case IT::Flip_status::DELAUNAY:
-    return describe_refinement(outcome) + (outcome.verification ? "Delaunay, verified" : "Delaunay");
+    return describe_refinement(outcome) + (outcome.verification ? "Delaunay, verified" : "Delaunay") +
+           describe_straight_triangles(result);
   case IT::Flip_status::INCONSISTENT:
     // Either diagonal of a tie is right, whatever rounding does.
     return std::string(outcome.verification ? "verified Delaunay, but only by chance: " : "not Delaunay: ") +

@@ -9,7 +9,8 @@
 #include "system/Exit_status.h"
 #include "input/Surface.h"
 #include "number_types/run.h"
-#include "output/flatten.h"
+
+#include <CGAL/Intrinsic_triangulations/straight_mesh.h>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -28,10 +29,10 @@ struct Triangulation_result
   Surface surface;
   Run_options options;
   Outcome outcome;
-  std::string smallest_size;                  // of a refinement, and why it was chosen
-  std::optional<double> flat_tolerance;       // the tolerance for the removal of flat vertices, if any
-  double flat_deviation = 0;                  // and a bound on how far it moved the surface
-  std::optional<Flattened_surface> flattened; // if requested
+  std::string smallest_size;            // of a refinement, and why it was chosen
+  std::optional<double> flat_tolerance; // the tolerance for the removal of flat vertices, if any
+  double flat_deviation = 0;            // and a bound on how far it moved the surface
+  std::optional<CGAL::Intrinsic_triangulations::Straight_mesh> straight; // if requested
   // Why there is no Laplacian, although it was requested.
   std::optional<CGAL::Intrinsic_triangulations::Invalid_surface_error> no_Laplacian;
   Surface_counts counts;                                    // of the intrinsic triangulation
@@ -48,12 +49,14 @@ struct Triangulation_result
   }
 };
 
-// The exit status for the result.
+// The exit status for the outcome, and for the straight triangles, too.
 Exit_status exit_status(const Outcome& outcome);
+Exit_status exit_status(const Triangulation_result& result);
 
 // How it ended, for programs: `done`, `interrupted`, `flip budget`, `point budget`, `undecided`, `not flippable`,
-// `inconsistent`, `not Delaunay`, or `incomplete` if something could not be determined.
-const char* status_word(const Outcome& outcome);
+// `inconsistent`, `not Delaunay`, `no surface` of straight triangles, or `incomplete` if something could not be
+// determined.
+const char* status_word(const Triangulation_result& result);
 
 // The same in words, with the first edge to blame.
 std::string describe_status(const Triangulation_result& result);

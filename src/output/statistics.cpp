@@ -123,6 +123,26 @@ std::vector<std::string> warnings(const Triangulation_result& result)
   return texts;
 }
 
+Json straight_statistics(const IT::Straight_mesh& mesh)
+{
+  std::size_t non_manifold_edges = 0;
+  if (const IT::Finding* finding = mesh.surface.find(IT::Invalid_surface_error::Defect::NON_MANIFOLD_EDGE))
+    non_manifold_edges = finding->count;
+  return {{"is_surface", mesh.is_surface()},
+          {"triangles", mesh.triangles.size()},
+          {"regions", mesh.number_of_regions},
+          {"lines", mesh.number_of_lines},
+          {"deviation", mesh.deviation},
+          {"deviation_place", mesh.deviation_place},
+          {"minimum_angle_degrees", mesh.triangles.empty() ? Json() : Json(mesh.minimum_angle)},
+          {"thin_triangles", mesh.thin_triangles.size()},
+          {"sharp_corners", mesh.number_of_sharp_corners},
+          {"loops", mesh.loops.size()},
+          {"multiple_edges", mesh.multiple_edges.size()},
+          {"non_manifold_edges", non_manifold_edges},
+          {"defects", message(mesh)}};
+}
+
 Json refinement_statistics(const Triangulation_result& result)
 {
   const Outcome& outcome = result.outcome;
@@ -146,18 +166,11 @@ Json refinement_statistics(const Triangulation_result& result)
   json["unrefined"] = Json::object();
   for (const auto& [reason, faces] : unrefined_faces(outcome))
     json["unrefined"][reason] = faces;
-  json["flattened"] = nullptr;
-  if (result.flattened)
-    json["flattened"] = {
-      {"triangles", result.flattened->triangles.size()},
-      {"faces_left_out", result.flattened->number_of_other_faces},
-      {"non_manifold_edges", result.flattened->number_of_non_manifold_edges},
-      {"minimum_angle_degrees", result.flattened->triangles.empty() ? Json() : Json(result.flattened->minimum_angle)},
-      {"deviation", result.flattened->deviation}};
+  json["flattened"] = result.straight ? straight_statistics(*result.straight) : Json(nullptr);
   json["verification"] = verification(outcome);
   json["repair"] = to_json_value(repairs(result.surface));
   json["warnings"] = warnings(result);
-  json["status"] = status_word(outcome);
+  json["status"] = status_word(result);
   json["seconds"] = seconds(result);
   json["peak_memory_bytes"] = peak_memory_bytes();
   return json;
@@ -205,7 +218,7 @@ nlohmann::ordered_json statistics(const Triangulation_result& result)
   json["mollification"] = mollification(result.surface);
   json["repair"] = to_json_value(repairs(result.surface));
   json["warnings"] = warnings(result);
-  json["status"] = status_word(outcome);
+  json["status"] = status_word(result);
   json["seconds"] = seconds(result);
   json["peak_memory_bytes"] = peak_memory_bytes();
   return json;

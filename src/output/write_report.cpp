@@ -144,15 +144,15 @@ void write_surface(std::ostream& os, const Triangulation_result& result, bool is
            counted(surface.untwisting->twists.size(), "twist", "twists"));
 }
 
-// Defects that make a flattened surface unfit for most solvers.
-std::string gaps_text(const Flattened_surface& surface)
+std::string straight_text(const CGAL::Intrinsic_triangulations::Straight_mesh& mesh)
 {
-  std::string result;
-  if (surface.number_of_other_faces > 0)
-    result += "; holes, for " + counted(surface.number_of_other_faces, "face", "faces") + " with two equal corners";
-  if (surface.number_of_non_manifold_edges > 0)
-    result += "; more than two triangles meet at " + counted(surface.number_of_non_manifold_edges, "edge", "edges");
-  return result;
+  std::string text = "another surface, of " +
+                     counted(mesh.triangles.size(), "straight triangle", "straight triangles") + ", up to " +
+                     in_short(mesh.deviation) + " away, smallest angle " + in_short(mesh.minimum_angle) + " degrees";
+  if (!mesh.thin_triangles.empty())
+    text += ", below 10 in " + counted(mesh.thin_triangles.size(), "triangle", "triangles") + ", " +
+            with_separators(mesh.number_of_sharp_corners) + " of them at corners of kept edges";
+  return text;
 }
 
 // Flips and new vertices.
@@ -168,12 +168,12 @@ void write_changes(std::ostream& os, const Triangulation_result& result)
     line(os, "left", counted(faces, "face", "faces") + ": " + reason);
   if (outcome.refinement && outcome.refinement->smallest_left)
     line(os, "shortest left", "a side of " + text(*outcome.refinement->smallest_left));
-  if (result.flattened)
-    line(os, "flattened",
-         "another surface, of " +
-           counted(result.flattened->triangles.size(), "straight triangle", "straight triangles") + ", up to " +
-           in_short(result.flattened->deviation) + " away, smallest angle " +
-           in_short(result.flattened->minimum_angle) + " degrees" + gaps_text(*result.flattened));
+  if (result.straight) {
+    line(os, "flattened", straight_text(*result.straight));
+    line(os, "regions",
+         with_separators(result.straight->number_of_regions) + ", " +
+           counted(result.straight->number_of_lines, "line", "lines") + " around and between them");
+  }
 }
 
 } // namespace

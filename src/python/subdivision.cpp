@@ -10,12 +10,17 @@
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Point_location.h>
+#include <CGAL/Intrinsic_triangulations/straight_mesh.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
 #include <CGAL/Intrinsic_triangulations/transfer_matrices.h>
 
+#include <pybind11/stl.h>
+
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -158,6 +163,43 @@ py::tuple mass_matrices(const Subdivision& s)
                         to_sparse(std::move(result.mixed)));
 }
 
+// -------------------------------------------------------- straight triangles
+
+template <class Range>
+Numbers numbers_of(const Range& elements)
+{
+  Numbers result;
+  for (const auto& element : elements)
+    if constexpr (std::is_integral_v<std::decay_t<decltype(element)>>)
+      result.push_back(element);
+    else
+      result.push_back(element.idx());
+  return result;
+}
+
+py::tuple straight_mesh(const Subdivision& s, const Doubles& points, const std::optional<Booleans>& marked,
+                        double thin_angle)
+{
+  const std::vector<std::array<double, 3>> places = copied_rows(points);
+  std::vector<bool> is_marked;
+  if (marked)
+    for (py::ssize_t i = 0; i < marked->shape(0); ++i)
+      is_marked.push_back(marked->at(i));
+  IT::Straight_mesh mesh = without_lock([&] { return IT::straight_mesh(s.get(), places, is_marked, thin_angle); });
+  std::vector<std::array<std::int64_t, 2>> edges;
+  for (const auto& [a, b] : mesh.marked_edges)
+    edges.push_back({a, b});
+  py::array triangles = to_numbers(mesh.triangles);
+  const std::string defects = message(mesh); // which needs the points
+  return py::make_tuple(to_array(std::move(mesh.points)), triangles, to_array(numbers_of(mesh.faces)),
+                        to_array(numbers_of(mesh.input_faces)), to_array(numbers_of(mesh.regions)),
+                        to_array(std::move(edges)), to_array(numbers_of(mesh.lines)), mesh.deviation,
+                        to_array(std::vector<double>(mesh.deviation_place.begin(), mesh.deviation_place.end())),
+                        mesh.minimum_angle, to_array(numbers_of(mesh.thin_triangles)), mesh.number_of_sharp_corners,
+                        to_array(numbers_of(mesh.loops)), to_array(numbers_of(mesh.multiple_edges)), mesh.is_surface(),
+                        defects);
+}
+
 // ------------------------------------------------------------------- points
 
 void check_face(const IT::Delta_complex& complex, std::uint32_t f)
@@ -228,6 +270,8 @@ void add_subdivision(py::module_& module)
          })
     .def("interpolate_corners", &interpolate_corners, py::arg("values").noconvert())
     .def("mass_matrices", &mass_matrices)
+    .def("number_of_input_edges", [](const Subdivision& s) { return s.overlay().number_of_input_edges(); })
+    .def("straight_mesh", &straight_mesh, py::arg("points").noconvert(), py::arg("marked"), py::arg("thin_angle"))
     .def("to_intrinsic", &to_intrinsic, py::arg("faces").noconvert(), py::arg("coordinates").noconvert())
     .def("to_input", &to_input, py::arg("faces").noconvert(), py::arg("coordinates").noconvert());
 }

@@ -408,7 +408,7 @@ TEST_F(Refine_command, flattens)
   Command_run run = idt("refine roof.off --minimum-angle 0 --flatten f.off --stats s.json");
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_TRUE(contains(run.out, "flattened       another surface, of 2 straight triangles, up to 1 away")) << run.out;
-  EXPECT_EQ(stats()["flattened"]["deviation"], 1);
+  EXPECT_NEAR(stats()["flattened"]["deviation"].get<double>(), 1, 1e-13);
   EXPECT_EQ(stats()["flattened"]["triangles"], 2);
   EXPECT_EQ(stats()["flattened"]["non_manifold_edges"], 0);
   EXPECT_NEAR(stats()["flattened"]["minimum_angle_degrees"].get<double>(), std::acos(2 / 3.) * 180 / std::acos(-1.),
@@ -421,7 +421,9 @@ TEST_F(Refine_command, flattens)
   // With the ridge kept, nothing moves.
   run = idt("refine roof.off --constrain-angle 30 --maximum-edge-length 0.3 --flatten f.vtp --stats s.json");
   EXPECT_EQ(run.status, 0) << run.err;
-  EXPECT_LT(stats()["flattened"]["deviation"], 1e-15);
+  EXPECT_LT(stats()["flattened"]["deviation"], 1e-13);
+  EXPECT_EQ(stats()["flattened"]["regions"], 2);
+  EXPECT_EQ(stats()["flattened"]["lines"], 3);
   EXPECT_EQ(stats()["flattened"]["triangles"], stats()["faces"]);
   EXPECT_TRUE(contains(content(folder_ / "f.vtp"), "<VTKFile"));
   EXPECT_EQ(idt("refine roof.off --flatten f.txt").status, 2);
@@ -433,7 +435,9 @@ TEST_F(Refine_command, flattens)
                    "3 0 2 3\n3 0 3 1\n3 4 5 7\n3 4 7 6\n3 0 1 5\n3 0 5 4\n3 2 6 7\n3 2 7 3\n3 0 4 6\n3 0 6 2\n"
                    "3 1 3 7\n3 1 7 5\n");
   run = idt("refine box.off --flatten f.off --stats s.json");
-  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.status, 4);
+  EXPECT_TRUE(contains(run.err, "the straight triangles of --flatten are no surface: ")) << run.err;
+  EXPECT_EQ(stats()["status"], "no surface");
   std::istringstream box(content(folder_ / "f.off").substr(4));
   box >> vertices >> faces;
   std::map<std::pair<int, int>, int> triangles_at;
@@ -445,8 +449,38 @@ TEST_F(Refine_command, flattens)
     std::count_if(triangles_at.begin(), triangles_at.end(), [](const auto& side) { return side.second > 2; });
   EXPECT_GT(crowded, 0);
   EXPECT_EQ(stats()["flattened"]["non_manifold_edges"], crowded);
-  EXPECT_GT(stats()["flattened"]["faces_left_out"], 0);
-  EXPECT_TRUE(contains(run.out, "holes")) << run.out;
+  EXPECT_GT(stats()["flattened"]["loops"], 0);
+  EXPECT_FALSE(stats()["flattened"]["is_surface"].get<bool>());
+}
+
+// With names in Gmsh's and Abaqus' files, which other programs read back.
+TEST_F(Refine_command, writes_meshes_for_solvers)
+{
+  write("roof.off", "OFF\n4 2 0\n0 -1 0\n2 0 1\n0 1 0\n-2 0 1\n3 0 1 3\n3 1 2 3\n");
+  const std::string options =
+    "refine roof.off --constrain-angle 30 --maximum-edge-length 0.3 --stats s.json --flatten ";
+  ASSERT_EQ(idt(options + "f.msh").status, 0);
+  const std::size_t triangles = stats()["flattened"]["triangles"];
+  std::map<std::string, std::size_t> elements; // by type and tag
+  std::istringstream msh(content(folder_ / "f.msh"));
+  for (std::string line; std::getline(msh, line);)
+    if (int number, type, tags, tag;
+        std::sscanf(line.c_str(), "%d %d %d %d", &number, &type, &tags, &tag) == 4 && tags == 2)
+      ++elements[std::to_string(type) + ' ' + std::to_string(tag)];
+  EXPECT_EQ(elements.size(), 5u); // two regions and three lines
+  EXPECT_EQ(elements["2 1"] + elements["2 2"], triangles);
+  for (const char* name : {"2 1 \"region_0\"", "2 2 \"region_1\"", "1 3 \"line_0\"", "1 5 \"line_2\""})
+    EXPECT_TRUE(contains(content(folder_ / "f.msh"), name)) << name;
+  ASSERT_EQ(idt(options + "f.INP").status, 0);
+  for (const char* name : {"*NODE\n1, ", "*ELEMENT, TYPE=S3, ELSET=REGION_1\n", "*NSET, NSET=LINE_2\n"})
+    EXPECT_TRUE(contains(content(folder_ / "f.INP"), name)) << name;
+  ASSERT_EQ(idt(options + "f.vtp").status, 0);
+  EXPECT_TRUE(contains(content(folder_ / "f.vtp"), "Name=\"region\""));
+  for (const char* file : {"f.off", "f.ply", "f.stl"}) { // which the command reads itself
+    ASSERT_EQ(idt(options + file).status, 0);
+    ASSERT_EQ(idt(std::string("triangulate ") + file + " --stats s.json").status, 0);
+    EXPECT_EQ(stats()["faces"], triangles);
+  }
 }
 
 TEST_F(Refine_command, refines_surfaces_that_have_lengths_alone)

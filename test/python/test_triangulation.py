@@ -219,3 +219,34 @@ def test_large_and_small_units():
         t = it.Triangulation(V * scale, F)
         assert t.flip_to_delaunay().is_delaunay
         assert numpy.allclose(t.lengths / scale, it.Triangulation(V, F).lengths)
+
+
+def test_straight_triangles():
+    V = [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+    F = [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]]
+    t = it.Triangulation(V, F)
+    sharp = t.sharp_edges(30)
+    assert t.refine(maximum_edge_length=0.3, constrained=sharp).is_refined
+    mesh = t.straight_mesh(sharp)
+    assert mesh.is_surface and mesh.message == "" and mesh.deviation < 1e-13 and mesh.minimum_angle > 24.99
+    assert len(set(mesh.regions)) == 6 and len(set(mesh.lines)) == 12
+    assert numpy.array_equal(mesh.triangles, t.faces) and numpy.array_equal(mesh.points, t.positions)
+    corners = mesh.points[mesh.triangles]
+    areas = numpy.linalg.norm(numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2
+    assert numpy.allclose(numpy.bincount(mesh.regions, areas), 1)
+    assert numpy.array_equal(numpy.asarray(mesh.input_faces) // 2 == mesh.input_faces[0] // 2, mesh.regions == mesh.regions[0])
+    assert len(t.straight_mesh(sharp, thin_angle=60).thin_triangles) > 0
+    assert len(t.straight_mesh().lines) == 0
+    with pytest.raises(ValueError):
+        t.straight_mesh(sharp[:5])
+    with pytest.raises(ValueError):
+        it.Triangulation.from_lengths([[0, 1, 2]], [[1, 1, 1]]).straight_mesh()
+
+
+def test_straight_triangles_of_a_thin_box_are_no_surface():
+    V = [[x, y, z] for x in (0, 1) for y in (0, 0.1) for z in (0, 0.1)]
+    F = [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]]
+    t = it.Triangulation(V, F)
+    t.refine()
+    mesh = t.straight_mesh()
+    assert not mesh.is_surface and len(mesh.loops) > 0 and "left out" in mesh.message

@@ -13,6 +13,8 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/straight_mesh.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Carried_properties.h>
@@ -177,6 +179,40 @@ auto to_surface_mesh(const Intrinsic_triangulation<Traits>& triangulation, const
                      const NamedParameters& np = parameters::default_values())
 {
   return to_surface_mesh(triangulation, internal::points_of(mesh, np));
+}
+
+/// \ingroup PkgIntrinsicTriangulationsAdaptors
+/// \brief copies straight triangles into a `Surface_mesh`.
+///
+/// Vertex and face i are point and triangle i. The property maps `"f:input_face"` and `"f:region"` have the value type
+/// `std::uint32_t`, and so has `"e:line"`: the number of the line of a marked edge, and `number_of_lines` for all others.
+///
+/// \tparam Point the type of the points
+/// \param straight the triangles
+/// \exception Invalid_surface_error if they are no manifold. O(size).
+template <class Point>
+CGAL::Surface_mesh<Point> to_surface_mesh(const Straight_mesh& straight)
+{
+  using Mesh = CGAL::Surface_mesh<Point>;
+  std::vector<Point> points;
+  for (const auto& [x, y, z] : straight.points)
+    points.emplace_back(x, y, z);
+  Mesh mesh = to_surface_mesh(make_Delta_complex_from_triangles(points.size(), straight.triangles), points);
+  using Edge = typename Mesh::Edge_index;
+  using Face = typename Mesh::Face_index;
+  using Vertex = typename Mesh::Vertex_index;
+  auto input_face = mesh.template add_property_map<Face, std::uint32_t>("f:input_face").first;
+  auto region = mesh.template add_property_map<Face, std::uint32_t>("f:region").first;
+  auto line = mesh.template add_property_map<Edge, std::uint32_t>("e:line", straight.number_of_lines).first;
+  for (std::uint32_t f = 0; f < straight.triangles.size(); ++f) {
+    input_face[Face(f)] = straight.input_faces[f].idx();
+    region[Face(f)] = straight.regions[f];
+  }
+  for (std::size_t i = 0; i < straight.marked_edges.size(); ++i) {
+    const auto [a, b] = straight.marked_edges[i];
+    line[mesh.edge(mesh.halfedge(Vertex(a), Vertex(b)))] = straight.lines[i];
+  }
+  return mesh;
 }
 
 /// \ingroup PkgIntrinsicTriangulationsAdaptors

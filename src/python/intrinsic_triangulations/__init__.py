@@ -22,7 +22,7 @@ from ._heat import MeshHeatMethodDistanceSolver, compute_distance, compute_dista
 from ._laplacian import laplacian, mesh_laplacian, point_cloud_laplacian
 from ._mesh import cotan_laplacian, face_areas, vertex_areas
 from ._subdivision import CommonSubdivision
-from ._triangulation import FlipReport, RefinementReport, Triangulation, VerificationReport
+from ._triangulation import FlipReport, RefinementReport, StraightMesh, Triangulation, VerificationReport
 from ._vectors import MeshVectorHeatSolver
 from ._view import Page, view
 
@@ -46,6 +46,7 @@ __all__ = [
     "RefinementReport",
     "Repair",
     "RepairedMesh",
+    "StraightMesh",
     "Triangulation",
     "UndecidedError",
     "VerificationReport",

@@ -65,6 +65,43 @@ class RefinementReport(NamedTuple):
     """The smallest size, given or chosen."""
 
 
+class StraightMesh(NamedTuple):
+    """The result of `Triangulation.straight_mesh`: another surface, of which nothing is known but what stands here."""
+
+    points: numpy.ndarray
+    """(n, 3) array: the positions of all vertices of the triangulation."""
+    triangles: numpy.ndarray
+    """(t, 3) array of int64: the faces with three different corners, in order."""
+    faces: numpy.ndarray
+    """(t,) array of int64: the face of the triangulation that each triangle is."""
+    input_faces: numpy.ndarray
+    """(t,) array of int64: the face of the input that covers most of each triangle."""
+    regions: numpy.ndarray
+    """(t,) array of int64: the number of the region of each triangle. Marked edges separate regions."""
+    marked_edges: numpy.ndarray
+    """(e, 2) array of int64: the ends of the marked edges and of those of the border."""
+    lines: numpy.ndarray
+    """(e,) array of int64: the number of the line of each of them: connected edges with the same regions beside them."""
+    deviation: float
+    """No point of either surface is farther than this from the other one: proven, rounding included."""
+    deviation_place: numpy.ndarray
+    """(3,) array: where on the surface that distance is attained, nearly."""
+    minimum_angle: float
+    """The smallest angle of the triangles, in degrees."""
+    thin_triangles: numpy.ndarray
+    """The numbers of the triangles with an angle below `thin_angle`."""
+    sharp_corners: int
+    """How many of them have it between two marked edges, where every mesh has that angle."""
+    loops: numpy.ndarray
+    """The edges of the triangulation whose ends are the same: their faces are left out."""
+    multiple_edges: numpy.ndarray
+    """The edges of the triangulation that have both ends in common with one before."""
+    is_surface: bool
+    """Whether the triangles are a manifold, without other holes than the surface has and without doubled triangles."""
+    message: str
+    """What makes them no surface, in words."""
+
+
 class Triangulation:
     """A triangulation of a surface in space, or of one given by lengths.
 
@@ -544,6 +581,45 @@ class Triangulation:
             raise ValueError("the surface is given by lengths: its vertices have no positions")
         subdivision = self.common_subdivision() if self.number_of_vertices > len(self._points) else None
         return self._points.copy() if subdivision is None else subdivision.positions[:self.number_of_vertices]
+
+    def straight_mesh(self, marked: Optional[ArrayLike] = None, thin_angle: float = 10) -> StraightMesh:
+        """Return the faces as straight triangles in space, for programs that know no others.
+
+        That is another surface. Refine the triangulation to bring the two close to each other.
+
+        Parameters
+        ----------
+        marked : (k,) array of bool, optional
+            The edges of the input, as `sharp_edges` returns them, whose parts separate regions. Pass those that
+            `refine` has kept, for no other edge of the input stays an edge for sure.
+        thin_angle : float
+            Triangles with a smaller angle, in degrees, are listed.
+
+        Returns
+        -------
+        StraightMesh
+
+        Raises
+        ------
+        ValueError
+            If the surface is given by lengths alone, or there is not one mark for each edge of the input.
+
+        Examples
+        --------
+        >>> import intrinsic_triangulations as it
+        >>> t = it.Triangulation([[0, 0, 0], [4, 0, 0], [2, 1, 0], [2, 0, 1]], [[0, 1, 2], [1, 0, 3]])
+        >>> sharp = t.sharp_edges(30)
+        >>> t.refine(25, constrained=sharp).is_refined
+        True
+        >>> mesh = t.straight_mesh(sharp)
+        >>> mesh.is_surface, mesh.deviation < 1e-13, int(mesh.regions.max()) + 1, int(mesh.lines.max()) + 1
+        (True, True, 2, 3)
+        """
+        if self._points is None:
+            raise ValueError("the surface is given by lengths: its triangles are not in space")
+        subdivision = _core.subdivision(self._surface)
+        marks = _arrays.marks(marked, "marked", subdivision.number_of_input_edges())
+        return StraightMesh(*subdivision.straight_mesh(self._points, marks, _arrays.number(thin_angle, "thin_angle")))
 
     def common_subdivision(self) -> CommonSubdivision:
         """Return the common subdivision of the input and this triangulation, as it is now.

@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// The faces of an intrinsic triangulation as straight triangles in space, and what they are worth.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_STRAIGHT_MESH_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_STRAIGHT_MESH_H
+
+#include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
+#include <CGAL/Intrinsic_triangulations/internal/Index.h>
+#include <CGAL/Intrinsic_triangulations/validate_triangles.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsOverlay
+/// \brief the faces of an intrinsic triangulation as straight triangles between their corners in space.
+///
+/// That is another surface, of which nothing is known but what stands here.
+struct Straight_mesh
+{
+  std::vector<std::array<double, 3>> points; ///< of all vertices of the triangulation, rounded where they were inserted
+  /// the faces with three different corners, in order
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<Face_index> faces;       ///< for each triangle, the face of the triangulation that it is
+  std::vector<Face_index> input_faces; ///< for each triangle, the face of the input that covers most of it
+  /// for each triangle, the number of its region. Marked edges separate regions
+  std::vector<std::uint32_t> regions;
+  std::uint32_t number_of_regions = 0; ///< the number of regions
+
+  /// the marked edges and those of the border, by their ends, except loops
+  std::vector<std::array<std::uint32_t, 2>> marked_edges;
+  /// for each of them, the number of its line: connected edges with the same region, or two, beside them
+  std::vector<std::uint32_t> lines;
+  std::uint32_t number_of_lines = 0; ///< the number of lines
+
+  /// \brief no point of the surface is farther than this from its place in the straight triangle of its face.
+  ///
+  /// So neither surface is farther from the other at any point. It is proven, rounding included.
+  double deviation = 0;
+  std::array<double, 3> deviation_place{}; ///< where on the surface that distance is attained, nearly
+
+  double minimum_angle = 180;                ///< the smallest angle of the triangles, in degrees
+  std::vector<std::uint32_t> thin_triangles; ///< those with an angle below the given bound
+  /// how many of them have it between two marked edges, where every mesh has that angle
+  std::size_t number_of_sharp_corners = 0;
+
+  std::vector<Edge_index> loops; ///< edges of the triangulation whose ends are the same: their faces are left out
+  std::vector<Edge_index> multiple_edges; ///< edges that have both ends in common with one before, other than loops
+  Surface_report surface; ///< what `examine_polygons()` finds in the triangles: edges of three triangles, for instance
+
+  /// returns whether the triangles are a manifold without holes that the surface does not have, and no two of them have
+  /// the same corners. Complexity: constant.
+  bool is_surface() const
+  {
+    return loops.empty() && multiple_edges.empty() && surface.first_fatal() == nullptr &&
+           surface.find(Invalid_surface_error::Defect::DUPLICATE_FACE) == nullptr;
+  }
+};
+
+/// \ingroup PkgIntrinsicTriangulationsOverlay
+/// \brief makes straight triangles of the faces of an intrinsic triangulation, for programs that know no others.
+///
+/// The distance from the surface is the maximum of |x − φ(x)| for the map φ that is linear on each intrinsic face. It is
+/// attained at a vertex of the overlay: x − φ(x) is linear on each of its faces, as these lie in a plane of the input.
+///
+/// \param subdivision the common subdivision of the triangulation and its input
+/// \param points the positions of the vertices of the input
+/// \param is_marked for each edge of the input, whether the edges of the triangulation that are parts of it are marked;
+///   empty if none is. Mark those that refinement has kept, for no other edge of the input stays an edge for sure
+/// \param thin_angle triangles with a smaller angle, in degrees, are listed
+///
+/// \return the triangles with regions, lines and defects
+/// \exception Invalid_argument_error if there are not as many points or marks as vertices or edges of the input
+///
+/// Complexity: linear in the size of the overlay, and O(n log n) for n edges.
+Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::vector<std::array<double, 3>>& points,
+                            const std::vector<bool>& is_marked = {}, double thin_angle = 10);
+
+/// \ingroup PkgIntrinsicTriangulationsOverlay
+/// \brief returns a sentence about what makes straight triangles no surface, with the numbers and the first places.
+/// \param mesh the triangles
+/// \return for example "edges 17 and 18 of the triangulation both join vertices 3 and 4 at (0, 0, 1), and ...". Empty if
+///   `mesh.is_surface()`. Complexity: constant.
+std::string message(const Straight_mesh& mesh);
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_STRAIGHT_MESH_H

@@ -1,0 +1,272 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Straight triangles: their distance from the surface, by sampling; regions, lines and defects.
+
+#include <CGAL/Intrinsic_triangulations/straight_mesh.h>
+#include <CGAL/Intrinsic_triangulations/surface_mesh_adaptors.h>
+
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/surface_features.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <gtest/gtest.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace IT = CGAL::Intrinsic_triangulations;
+
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Points = std::vector<std::array<double, 3>>;
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
+
+struct Model
+{
+  Points points;
+  Triangles triangles;
+
+  IT::Delta_complex complex() const { return IT::make_Delta_complex_from_triangles(points.size(), triangles); }
+  Triangulation triangulation() const { return Triangulation(complex(), points); }
+};
+
+Model box(double y, double z)
+{
+  return {{{0, 0, 0}, {1, 0, 0}, {0, y, 0}, {1, y, 0}, {0, 0, z}, {1, 0, z}, {0, y, z}, {1, y, z}},
+          {{0, 2, 3},
+           {0, 3, 1},
+           {4, 5, 7},
+           {4, 7, 6},
+           {0, 1, 5},
+           {0, 5, 4},
+           {2, 6, 7},
+           {2, 7, 3},
+           {0, 4, 6},
+           {0, 6, 2},
+           {1, 3, 7},
+           {1, 7, 5}}};
+}
+
+// A graph over a grid of n by n squares.
+template <class Height>
+Model graph(std::uint32_t n, const Height& height)
+{
+  Model result;
+  for (std::uint32_t i = 0; i <= n; ++i)
+    for (std::uint32_t j = 0; j <= n; ++j)
+      result.points.push_back({double(i) / n, double(j) / n, height(double(i) / n, double(j) / n)});
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = 0; j < n; ++j) {
+      const std::uint32_t a = i * (n + 1) + j, b = a + n + 1;
+      result.triangles.push_back({a, b, b + 1});
+      result.triangles.push_back({a, b + 1, a + 1});
+    }
+  return result;
+}
+
+IT::Refinement_report refine(Triangulation& t, const std::vector<bool>& is_kept, double longest)
+{
+  const auto map = boost::make_function_property_map<IT::Edge_index, bool>(
+    [&](IT::Edge_index e) { return e.idx() < is_kept.size() && is_kept[e.idx()]; });
+  return IT::refine_Delaunay(
+    t, CGAL::parameters::minimum_angle(25).maximum_edge_length(longest).edge_is_constrained_map(map));
+}
+
+// By the closest point of each triangle, from the definition of that point.
+double distance(const std::array<double, 3>& from, const Points& points, const Triangles& triangles)
+{
+  const Kernel::Point_3 p(from[0], from[1], from[2]);
+  double result = std::numeric_limits<double>::infinity();
+  for (const auto& t : triangles) {
+    std::array<Kernel::Point_3, 3> c;
+    for (std::size_t i = 0; i < 3; ++i)
+      c[i] = {points[t[i]][0], points[t[i]][1], points[t[i]][2]};
+    for (std::size_t i = 0; i < 3; ++i)
+      result = (std::min)(result, std::sqrt(CGAL::squared_distance(p, Kernel::Segment_3(c[i], c[(i + 1) % 3]))));
+    const Kernel::Plane_3 plane(c[0], c[1], c[2]);
+    const Kernel::Point_3 foot = plane.projection(p);
+    const Kernel::Vector_3 normal = plane.orthogonal_vector();
+    bool is_inside = true;
+    for (std::size_t i = 0; i < 3; ++i)
+      is_inside = is_inside && CGAL::cross_product(c[(i + 1) % 3] - c[i], foot - c[i]) * normal >= 0;
+    if (is_inside)
+      result = (std::min)(result, std::sqrt(CGAL::squared_distance(p, foot)));
+  }
+  return result;
+}
+
+double farthest_sample(const Points& points, const Triangles& triangles, const Points& others,
+                       const Triangles& other_triangles)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  double result = 0;
+  for (const auto& t : triangles)
+    for (int sample = 0; sample < 4; ++sample) {
+      double u = uniform(random), v = uniform(random);
+      if (u + v > 1)
+        u = 1 - u, v = 1 - v;
+      std::array<double, 3> p{};
+      for (std::size_t i = 0; i < 3; ++i)
+        p[i] = (1 - u - v) * points[t[0]][i] + u * points[t[1]][i] + v * points[t[2]][i];
+      result = (std::max)(result, distance(p, others, other_triangles));
+    }
+  return result;
+}
+
+} // namespace
+
+TEST(Straight_mesh, of_an_unchanged_triangulation_is_the_input)
+{
+  const Model model = box(1, 1);
+  const Triangulation t = model.triangulation();
+  const IT::Straight_mesh mesh = IT::straight_mesh(IT::Common_subdivision(t), model.points);
+  EXPECT_EQ(mesh.points, model.points);
+  EXPECT_EQ(mesh.triangles.size(), 12u);
+  EXPECT_EQ(mesh.deviation, 0);
+  EXPECT_NEAR(mesh.minimum_angle, 45, 1e-12);
+  EXPECT_TRUE(mesh.is_surface());
+  EXPECT_EQ(message(mesh), "");
+  EXPECT_EQ(mesh.number_of_regions, 1u);
+  EXPECT_TRUE(mesh.marked_edges.empty());
+  for (std::uint32_t f = 0; f < 12; ++f)
+    EXPECT_EQ(mesh.input_faces[f], mesh.faces[f]);
+}
+
+// The long ridge of a roof is flipped away: its middle is at a distance of 1 from the other diagonal.
+TEST(Straight_mesh, tells_how_far_it_is_away)
+{
+  const Model roof{{{0, -1, 0}, {2, 0, 1}, {0, 1, 0}, {-2, 0, 1}}, {{0, 1, 3}, {3, 1, 2}}};
+  Triangulation t = roof.triangulation();
+  IT::flip_to_Delaunay(t);
+  const IT::Straight_mesh mesh = IT::straight_mesh(IT::Common_subdivision(t), roof.points);
+  EXPECT_GE(mesh.deviation, 1);
+  EXPECT_LT(mesh.deviation, 1 + 1e-13);
+  EXPECT_NEAR(mesh.deviation_place[2], 1, 1e-15);
+  EXPECT_EQ(mesh.number_of_regions, 1u);
+  EXPECT_EQ(mesh.number_of_lines, 1u);
+  EXPECT_EQ(mesh.marked_edges.size(), 4u);
+}
+
+TEST(Straight_mesh, is_as_near_as_it_says_in_both_directions)
+{
+  const Model model = graph(12, [](double x, double y) { return 0.3 * std::sin(9 * x) * std::cos(7 * y); });
+  Triangulation t = model.triangulation();
+  refine(t, {}, 0.3);
+  const IT::Straight_mesh mesh = IT::straight_mesh(IT::Common_subdivision(t), model.points);
+  ASSERT_TRUE(mesh.is_surface()) << message(mesh);
+  const double there = farthest_sample(model.points, model.triangles, mesh.points, mesh.triangles),
+               back = farthest_sample(mesh.points, mesh.triangles, model.points, model.triangles);
+  EXPECT_LE(there, mesh.deviation);
+  EXPECT_LE(back, mesh.deviation);
+  EXPECT_GT((std::max)(there, back), mesh.deviation / 4);
+}
+
+TEST(Straight_mesh, has_the_regions_between_marked_edges_and_the_lines_around_them)
+{
+  const Model cube = box(1, 1);
+  Triangulation t = cube.triangulation();
+  const std::vector<bool> sharp = IT::sharp_edges(t.input(), cube.points, 30);
+  refine(t, sharp, 0.3);
+  const IT::Straight_mesh mesh = IT::straight_mesh(IT::Common_subdivision(t), cube.points, sharp);
+  EXPECT_TRUE(mesh.is_surface());
+  EXPECT_LT(mesh.deviation, 1e-13);
+  EXPECT_EQ(mesh.number_of_regions, 6u);
+  EXPECT_EQ(mesh.number_of_lines, 12u);
+  std::vector<double> area(6), length(12);
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    std::array<Kernel::Point_3, 3> c;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto& [x, y, z] = mesh.points[mesh.triangles[f][i]];
+      c[i] = {x, y, z};
+    }
+    area[mesh.regions[f]] += std::sqrt(CGAL::squared_area(c[0], c[1], c[2]));
+    EXPECT_EQ(mesh.input_faces[f].idx() / 2,
+              mesh.input_faces[std::size_t(std::find(mesh.regions.begin(), mesh.regions.end(), mesh.regions[f]) -
+                                           mesh.regions.begin())]
+                  .idx() /
+                2);
+  }
+  for (double a : area)
+    EXPECT_NEAR(a, 1, 1e-12);
+  for (std::size_t i = 0; i < mesh.marked_edges.size(); ++i) {
+    const auto [a, b] = mesh.marked_edges[i];
+    const auto &p = mesh.points[a], &q = mesh.points[b];
+    length[mesh.lines[i]] += std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+  }
+  for (double l : length)
+    EXPECT_NEAR(l, 1, 1e-12);
+  // The same in a Surface_mesh.
+  auto copy = IT::to_surface_mesh<Kernel::Point_3>(mesh);
+  EXPECT_TRUE(copy.is_valid());
+  EXPECT_EQ(copy.number_of_faces(), mesh.triangles.size());
+  std::size_t on_lines = 0;
+  const auto line = copy.add_property_map<CGAL::SM_Edge_index, std::uint32_t>("e:line").first;
+  for (auto e : copy.edges())
+    on_lines += line[e] < mesh.number_of_lines;
+  EXPECT_EQ(on_lines, mesh.marked_edges.size());
+}
+
+// Two holes in a plate have lines of their own, although the same region lies beside them.
+TEST(Straight_mesh, separates_the_lines_of_holes)
+{
+  Model plate = graph(7, [](double, double) { return 0.; });
+  plate.triangles.erase(plate.triangles.begin() + 66, plate.triangles.begin() + 68);
+  plate.triangles.erase(plate.triangles.begin() + 18, plate.triangles.begin() + 20);
+  const Triangulation t = plate.triangulation();
+  const IT::Straight_mesh mesh = IT::straight_mesh(IT::Common_subdivision(t), plate.points);
+  EXPECT_EQ(mesh.number_of_lines, 3u);
+  EXPECT_EQ(mesh.marked_edges.size(), 28u + 4 + 4);
+}
+
+// Edges run around a thin box.
+TEST(Straight_mesh, names_what_makes_it_no_surface)
+{
+  const Model thin = box(0.1, 0.1);
+  Triangulation t = thin.triangulation();
+  refine(t, {}, 10);
+  const IT::Straight_mesh mesh = IT::straight_mesh(IT::Common_subdivision(t), thin.points);
+  EXPECT_FALSE(mesh.is_surface());
+  EXPECT_FALSE(mesh.loops.empty());
+  EXPECT_LT(mesh.triangles.size(), t.connectivity().number_of_faces());
+  for (IT::Edge_index e : mesh.loops) {
+    const IT::Halfedge_index h = t.connectivity().halfedge(e);
+    EXPECT_EQ(t.connectivity().source(h), t.connectivity().target(h));
+  }
+  EXPECT_NE(message(mesh).find(" (at "), std::string::npos) << message(mesh);
+  EXPECT_NE(message(mesh).find("left out"), std::string::npos) << message(mesh);
+}
+
+TEST(Straight_mesh, tells_sharp_corners_from_other_thin_triangles)
+{
+  const Model fan{{{0, 0, 0}, {1, 0, 0}, {1, 0.05, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  Triangulation t = fan.triangulation();
+  const IT::Straight_mesh mesh = IT::straight_mesh(IT::Common_subdivision(t), fan.points);
+  EXPECT_EQ(mesh.thin_triangles, std::vector<std::uint32_t>{0});
+  EXPECT_EQ(mesh.number_of_sharp_corners, 0u);
+  std::vector<bool> is_marked(5, true);
+  EXPECT_EQ(IT::straight_mesh(IT::Common_subdivision(t), fan.points, is_marked).number_of_sharp_corners, 1u);
+  EXPECT_TRUE(IT::straight_mesh(IT::Common_subdivision(t), fan.points, {}, 1).thin_triangles.empty());
+}
+
+TEST(Straight_mesh, refuses_wrong_numbers_of_points_and_marks)
+{
+  const Model cube = box(1, 1);
+  const IT::Common_subdivision subdivision(cube.triangulation());
+  EXPECT_THROW(IT::straight_mesh(subdivision, {}), IT::Invalid_argument_error);
+  EXPECT_THROW(IT::straight_mesh(subdivision, cube.points, {true}), IT::Invalid_argument_error);
+}
