@@ -27,7 +27,6 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/prolongation_matrix.h>
 #include <CGAL/Intrinsic_triangulations/simplify_surface.h>
-#include <CGAL/Intrinsic_triangulations/surface_features.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
 #include <CGAL/Intrinsic_triangulations/triangulation_io.h>
 
@@ -39,7 +38,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -94,23 +92,16 @@ std::vector<bool> kept_vertices(const Simplify_options& options, std::size_t num
   return result;
 }
 
-std::vector<bool> constrained_edges(const Simplify_options& options, const Surface& surface,
-                                    const Triangulation& triangulation)
+// Those of a saved triangulation.
+std::vector<bool> constrained_edges(const Surface& surface, const Triangulation& triangulation)
 {
-  std::vector<bool> of_input = surface.saved ? surface.saved->is_constrained : std::vector<bool>();
-  of_input.resize(surface.connectivity.number_of_edges());
-  if (options.constrained_angle) {
-    if (!surface.has_points())
-      refuse_file(surface.path, "--constrain-angle needs a surface in space, but this one has only edge lengths");
-    const std::vector<bool> is_sharp =
-      IT::sharp_edges(surface.connectivity, surface.points, *options.constrained_angle);
-    std::transform(is_sharp.begin(), is_sharp.end(), of_input.begin(), of_input.begin(), std::logical_or<>());
-  }
-  std::vector<bool> result;
   const IT::Delta_complex& complex = triangulation.connectivity();
-  for (IT::Edge_index e : complex.edges())
-    result.push_back(triangulation.is_input_edge(e) &&
-                     of_input[complex.edge(triangulation.input_halfedge(complex.halfedge(e))).idx()]);
+  std::vector<bool> result(complex.number_of_edges());
+  if (surface.saved && !surface.saved->is_constrained.empty())
+    for (IT::Edge_index e : complex.edges())
+      result[e.idx()] =
+        triangulation.is_input_edge(e) &&
+        surface.saved->is_constrained[complex.edge(triangulation.input_halfedge(complex.halfedge(e))).idx()];
   return result;
 }
 
@@ -223,14 +214,19 @@ Exit_status simplify_file(const std::string& path, const Simplify_options& optio
   IT::Element_numbers input_numbers;
   if (!options.view.empty())
     input_numbers = IT::element_numbers(make_triangulation<IT::Filtered_edge_length_traits>(surface));
-  IT::Simplification_options how;
-  how.maximum_change = options.maximum_change.value_or(
-    options.number_of_vertices ? std::numeric_limits<double>::infinity() : how.maximum_change);
-  how.number_of_vertices = std::size_t(options.number_of_vertices.value_or(0));
-  how.is_kept = kept_vertices(options, fine.connectivity().number_of_vertices());
-  how.is_constrained = constrained_edges(options, surface, fine);
-  how.progress = [](double) { return !is_interrupted(); };
-  const IT::Simplified_surface result = IT::simplify_surface(fine, how);
+  const std::vector<bool> is_kept = kept_vertices(options, fine.connectivity().number_of_vertices()),
+                          is_constrained = constrained_edges(surface, fine);
+  if (options.constrained_angle && !surface.has_points())
+    refuse_file(path, "--constrain-angle needs a surface in space, but this one has only edge lengths");
+  const IT::Simplified_surface result =
+    IT::simplify_surface(fine, CGAL::parameters::maximum_change(options.maximum_change)
+                                 .number_of_vertices(options.number_of_vertices.value_or(0))
+                                 .sharp_angle(options.constrained_angle.value_or(180))
+                                 .vertex_is_constrained_map(boost::make_function_property_map<IT::Vertex_index, bool>(
+                                   [&](IT::Vertex_index v) { return bool(is_kept[v.idx()]); }))
+                                 .edge_is_constrained_map(boost::make_function_property_map<IT::Edge_index, bool>(
+                                   [&](IT::Edge_index e) { return bool(is_constrained[e.idx()]); }))
+                                 .visitor([] { return !is_interrupted(); }));
   const double seconds = stopwatch.seconds();
   const std::size_t n = fine.connectivity().number_of_vertices();
   write_file(options.output, [&](std::ostream& os) {

@@ -40,6 +40,7 @@
 #include "simplification/Fan_proof.cpp"
 #include "simplification/Simplification_map.cpp"
 #include "simplification/Simplifier.cpp"
+#include "simplification/simplify_surface.cpp"
 #include "parameterization/Doubled_surface.cpp"
 #include "parameterization/Conformal_targets.cpp"
 #include "parameterization/Conformal_system.cpp"

@@ -59,7 +59,7 @@ TEST(Simplification_bound, exact_distances_of_all_vertices_are_within_it)
     for (double change : {0.02, 0.2, 1.}) {
       SCOPED_TRACE(name + " " + std::to_string(change));
       Triangulation fine = triangulation_of(surface);
-      IT::Simplified_surface result = IT::simplify_surface(fine, {change});
+      IT::Simplified_surface result = IT::simplify_surface(fine, CGAL::parameters::maximum_change(change));
       ASSERT_LT(result.kept.size(), surface.points.size());
       EXPECT_GE(result.shrink, 1 / (1 + change));
       EXPECT_LE(result.stretch, 1 + change);
@@ -278,7 +278,7 @@ private:
 
 void expect_replayed(Triangulation fine, double change)
 {
-  const IT::Simplified_surface result = IT::simplify_surface(fine, {change});
+  const IT::Simplified_surface result = IT::simplify_surface(fine, CGAL::parameters::maximum_change(change));
   const Replay replay(result.map);
   for (IT::Face_index f : result.map.coarse().faces()) {
     EXPECT_LE(Real(result.changes_in_faces[f.idx()].shrink), replay.of_face(f).down);

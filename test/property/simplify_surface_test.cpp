@@ -10,7 +10,8 @@
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/simplify_surface.h>
-#include <CGAL/Intrinsic_triangulations/surface_features.h>
+
+#include <boost/property_map/function_property_map.hpp>
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <random>
@@ -28,7 +28,7 @@
 namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
-constexpr double infinity = std::numeric_limits<double>::infinity();
+namespace np = CGAL::parameters;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 using samples::Indexed_triangles;
 
@@ -40,7 +40,13 @@ Triangulation triangulation_of(const Indexed_triangles& surface)
 IT::Simplified_surface simplified(const Indexed_triangles& surface, double change = 0.05)
 {
   Triangulation fine = triangulation_of(surface);
-  return IT::simplify_surface(fine, {change});
+  return IT::simplify_surface(fine, np::maximum_change(change));
+}
+
+template <class Descriptor>
+auto as_map(const std::vector<bool>& marks)
+{
+  return boost::make_function_property_map<Descriptor, bool>([&](Descriptor d) { return bool(marks[d.idx()]); });
 }
 
 // The surface of a box, with n by n squares a side.
@@ -135,7 +141,7 @@ TEST(Simplify_surface, larger_changes_leave_fewer_vertices_within_their_bound)
 TEST(Simplify_surface, a_number_of_vertices_is_reached_exactly)
 {
   Triangulation fine = triangulation_of(samples::bumpy_sphere(30, 20, 0.1));
-  const IT::Simplified_surface result = IT::simplify_surface(fine, {infinity, 100});
+  const IT::Simplified_surface result = IT::simplify_surface(fine, np::number_of_vertices(100));
   EXPECT_EQ(result.kept.size(), 100u);
   EXPECT_GT(result.reasons.by_number, 0u);
   EXPECT_TRUE(std::isfinite(result.stretch));
@@ -145,10 +151,11 @@ TEST(Simplify_surface, a_number_of_vertices_is_reached_exactly)
 TEST(Simplify_surface, given_vertices_are_kept)
 {
   Triangulation fine = triangulation_of(box(6));
-  IT::Simplification_options options;
+  std::vector<bool> is_kept;
   for (IT::Vertex_index v : fine.connectivity().vertices())
-    options.is_kept.push_back(v.idx() % 7 == 0);
-  const IT::Simplified_surface result = IT::simplify_surface(fine, options);
+    is_kept.push_back(v.idx() % 7 == 0);
+  const IT::Simplified_surface result =
+    IT::simplify_surface(fine, np::vertex_is_constrained_map(as_map<IT::Vertex_index>(is_kept)));
   for (std::uint32_t v = 0; v < fine.connectivity().number_of_vertices(); v += 7)
     EXPECT_EQ(std::count(result.kept.begin(), result.kept.end(), IT::Vertex_index(v)), 1) << v;
 }
@@ -158,8 +165,7 @@ TEST(Simplify_surface, sharp_edges_are_kept_as_lines)
 {
   const Indexed_triangles surface = box(6, {1, 0.5, 2});
   Triangulation fine = triangulation_of(surface);
-  const std::vector<bool> is_sharp = IT::sharp_edges(fine.connectivity(), surface.points, 30);
-  const IT::Simplified_surface result = IT::simplify_surface(fine, {0.05, 0, {}, is_sharp, {}});
+  const IT::Simplified_surface result = IT::simplify_surface(fine, np::sharp_angle(30));
   EXPECT_EQ(result.kept.size(), 8u);
   EXPECT_EQ(std::count(result.is_constrained.begin(), result.is_constrained.end(), true), 12);
   expect_nearly_isometric(result);
@@ -185,7 +191,8 @@ TEST(Simplify_surface, curved_lines_become_straight_within_the_bound)
     number += is_line[e.idx()];
   }
   ASSERT_GT(number, 24u);
-  const IT::Simplified_surface result = IT::simplify_surface(fine, {0.5, 0, {}, is_line, {}});
+  const IT::Simplified_surface result =
+    IT::simplify_surface(fine, np::maximum_change(0.5).edge_is_constrained_map(as_map<IT::Edge_index>(is_line)));
   EXPECT_LT(result.kept.size(), surface.points.size());
   const std::size_t left = std::size_t(std::count(result.is_constrained.begin(), result.is_constrained.end(), true));
   EXPECT_GT(left, 0u);
@@ -347,10 +354,11 @@ TEST(Simplification_map, points_that_do_not_exist_are_refused)
 
 void expect_bound(Triangulation fine, double change)
 {
-  const IT::Simplified_surface result = IT::simplify_surface(fine, {change});
-  EXPECT_GE(result.shrink, 0);
+  const IT::Simplified_surface result = IT::simplify_surface(fine, np::maximum_change(change));
+  EXPECT_GE(result.shrink, 1 / (1 + change) - 1e-12);
   EXPECT_LE(result.shrink, 1);
   EXPECT_GE(result.stretch, 1);
+  EXPECT_LE(result.stretch, 1 + change + 1e-12);
   EXPECT_TRUE(result.map.coarse().is_valid());
   for (const IT::Surface_point& place : result.places)
     if (place.halfedge.is_valid())
@@ -400,10 +408,10 @@ TEST(Simplify_surface, what_cannot_be_done_is_an_error)
   Triangulation tiny = Triangulation::from_lengths(complex, std::vector<double>{3e-320, 4e-320, 5e-320});
   EXPECT_THROW(IT::simplify_surface(tiny), IT::Invalid_surface_error);
   Triangulation fine = triangulation_of(box(2));
-  EXPECT_THROW(IT::simplify_surface(fine, {-1.}), IT::Invalid_argument_error);
-  EXPECT_THROW(IT::simplify_surface(fine, {std::nan("")}), IT::Invalid_argument_error);
+  EXPECT_THROW(IT::simplify_surface(fine, np::maximum_change(-1)), IT::Invalid_argument_error);
+  EXPECT_THROW(IT::simplify_surface(fine, np::maximum_change(std::nan(""))), IT::Invalid_argument_error);
   Triangulation large = triangulation_of(samples::bumpy_sphere(60, 40, 0.1));
-  EXPECT_THROW(IT::simplify_surface(large, {0.05, 0, {}, {}, [](double) { return false; }}), IT::Cancelled_error);
+  EXPECT_THROW(IT::simplify_surface(large, np::visitor([] { return false; })), IT::Cancelled_error);
 }
 
 TEST(Simplify_surface, evaluation_meshes_leave_few_vertices)

@@ -12,16 +12,17 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Simplification_map.h>
-#include <CGAL/Intrinsic_triangulations/element_numbers.h>
-#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 
-#include <CGAL/Named_function_parameters.h>
+#include <CGAL/property_map.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -32,7 +33,7 @@ namespace CGAL::Intrinsic_triangulations {
 struct Metric_change
 {
   double shrink = 1;  ///< at most 1, unless all lengths grow
-  double stretch = 1; ///< infinite if nothing is known
+  double stretch = 1; ///< at least 1, unless all lengths shrink
 };
 
 /// \ingroup PkgIntrinsicTriangulationsSimplification
@@ -46,46 +47,6 @@ struct Kept_vertices
   std::size_t by_number = 0;  ///< not asked for, as few enough vertices were left
   std::size_t isolated = 0;   ///< without a face
 };
-
-/// \ingroup PkgIntrinsicTriangulationsSimplification
-/// \brief how far `simplify_surface()` goes, and what it keeps.
-struct Simplification_options
-{
-  /// by which part a distance may change, not negative: `shrink >= 1 / (1 + maximum_change)` and
-  /// `stretch <= 1 + maximum_change`. Values below 10<sup>-12</sup> count as 10<sup>-12</sup>, which rounding takes. A
-  /// face of the given surface that is so thin that doubles for the lengths of its sides change it more is kept, and then
-  /// so is its bound
-  double maximum_change = 0.05;
-  /// no more vertices are removed when so many are left; with an infinite `maximum_change`, this alone decides
-  std::size_t number_of_vertices = 0;
-  std::vector<bool> is_kept{}; ///< for each vertex, whether it has to be kept; empty if none has to
-  /// for each edge, whether it has to be kept: it is not flipped, and becomes a part of a straight edge of the new
-  /// surface; empty if none has to
-  std::vector<bool> is_constrained{};
-  Progress_function progress{}; ///< is called from time to time with the fraction that is done, and can cancel
-};
-
-namespace internal {
-
-struct Simplification
-{
-  Delta_complex complex;
-  std::vector<double> lengths;
-  std::vector<bool> is_constrained;
-  std::vector<Vertex_index> kept;
-  std::vector<Metric_change> changes; // of the faces
-  Kept_vertices reasons;
-  Simplification_map map;
-};
-
-// \param lengths each within one unit in the last place of the exact length
-Simplification simplify(const Delta_complex& complex, std::vector<double> lengths,
-                        const Simplification_options& options);
-
-// Of all components, each given by the face with the smallest number.
-std::vector<std::pair<Face_index, Metric_change>> changes_by_component(const Simplification& simplification);
-
-} // namespace internal
 
 /// \ingroup PkgIntrinsicTriangulationsSimplification
 /// \brief a surface with fewer vertices, and its relation to the original one.
@@ -114,10 +75,18 @@ struct Simplified_surface
 
 namespace internal {
 
-Simplified_surface make_simplified_surface(Simplification simplification);
+struct Simplification_options
+{
+  double maximum_change;
+  std::size_t number_of_vertices;
+  std::vector<bool> is_kept, is_constrained; // of all vertices and edges
+  Progress_function progress;
+};
 
-// \exception Invalid_argument_error as simplify_surface()
-void check(const Simplification_options& options, const Delta_complex& complex);
+// For each edge, whether it is one of the input, or a part of one, that is sharp.
+std::vector<bool> sharp_edges_of_input(const Exact_engine& engine, double degrees);
+
+Simplified_surface simplify(const Exact_engine& engine, const Simplification_options& options);
 
 } // namespace internal
 
@@ -137,30 +106,77 @@ void check(const Simplification_options& options, const Delta_complex& complex);
 ///
 /// \tparam Traits traits with exact geometry
 /// \param triangulation a triangulation that keeps its input
-/// \param options how far to go, and what to keep
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{maximum_change}
+///     \cgalParamDescription{by which part a distance may change: `shrink >= 1 / (1 + maximum_change)` and
+///       `stretch <= 1 + maximum_change`. Values below 10<sup>-12</sup> count as 10<sup>-12</sup>, which rounding takes.
+///       Faces so thin that doubles do not describe them stay as they are; beside them, rounding one length comes on top}
+///     \cgalParamType{`double`, not negative}
+///     \cgalParamDefault{0.05, and no limit if `number_of_vertices` is given}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_vertices}
+///     \cgalParamDescription{no more vertices are removed when so many are left}
+///     \cgalParamType{`std::size_t`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{vertex_is_constrained_map}
+///     \cgalParamDescription{which vertices are kept}
+///     \cgalParamType{a model of `ReadablePropertyMap` with keys of type `Vertex_index`}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+///   \cgalParamConstraints{which edges are kept: they are not flipped, and become parts of straight edges of the new
+///     surface}
+///   \cgalParamNBegin{sharp_angle}
+///     \cgalParamDescription{edges of the input whose faces have directions that differ by more are kept as well, as by
+///       `sharp_edges()`}
+///     \cgalParamType{`double`, from 0 to 180 degrees}
+///     \cgalParamDefault{180: none}
+///   \cgalParamNEnd
+///   \cgalParamVisitor{is called from time to time with the fraction that is done, and can cancel}
+/// \cgalNamedParamsEnd
 ///
 /// \return the new surface. O(n log n) for vertices of bounded degree
-/// \exception Invalid_argument_error if `maximum_change` is negative or not a number, or there are not as many marks as
-///   vertices or edges
-/// \exception Invalid_surface_error if the length of an edge is below the range of normal doubles
-/// \exception Cancelled_error if `progress` asks for it
+/// \exception Invalid_argument_error if `maximum_change` or `sharp_angle` is out of range, or sharp edges are asked for on
+///   a surface that has only lengths
+/// \exception Invalid_surface_error if the length of an edge is below the range of normal doubles, or a face has an angle
+///   below 2<sup>-400</sup> and a side that is not an edge of the input
+/// \exception Cancelled_error if the visitor asks for it
 /// \exception Undecided_error as `flip_to_Delaunay()`
 ///
 /// Source: for the idea of laying a vertex flat, H.-T. D. Liu, M. Gillespie, B. Chislett, N. Sharp, A. Jacobson, K. Crane,
 /// "Surface simplification using intrinsic error metrics" (2023), which gives no bound.
-template <class Traits>
+template <class Traits, class NamedParameters = parameters::Default_named_parameters>
 Simplified_surface simplify_surface(Intrinsic_triangulation<Traits>& triangulation,
-                                    const Simplification_options& options = {})
+                                    const NamedParameters& np = parameters::default_values())
 {
   static_assert(Traits::Uses_exact_geometry::value, "simplify_surface(): needs traits that use exact geometry");
+  using internal::Parameter;
   const Delta_complex& complex = triangulation.connectivity();
-  internal::check(options, complex);
+  const std::size_t n = internal::value_of<Parameter::NUMBER_OF_VERTICES>(np, std::size_t(0));
+  const auto change = internal::value_of<Parameter::MAXIMUM_CHANGE>(np, std::optional<double>());
+  internal::Simplification_options options{
+    change.value_or(n == 0 ? 0.05 : std::numeric_limits<double>::infinity()),
+    n,
+    {},
+    internal::sharp_edges_of_input(internal::engine(triangulation),
+                                   internal::value_of<Parameter::SHARP_ANGLE>(np, 180.)),
+    internal::progress_function_of(np)};
+  const auto is_kept = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_is_constrained),
+                                                    Static_boolean_property_map<Vertex_index, false>());
+  for (Vertex_index v : complex.vertices())
+    options.is_kept.push_back(get(is_kept, v));
+  const auto is_given = internal::edge_constraints_of(np);
+  for (Edge_index e : complex.edges())
+    if (get(is_given, e))
+      options.is_constrained[e.idx()] = true;
   const auto is_constrained = boost::make_function_property_map<Edge_index, bool>(
-    [&](Edge_index e) { return !options.is_constrained.empty() && options.is_constrained[e.idx()]; });
+    [&](Edge_index e) { return bool(options.is_constrained[e.idx()]); });
   flip_to_Delaunay(triangulation, parameters::edge_is_constrained_map(is_constrained).visitor([&] {
     return !options.progress || options.progress(0);
   }));
-  return internal::make_simplified_surface(internal::simplify(complex, exact_edge_lengths(triangulation), options));
+  return internal::simplify(internal::engine(triangulation), options);
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -48,27 +48,32 @@ bool is_within(const Squared_change& change, double limit)
 
 } // namespace
 
-Squared_change change_by_rounding(const std::array<double, 3>& exact, const std::array<double, 3>& sides)
+Squared_change product(const Squared_change& a, const Squared_change& b)
+{
+  const Protector protector;
+  return product(a, Interval(b.down), Interval(b.up));
+}
+
+// From the rounded triangle to the other one, the eigenvalues of M are the roots of x² − 2hx + d, with |d| <= total²/area.
+Squared_change change_by_rounding(const std::array<double, 3>& sides)
 {
   const Protector protector;
   const Interval area = heron(sides[0], sides[1], sides[2]);
   if (!(area.inf() > 0))
     return {0, unbounded};
-  // From the rounded triangle to the exact one: the eigenvalues of M are the roots of x² − 2hx + d, with |d| <= total²/area.
   Interval half(0), total(0);
   for (std::size_t i = 0; i < 3; ++i) {
-    const Interval length(std::nextafter(std::nextafter(exact[i], 0.), 0.), std::nextafter(exact[i], unbounded));
-    const double off = largest_magnitude(CGAL::square(length) - squared(sides[i]));
+    const double up = std::nextafter(std::nextafter(sides[i], unbounded), unbounded);
+    const Interval off(largest_magnitude(squared(up) - squared(sides[i])));
     const Interval across = squared(sides[(i + 1) % 3]) + squared(sides[(i + 2) % 3]) - squared(sides[i]);
-    half += Interval(largest_magnitude(across)) * Interval(off);
-    total += Interval(off);
+    half += Interval(largest_magnitude(across)) * off;
+    total += off;
   }
   half /= area;
-  const Interval root = CGAL::sqrt(CGAL::square(half) + CGAL::square(total) / area);
-  const double most = (half + root).sup();
+  const double most = (half + CGAL::sqrt(CGAL::square(half) + CGAL::square(total) / area)).sup();
   if (!(most < 1))
     return {0, unbounded};
-  return {(Interval(1) / (Interval(1) + Interval(most))).inf(), (Interval(1) / (Interval(1) - Interval(most))).sup()};
+  return {(Interval(1) - Interval(most)).inf(), (Interval(1) / (Interval(1) - Interval(most))).sup()};
 }
 
 bool prove_flip(const Measured_hinge& hinge, double kl, double limit, Squared_change& change)

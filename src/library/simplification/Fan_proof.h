@@ -17,9 +17,12 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 // All functions round upward for the time of the call.
 
-// The change by replacing the exact lengths of the sides of a triangle, each within one unit in the last place of `exact`, by
-// the doubles `sides`. Infinite if nothing is known.
-Squared_change change_by_rounding(const std::array<double, 3>& exact, const std::array<double, 3>& sides);
+// The change by replacing a triangle whose sides are within one unit in the last place of these doubles by one with these
+// sides, or by the reverse. Infinite if nothing is known.
+Squared_change change_by_rounding(const std::array<double, 3>& sides);
+
+// One change after another.
+Squared_change product(const Squared_change& a, const Squared_change& b);
 
 // The lengths around an edge ij, and what its faces (i, j, k) and (j, i, l) have behind them.
 struct Measured_hinge

@@ -3,23 +3,21 @@
 //
 // The order in which vertices are removed, and the changes by a removal.
 
+#include "Simplifier.h"
 #include "Fan.h"
 #include "Fan_proof.h"
 
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
-#include <CGAL/Intrinsic_triangulations/mollify.h>
-#include <CGAL/Intrinsic_triangulations/simplify_surface.h>
-
-#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <queue>
 #include <string>
 #include <tuple>
+#include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -72,7 +70,6 @@ public:
       largest_factor_(1 + (std::min)((std::max)(options.maximum_change, least_change), largest_change)),
       limit_(largest_factor_ * largest_factor_ * (1 - 1e-15)), stamps_(complex.number_of_vertices(), 0)
   {
-    is_constrained_.resize(complex_.number_of_edges());
     normalize();
     map_ = Simplification_map(complex_, lengths_);
     for (Vertex_index v : complex_.vertices()) {
@@ -108,11 +105,13 @@ private:
     double four_areas;
     Squared_change change;
     std::uint32_t number; // in the map
+    bool is_thin = false;
   };
 
   // -------------------------------------------------------------------------------- at first
 
-  // A power of two makes the longest edge about 1. The lengths become those of triangles, and each face knows the change.
+  // A power of two makes the longest edge about 1. From now on a face is the triangle with these doubles as lengths, and
+  // knows how that differs from what was given. Thin faces, which doubles cannot describe, stay what they are.
   void normalize()
   {
     const double longest = lengths_.empty() ? 1 : *std::max_element(lengths_.begin(), lengths_.end());
@@ -126,28 +125,25 @@ private:
                                       " is below the range of normal doubles: scale the surface");
       lengths_[e] = scaled;
     }
-    const std::vector<double> exact = lengths_;
-    const auto is_degenerate = [this](Face_index f) { return !(four_areas(complex_.halfedge(f)) > 0); };
-    for (double margin = 0x1p-52; std::any_of(complex_.faces().begin(), complex_.faces().end(), is_degenerate);
-         margin *= 2)
-      mollify_lengths_locally(complex_, lengths_, margin);
+    const double most = (std::min)(std::sqrt(std::sqrt(limit_)), 1.01);
     for (Face_index f : complex_.faces()) {
-      const Halfedge_index h = complex_.halfedge(f);
-      faces_.push_back({four_areas(h), change_by_rounding(sides(exact, h), sides(lengths_, h)), f.idx()});
+      const std::array<double, 3> lengths = sides(f);
+      const Squared_change change = change_by_rounding(lengths);
+      const bool is_thin = !(change.up <= most);
+      faces_.push_back({four_areas(lengths), is_thin ? Squared_change() : change, f.idx(), is_thin});
     }
   }
 
   double length(Halfedge_index h) const { return lengths_[complex_.edge(h).idx()]; }
   double squared_length(Halfedge_index h) const { return length(h) * length(h); }
-  std::array<double, 3> sides(const std::vector<double>& lengths, Halfedge_index h) const
+  std::array<double, 3> sides(Face_index f) const
   {
-    return {lengths[complex_.edge(h).idx()], lengths[complex_.edge(complex_.next(h)).idx()],
-            lengths[complex_.edge(complex_.prev(h)).idx()]};
+    const Halfedge_index h = complex_.halfedge(f);
+    return {length(h), length(complex_.next(h)), length(complex_.prev(h))};
   }
-  double four_areas(Halfedge_index h) const
+  static double four_areas(const std::array<double, 3>& sides)
   {
-    const auto [a, b, c] = sides(lengths_, h);
-    return std::sqrt((std::max)(0., squared_four_areas_from_lengths(a, b, c)));
+    return std::sqrt((std::max)(0., squared_four_areas_from_lengths(sides[0], sides[1], sides[2])));
   }
 
   // -------------------------------------------------------------------------------- the queue
@@ -207,7 +203,7 @@ private:
   {
     if (!complex_.halfedge(v).is_valid())
       return Obstacle::NO_FACE;
-    if (!options_.is_kept.empty() && options_.is_kept[original_[v.idx()]])
+    if (options_.is_kept[original_[v.idx()]])
       return Obstacle::REQUEST;
     const bool is_on_border = complex_.is_border(complex_.halfedge(v));
     star.spokes.clear();
@@ -216,6 +212,8 @@ private:
     for_each_halfedge_from(complex_, v, [&](Halfedge_index h) {
       if (complex_.target(h) == v || star.spokes.size() == largest_degree)
         obstacle = Obstacle::GLUING;
+      else if (!complex_.is_border(h) && faces_[complex_.face(h).idx()].is_thin && obstacle == Obstacle::NONE)
+        obstacle = Obstacle::BOUND;
       if (is_constrained_[complex_.edge(h).idx()] && !complex_.is_border(complex_.edge(h)) && ++number_of_lines <= 2)
         line[number_of_lines - 1] = star.spokes.size();
       star.spokes.push_back(h);
@@ -333,8 +331,7 @@ private:
   {
     const Face_index f = complex_.face(h);
     complex_.set_halfedge(f, h);
-    faces_[f.idx()] = {std::sqrt((std::max)(0., squared_four_areas_from_lengths(sides[0], sides[1], sides[2]))), change,
-                       map_.add_triangle(sides)};
+    faces_[f.idx()] = {four_areas(sides), change, map_.add_triangle(sides)};
     for (Halfedge_index side : {h, complex_.next(h), complex_.prev(h)})
       open_.push_back(complex_.edge(side));
     return faces_[f.idx()].number;
@@ -402,7 +399,9 @@ private:
 
   void flip_if_better(const Hinge_halfedges& around)
   {
-    Face &ijk = faces_[complex_.face(around.ij).idx()], &jil = faces_[complex_.face(around.ji).idx()];
+    const Face &ijk = faces_[complex_.face(around.ij).idx()], &jil = faces_[complex_.face(around.ji).idx()];
+    if (ijk.is_thin || jil.is_thin)
+      return;
     const double s_ij = squared_length(around.ij), s_jk = squared_length(around.jk), s_ki = squared_length(around.ki),
                  s_il = squared_length(around.il), s_lj = squared_length(around.lj);
     const double value = Delaunay_value(s_jk + s_ki - s_ij, ijk.four_areas, s_il + s_lj - s_ij, jil.four_areas);
@@ -434,23 +433,41 @@ private:
     Simplification result;
     for (Vertex_index v : complex_.vertices())
       count(v, result.reasons);
-    for (double& l : lengths_)
-      l = std::ldexp(l, -exponent_);
+    std::vector<bool> is_exact(lengths_.size());
+    for (Face_index f : complex_.faces())
+      if (faces_[f.idx()].is_thin) {
+        result.thin_faces.push_back({f, Face_index(faces_[f.idx()].number)});
+        for_each_side(f, [&](Edge_index e) { is_exact[e.idx()] = true; });
+      }
     std::vector<std::uint32_t> numbers;
-    for (const Face& face : faces_) {
-      numbers.push_back(face.number);
+    for (Face_index f : complex_.faces()) {
+      const Face& face = faces_[f.idx()];
+      bool has_exact_side = false;
+      for_each_side(f, [&](Edge_index e) { has_exact_side = has_exact_side || is_exact[e.idx()]; });
+      const Squared_change change =
+        has_exact_side && !face.is_thin ? product(face.change, change_by_rounding(sides(f))) : face.change;
       // The root is within half a unit in the last place.
-      result.changes.push_back({std::nextafter(std::sqrt(face.change.down), 0.),
-                                std::nextafter(std::sqrt(face.change.up), std::numeric_limits<double>::infinity())});
+      const auto root = [](double x, double away) { return x == 1 ? 1 : std::nextafter(std::sqrt(x), away); };
+      result.changes.push_back({root(change.down, 0.), root(change.up, std::numeric_limits<double>::infinity())});
+      numbers.push_back(face.number);
     }
     map_.finish(complex_, std::move(numbers));
+    for (double& l : lengths_)
+      l = std::ldexp(l, -exponent_);
     for (std::uint32_t v : original_)
       result.kept.push_back(Vertex_index(v));
-    result.complex = std::move(complex_);
     result.lengths = std::move(lengths_);
     result.is_constrained = std::move(is_constrained_);
     result.map = std::move(map_);
     return result;
+  }
+
+  template <class F>
+  void for_each_side(Face_index f, const F& visit) const
+  {
+    const Halfedge_index h = complex_.halfedge(f);
+    for (Halfedge_index side : {h, complex_.next(h), complex_.prev(h)})
+      visit(complex_.edge(side));
   }
 
   void count(Vertex_index v, Kept_vertices& reasons)
@@ -497,79 +514,10 @@ private:
 
 } // namespace
 
-void check(const Simplification_options& options, const Delta_complex& complex)
-{
-  const auto require_marks = [](const std::vector<bool>& marks, std::size_t n, const char* what) {
-    if (!marks.empty() && marks.size() != n)
-      throw Invalid_argument_error("there are " + std::to_string(marks.size()) + " marks for " + std::to_string(n) +
-                                   what);
-  };
-  if (!(options.maximum_change >= 0))
-    throw Invalid_argument_error("the maximum change of a simplification has to be a number that is not negative");
-  require_marks(options.is_kept, complex.number_of_vertices(), " vertices");
-  require_marks(options.is_constrained, complex.number_of_edges(), " edges");
-}
-
 Simplification simplify(const Delta_complex& complex, std::vector<double> lengths,
                         const Simplification_options& options)
 {
-  const Standard_arithmetic arithmetic;
-  arithmetic.check();
   return Simplifier(complex, std::move(lengths), options)();
-}
-
-std::vector<std::pair<Face_index, Metric_change>> changes_by_component(const Simplification& simplification)
-{
-  const Delta_complex& complex = simplification.complex;
-  Disjoint_sets sets(complex.number_of_faces());
-  for (Edge_index e : complex.edges())
-    if (!complex.is_border(e))
-      sets.unite(complex.face(complex.halfedge(e)).idx(), complex.face(complex.opposite(complex.halfedge(e))).idx());
-  std::vector<std::size_t> number_of;
-  sets.number(number_of);
-  std::vector<std::pair<Face_index, Metric_change>> result;
-  for (Face_index f : complex.faces()) {
-    const Metric_change& change = simplification.changes[f.idx()];
-    const std::size_t n = number_of[f.idx()];
-    if (n == result.size())
-      result.emplace_back(f, change);
-    result[n].second.shrink = (std::min)(result[n].second.shrink, change.shrink);
-    result[n].second.stretch = (std::max)(result[n].second.stretch, change.stretch);
-  }
-  return result;
-}
-
-Simplified_surface make_simplified_surface(Simplification s)
-{
-  std::vector<Surface_point> points;
-  std::vector<Vertex_index> vertices;
-  const Delta_complex& fine = s.map.fine();
-  for (Vertex_index v : fine.vertices())
-    if (fine.halfedge(v).is_valid()) {
-      vertices.push_back(v);
-      points.push_back({fine.opposite(fine.halfedge(v)), {1, 0, 0}});
-    }
-  points = s.map.to_coarse(points);
-  Simplified_surface result{Intrinsic_triangulation<Filtered_edge_length_traits>::from_lengths(s.complex, s.lengths),
-                            std::move(s.kept),
-                            std::vector<Surface_point>(fine.number_of_vertices()),
-                            1,
-                            1,
-                            s.changes,
-                            changes_by_component(s),
-                            std::move(s.is_constrained),
-                            s.reasons,
-                            std::move(s.map)};
-  for (std::size_t i = 0; i < vertices.size(); ++i)
-    result.places[vertices[i].idx()] = points[i];
-  for (const Metric_change& change : result.changes_in_faces) {
-    result.shrink = (std::min)(result.shrink, change.shrink);
-    result.stretch = (std::max)(result.stretch, change.stretch);
-  }
-  flip_to_Delaunay(result.triangulation,
-                   parameters::edge_is_constrained_map(boost::make_function_property_map<Edge_index, bool>(
-                     [&](Edge_index e) { return bool(result.is_constrained[e.idx()]); })));
-  return result;
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -41,7 +41,10 @@ namespace Intrinsic_triangulations::internal {
   F(is_welded, IS_WELDED)                                                                                              \
   F(mollification, MOLLIFICATION)                                                                                      \
   F(mass_type, MASS_TYPE)                                                                                              \
-  F(relative_error, RELATIVE_ERROR)
+  F(relative_error, RELATIVE_ERROR)                                                                                    \
+  F(maximum_change, MAXIMUM_CHANGE)                                                                                    \
+  F(number_of_vertices, NUMBER_OF_VERTICES)                                                                            \
+  F(sharp_angle, SHARP_ANGLE)
 
 #define CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(name, tag) tag,
 enum class Parameter {
@@ -67,6 +70,7 @@ struct Named_parameters : internal_np::Named_params_impl<T, Tag, Base>
   }
   CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(vertex_point_map, internal_np::vertex_point_t)
   CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(geom_traits, internal_np::geom_traits_t)
+  CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(vertex_is_constrained_map, internal_np::vertex_is_constrained_t)
   CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(edge_is_constrained_map, internal_np::edge_is_constrained_t)
   CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(visitor, internal_np::visitor_t)
   CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(maximum_number, internal_np::maximum_number_t)
@@ -147,6 +151,12 @@ CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(mollification, MOLLIFICATION)
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(mass_type, MASS_TYPE)
 /// \brief the relative error that a number may have.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(relative_error, RELATIVE_ERROR)
+/// \brief by which part a simplification may change distances: 0.05 for 5 percent.
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(maximum_change, MAXIMUM_CHANGE)
+/// \brief how many vertices a simplification leaves.
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(number_of_vertices, NUMBER_OF_VERTICES)
+/// \brief the angle between the normals of two faces, in degrees, above which their common edge is sharp.
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(sharp_angle, SHARP_ANGLE)
 /// @}
 #undef CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER
 
