@@ -25,6 +25,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Heat_method.h>
+#include <CGAL/Intrinsic_triangulations/Simplified_distances.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/Vector_heat_method.h>
 #include <CGAL/Intrinsic_triangulations/element_numbers.h>
@@ -32,6 +33,7 @@
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/simplify_surface.h>
 #include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
 
@@ -66,7 +68,7 @@ struct Distance_options
   std::vector<std::uint64_t> sources;
   std::string output_path, overlay_path, stats_path, view_path;
   std::string cover = "tufted", boundary, format = "csv", method;
-  std::optional<double> time_coefficient;
+  std::optional<double> time_coefficient, maximum_change;
   Repair_options repair;
   bool is_refined = false, has_vectors = false, is_compared = false;
 
@@ -92,6 +94,8 @@ struct Distance_result
   std::size_t nonmanifold_edges = 0;
   std::string cuts; // by repair
   bool is_complete = true;
+  std::optional<IT::Metric_change> change; // by simplification
+  std::size_t number_of_simplified_vertices = 0;
   std::optional<std::array<double, 2>> errors;       // the mean and the largest one, as fractions of the exact distance
   std::optional<IT::Common_subdivision> subdivision; // for the overlay and the view
   IT::Element_numbers input_numbers, numbers;        // for the view
@@ -132,6 +136,11 @@ void check(const Distance_options& options)
     throw Usage_error("--vectors needs --cover none: a vertex of the tufted cover has no tangent plane");
   if (options.cover == "tufted" && !options.overlay_path.empty())
     throw Usage_error("--overlay needs --cover none: the tufted cover is not a triangulation of the input");
+  if (options.maximum_change && !(*options.maximum_change >= 0))
+    throw Usage_error("--maximum-change: C is not negative");
+  if (options.maximum_change && (options.is_by_heat() || !options.method.empty() || options.is_refined))
+    throw Usage_error("--maximum-change follows all straight ways on a simplified surface: omit --method, --refine and "
+                      "the options of heat");
   const std::optional<Mesh_format> overlay_format = options.overlay_format();
   if (!options.overlay_path.empty() && overlay_format != Mesh_format::PLY && overlay_format != Mesh_format::VTP)
     throw Usage_error(options.overlay_path +
@@ -228,7 +237,7 @@ void follow_ways(const Distance_options& options, const Any_surface& surface, Pr
   const auto geodesic_options = [](double tolerance) {
     return CGAL::parameters::tolerance(tolerance).visitor([] { return !is_interrupted(); });
   };
-  if (!options.is_by_heat()) {
+  if (!options.is_by_heat() && !options.maximum_change) {
     progress.begin("following straight ways");
     IT::Geodesic_distances found =
       IT::geodesic_distances(surface, sources, geodesic_options(options.method == "exact" ? 0 : 0.001));
@@ -241,6 +250,24 @@ void follow_ways(const Distance_options& options, const Any_surface& surface, Pr
     result.is_complete = result.is_complete && exact.is_complete;
     result.errors = compare(result.distances, exact.distances);
   }
+}
+
+// The distances with their intervals, by way of fewer vertices.
+void find_by_simplification(const Distance_options& options, Triangulation& triangulation, Progress& progress,
+                            Distance_result& result)
+{
+  const auto while_not_interrupted = CGAL::parameters::visitor([] { return !is_interrupted(); });
+  progress.begin("simplifying");
+  const IT::Simplified_surface simplified = IT::simplify_surface(
+    triangulation,
+    CGAL::parameters::maximum_change(*options.maximum_change).visitor([&](double done) { return progress(done); }));
+  result.change = IT::Metric_change{simplified.shrink, simplified.stretch};
+  result.number_of_simplified_vertices = simplified.kept.size();
+  progress.begin("following all straight ways");
+  IT::Distance_intervals found = IT::Simplified_distances(simplified).from(sources_of(options), while_not_interrupted);
+  result.distances = std::move(found.distances);
+  result.vectors.push_back({"lower", std::move(found.lower)});
+  result.vectors.push_back({"upper", std::move(found.upper)});
 }
 
 // The first axis of the tangent plane of each source, transported to the vertices nearest to it; and for a single
@@ -362,6 +389,8 @@ void find_on_surface(const Distance_options& options, Distance_result& result)
   }
   if (options.is_by_heat())
     find_by_heat(options, triangulation, progress, result);
+  if (options.maximum_change)
+    find_by_simplification(options, triangulation, progress, result);
   follow_ways(options, triangulation, progress, result);
   if (result.subdivision)
     result.overlay_distances.values = IT::interpolate_intrinsic_values(*result.subdivision, result.distances);
@@ -388,6 +417,7 @@ Json statistics(const Distance_options& options, const Distance_result& result)
                {"inserted", result.number_of_inserted_vertices},
                {"flips", result.flips},
                {"method", options.is_by_heat()     ? "heat"
+                          : options.maximum_change ? "simplified"
                           : options.method.empty() ? "approximate"
                                                    : options.method},
                {"largest_distance", result.largest_distance()},
@@ -403,6 +433,10 @@ Json statistics(const Distance_options& options, const Distance_result& result)
     json["mean_edge_length"] = *result.mean_edge_length;
     json["bounded"] = result.number_of_bounded_distances;
   }
+  if (result.change)
+    json["simplification"] = {{"vertices", result.number_of_simplified_vertices},
+                              {"shrink", result.change->shrink},
+                              {"stretch", result.change->stretch}};
   if (result.errors)
     json["error"] = {{"mean", (*result.errors)[0]}, {"largest", (*result.errors)[1]}};
   return json;
@@ -417,6 +451,10 @@ std::string accuracy(const Distance_options& options, const Distance_result& res
            (options.method == "exact" || options.is_compared
               ? "without exact distances there are fewer"
               : "--method heat needs none, and idt refine makes faces that need fewer");
+  if (result.change && !result.errors)
+    return "proven: at most " + in_short(100 * (1 - result.change->shrink)) + " % too short and " +
+           in_short(100 * (result.change->stretch - 1)) + " % too long, found on " +
+           counted(result.number_of_simplified_vertices, "vertex", "vertices");
   if (result.errors)
     return "mean error " + in_short(100 * (*result.errors)[0]) + " %, largest " + in_short(100 * (*result.errors)[1]) +
            " %";
@@ -472,8 +510,10 @@ View view_of(const Distance_options& options, const Distance_result& result)
   return view;
 }
 
-Exit_status run_distance(const Distance_options& options)
+Exit_status run_distance(Distance_options options)
 {
+  if (options.maximum_change)
+    options.cover = "none";
   check(options);
   return for_each_input({options.input}, [&](const std::string& path) {
     Distance_result result;
@@ -558,6 +598,10 @@ void add_distance_command(CLI::App& app, Selected_command& selected)
               "approximate: follow straight ways over the faces, nearly equal ones together; exact: follow each of "
               "them; heat: the heat method. The default is approximate, or heat with --boundary or --time"),
             {"approximate", "exact", "heat"});
+  add_option(
+    command, "--maximum-change", options->maximum_change, "C",
+    "follow all ways on a simplified surface, as of `idt simplify`, where distances change by at most this part, and "
+    "also write proven bounds of each distance: lower and upper; implies --cover none");
   command.add_flag("--compare-exact", options->is_compared,
                    "report the mean and the largest error compared with the exact distances");
   set_words(

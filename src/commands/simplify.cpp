@@ -226,7 +226,7 @@ Exit_status simplify_file(const std::string& path, const Simplify_options& optio
                                    [&](IT::Vertex_index v) { return bool(is_kept[v.idx()]); }))
                                  .edge_is_constrained_map(boost::make_function_property_map<IT::Edge_index, bool>(
                                    [&](IT::Edge_index e) { return bool(is_constrained[e.idx()]); }))
-                                 .visitor([] { return !is_interrupted(); }));
+                                 .visitor([&](double done) { return progress(done); }));
   const double seconds = stopwatch.seconds();
   const std::size_t n = fine.connectivity().number_of_vertices();
   write_file(options.output, [&](std::ostream& os) {

@@ -38,6 +38,11 @@ public:
       input_sides_.push_back(complex.halfedge(f));
     triangulation_.set_interruption(&Signal_watch::goes_on);
   }
+  Surface(Triangulation triangulation, std::vector<IT::Halfedge_index> input_sides)
+    : triangulation_(std::move(triangulation)), input_sides_(std::move(input_sides))
+  {
+    triangulation_.set_interruption(&Signal_watch::goes_on);
+  }
   Surface(const Surface& other) : Surface(other, std::lock_guard<std::mutex>(other.mutex_)) {}
   Surface& operator=(const Surface&) = delete;
 

@@ -16,6 +16,7 @@ void register_errors();
 void add_Laplacian(pybind11::module_& module);
 void add_files(pybind11::module_& module);
 void add_triangulation(pybind11::module_& module);
+void add_simplification(pybind11::module_& module);
 void add_subdivision(pybind11::module_& module);
 void add_heat(pybind11::module_& module);
 void add_geodesics(pybind11::module_& module);

@@ -14,6 +14,7 @@ PYBIND11_MODULE(_core, module)
   idt_python::add_files(module);
   idt_python::add_Laplacian(module);
   idt_python::add_triangulation(module);
+  idt_python::add_simplification(module);
   idt_python::add_subdivision(module);
   idt_python::add_heat(module);
   idt_python::add_geodesics(module);

@@ -106,6 +106,29 @@ TEST_F(Simplify_command, refuses_triangles_in_space)
   EXPECT_EQ(idt("simplify t.off --constrain-angle 200").status, 2);
 }
 
+TEST_F(Simplify_command, distances_come_with_intervals_that_contain_the_exact_ones)
+{
+  ASSERT_EQ(idt("sample bumpy-sphere -o m").status, 0);
+  const Command_run run = idt("distance m.off --source 3 --maximum-change 0.1 -o a.csv --stats s.json");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "proven: at most")) << run.out;
+  EXPECT_EQ(lines(content(folder_ / "a.csv"))[0], "vertex,distance,lower,upper");
+  ASSERT_EQ(idt("distance m.off --source 3 --method exact -o b.csv").status, 0);
+  const auto found = rows("a.csv"), exact = rows("b.csv");
+  ASSERT_EQ(found.size(), exact.size());
+  bool is_simplified = false;
+  for (std::size_t v = 0; v < exact.size(); ++v) {
+    EXPECT_LE(found[v][2], exact[v][1] * (1 + 1e-9)) << v;
+    EXPECT_GE(found[v][3], exact[v][1] * (1 - 1e-9)) << v;
+    EXPECT_LE(found[v][3], 1.21 * found[v][2] * (1 + 1e-9)) << v;
+    is_simplified = is_simplified || found[v][1] != exact[v][1];
+  }
+  EXPECT_TRUE(is_simplified);
+  EXPECT_LT(stats()["simplification"]["vertices"], exact.size());
+  EXPECT_EQ(idt("distance m.off --source 3 --maximum-change -1").status, 2);
+  EXPECT_EQ(idt("distance m.off --source 3 --maximum-change 0.1 --method heat").status, 2);
+}
+
 TEST_F(Simplify_command, shows_its_edges_on_the_input)
 {
   ASSERT_EQ(idt("sample bumpy-sphere -o m").status, 0);

@@ -44,9 +44,9 @@ namespace {
 class Window_propagation
 {
 public:
-  // \param surface must outlive this
-  Window_propagation(const Laid_out_faces& surface, double tolerance)
-    : surface_(surface), tolerance_(tolerance), distances_(surface.number_of_rows(), infinity),
+  // \param surface, points must outlive this
+  Window_propagation(const Laid_out_faces& surface, double tolerance, const Laid_out_points* points = nullptr)
+    : surface_(surface), points_(points), tolerance_(tolerance), distances_(surface.number_of_rows(), infinity),
       arrivals_(surface.number_of_rows()), splits_(surface.sides().size()),
       waiting_(tolerance > 0 ? surface.sides().size() : 0, none), in_order_(tolerance > 0 ? 0 : surface.sides().size()),
       at_narrow_edges_(surface.number_of_narrow_edges())
@@ -93,6 +93,32 @@ public:
       free_.push_back(slot);
     }
     return true;
+  }
+
+  // The same, from points.
+  void run_from_points(const std::vector<std::uint32_t>& sources, const Interruption& interruption)
+  {
+    std::vector<std::uint32_t> rows;
+    for (std::uint32_t number : sources)
+      if (const Laid_out_points::Point* const p = points_->find(number)) {
+        if (p->row != none)
+          rows.push_back(p->row);
+        else
+          send_from_point(*p);
+      }
+    run(rows, (std::numeric_limits<std::uint64_t>::max)(), interruption, none);
+  }
+
+  // Of the points; infinite where no way leads. Ways that bend at a corner of the face come from there.
+  std::vector<double> distances_of_points() const
+  {
+    std::vector<double> result = point_distances_;
+    for (std::uint32_t i = 0; i < result.size(); ++i)
+      if (const Laid_out_points::Point* const p = points_->find(i))
+        for (std::uint32_t k = 0; k < 3; ++k)
+          result[i] =
+            (std::min)(result[i], distances_[surface_.side(3 * p->face + k).row] + length_of(p->at[k][0], p->at[k][1]));
+    return result;
   }
 
   Window_distances result(bool is_complete)
@@ -380,6 +406,36 @@ private:
     leave(surface_.next(side), {at(to), at(from), o.length - o.apex_x, o.apex_y, distances_[s.row], 0});
   }
 
+  // The ways from a point within a face.
+  void send_from_point(const Laid_out_points::Point& p)
+  {
+    for (const Laid_out_points::Point& q : points_->in_face(p.face))
+      come_nearer(q, length_of(q.at[0][0] - p.at[0][0], q.at[0][1] - p.at[0][1]));
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t side = 3 * p.face + k;
+      const double length = surface_.side(side).length, x = p.at[k][0], y = p.at[k][1];
+      reach(side, std::atan2(y, x), length_of(x, y));
+      leave(side, {0, length, length - x, y, 0, 0});
+    }
+  }
+
+  // The ways of a window to the points of the face that it enters, straight or over its nearest end.
+  void reach_points(const Window& w)
+  {
+    for (const Laid_out_points::Point& p : points_->in_face(w.side / 3)) {
+      const auto [x, y] = p.at[w.side % 3];
+      const double height = w.y + y, crossing = height > 0 ? w.x + (x - w.x) * (w.y / height) : x,
+                   at = (std::min)((std::max)(crossing, w.b0), w.b1);
+      come_nearer(p, w.distance(at) + length_of(x - at, y));
+    }
+  }
+
+  void come_nearer(const Laid_out_points::Point& p, double distance)
+  {
+    double& known = point_distances_[p.number];
+    known = (std::min)(known, distance);
+  }
+
   // The ways from a row: along all edges, and into all faces at its vertices except one.
   void send_all_around(std::uint32_t row, std::uint32_t but)
   {
@@ -449,6 +505,8 @@ private:
     const Side& s = surface_.side(w.side);
     if (is_useless(w)) // by now
       return;
+    if (points_)
+      reach_points(w);
     const std::uint32_t next = surface_.next(w.side), prev = surface_.next(next);
     const double cx = s.apex_x, cy = s.apex_y, crossing = w.x + (cx - w.x) * (w.y / (w.y + cy));
     bool goes_left = w.b0<crossing, goes_right = w.b1> crossing;
@@ -509,6 +567,8 @@ private:
   }
 
   const Laid_out_faces& surface_;
+  const Laid_out_points* points_; // or null
+  std::vector<double> point_distances_ = std::vector<double>(points_ ? points_->size() : 0, infinity);
   double tolerance_;
   std::vector<double> distances_;                   // of the rows
   std::vector<Window_distances::Arrival> arrivals_; // likewise
@@ -532,6 +592,14 @@ Window_distances propagate_windows(const Laid_out_faces& surface, double toleran
   Window_propagation windows(surface, tolerance);
   const bool is_complete = windows.run(sources, most, interruption, goal);
   return windows.result(is_complete);
+}
+
+std::vector<double> propagate_windows(const Laid_out_faces& surface, const Laid_out_points& points,
+                                      const std::vector<std::uint32_t>& sources, const Interruption& interruption)
+{
+  Window_propagation windows(surface, 0, &points);
+  windows.run_from_points(sources, interruption);
+  return windows.distances_of_points();
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/simplify_surface.h>
 
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -32,6 +33,9 @@ struct Simplification
 // \param lengths each within one unit in the last place of the exact length
 Simplification simplify(const Delta_complex& complex, std::vector<double> lengths,
                         const Simplification_options& options);
+
+// The number of the component of each face, in the order of the faces with the smallest numbers.
+std::vector<std::size_t> numbers_of_components(const Delta_complex& complex);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

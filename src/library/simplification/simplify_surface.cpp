@@ -124,12 +124,7 @@ Triangulation with_thin_faces(const Exact_engine& engine, Simplification& s)
 std::vector<std::pair<Face_index, Metric_change>> changes_by_component(const Delta_complex& complex,
                                                                        const std::vector<Metric_change>& changes)
 {
-  Disjoint_sets sets(complex.number_of_faces());
-  for (Edge_index e : complex.edges())
-    if (!complex.is_border(e))
-      sets.unite(complex.face(complex.halfedge(e)).idx(), complex.face(complex.opposite(complex.halfedge(e))).idx());
-  std::vector<std::size_t> number_of;
-  sets.number(number_of);
+  const std::vector<std::size_t> number_of = numbers_of_components(complex);
   std::vector<std::pair<Face_index, Metric_change>> result;
   for (Face_index f : complex.faces()) {
     const std::size_t n = number_of[f.idx()];
@@ -158,6 +153,17 @@ std::vector<Surface_point> places_of_vertices(const Simplification_map& map)
 }
 
 } // namespace
+
+std::vector<std::size_t> numbers_of_components(const Delta_complex& complex)
+{
+  Disjoint_sets sets(complex.number_of_faces());
+  for (Edge_index e : complex.edges())
+    if (!complex.is_border(e))
+      sets.unite(complex.face(complex.halfedge(e)).idx(), complex.face(complex.opposite(complex.halfedge(e))).idx());
+  std::vector<std::size_t> result;
+  sets.number(result);
+  return result;
+}
 
 std::vector<bool> sharp_edges_of_input(const Exact_engine& engine, double degrees)
 {

@@ -21,6 +21,7 @@ from ._geodesics import CutSurface, EdgeFlipGeodesicSolver, GeodesicPath, Geodes
 from ._heat import MeshHeatMethodDistanceSolver, compute_distance, compute_distance_multisource, geodesic_distances
 from ._laplacian import laplacian, mesh_laplacian, point_cloud_laplacian
 from ._mesh import cotan_laplacian, face_areas, vertex_areas
+from ._simplification import DistanceIntervals, SimplifiedDistances, SimplifiedSurface
 from ._subdivision import CommonSubdivision
 from ._triangulation import FlipReport, RefinementReport, StraightMesh, Triangulation, VerificationReport
 from ._vectors import MeshVectorHeatSolver
@@ -30,6 +31,7 @@ __all__ = [
     "CancelledError",
     "CommonSubdivision",
     "CutSurface",
+    "DistanceIntervals",
     "EdgeFlipGeodesicSolver",
     "Error",
     "FlipReport",
@@ -46,6 +48,8 @@ __all__ = [
     "RefinementReport",
     "Repair",
     "RepairedMesh",
+    "SimplifiedDistances",
+    "SimplifiedSurface",
     "StraightMesh",
     "Triangulation",
     "UndecidedError",

@@ -17,6 +17,7 @@ import scipy.sparse
 from numpy.typing import ArrayLike
 
 from . import _arrays, _core
+from ._simplification import SimplifiedSurface
 from ._subdivision import CommonSubdivision
 
 
@@ -461,6 +462,59 @@ class Triangulation:
         maximum = None if max_insertions is None else _arrays.integer(max_insertions, "max_insertions")
         size = None if minimum_size is None else _arrays.number(minimum_size, "minimum_size")
         return RefinementReport(*self._surface.refine(angle, circumradius, edge_length, self._constrained(constrained), maximum, size))
+
+    def simplify(self, maximum_change: Optional[float] = None, number_of_vertices: int = 0, kept: Optional[ArrayLike] = None,
+                 constrained: Optional[ArrayLike] = None, sharp_angle: float = 180) -> SimplifiedSurface:
+        """Remove vertices as long as it is proven that no distance changes by more than a given part.
+
+        **The result is another surface**: this method, and no other, changes lengths; by how much is a part of the result.
+        The triangulation itself is flipped to Delaunay first, which does not change its surface. O(n log n).
+
+        Parameters
+        ----------
+        maximum_change : float, optional
+            By which part a distance may change. Default: 0.05, and no limit if `number_of_vertices` is given.
+        number_of_vertices : int
+            No more vertices are removed when so many are left.
+        kept : (n,) array of bool, optional
+            The vertices to keep.
+        constrained : (k,) array of bool, optional
+            The edges that become parts of straight edges of the result.
+        sharp_angle : float
+            The same for edges of the input whose faces have directions that differ by more, in degrees. Default: none.
+
+        Returns
+        -------
+        SimplifiedSurface
+
+        Raises
+        ------
+        InvalidArgumentError
+            If an argument is out of range, or the surface is given by lengths alone and has no sharp edges.
+        UndecidedError
+            As `flip_to_delaunay`.
+
+        Examples
+        --------
+        >>> import numpy
+        >>> import intrinsic_triangulations as it
+        >>> x, y = numpy.meshgrid(numpy.arange(9), numpy.arange(9))
+        >>> V = numpy.stack([x.ravel(), y.ravel(), 0.3 * numpy.sin(x.ravel())], axis=1)
+        >>> i = numpy.arange(81).reshape(9, 9)
+        >>> a, b, c, d = (k.ravel() for k in (i[:-1, :-1], i[:-1, 1:], i[1:, 1:], i[1:, :-1]))
+        >>> t = it.Triangulation(V, numpy.concatenate([numpy.stack([a, b, c], axis=1), numpy.stack([a, c, d], axis=1)]))
+        >>> s = t.simplify(maximum_change=0.05)          # a rolled sheet keeps its four corners
+        >>> s.triangulation.number_of_vertices, abs(s.stretch - 1) < 1e-12, sorted(s.kept.tolist())
+        (4, True, [0, 8, 72, 80])
+        """
+        change = None if maximum_change is None else _arrays.number(maximum_change, "maximum_change")
+        marks = [_arrays.marks(given, name, n) for given, name, n in
+                 ((kept, "kept", self.number_of_vertices), (constrained, "constrained", self.number_of_edges))]
+        surface, vertices, faces, coordinates, shrink, stretch, prolongation = _core.simplify(
+            self._surface, change, _arrays.integer(number_of_vertices, "number_of_vertices"),
+            *(None if given is None else given.tolist() for given in marks), _arrays.number(sharp_angle, "sharp_angle"))
+        return SimplifiedSurface(type(self)._of(surface), vertices, (faces, coordinates), shrink, stretch,
+                                 _arrays.sparse(prolongation))
 
     def sharp_edges(self, degrees: float, minimum_size: float = 0) -> numpy.ndarray:
         """Find the sharp edges of the input, to be constrained in `refine` before any flip.

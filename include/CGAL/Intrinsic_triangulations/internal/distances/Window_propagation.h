@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DISTANCES_WINDOW_PROPAGATION_H
 
 #include <CGAL/Intrinsic_triangulations/internal/distances/Laid_out_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/distances/Laid_out_points.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
 #include <cstdint>
@@ -39,6 +40,12 @@ struct Window_distances
 Window_distances propagate_windows(const Laid_out_faces& surface, double tolerance,
                                    const std::vector<std::uint32_t>& sources, std::uint64_t most,
                                    const Interruption& interruption, std::uint32_t goal = Laid_out_faces::none);
+
+// The distances of points from the nearest of some of them, without a tolerance, in the unit of the faces.
+// \param points on the faces
+// \param sources numbers of points
+std::vector<double> propagate_windows(const Laid_out_faces& surface, const Laid_out_points& points,
+                                      const std::vector<std::uint32_t>& sources, const Interruption& interruption);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
