@@ -180,18 +180,8 @@ private:
       ASSERT_GT(determinant(t[0], t[1], t[2]), 0);
       area += determinant(t[0], t[1], t[2]);
     }
-    const bool is_flip = step.place == IT::Simplification_map::no_place;
-    const std::vector<Point> before = is_flip ? layout(step, old, step.number_of_old) : std::vector<Point>();
     for (std::size_t i = 0; i < step.number_of_old; ++i) {
       const Triangle target = corners(image, old[i]);
-      if (is_flip) {
-        const Triangle t = corners(before, fresh[i]);
-        ASSERT_GT(determinant(t[0], t[1], t[2]), 0) << "a hinge that is not convex was flipped";
-        const Factors f = singular_values(t, corners(image, fresh[i]));
-        for (std::size_t k = 0; k < 2; ++k)
-          merge(factors_[fresh[i].number], factors_[old[k].number], f, k == 0);
-        continue;
-      }
       ASSERT_GT(determinant(target[0], target[1], target[2]), 0);
       old_area += determinant(target[0], target[1], target[2]);
       expect_same_side(old[i], fresh, step.number_of_new, step.number_of_points - 1);
@@ -203,8 +193,7 @@ private:
           merge(factors_[fresh[k].number], factors_[old[i].number], f,
                 is_first_.insert({fresh[k].number, true}).second);
     }
-    if (!is_flip)
-      ASSERT_LT(abs(old_area - area), Real(1e-70) * area) << "faces do not cover the hole once";
+    ASSERT_LT(abs(old_area - area), Real(1e-70) * area) << "faces do not cover the hole once";
   }
 
   static void merge(Factors& result, const Factors& old, const Factors& f, bool is_first)
@@ -256,18 +245,15 @@ private:
           break;
         }
     }
-    if (step.place != IT::Simplification_map::no_place) {
-      const auto& weights = map_.place(step);
-      Real sum = 0;
-      for (std::size_t k = 0; k < 3; ++k) {
-        EXPECT_GE(weights[k], 0);
-        sum += weights[k];
-        result.back().x += weights[k] * result[triangles[0].corners[k]].x;
-        result.back().y += weights[k] * result[triangles[0].corners[k]].y;
-      }
-      result.back().x /= sum;
-      result.back().y /= sum;
+    Real sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_GE(step.place[k], 0);
+      sum += step.place[k];
+      result.back().x += step.place[k] * result[triangles[0].corners[k]].x;
+      result.back().y += step.place[k] * result[triangles[0].corners[k]].y;
     }
+    result.back().x /= sum;
+    result.back().y /= sum;
     return result;
   }
 

@@ -63,15 +63,14 @@ public:
     std::uint32_t number;
     std::array<std::uint32_t, 3> corners;
   };
-  // Some triangles are replaced by others that cover the same part of the plane. The new ones can be laid out in order,
-  // each beside one before. If `place` is set, the last point of the step is the vertex that is removed, and the number
-  // of its place in the first new triangle.
+  // The triangles around a vertex are replaced by others that cover the same part of the plane. The new ones can be laid
+  // out in order, each beside one before. The last point of the step is the vertex.
   struct Step
   {
     std::size_t first; // of its triangles: first the old ones
-    std::uint32_t number_of_old, number_of_new, number_of_points, place;
+    std::uint32_t number_of_old, number_of_new, number_of_points;
+    std::array<double, 3> place; // of the vertex in the first new triangle
   };
-  static constexpr std::uint32_t no_place = std::uint32_t(-1);
 
   // Begins with the identity. `add_step()` follows the lines of its triangles; `finish()` ends with the numbers of the
   // faces of the result. The first corner of a face is the source of its `halfedge()`.
@@ -83,13 +82,12 @@ public:
     return std::uint32_t(sides_.size() - 1);
   }
   void add_to_step(const Triangle& triangle) { triangles_.push_back(triangle); }
-  void add_step(std::uint32_t number_of_old, std::uint32_t number_of_points, const std::array<double, 3>* place);
+  void add_step(std::uint32_t number_of_old, std::uint32_t number_of_points, const std::array<double, 3>& place);
   void finish(const Delta_complex& complex, std::vector<std::uint32_t> numbers);
 
   const std::vector<std::array<double, 3>>& sides() const { return sides_; } // from each corner to the next
   const std::vector<Step>& steps() const { return steps_; }
   const Triangle* triangles(const Step& step) const { return triangles_.data() + step.first; }
-  const std::array<double, 3>& place(const Step& step) const { return places_[step.place]; }
   std::uint32_t number_of_coarse_face(Face_index f) const { return number_of_face(f, false); }
   /// \endcond
 
@@ -109,7 +107,6 @@ private:
   std::vector<std::array<double, 3>> sides_; // of all triangles that ever were, in the order in which they came
   std::vector<Triangle> triangles_;
   std::vector<Step> steps_;
-  std::vector<Coordinates> places_;
   std::vector<std::uint32_t> coarse_numbers_;
 };
 

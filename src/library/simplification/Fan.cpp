@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -23,80 +24,152 @@ constexpr double pi = 3.14159265358979323846;
 struct Flat_corner
 {
   Flat_corner(double r, double t, double c)
-    : s(r * r), t(t * t), c(c * c), cosine(twice_scalar_product(s, this->t, this->c)),
+    : s(r * r), t(t * t), c(c * c), scale(2 * r * t), cosine(twice_scalar_product(s, this->t, this->c)),
       squared_sine(squared_four_areas_from_lengths(r, t, c)), sine(std::sqrt(squared_sine))
   {}
   double s, t, c; // squared lengths
-  double cosine;  // of the angle between the spokes, times twice their lengths
+  double scale;   // twice the lengths of the spokes
+  double cosine;  // of the angle between the spokes, times the scale
   double squared_sine, sine;
 };
 
-double factor_of(const Fan& fan, const Spoke_factors& factors, std::size_t j)
+// Sums angles below π.
+class Angle_sum_in_plane
 {
-  return !fan.is_closed && (j == 0 || j + 1 == fan.size()) ? factors.ends : factors.others;
-}
+public:
+  void add(const Flat_corner& corner)
+  {
+    const double c = corner.cosine / corner.scale, s = corner.sine / corner.scale, x = x_ * c - y_ * s,
+                 y = x_ * s + y_ * c;
+    const bool is_past = y < 0 || (y == 0 && x < 0);
+    x_ = is_past ? -x : x;
+    y_ = is_past ? -y : y;
+    half_turns_ += is_past;
+  }
+  double operator()() const { return half_turns_ * pi + std::atan2(y_, x_); }
 
-Flat_corner scaled_corner(const Fan& fan, const Spoke_factors& factors, std::size_t j)
+private:
+  double x_ = 1, y_ = 0; // of a unit vector in the upper half plane
+  int half_turns_ = 0;
+};
+
+Flat_corner corner(const Fan& fan, std::size_t j) { return {fan.spokes[j], fan.spokes[fan.after(j)], fan.link[j]}; }
+Flat_corner corner(const Fan& fan, const Fan_array<double>& factors, std::size_t j)
 {
   const std::size_t k = fan.after(j);
-  return {factor_of(fan, factors, j) * fan.spokes[j], factor_of(fan, factors, k) * fan.spokes[k], fan.link[j]};
+  return {factors[j] * fan.spokes[j], factors[k] * fan.spokes[k], fan.link[j]};
 }
 
-// Newton's method for the logarithm of the factor.
-bool find_factors(const Fan& fan, double largest, bool moves_ends, Spoke_factors& factors)
+// Newton's method for the t for which the fan is flat when each spoke becomes longer by 1 + t w, with its direction w.
+bool flatten_along(const Fan& fan, const Fan_array<double>& w, double largest, Fan_array<double>& factors)
 {
-  const double wanted = fan.is_closed ? 2 * pi : pi, limit = 2 * std::log(largest);
-  double logarithm = std::log(factors.others);
+  const Fan_array<double> first = factors;
+  double t = 0;
   for (int i = 0; i < 10; ++i) {
-    double sum = 0, slope = 0;
+    Angle_sum_in_plane sum;
+    double slope = 0;
     for (std::size_t j = 0; j < fan.link.size(); ++j) {
-      const Flat_corner corner = scaled_corner(fan, factors, j);
-      if (!(corner.squared_sine > 0))
+      const std::size_t k = fan.after(j);
+      const Flat_corner c = corner(fan, factors, j);
+      if (!(c.squared_sine > 0))
         return false;
-      sum += std::atan2(corner.sine, corner.cosine);
-      if (moves_ends || fan.is_closed || j > 0)
-        slope += (corner.s - corner.t + corner.c) / corner.sine;
-      if (moves_ends || fan.is_closed || j + 1 < fan.link.size())
-        slope += (corner.t - corner.s + corner.c) / corner.sine;
+      sum.add(c);
+      slope +=
+        (w[j] * first[j] / factors[j] * (c.s - c.t + c.c) + w[k] * first[k] / factors[k] * (c.t - c.s + c.c)) / c.sine;
     }
-    const double missing = sum - wanted;
+    const double missing = sum() - (fan.is_closed ? 2 * pi : pi);
     if (std::abs(missing) < 1e-15)
       return true;
     const double step = missing / slope;
-    logarithm += step;
-    if (!(std::abs(logarithm) <= limit))
-      return false;
-    const double factor = std::exp(logarithm);
-    factors.others = factor;
-    if (moves_ends)
-      factors.ends = factor;
-    if (std::abs(step) < 1e-9) // the next one would be its square
+    t += step;
+    for (std::size_t j = 0; j < fan.size(); ++j) {
+      factors[j] = first[j] * (1 + t * w[j]);
+      if (!(factors[j] <= largest * largest && factors[j] * largest * largest >= 1))
+        return false;
+    }
+    if (std::abs(step) < 1e-5) // the next one would be its square
       return true;
   }
   return false;
 }
 
+// The directions that strain the faces least. With w for the logarithms of the spokes, the squared eigenvalues of M, summed
+// over the faces with a weight for each, are a quadratic form A, and g·w is the change of the angle at the vertex. So
+// A w = g; a step towards that from equal directions comes close enough. A face weighs more if less is left of the change
+// that it may have.
+Fan_array<double> gentle_directions(const Fan& fan, double largest)
+{
+  const std::size_t n = fan.size();
+  Fan_array<double> diagonal(n, 0.), beside(n), g(n, 0.); // of A: the second between a spoke and the next one
+  for (std::size_t j = 0; j < n; ++j) {
+    const std::size_t k = fan.after(j);
+    const Flat_corner c = corner(fan, j);
+    const double used = ((std::max)(fan.changes[j].up, 1 / fan.changes[j].down) - 1) / (largest * largest - 1),
+                 left = (std::max)(1 - used, 0.02), weight = 1 / (left * left);
+    // Half the sum of the eigenvalues is a w + b w', and the root that is added p w - q w'.
+    const double a = c.s * (c.t + c.c - c.s) / c.squared_sine, b = c.t * (c.s + c.c - c.t) / c.squared_sine,
+                 p = c.s / c.sine, q = c.t / c.sine;
+    diagonal[j] += weight * (2 * a * a + p * p);
+    diagonal[k] += weight * (2 * b * b + q * q);
+    beside[j] = weight * (2 * a * b - p * q);
+    g[j] += (c.s - c.t + c.c) / c.sine;
+    g[k] += (c.t - c.s + c.c) / c.sine;
+  }
+  const auto times_A = [&](const Fan_array<double>& w) {
+    Fan_array<double> result(n, 0.);
+    for (std::size_t j = 0; j < n; ++j) {
+      const std::size_t k = fan.after(j);
+      result[j] += diagonal[j] * w[j] + beside[j] * w[k];
+      result[k] += beside[j] * w[j];
+    }
+    return result;
+  };
+  const auto product = [](const Fan_array<double>& v, const Fan_array<double>& w) {
+    return std::inner_product(v.begin(), v.end(), w.begin(), 0.);
+  };
+  Fan_array<double> w(n, 1.), rest = g, step(n);
+  const Fan_array<double> image = times_A(w);
+  const double scale = product(g, w) / product(w, image);
+  for (std::size_t j = 0; j < n; ++j) {
+    rest[j] -= scale * image[j];
+    step[j] = rest[j] / diagonal[j];
+  }
+  const double energy = product(step, times_A(step)), length = energy > 0 ? product(rest, step) / energy : 0;
+  double most = 0;
+  for (std::size_t j = 0; j < n; ++j) {
+    w[j] = scale + length * step[j];
+    most = (std::max)(most, std::abs(w[j]));
+  }
+  for (double& x : w)
+    x /= most;
+  return w;
+}
+
 } // namespace
 
-bool flatten(const Fan& fan, double largest, Spoke_factors& factors)
+bool flatten(const Fan& fan, double largest, Fan_array<double>& factors)
 {
-  factors = {};
-  return find_factors(fan, largest, true, factors);
+  factors.assign(fan.size(), 1.);
+  return flatten_along(fan, fan.is_closed ? gentle_directions(fan, largest) : factors, largest, factors);
 }
-bool flatten_between_ends(const Fan& fan, double largest, Spoke_factors& factors)
+
+bool flatten_between_ends(const Fan& fan, double ends, double largest, Fan_array<double>& factors)
 {
-  return fan.size() > 2 && find_factors(fan, largest, false, factors);
+  Fan_array<double> w(fan.size(), 1.);
+  w.front() = w.back() = 0;
+  factors.front() = factors.back() = ends;
+  return fan.size() > 2 && flatten_along(fan, w, largest, factors);
 }
 
 // The squared factors are the eigenvalues of 1 + M, where M is the change of the metric relative to it. As the side on the
 // link keeps its length, M has a closed form without cancellation.
-double largest_squared_change(const Fan& fan, const Spoke_factors& factors)
+double largest_squared_change(const Fan& fan, const Fan_array<double>& factors)
 {
   double result = 1;
   for (std::size_t j = 0; j < fan.link.size(); ++j) {
     const std::size_t k = fan.after(j);
-    const Flat_corner old(fan.spokes[j], fan.spokes[k], fan.link[j]);
-    const double f = factor_of(fan, factors, j), g = factor_of(fan, factors, k);
+    const Flat_corner old = corner(fan, j);
+    const double f = factors[j], g = factors[k];
     const double d = (f - 1) * (f + 1) * old.s, e = (g - 1) * (g + 1) * old.t;
     const double half = ((old.t + old.c - old.s) * d + (old.s + old.c - old.t) * e) / old.squared_sine;
     const double root = std::sqrt(half * half + (d - e) * (d - e) / old.squared_sine);
@@ -121,7 +194,7 @@ double determinant(const Laid_out_point& p, const Laid_out_point& q) { return p.
 class Fan_triangulator
 {
 public:
-  Fan_triangulator(const Fan& fan, const Spoke_factors& factors, double line, Fan_triangulation& result)
+  Fan_triangulator(const Fan& fan, const Fan_array<double>& factors, double line, Fan_triangulation& result)
     : fan_(fan), result_(result), points_(fan.size()), before_(fan.size()), after_(fan.size()),
       side_(fan.link.begin(), fan.link.end())
   {
@@ -168,17 +241,16 @@ public:
   }
 
 private:
-  void lay_out(const Spoke_factors& factors)
+  void lay_out(const Fan_array<double>& factors)
   {
     Laid_out_point direction{1, 0};
     for (std::size_t j = 0; j < fan_.size(); ++j) {
-      const double r = factor_of(fan_, factors, j) * fan_.spokes[j];
+      const double r = factors[j] * fan_.spokes[j];
       points_[j] = {r * direction.x, r * direction.y};
       if (j + 1 == fan_.size())
         break;
-      const Flat_corner corner = scaled_corner(fan_, factors, j);
-      const double scale = 1 / std::hypot(corner.cosine, corner.sine), c = corner.cosine * scale,
-                   s = corner.sine * scale;
+      const Flat_corner flat = corner(fan_, factors, j);
+      const double c = flat.cosine / flat.scale, s = flat.sine / flat.scale;
       direction = {direction.x * c - direction.y * s, direction.x * s + direction.y * c};
     }
   }
@@ -229,7 +301,7 @@ private:
 
 } // namespace
 
-bool triangulate(const Fan& fan, const Spoke_factors& factors, double line, Fan_triangulation& result)
+bool triangulate(const Fan& fan, const Fan_array<double>& factors, double line, Fan_triangulation& result)
 {
   return fan.size() >= 3 && Fan_triangulator(fan, factors, line, result)();
 }

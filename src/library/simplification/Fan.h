@@ -45,21 +45,16 @@ struct Fan
   }
 };
 
-// The factors by which the first and the last spoke of an open fan, and all other spokes, become longer.
-struct Spoke_factors
-{
-  double ends = 1, others = 1;
-};
-
-// Finds the factors, all the same, with which the fan is flat: angles that sum to 2π, or π if it is open.
+// Finds factors by which the spokes become longer, so that the fan is flat: angles that sum to 2π, or π if it is open.
+// Those of an open fan are all the same.
 // \param largest the largest factor of interest, and the inverse of the least
 // \return whether they were found
-bool flatten(const Fan& fan, double largest, Spoke_factors& factors);
-// As above for an open fan, without changing the factor of its ends.
-bool flatten_between_ends(const Fan& fan, double largest, Spoke_factors& factors);
+bool flatten(const Fan& fan, double largest, Fan_array<double>& factors);
+// As above for an open fan, with a given factor for its ends. \param factors the result for both
+bool flatten_between_ends(const Fan& fan, double ends, double largest, Fan_array<double>& factors);
 
 // The largest squared factor by which the map to the flat fan, after those before, changes a length, or its inverse.
-double largest_squared_change(const Fan& fan, const Spoke_factors& factors);
+double largest_squared_change(const Fan& fan, const Fan_array<double>& factors);
 
 // A triangle of three points of the link, counterclockwise, and the lengths of its sides. It is cut off at `tip`; the
 // last triangle is the rest.
@@ -78,7 +73,7 @@ struct Fan_triangulation
 
 // \param line the length of the line that closes an open fan
 // \return whether a triangulation was found
-bool triangulate(const Fan& fan, const Spoke_factors& factors, double line, Fan_triangulation& result);
+bool triangulate(const Fan& fan, const Fan_array<double>& factors, double line, Fan_triangulation& result);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

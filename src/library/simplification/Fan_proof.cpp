@@ -76,34 +76,6 @@ Squared_change change_by_rounding(const std::array<double, 3>& sides)
   return {(Interval(1) - Interval(most)).inf(), (Interval(1) / (Interval(1) - Interval(most))).sup()};
 }
 
-bool prove_flip(const Measured_hinge& hinge, double kl, double limit, Squared_change& change)
-{
-  const Protector protector;
-  const Interval area_ijk = heron(hinge.ij, hinge.jk, hinge.ki), area_jil = heron(hinge.ij, hinge.il, hinge.lj);
-  if (!(area_ijk.inf() > 0 && area_jil.inf() > 0 && heron(kl, hinge.ki, hinge.il).inf() > 0 &&
-        heron(kl, hinge.jk, hinge.lj).inf() > 0))
-    return false;
-  Interval s_kl, area_ilk, area_jkl;
-  flip_hinge(squared(hinge.ij), squared(hinge.jk), squared(hinge.ki), squared(hinge.il), squared(hinge.lj),
-             CGAL::sqrt(area_ijk), CGAL::sqrt(area_jil), s_kl, area_ilk, area_jkl);
-  if (!(area_ilk.inf() > 0 && area_jkl.inf() > 0))
-    return false;
-  // Only the new diagonal is rounded: M has the eigenvalues δ (p ± 2 √(s_f s_g)) / a².
-  const Interval off(largest_magnitude(squared(kl) - s_kl));
-  double most = 0;
-  const auto add = [&](double f, double g, const Interval& area) {
-    const Interval across = squared(f) + squared(g) - s_kl;
-    const Interval sum = Interval(largest_magnitude(across)) + Interval(2) * Interval(f) * Interval(g);
-    most = (std::max)(most, (off * sum / CGAL::square(area)).sup());
-  };
-  add(hinge.ki, hinge.il, area_ilk);
-  add(hinge.jk, hinge.lj, area_jkl);
-  if (!(most < 1))
-    return false;
-  change = product(either(hinge.ijk, hinge.jil), Interval(1) - Interval(most), Interval(1) + Interval(most));
-  return is_within(change, limit);
-}
-
 namespace {
 
 struct Bounded_point

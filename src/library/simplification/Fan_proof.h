@@ -3,8 +3,8 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The factors by which the removal of a vertex, a flip and the rounding of lengths change lengths on a surface: proven,
-// in intervals. doc/simplification.md has the mathematics.
+// The factors by which the removal of a vertex and the rounding of lengths change lengths on a surface: proven, in
+// intervals. doc/simplification.md has the mathematics.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_LIBRARY_SIMPLIFICATION_FAN_PROOF_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_LIBRARY_SIMPLIFICATION_FAN_PROOF_H
@@ -23,17 +23,6 @@ Squared_change change_by_rounding(const std::array<double, 3>& sides);
 
 // One change after another.
 Squared_change product(const Squared_change& a, const Squared_change& b);
-
-// The lengths around an edge ij, and what its faces (i, j, k) and (j, i, l) have behind them.
-struct Measured_hinge
-{
-  double ij, jk, ki, il, lj;
-  Squared_change ijk, jil;
-};
-// Proves that the edge has another diagonal, and that `kl` makes triangles with its neighbours.
-// \param change that of both new faces
-// \return whether that is proven, and no squared change exceeds `limit`
-bool prove_flip(const Measured_hinge& hinge, double kl, double limit, Squared_change& change);
 
 // Proves that the fan, with its vertex at the place, is mapped one to one to the triangulation.
 //

@@ -66,8 +66,7 @@ struct Simplification_map::Layout
                             p.y + along * (q.y - p.y) + across * (q.x - p.x)};
       is_placed[corners[2]] = true;
     }
-    if (step.place != no_place)
-      points.back() = position(fresh[0], map.places_[step.place]);
+    points.back() = position(fresh[0], step.place);
   }
 
   internal::Planar_position position(const Triangle& t, const Coordinates& b) const
@@ -200,14 +199,12 @@ Simplification_map::Simplification_map(const Delta_complex& complex, const std::
 }
 
 void Simplification_map::add_step(std::uint32_t number_of_old, std::uint32_t number_of_points,
-                                  const std::array<double, 3>* place)
+                                  const std::array<double, 3>& place)
 {
   const std::size_t first =
     steps_.empty() ? 0 : steps_.back().first + steps_.back().number_of_old + steps_.back().number_of_new;
-  steps_.push_back({first, number_of_old, std::uint32_t(triangles_.size() - first) - number_of_old, number_of_points,
-                    place ? std::uint32_t(places_.size()) : no_place});
-  if (place)
-    places_.push_back(*place);
+  steps_.push_back(
+    {first, number_of_old, std::uint32_t(triangles_.size() - first) - number_of_old, number_of_points, place});
 }
 
 void Simplification_map::finish(const Delta_complex& complex, std::vector<std::uint32_t> numbers)

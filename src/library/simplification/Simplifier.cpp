@@ -47,7 +47,7 @@ struct Vertex_star
   {
     std::size_t first = 0; // its first spoke
     Fan fan;
-    Spoke_factors factors;
+    Fan_array<double> factors; // by which the spokes become longer
     Fan_triangulation holes;
     Fan_array<Squared_change> changes; // of the new triangles
     Fan_array<Simplification_map::Triangle> old_triangles;
@@ -186,16 +186,16 @@ private:
     if (star.number_of_parts == 2) {
       if (!flatten(two.fan, largest_factor_, two.factors))
         return Obstacle::BOUND;
-      one.factors.ends = two.factors.ends = std::sqrt(one.factors.ends * two.factors.ends);
-      if (!flatten_between_ends(one.fan, largest_factor_, one.factors) ||
-          !flatten_between_ends(two.fan, largest_factor_, two.factors))
+      const double ends = std::sqrt(one.factors.front() * two.factors.front());
+      if (!flatten_between_ends(one.fan, ends, largest_factor_, one.factors) ||
+          !flatten_between_ends(two.fan, ends, largest_factor_, two.factors))
         return Obstacle::BOUND;
     }
     change = largest_squared_change(one.fan, one.factors);
     if (star.number_of_parts == 2)
       change = (std::max)(change, largest_squared_change(two.fan, two.factors));
     if (!one.fan.is_closed)
-      star.line = one.factors.ends * (one.fan.spokes.front() + one.fan.spokes.back());
+      star.line = one.factors.front() * (one.fan.spokes.front() + one.fan.spokes.back());
     return change <= limit_ ? Obstacle::NONE : Obstacle::BOUND;
   }
 
@@ -273,7 +273,6 @@ private:
         return false;
     }
     touched_.clear();
-    open_.clear();
     for (Halfedge_index h : star_.spokes)
       touched_.push_back(original_[complex_.target(h).idx()]);
     for (std::size_t i = 0; i < star_.number_of_parts; ++i)
@@ -282,7 +281,6 @@ private:
       cut_ears(star_.parts[i]);
     take_out(v);
     --number_of_vertices_;
-    settle();
     std::sort(touched_.begin(), touched_.end());
     touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
     for (std::uint32_t vertex : touched_)
@@ -332,8 +330,6 @@ private:
     const Face_index f = complex_.face(h);
     complex_.set_halfedge(f, h);
     faces_[f.idx()] = {four_areas(sides), change, map_.add_triangle(sides)};
-    for (Halfedge_index side : {h, complex_.next(h), complex_.prev(h)})
-      open_.push_back(complex_.edge(side));
     return faces_[f.idx()].number;
   }
 
@@ -358,8 +354,6 @@ private:
       current_[moved] = v.idx();
     if (!is_closed)
       lengths_[removed.edge_after(line).idx()] = star_.line;
-    for (Edge_index& e : open_)
-      e = removed.edge_after(e);
     for (std::size_t i = 0; i < star_.number_of_parts; ++i) {
       Vertex_star::Part& part = star_.parts[i];
       const Ear& core = part.holes.ears.back();
@@ -381,49 +375,7 @@ private:
       const Ear& ear = part.holes.ears[i];
       map_.add_to_step({part.new_numbers[i], {ear.after, ear.before, ear.tip}});
     }
-    map_.add_step(std::uint32_t(part.old_triangles.size()), std::uint32_t(part.fan.size() + 1), &part.holes.place);
-  }
-
-  // -------------------------------------------------------------------------------- flips
-
-  // Makes the edges beside new faces Delaunay, up to rounding: only for better shapes, so few flips suffice.
-  void settle()
-  {
-    for (std::size_t left = 100 + 10 * star_.spokes.size(); left > 0 && !open_.empty(); --left) {
-      const Edge_index e = open_.back();
-      open_.pop_back();
-      if (!is_constrained_[e.idx()] && complex_.is_flippable(e))
-        flip_if_better(complex_.hinge(e));
-    }
-  }
-
-  void flip_if_better(const Hinge_halfedges& around)
-  {
-    const Face &ijk = faces_[complex_.face(around.ij).idx()], &jil = faces_[complex_.face(around.ji).idx()];
-    if (ijk.is_thin || jil.is_thin)
-      return;
-    const double s_ij = squared_length(around.ij), s_jk = squared_length(around.jk), s_ki = squared_length(around.ki),
-                 s_il = squared_length(around.il), s_lj = squared_length(around.lj);
-    const double value = Delaunay_value(s_jk + s_ki - s_ij, ijk.four_areas, s_il + s_lj - s_ij, jil.four_areas);
-    if (!(value < -1e-9 * ijk.four_areas * jil.four_areas))
-      return;
-    double s_kl, area_ilk, area_jkl;
-    flip_hinge(s_ij, s_jk, s_ki, s_il, s_lj, ijk.four_areas, jil.four_areas, s_kl, area_ilk, area_jkl);
-    const double kl = std::sqrt(s_kl);
-    const Measured_hinge measured{length(around.ij), length(around.jk), length(around.ki), length(around.il),
-                                  length(around.lj), ijk.change,        jil.change};
-    Squared_change change;
-    if (!(area_ilk > 0 && area_jkl > 0) || !prove_flip(measured, kl, limit_, change))
-      return;
-    map_.add_to_step(triangle(around.ij, 0, 1, 2));
-    map_.add_to_step(triangle(around.ji, 1, 0, 3));
-    for (Halfedge_index h : {around.ij, around.ji, around.jk, around.il})
-      touched_.push_back(original_[complex_.target(h).idx()]);
-    complex_.flip(around);
-    lengths_[complex_.edge(around.ij).idx()] = kl;
-    map_.add_to_step({set_face(around.ij, {kl, measured.ki, measured.il}, change), {3, 2, 0}});
-    map_.add_to_step({set_face(around.ji, {kl, measured.lj, measured.jk}, change), {2, 3, 1}});
-    map_.add_step(2, 4, nullptr);
+    map_.add_step(std::uint32_t(part.old_triangles.size()), std::uint32_t(part.fan.size() + 1), part.holes.place);
   }
 
   // -------------------------------------------------------------------------------- at the end
@@ -509,7 +461,6 @@ private:
   Simplification_map map_;
   Vertex_star star_;
   std::vector<std::uint32_t> touched_; // vertices whose faces were changed
-  std::vector<Edge_index> open_;       // edges that may have to be flipped
 };
 
 } // namespace
