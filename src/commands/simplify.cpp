@@ -27,7 +27,6 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/prolongation_matrix.h>
 #include <CGAL/Intrinsic_triangulations/simplify_surface.h>
-#include <CGAL/Intrinsic_triangulations/transfer.h>
 #include <CGAL/Intrinsic_triangulations/triangulation_io.h>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -35,6 +34,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -108,7 +108,7 @@ std::vector<bool> constrained_edges(const Surface& surface, const Triangulation&
 // The possible change of distances, as a percentage.
 double percentage(const IT::Metric_change& change) { return 100 * ((std::max)(change.stretch, 1 / change.shrink) - 1); }
 
-// The coarse edges on the input, and the possible change of distances at the places of the input's vertices.
+// The edges of the result on the input, coloured by the possible change of distances beside them.
 View view_of(const Simplify_options& options, const Surface& surface, const Triangulation& fine,
              const IT::Element_numbers& input_numbers, const IT::Simplified_surface& result)
 {
@@ -116,30 +116,38 @@ View view_of(const Simplify_options& options, const Surface& surface, const Tria
   View view = make_view(options.input, "before the simplification", subdivision, surface.points, input_numbers,
                         IT::element_numbers(fine));
   const IT::Delta_complex& coarse = result.map.coarse();
-  std::vector<double> changes(fine.connectivity().number_of_vertices());
-  for (std::size_t v = 0; v < changes.size(); ++v)
-    if (result.places[v].halfedge.is_valid())
-      changes[v] = percentage(result.changes_in_faces[coarse.face(result.places[v].halfedge).idx()]);
-  view.fields.push_back(
-    {"change", "at most, in percent of a distance", false, {IT::interpolate_intrinsic_values(subdivision, changes)}});
   std::vector<IT::Simplification_map::Line_part> lines;
+  std::vector<double> changes;
   for (IT::Edge_index e : coarse.edges()) {
     const IT::Halfedge_index h =
       coarse.is_border(coarse.halfedge(e)) ? coarse.opposite(coarse.halfedge(e)) : coarse.halfedge(e);
     lines.push_back({IT::Surface_point{h, {1, 0, 0}}, IT::Surface_point{h, {0, 1, 0}}});
+    changes.push_back(percentage(result.changes_in_faces[coarse.face(h).idx()]));
+    if (!coarse.is_border(e))
+      changes.back() =
+        (std::max)(changes.back(), percentage(result.changes_in_faces[coarse.face(coarse.opposite(h)).idx()]));
   }
   const IT::Point_location location(subdivision);
+  const auto add = [&](const std::array<double, 3>& point, std::size_t line) {
+    view.path.push_back(point);
+    view.path_numbers.push_back(changes[line]);
+  };
   const auto in_space = [&](const IT::Surface_point& p) {
     return IT::point_in_space(fine.input(), surface.points, location.intrinsic_to_input(p));
   };
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  for (const IT::Simplification_map::Line& line : result.map.lines_to_fine(lines)) {
-    view.path.push_back({none, none, none}); // not joined to the one before
-    for (const auto& [from, to] : line) {
-      view.path.push_back(in_space(from));
-      view.path.push_back(in_space(to));
+  const std::vector<IT::Simplification_map::Line> on_fine = result.map.lines_to_fine(lines);
+  for (std::size_t i = 0; i < on_fine.size(); ++i) {
+    add({none, none, none}, i); // not joined to the one before
+    for (const auto& [from, to] : on_fine[i]) {
+      add(in_space(from), i);
+      add(in_space(to), i);
     }
   }
+  if (!changes.empty())
+    view.path_name = "edges of the result: lengths there changed by at most " +
+                     in_short(*std::min_element(changes.begin(), changes.end())) + " % (dark) to " +
+                     in_short(*std::max_element(changes.begin(), changes.end())) + " % (light)";
   return view;
 }
 

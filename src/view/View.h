@@ -49,7 +49,9 @@ struct View
   std::vector<std::uint8_t> sides;               // (i + 1) + 4 (j + 1) for side i of the input face and j of the other
   std::vector<std::vector<std::uint32_t>> faces; // for each triangulation, the face that contains the triangle
   std::vector<View_field> fields;
-  std::vector<std::array<double, 3>> path;
+  std::vector<std::array<double, 3>> path; // lines, with NaN between them
+  std::string path_name = "the line";
+  std::vector<double> path_numbers; // which colour the lines: for each point, or none
 };
 
 // The view of an input and of its result.

@@ -75,6 +75,7 @@ async function start_page() {
     picture.request();
   });
   by_id("path-label").hidden = !picture.path;
+  by_id("path-label").lastElementChild.textContent = " " + page.path;
   by_id("path").addEventListener("change", event => {
     picture.path.visible = event.target.checked;
     picture.request();

@@ -32,6 +32,18 @@ function make_line(segments, colour, width) {
     { colour: { value: colour }, width: { value: width }, size: { value: null } }));
 }
 
+// \param numbers for each point, to colour the lines; or none
+function make_path(path, numbers) {
+  const lowest = numbers.reduce((x, y) => Math.min(x, y), Infinity), highest = numbers.reduce((x, y) => Math.max(x, y), -Infinity);
+  const colours = numbers.length > 0 ? scale_colours : [path_colour], segments = colours.map(() => []);
+  for (let i = 3; i < path.length; i += 3)
+    if (!isNaN(path[i]) && !isNaN(path[i - 3])) { // several lines have NaN between them
+      const class_of = numbers.length > 0 && highest > lowest ? Math.round((numbers[i / 3] - lowest) / (highest - lowest) * (colours.length - 1)) : 0;
+      segments[class_of].push([new THREE.Vector3().fromArray(path, i - 3), new THREE.Vector3().fromArray(path, i)]);
+    }
+  return new THREE.Group().add(...segments.map((part, i) => make_line(part, colours[i], isNaN(path[0]) ? 3 : 5)));
+}
+
 function make_points(places, colour, width) {
   const position = new Float32Array(3 * places.length);
   places.forEach((p, i) => p.toArray(position, 3 * i));
@@ -135,12 +147,8 @@ class Picture {
       inserted.push(place(v));
     if (inserted.length > 0)
       this.scene.add(this.points = make_points(inserted, [1, 1, 1], 4));
-    const path = read_floats("path"), segments = [];
-    for (let i = 3; i < path.length; i += 3)
-      if (!isNaN(path[i]) && !isNaN(path[i - 3])) // several lines have NaN between them
-        segments.push([new THREE.Vector3().fromArray(path, i - 3), new THREE.Vector3().fromArray(path, i)]);
-    if (segments.length > 0)
-      this.scene.add(this.path = make_line(segments, path_colour, isNaN(path[0]) ? 3 : 5));
+    if (page.arrays.path[1] > 0)
+      this.scene.add(this.path = make_path(read_floats("path"), read_floats("path-numbers")));
     this.control = new Orbit_camera(canvas, page.radius, () => this.request(true));
     new ResizeObserver(() => this.request()).observe(canvas);
   }

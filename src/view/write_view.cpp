@@ -182,8 +182,9 @@ struct Box
 
 Json description(const View& view, const Box& box)
 {
-  Json json = {{"title", view.title},  {"result", view.result},     {"center", box.center},   {"scale", box.scale},
-               {"radius", box.radius}, {"vertices", Json::array()}, {"fields", Json::array()}};
+  Json json = {{"title", view.title},     {"result", view.result}, {"center", box.center},
+               {"scale", box.scale},      {"radius", box.radius},  {"vertices", Json::array()},
+               {"fields", Json::array()}, {"path", view.path_name}};
   for (const View_triangulation& t : view.triangulations)
     json["vertices"].push_back(t.number_of_vertices);
   for (const View_field& field : view.fields)
@@ -211,6 +212,7 @@ void write_page(std::ostream& os, const View& view)
   arrays.add_integers("corners", view.corners);
   arrays.add("sides", view.sides);
   arrays.add_words("path", words_of(box.inside(view.path)));
+  arrays.add_words("path-numbers", words_of(view.path_numbers));
   Words input_lengths, input_cotangents;
   for (std::size_t t = 0; t < view.triangulations.size(); ++t) {
     const View_triangulation& triangulation = view.triangulations[t];

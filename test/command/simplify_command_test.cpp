@@ -134,6 +134,7 @@ TEST_F(Simplify_command, shows_its_edges_on_the_input)
   ASSERT_EQ(idt("sample bumpy-sphere -o m").status, 0);
   EXPECT_EQ(idt("simplify m.off --view p.html").status, 0);
   EXPECT_TRUE(contains(content(folder_ / "p.html"), "before the simplification"));
+  EXPECT_TRUE(contains(content(folder_ / "p.html"), "edges of the result: lengths there changed by at most"));
 }
 
 } // namespace

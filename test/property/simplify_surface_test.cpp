@@ -88,7 +88,7 @@ void expect_nearly_isometric(const IT::Simplified_surface& result)
 
 TEST(Simplify_surface, a_box_keeps_its_corners_alone)
 {
-  for (const auto& size : {std::array<double, 3>{1, 1, 1}, {1, 0.6, 2}}) {
+  for (const auto& size : {std::array<double, 3>{1, 1, 1}, {1, 0.6, 2}, {1, 0.7, 2}, {0.3, 0.6, 0.7}}) {
     const Indexed_triangles surface = box(10, size);
     ASSERT_EQ(surface.points.size(), 602u);
     const IT::Simplified_surface result = simplified(surface);
@@ -163,7 +163,7 @@ TEST(Simplify_surface, given_vertices_are_kept)
 // Lines of constrained edges stay straight, with the points on them.
 TEST(Simplify_surface, sharp_edges_are_kept_as_lines)
 {
-  const Indexed_triangles surface = box(6, {1, 0.5, 2});
+  const Indexed_triangles surface = box(6, {1, 0.7, 2});
   Triangulation fine = triangulation_of(surface);
   const IT::Simplified_surface result = IT::simplify_surface(fine, np::sharp_angle(30));
   EXPECT_EQ(result.kept.size(), 8u);
@@ -173,7 +173,7 @@ TEST(Simplify_surface, sharp_edges_are_kept_as_lines)
   for (IT::Edge_index e : result.map.coarse().edges())
     if (result.is_constrained[e.idx()])
       total += result.triangulation.input_metric().lengths()[e.idx()];
-  EXPECT_NEAR(std::ldexp(total, 1), 2 * 4 * (1 + 0.5 + 2), 1e-9);
+  EXPECT_NEAR(std::ldexp(total, 1), 2 * 4 * (1 + 0.7 + 2), 1e-9);
 }
 
 // The rim of a curved surface, between two faces.
@@ -294,7 +294,7 @@ TEST(Simplification_map, faces_cover_the_coarse_surface_once)
   std::uniform_real_distribution<double> unit(0, 1);
   std::vector<IT::Surface_point> points;
   for (IT::Face_index f : coarse.faces())
-    for (int i = 0; i < 50; ++i) {
+    for (int i = 0; i < 1000; ++i) {
       const double a = std::sqrt(unit(random)), b = unit(random);
       points.push_back({coarse.halfedge(f), {1 - a, a * (1 - b), a * b}});
     }
@@ -304,7 +304,7 @@ TEST(Simplification_map, faces_cover_the_coarse_surface_once)
     ++hits[fine.face(on_fine[i].halfedge).idx()];
     EXPECT_EQ(coarse.face(back[i].halfedge), coarse.face(points[i].halfedge));
   }
-  EXPECT_LT(std::count(hits.begin(), hits.end(), 0), std::ptrdiff_t(hits.size() / 5));
+  EXPECT_LT(std::count(hits.begin(), hits.end(), 0), std::ptrdiff_t(hits.size() / 100));
 }
 
 TEST(Simplification_map, edges_come_back_as_polylines)
