@@ -9,6 +9,7 @@
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/shortest_path.h>
 #include <CGAL/Intrinsic_triangulations/simplify_surface.h>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -110,6 +111,24 @@ TEST(Simplify_surface, flat_and_developable_surfaces_stay_what_they_are)
   const IT::Simplified_surface sheared = simplified(samples::sheared_grid(12, 12, 5));
   EXPECT_EQ(sheared.kept.size(), 4u);
   expect_nearly_isometric(sheared);
+  // A flat torus of 25 vertices: no vertex of it has curvature, and some have to be left.
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  const auto vertex = [](std::uint32_t i, std::uint32_t j) { return 5 * (i % 5) + j % 5; };
+  for (std::uint32_t i = 0; i < 5; ++i)
+    for (std::uint32_t j = 0; j < 5; ++j) {
+      triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
+      triangles.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+    }
+  const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(25, triangles);
+  std::vector<double> lengths;
+  for (IT::Edge_index e : complex.edges()) {
+    const auto v = complex.source(complex.halfedge(e)).idx(), w = complex.target(complex.halfedge(e)).idx();
+    lengths.push_back(v / 5 == w / 5 ? 3 : v % 5 == w % 5 ? 4 : 5);
+  }
+  Triangulation torus = Triangulation::from_lengths(complex, lengths);
+  const IT::Simplified_surface flat_torus = IT::simplify_surface(torus, np::maximum_change(0.));
+  EXPECT_LE(flat_torus.kept.size(), 4u);
+  expect_nearly_isometric(flat_torus);
 }
 
 TEST(Simplify_surface, no_change_keeps_all_but_flat_vertices)
@@ -397,6 +416,48 @@ TEST(Simplify_surface, hard_surfaces_end_with_a_bound)
       const samples::Glued_triangles gluing = samples::random_gluing(1 + seed * 3, seed, seed % 2 == 0);
       const IT::Delta_complex complex = IT::make_Delta_complex_from_gluing(gluing.number_of_faces, gluing.glued_sides);
       expect_bound(Triangulation::from_lengths(complex, std::vector<double>(complex.number_of_edges(), 1.)), change);
+    }
+  }
+}
+
+// Two vertices of a curved surface are next to each other: the faces between them are far too thin for their lengths to be
+// described by doubles. All others are simplified as ever.
+TEST(Simplify_surface, faces_thinner_than_doubles_stay_as_they_are)
+{
+  for (double gap : {1e-9, 1e-13, 1e-16}) {
+    Indexed_triangles surface = samples::bumpy_sphere(30, 20, 0.1);
+    for (auto& p : surface.points)
+      p[0] += 1e-3; // so that the gap is not lost beside a coordinate
+    std::size_t t = 0;
+    while (std::abs(surface.points[surface.triangles[t][0]][2]) > 0.1)
+      ++t;
+    const std::uint32_t a = surface.triangles[t][0], b = surface.triangles[t][1], c = surface.triangles[t][2],
+                        d = std::uint32_t(surface.points.size());
+    std::array<double, 3> p = surface.points[a];
+    for (std::size_t i = 0; i < 3; ++i)
+      p[i] += gap * (0.5 * (surface.points[b][i] + surface.points[c][i]) - p[i]);
+    surface.points.push_back(p);
+    surface.triangles[t] = {a, b, d};
+    surface.triangles.push_back({b, c, d});
+    surface.triangles.push_back({c, a, d});
+    if (surface.points[a] == p)
+      continue; // rounded away
+    SCOPED_TRACE(gap);
+    const IT::Simplified_surface result = simplified(surface);
+    EXPECT_LT(result.kept.size(), surface.points.size() / 2);
+    EXPECT_GE(result.shrink, 1 / 1.05 - 1e-9);
+    EXPECT_LE(result.stretch, 1.05 + 1e-9);
+    Triangulation fine = triangulation_of(surface);
+    IT::flip_to_Delaunay(fine);
+    const IT::Vertex_index source = result.kept[0];
+    const auto exact = IT::geodesic_distances(fine, std::vector<IT::Vertex_index>{source}, np::tolerance(0.)).distances,
+               found = IT::geodesic_distances(result.triangulation, std::vector<IT::Vertex_index>{IT::Vertex_index(0)},
+                                              np::tolerance(0.))
+                         .distances;
+    for (std::size_t v = 1; v < found.size(); ++v) {
+      const double factor = found[v] / exact[result.kept[v].idx()];
+      EXPECT_GE(factor, result.shrink * (1 - 1e-9)) << v;
+      EXPECT_LE(factor, result.stretch * (1 + 1e-9)) << v;
     }
   }
 }
