@@ -22,8 +22,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <random>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -362,6 +365,94 @@ TEST(Geodesic_distances, cross_a_spine_to_all_pages)
           }
         }
     }
+}
+
+// Unit squares of a grid, by chance, cut along either diagonal and turned to either side: up to four meet at an edge.
+void make_soup(std::uint32_t seed, Points& points, Triangles& triangles)
+{
+  constexpr std::uint32_t n = 3;
+  std::mt19937 random(seed);
+  for (std::uint32_t i = 0; i < n * n * n; ++i)
+    points.push_back({double(i % n), double(i / n % n), double(i / n / n)});
+  const std::array<std::uint32_t, 3> step{1, n, n * n};
+  for (std::uint32_t v = 0; v < points.size(); ++v)
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::uint32_t a = step[(axis + 1) % 3], b = step[(axis + 2) % 3];
+      if (points[v][(axis + 1) % 3] == n - 1 || points[v][(axis + 2) % 3] == n - 1 || random() % 8 < 3)
+        continue;
+      std::array<std::uint32_t, 4> corners{v, v + a, v + a + b, v + b};
+      std::rotate(corners.begin(), corners.begin() + random() % 2, corners.end());
+      if (random() % 2 == 0)
+        std::reverse(corners.begin(), corners.end());
+      triangles.push_back({corners[0], corners[1], corners[2]});
+      triangles.push_back({corners[0], corners[2], corners[3]});
+    }
+}
+
+// The lengths of the shortest ways over some points on the edges, straight within the faces.
+std::vector<double> lengths_over_edge_points(const Points& points, const Triangles& triangles, std::uint32_t source)
+{
+  constexpr int parts = 12;
+  std::map<std::array<std::uint32_t, 3>, std::uint32_t> number; // ends of an edge, and the place on it
+  Points places = points;
+  std::vector<std::vector<std::uint32_t>> faces;
+  for (const auto& t : triangles) {
+    faces.emplace_back(t.begin(), t.end());
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [v, w] = std::minmax(t[i], t[(i + 1) % 3]);
+      for (std::uint32_t k = 1; k < parts; ++k) {
+        const auto [found, is_new] = number.insert({{v, w, k}, std::uint32_t(places.size())});
+        if (is_new) {
+          std::array<double, 3> p;
+          for (std::size_t c = 0; c < 3; ++c)
+            p[c] = points[v][c] + (points[w][c] - points[v][c]) * k / parts;
+          places.push_back(p);
+        }
+        faces.back().push_back(found->second);
+      }
+    }
+  }
+  std::vector<std::vector<std::size_t>> faces_at(places.size());
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (std::uint32_t v : faces[f])
+      faces_at[v].push_back(f);
+  std::vector<double> result(places.size(), std::numeric_limits<double>::infinity());
+  std::set<std::pair<double, std::uint32_t>> queue{{0, source}};
+  result[source] = 0;
+  while (!queue.empty()) {
+    const auto [length, v] = *queue.begin();
+    queue.erase(queue.begin());
+    for (std::size_t f : faces_at[v])
+      for (std::uint32_t w : faces[f])
+        if (const double other = length + straight(places, v, w); other < result[w]) {
+          queue.erase({result[w], w});
+          result[w] = other;
+          queue.insert({other, w});
+        }
+  }
+  result.resize(points.size());
+  return result;
+}
+
+// Ways may reach an edge from several faces, and there is always a way over points on the edges.
+TEST(Geodesic_distances, exceed_no_way_where_many_faces_meet)
+{
+  for (std::uint32_t seed = 0; seed < 12; ++seed) {
+    Points points;
+    Triangles triangles;
+    make_soup(seed, points, triangles);
+    const IT::Tufted_cover cover = Delaunay_cover(points, triangles, IT::Surface_cover::SHEETS);
+    for (std::uint32_t source : {triangles[0][0], triangles.back()[2]}) {
+      const std::vector<double> longer = lengths_over_edge_points(points, triangles, source);
+      for (double tolerance : {0., 0.001}) {
+        const auto found = IT::geodesic_distances(cover, {Vertex_index(source)}, with_tolerance(tolerance));
+        EXPECT_TRUE(found.is_complete);
+        for (std::size_t v = 0; v < points.size(); ++v)
+          if (longer[v] < std::numeric_limits<double>::infinity())
+            EXPECT_LE(found.distances[v], longer[v] * (1 + (tolerance > 0 ? 1e-3 : 1e-12))) << seed << ' ' << v;
+      }
+    }
+  }
 }
 
 // Its double cover has the same distances.
