@@ -9,8 +9,8 @@
 //
 // Without MESH, table1/horse.off from the folder in the environment variable IDT_DATA_DIR, or from
 // shared/data beside the checkout, is taken, and the sample bumpy sphere. Each round runs every
-// method once; what is printed is the median of the rounds in nanoseconds an edge, and its
-// ratio to Heat_method_3, which counts where the machine is busy.
+// method once. The output is the median of the rounds in nanoseconds an edge, and the
+// ratio to Heat_method_3, the number to use on a busy machine.
 
 #include "benchmark_meshes.h"
 

@@ -164,15 +164,16 @@ private:
     stage("integers and input connectivity", 2 * complex_bytes, times, counts,
           [&] { IT::internal::engine<ConcurrencyTag>(*t); });
     std::optional<IT::Overlay> overlay;
-    overlay.emplace(*t, CGAL::parameters::default_values(), ConcurrencyTag()); // for its size
+    overlay = IT::make_overlay<ConcurrencyTag>(*t); // for its size
     const double overlay_bytes = 28. * overlay->number_of_segments() + 4. * overlay->number_of_vertices() +
                                  12. * overlay->number_of_faces() + 16 * e;
     stage("overlay: graph", 2 * complex_bytes + overlay_bytes, times, counts,
-          [&] { overlay.emplace(*t, CGAL::parameters::default_values(), ConcurrencyTag()); });
+          [&] { overlay = IT::make_overlay<ConcurrencyTag>(*t); });
     std::optional<IT::Overlay_positions> positions;
     stage("overlay: positions", overlay_bytes + 16. * overlay->number_of_crossings() + points_bytes, times, counts,
           [&] {
-            positions.emplace(IT::internal::engine(*t), *overlay, CGAL::parameters::default_values(), ConcurrencyTag());
+            positions.emplace(IT::internal::engine(*t), *overlay, IT::Progress_function(),
+                              IT::internal::threads<ConcurrencyTag>());
           });
     stage("cotangent weights", complex_bytes + metric_bytes + 8 * e, times, counts,
           [&] { IT::cotangent_weights<ConcurrencyTag>(*t); });

@@ -14,7 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/polygon_soup.h>
-#include <CGAL/Intrinsic_triangulations/prolongation_matrix.h>
+#include <CGAL/Intrinsic_triangulations/transfer_matrices.h>
 #include <CGAL/Intrinsic_triangulations/simplify_surface.h>
 
 #include <Eigen/IterativeLinearSolvers>

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <cstdlib>
 #include <iostream>
@@ -53,8 +54,8 @@ int main()
 
   // The sheet can be laid out, so distances in the logarithmic map are those of a rectangle.
   const auto map = heat.log_map(source);
-  const IT::Planar_vector<double> opposite = map.back();
-  std::cout << "to the opposite corner:      " << std::hypot(opposite.x(), opposite.y()) << ", exactly "
+  const std::complex<double> opposite = map.back();
+  std::cout << "to the opposite corner:      " << std::hypot(opposite.real(), opposite.imag()) << ", exactly "
             << std::hypot(columns, rows) << '\n';
   return EXIT_SUCCESS;
 }

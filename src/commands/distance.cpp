@@ -42,6 +42,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -277,16 +278,16 @@ void find_vectors(const Distance_options& options, const Triangulation& triangul
 {
   const std::size_t n = result.number_of_vertices;
   const IT::Vector_heat_method heat(triangulation, CGAL::parameters::visitor([] { return !is_interrupted(); }));
-  std::vector<std::pair<IT::Vertex_index, IT::Planar_vector<double>>> axes;
+  std::vector<std::pair<IT::Vertex_index, std::complex<double>>> axes;
   for (std::uint64_t v : std::set<std::uint64_t>(options.sources.begin(), options.sources.end()))
     axes.push_back({IT::Vertex_index(IT::Vertex_index::size_type(v)), {1, 0}});
   const auto transported = heat.transport_tangent_vectors(axes);
   Named_values axis{"axis", {}, points.empty() ? std::size_t(2) : std::size_t(3)};
   const auto frames = points.empty() ? std::vector<IT::Vertex_frame>() : IT::vertex_frames(triangulation, points);
   for (std::size_t v = 0; v < n; ++v) {
-    const IT::Planar_vector<double>& z = transported[v];
+    const std::complex<double>& z = transported[v];
     const std::array<double, 3> vector =
-      points.empty() ? std::array<double, 3>{z.x(), z.y(), 0} : frames[v].in_space(z);
+      points.empty() ? std::array<double, 3>{z.real(), z.imag(), 0} : frames[v].in_space(z);
     axis.values.insert(axis.values.end(), vector.begin(), vector.begin() + std::ptrdiff_t(axis.components));
   }
   result.vectors.push_back(std::move(axis));
@@ -295,7 +296,7 @@ void find_vectors(const Distance_options& options, const Triangulation& triangul
   Named_values log{"log", {}, 2};
   const auto map = heat.log_map(axes.front().first);
   for (std::size_t v = 0; v < n; ++v)
-    log.values.insert(log.values.end(), {map[v].x(), map[v].y()});
+    log.values.insert(log.values.end(), {map[v].real(), map[v].imag()});
   result.vectors.push_back(std::move(log));
 }
 

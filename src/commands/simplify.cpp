@@ -25,7 +25,7 @@
 #include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/prolongation_matrix.h>
+#include <CGAL/Intrinsic_triangulations/transfer_matrices.h>
 #include <CGAL/Intrinsic_triangulations/simplify_surface.h>
 #include <CGAL/Intrinsic_triangulations/triangulation_io.h>
 

@@ -9,15 +9,13 @@
 
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/surface_features.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
-#include <map>
-#include <optional>
-#include <set>
 #include <sstream>
 #include <utility>
 
@@ -31,7 +29,7 @@ class Constraint_reader
 {
 public:
   Constraint_reader(const std::string& path, Surface& surface)
-    : path_(path), surface_(surface), complex_(surface.connectivity)
+    : path_(path), complex_(surface.connectivity), divider_(surface.connectivity, surface.points)
   {}
 
   std::vector<bool> operator()()
@@ -50,20 +48,17 @@ public:
         continue;
       if (first == "face") {
         is_line = true;
-        last_.reset();
+        divider_.begin_line();
       } else if (is_line) {
         add_point(numbers<7>(text, "a face, three vertices and three coordinates, as `idt geodesic` writes them"));
       } else {
         const auto pair = numbers<2>(text, "two vertices");
-        constrain(vertex(pair[0]), vertex(pair[1]));
+        divide([&] { divider_.add_edge(vertex(pair[0]), vertex(pair[1])); });
       }
     }
     if (file.bad())
       fail("the file cannot be read");
-    std::vector<bool> result(complex_.number_of_edges());
-    for (IT::Edge_index e : edges_)
-      result[e.idx()] = true;
-    return result;
+    return divider_.edges();
   }
 
 private:
@@ -95,23 +90,7 @@ private:
     return IT::Vertex_index(std::uint32_t(number));
   }
 
-  // A halfedge from v to w, if there is one.
-  std::optional<IT::Halfedge_index> halfedge(IT::Vertex_index v, IT::Vertex_index w) const
-  {
-    for (IT::Halfedge_index h : IT::internal::Halfedges_around(complex_, v))
-      if (complex_.source(h) == w)
-        return complex_.opposite(h);
-    return std::nullopt;
-  }
-  void constrain(IT::Vertex_index v, IT::Vertex_index w)
-  {
-    const auto h = halfedge(v, w);
-    if (!h)
-      fail("no edge joins vertex " + std::to_string(v.idx()) + " and vertex " + std::to_string(w.idx()));
-    edges_.insert(complex_.edge(*h));
-  }
-
-  // A point of a line: a vertex, or inside an edge or a face, which is split there.
+  // A point of a line, given by a face, its vertices and coordinates.
   void add_point(const std::array<double, 7>& row)
   {
     std::vector<std::pair<IT::Vertex_index, double>> corners;
@@ -120,80 +99,22 @@ private:
         corners.emplace_back(vertex(row[1 + i]), row[4 + i]);
     if (corners.empty())
       fail("the coordinates are not positive");
-    const IT::Vertex_index v = corners.size() == 1   ? corners[0].first
-                               : corners.size() == 2 ? on_edge(corners)
-                                                     : in_face(corners);
-    if (last_ && *last_ != v)
-      constrain(*last_, v);
-    last_ = v;
+    divide([&] { divider_.add_point(corners); });
   }
-  IT::Vertex_index on_edge(const std::vector<std::pair<IT::Vertex_index, double>>& corners)
+  template <class Divide>
+  void divide(const Divide& divide) const
   {
-    if (const auto known = cuts_.find({corners[0].first, corners[1].first}); known != cuts_.end()) {
-      if (known->second.second != corners[1].second)
-        fail("the edge is crossed a second time: a line may cross each edge once");
-      return known->second.first;
+    try {
+      divide();
+    } catch (const IT::Invalid_point_error& error) {
+      fail(error.what());
     }
-    const auto h = halfedge(corners[0].first, corners[1].first);
-    if (!h || complex_.is_self_glued(complex_.edge(*h)))
-      fail("no edge joins vertex " + std::to_string(corners[0].first.idx()) + " and vertex " +
-           std::to_string(corners[1].first.idx()));
-    const IT::Vertex_index v = complex_.split_edge(*h);
-    const bool is_kept = edges_.count(complex_.edge(*h)) != 0;
-    add_place(corners);
-    if (is_kept)
-      constrain(v, corners[1].first);
-    cuts_[{corners[0].first, corners[1].first}] = {v, corners[1].second};
-    cuts_[{corners[1].first, corners[0].first}] = {v, corners[0].second};
-    return v;
-  }
-  // The end of a line that has entered the face with these corners through a vertex or across a side.
-  IT::Vertex_index in_face(const std::vector<std::pair<IT::Vertex_index, double>>& corners)
-  {
-    auto side = side_of_face(corners[0].first, corners[1].first, corners[2].first);
-    for (std::size_t i = 0; i < 6 && !side; ++i) {
-      const auto& [x, at_x] = corners[i % 3];
-      const auto& [y, at_y] = corners[(i + 1 + i / 3) % 3];
-      const auto cut = cuts_.find({x, y});
-      if (cut != cuts_.end() && cut->second.first == last_ &&
-          at_y * (1 - cut->second.second) > at_x * cut->second.second)
-        side = side_of_face(*last_, y, corners[(i + 2 - i / 3) % 3].first);
-    }
-    if (!side)
-      fail("a line ends in a face that was cut before: let it end on an edge");
-    const IT::Vertex_index v = complex_.split_face(*side);
-    add_place(corners);
-    return v;
-  }
-  // A side of the face with these corners, in either order.
-  std::optional<IT::Halfedge_index> side_of_face(IT::Vertex_index a, IT::Vertex_index b, IT::Vertex_index c) const
-  {
-    if (const auto side = halfedge(a, b))
-      for (IT::Halfedge_index h : {*side, complex_.opposite(*side)})
-        if (!complex_.is_border(h) && complex_.target(complex_.next(h)) == c)
-          return h;
-    return std::nullopt;
-  }
-  void add_place(const std::vector<std::pair<IT::Vertex_index, double>>& corners)
-  {
-    double sum = 0;
-    for (const auto& [v, x] : corners)
-      sum += x;
-    std::array<double, 3> place{};
-    for (const auto& [v, x] : corners)
-      for (std::size_t axis = 0; axis < 3; ++axis)
-        place[axis] += x / sum * surface_.points[v.idx()][axis];
-    surface_.points.push_back(place);
   }
 
   const std::string& path_;
-  Surface& surface_;
   IT::Delta_complex& complex_;
+  IT::Line_divider divider_;
   std::size_t line_ = 0;
-  std::set<IT::Edge_index> edges_;
-  std::optional<IT::Vertex_index> last_; // of the current line
-  // The vertex on an edge that was cut, and its coordinate at the second end.
-  std::map<std::pair<IT::Vertex_index, IT::Vertex_index>, std::pair<IT::Vertex_index, double>> cuts_;
 };
 
 } // namespace

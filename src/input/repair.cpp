@@ -27,7 +27,9 @@ Repair_report repair(Surface_input& input, const std::optional<double>& stitchin
   IT::Repaired_polygons repaired;
   try {
     Progress progress(input.path, "repairing");
-    repaired = IT::repair_polygons(input.points, input.polygons(), std::ref(progress), stitching_tolerance);
+    repaired = IT::repair_polygons(
+      input.points, input.polygons(),
+      CGAL::parameters::stitching_tolerance(stitching_tolerance).visitor(IT::Progress_function(std::ref(progress))));
   } catch (const IT::Cancelled_error&) {
     throw IT::Cancelled_error(input.path + ": cancelled while it was repaired");
   } catch (const IT::Invalid_surface_error& error) {

@@ -9,7 +9,7 @@
 #include "system/Progress.h"
 #include "system/Stopwatch.h"
 
-#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/squared_lengths.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/triangulation_io.h>
 

@@ -35,8 +35,10 @@ py::tuple repair(const Doubles& points, const Indices& corners, const std::vecto
                           all.begin() + std::ptrdiff_t(first_corner[f + 1]));
   }
   IT::Repaired_polygons repaired = without_lock([&] {
-    return IT::repair_polygons(
-      rows, polygons, [](double) { return Signal_watch::goes_on(); }, stitching_tolerance);
+    return IT::repair_polygons(rows, polygons,
+                               CGAL::parameters::stitching_tolerance(stitching_tolerance).visitor([](double) {
+                                 return Signal_watch::goes_on();
+                               }));
   });
   py::list repairs;
   for (const IT::Repair& r : repaired.repairs)

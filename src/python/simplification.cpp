@@ -9,7 +9,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Simplified_distances.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/prolongation_matrix.h>
+#include <CGAL/Intrinsic_triangulations/transfer_matrices.h>
 #include <CGAL/Intrinsic_triangulations/simplify_surface.h>
 
 #include <CGAL/Named_function_parameters.h>

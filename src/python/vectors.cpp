@@ -36,7 +36,7 @@ py::array to_rows(const std::vector<Vector_heat::Vector>& vectors)
 {
   std::vector<std::array<double, 2>> result;
   for (const Vector_heat::Vector& v : vectors)
-    result.push_back({v.x(), v.y()});
+    result.push_back({v.real(), v.imag()});
   return to_array(std::move(result));
 }
 

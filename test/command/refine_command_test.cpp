@@ -3,9 +3,7 @@
 //
 // `idt refine`: what it writes, what it counts, and how it ends.
 
-#include "Command_test.h"
-
-#include <nlohmann/json.hpp>
+#include "Tables_test.h"
 
 #include <algorithm>
 #include <array>
@@ -21,28 +19,9 @@
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-class Refine_command : public Command_test
+class Refine_command : public Tables_test
 {
 protected:
-  Json stats() const { return Json::parse(content(folder_ / "s.json")); }
-
-  // The rows of a CSV file as numbers, without the header; an empty field is NaN.
-  std::vector<std::vector<double>> rows(const std::string& name) const
-  {
-    std::vector<std::vector<double>> result;
-    std::vector<std::string> text = lines(content(folder_ / name));
-    for (std::size_t i = 1; i < text.size(); ++i) {
-      std::vector<double> row;
-      std::istringstream in(text[i] + ',');
-      for (std::string field; std::getline(in, field, ',');)
-        row.push_back(field.empty() ? std::nan("") : std::stod(field));
-      result.push_back(row);
-    }
-    return result;
-  }
-
   // A roof of two squares that meet at a ridge of 90 degrees, each cut into two triangles, above the unit square.
   void write_roof(const std::string& name) const
   {

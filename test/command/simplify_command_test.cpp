@@ -3,9 +3,7 @@
 //
 // `idt simplify`: what it writes, and what it refuses.
 
-#include "Command_test.h"
-
-#include <nlohmann/json.hpp>
+#include "Tables_test.h"
 
 #include <cmath>
 #include <cstddef>
@@ -17,28 +15,8 @@
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-class Simplify_command : public Command_test
-{
-protected:
-  Json stats() const { return Json::parse(content(folder_ / "s.json")); }
-
-  // The rows of a CSV file as numbers, without the header.
-  std::vector<std::vector<double>> rows(const std::string& name) const
-  {
-    std::vector<std::vector<double>> result;
-    std::vector<std::string> text = lines(content(folder_ / name));
-    for (std::size_t i = 1; i < text.size(); ++i) {
-      std::vector<double> row;
-      std::istringstream in(text[i]);
-      for (std::string field; std::getline(in, field, ',');)
-        row.push_back(std::stod(field));
-      result.push_back(row);
-    }
-    return result;
-  }
-};
+class Simplify_command : public Tables_test
+{};
 
 TEST_F(Simplify_command, writes_the_surface_and_where_all_vertices_went)
 {

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/repair_polygons.h>
 #include <CGAL/Intrinsic_triangulations/simplify_surface.h>
 #include <CGAL/Intrinsic_triangulations/surface_features.h>
+#include <CGAL/Intrinsic_triangulations/cut_along_path.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
 #include <CGAL/Intrinsic_triangulations/transfer_matrices.h>
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>

@@ -9,7 +9,7 @@
 #include "saved_files.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/squared_lengths.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/triangulation_io.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>

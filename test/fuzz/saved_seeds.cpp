@@ -8,7 +8,7 @@
 #include "saved_files.h"
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
-#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/squared_lengths.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/triangulation_io.h>

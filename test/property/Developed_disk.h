@@ -8,7 +8,7 @@
 #define IDT_TEST_PROPERTY_DEVELOPED_DISK_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/squared_lengths.h>
 
 #include <CGAL/enum.h>
 

@@ -14,7 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/squared_lengths.h>
 #include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 
 #include <CGAL/Interval_nt.h>
@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -40,7 +41,7 @@ using IT::Filtered_edge_length_traits;
 using IT::Halfedge_index;
 using IT::Vertex_index;
 using Triangulation = IT::Intrinsic_triangulation<Filtered_edge_length_traits>;
-using Vector = IT::Planar_vector<double>;
+using Vector = std::complex<double>;
 
 const double pi = std::acos(-1.);
 
@@ -155,9 +156,9 @@ void expect_angles_of_zero_area()
     sum += IT::angle_defect(t, v);
   EXPECT_NEAR(sum, 4 * pi, 1e-12);
   for (const Vector& v : IT::halfedge_vectors_in_vertex(t))
-    EXPECT_TRUE(std::isfinite(v.x()) && std::isfinite(v.y()));
+    EXPECT_TRUE(std::isfinite(v.real()) && std::isfinite(v.imag()));
   for (const Vector& v : IT::halfedge_vectors_in_face(t))
-    EXPECT_TRUE(std::isfinite(v.x()) && std::abs(v.y()) < 1e-14);
+    EXPECT_TRUE(std::isfinite(v.real()) && std::abs(v.imag()) < 1e-14);
 }
 
 TEST(Angles, of_zero_area_are_0_and_0_and_pi)
@@ -238,9 +239,9 @@ TEST(Halfedge_vectors, at_flat_vertices_are_those_of_the_plane)
         if (input.source(g) == v)
           axis = std::min(axis, g);
     const Vector along = in_plane(surface, v, input.target(axis)),
-                 turned = times_conjugate(in_plane(surface, v, c.target(h)), along);
-    EXPECT_NEAR(vectors[h.idx()].x(), turned.x() / std::sqrt(squared_norm(along)), 1e-12);
-    EXPECT_NEAR(vectors[h.idx()].y(), turned.y() / std::sqrt(squared_norm(along)), 1e-12);
+                 turned = in_plane(surface, v, c.target(h)) * std::conj(along);
+    EXPECT_NEAR(vectors[h.idx()].real(), turned.real() / std::abs(along), 1e-12);
+    EXPECT_NEAR(vectors[h.idx()].imag(), turned.imag() / std::abs(along), 1e-12);
   }
 }
 
@@ -261,8 +262,8 @@ TEST(Halfedge_vectors, remain_the_same_whatever_is_flipped_and_inserted)
             !correspondence.is_inserted(c.target(h))) {
           const Halfedge_index g = correspondence.input_halfedge(h);
           const double length = t.length(c.edge(h));
-          EXPECT_NEAR(after[h.idx()].x(), before[g.idx()].x(), 1e-12 * length);
-          EXPECT_NEAR(after[h.idx()].y(), before[g.idx()].y(), 1e-12 * length);
+          EXPECT_NEAR(after[h.idx()].real(), before[g.idx()].real(), 1e-12 * length);
+          EXPECT_NEAR(after[h.idx()].imag(), before[g.idx()].imag(), 1e-12 * length);
           ++kept;
         }
       EXPECT_GT(kept, 0u);
@@ -289,10 +290,10 @@ TEST(Halfedge_vectors, are_found_over_crossed_edges)
   for (Halfedge_index h : c.halfedges())
     if (crossings(h) > 0) {
       const Halfedge_index axis = IT::internal::first_axis(correspondence.input(), c.source(h));
-      const Vector turned = times_conjugate(in_plane(surface, c.source(h), c.target(h)),
-                                            in_plane(surface, c.source(h), correspondence.input().target(axis)));
+      const Vector turned = in_plane(surface, c.source(h), c.target(h)) *
+                            std::conj(in_plane(surface, c.source(h), correspondence.input().target(axis)));
       const double difference =
-        IT::internal::direction_on_input(IT::internal::engine(t), h) - std::atan2(turned.y(), turned.x());
+        IT::internal::direction_on_input(IT::internal::engine(t), h) - std::atan2(turned.imag(), turned.real());
       EXPECT_NEAR(std::remainder(difference, 2 * pi), 0, 1e-12);
       ++number;
     }
@@ -324,9 +325,9 @@ TEST(Halfedge_vectors, at_inserted_vertices_have_the_axis_of_their_location)
       const std::vector<Vector> vectors = IT::halfedge_vectors_in_vertex(t);
       IT::internal::for_each_halfedge_from(c, v, [&](Halfedge_index g) {
         const auto q = point(c.target(g));
-        const Vector turned = times_conjugate(Vector(q[0] - p[0], q[1] - p[1]), axis);
-        EXPECT_NEAR(vectors[g.idx()].x(), turned.x() / std::sqrt(squared_norm(axis)), 1e-12);
-        EXPECT_NEAR(vectors[g.idx()].y(), turned.y() / std::sqrt(squared_norm(axis)), 1e-12);
+        const Vector turned = Vector(q[0] - p[0], q[1] - p[1]) * std::conj(axis);
+        EXPECT_NEAR(vectors[g.idx()].real(), turned.real() / std::abs(axis), 1e-12);
+        EXPECT_NEAR(vectors[g.idx()].imag(), turned.imag() / std::abs(axis), 1e-12);
       });
     }
 }
@@ -343,8 +344,8 @@ TEST(Halfedge_vectors, at_a_cone_have_their_angles_scaled)
   Halfedge_index h = IT::internal::first_axis(c, Vertex_index(0));
   for (int i = 0; i < 3; ++i, h = c.next_around_source(h)) {
     const double l = t.length(c.edge(h));
-    EXPECT_NEAR(vectors[h.idx()].x(), l * std::cos(2 * pi * i / 3), 1e-14);
-    EXPECT_NEAR(vectors[h.idx()].y(), l * std::sin(2 * pi * i / 3), 1e-14);
+    EXPECT_NEAR(vectors[h.idx()].real(), l * std::cos(2 * pi * i / 3), 1e-14);
+    EXPECT_NEAR(vectors[h.idx()].imag(), l * std::sin(2 * pi * i / 3), 1e-14);
   }
 }
 
@@ -357,13 +358,13 @@ TEST(Halfedge_vectors, of_a_face_close_up_around_its_area)
   for (Face_index f : c.faces()) {
     const Halfedge_index h = c.halfedge(f);
     const Vector &a = vectors[h.idx()], &b = vectors[c.next(h).idx()], &d = vectors[c.prev(h).idx()];
-    const double longest = std::max({a.x(), t.length(c.edge(c.next(h))), t.length(c.edge(c.prev(h)))});
-    EXPECT_EQ(a.x(), t.length(c.edge(h)));
-    EXPECT_NEAR(std::sqrt(squared_norm(b)), t.length(c.edge(c.next(h))), 1e-14 * longest);
-    EXPECT_NEAR(std::sqrt(squared_norm(d)), t.length(c.edge(c.prev(h))), 1e-14 * longest);
-    EXPECT_NEAR((a + b + d).x(), 0, 1e-13 * longest);
-    EXPECT_NEAR((a + b + d).y(), 0, 1e-13 * longest);
-    EXPECT_NEAR(times_conjugate(b, a).y(), 2 * t.area(f), 1e-13 * longest * longest); // counterclockwise
+    const double longest = std::max({a.real(), t.length(c.edge(c.next(h))), t.length(c.edge(c.prev(h)))});
+    EXPECT_EQ(a.real(), t.length(c.edge(h)));
+    EXPECT_NEAR(std::abs(b), t.length(c.edge(c.next(h))), 1e-14 * longest);
+    EXPECT_NEAR(std::abs(d), t.length(c.edge(c.prev(h))), 1e-14 * longest);
+    EXPECT_NEAR((a + b + d).real(), 0, 1e-13 * longest);
+    EXPECT_NEAR((a + b + d).imag(), 0, 1e-13 * longest);
+    EXPECT_NEAR((b * std::conj(a)).imag(), 2 * t.area(f), 1e-13 * longest * longest); // counterclockwise
   }
 }
 

@@ -4,12 +4,13 @@
 // Every operation is interrupted at each question that it asks, and at each of its allocations. Then the triangulation
 // is checked exactly, and the operation continues.
 //
-// Memory of GMP and MPFR is left alone: these end the program if there is none. So is that of CGAL::Mpzf, which frees
-// what it has not got.
+// Allocations of GMP and MPFR never fail here, as these libraries would end the program. Nor do those of CGAL::Mpzf,
+// which would free memory that it does not own.
 
 #include "samples/sample_exact_gluings.h"
 #include "samples/sample_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/Delaunay_tessellation.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
@@ -19,7 +20,8 @@
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/history/Long_crossings.h>
+#include "library/engine/history/Long_crossings.h"
+#include "library/system/time_between_questions.h"
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
@@ -107,10 +109,10 @@ public:
 class Faults : public ::testing::Test
 {
 protected:
-  void SetUp() override { IT::internal::Interruption::time_between_questions = std::chrono::nanoseconds(0); }
+  void SetUp() override { IT::internal::time_between_questions = std::chrono::nanoseconds(0); }
   void TearDown() override
   {
-    IT::internal::Interruption::time_between_questions = std::chrono::milliseconds(10);
+    IT::internal::time_between_questions = std::chrono::milliseconds(10);
     std::cout << operations_ << " operations, " << points_ << " points of interruption, " << interruptions_
               << " interruptions by an exception, " << failures_ << " failures in total" << std::endl;
     RecordProperty("operations", operations_);

@@ -14,9 +14,9 @@
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
+#include "library/engine/history/Crossing_sequence.h"
 #include "library/engine/decide/Exact_fallback.h"
-#include <CGAL/Intrinsic_triangulations/internal/engine/history/Long_crossings.h>
+#include "library/engine/history/Long_crossings.h"
 #include "library/engine/decide/Parallel_folds.h"
 #include "library/engine/layout/Unfolding.h"
 #include "library/engine/layout/Vertex_positions.h"

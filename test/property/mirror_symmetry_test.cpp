@@ -14,7 +14,7 @@
 #include "library/engine/decide/Exact_fallback.h"
 #include "library/engine/decide/Mirror_symmetry.h"
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/squared_lengths.h>
 
 #include <gtest/gtest.h>
 

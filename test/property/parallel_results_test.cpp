@@ -371,7 +371,7 @@ TEST(Parallel_results, overlays_and_positions)
     const IT::Overlay expected(t);
     const IT::Overlay_positions expected_positions(IT::internal::engine(t), expected);
     for_each_number_of_threads([&, &t = t] {
-      const IT::Common_subdivision subdivision(t, {}, Parallel_tag());
+      const IT::Common_subdivision subdivision = IT::make_common_subdivision<Parallel_tag>(t);
       expect_same_overlay(expected, subdivision.overlay());
       const IT::Overlay_positions& positions = subdivision.positions();
       for (IT::Overlay::Vertex x : expected.crossings()) {
@@ -456,10 +456,10 @@ TEST(Parallel_results, can_be_cancelled)
       EXPECT_TRUE(fraction >= 0 && fraction <= 1);
       return left-- > 0;
     };
-    EXPECT_THROW(IT::Overlay(t, CGAL::parameters::visitor(progress), Parallel_tag()), IT::Cancelled_error);
+    EXPECT_THROW(IT::make_overlay<Parallel_tag>(t, CGAL::parameters::visitor(progress)), IT::Cancelled_error);
   }
   EXPECT_THROW(IT::Overlay_positions(
-                 IT::internal::engine(t), overlay, [](double) { return false; }, Parallel_tag()),
+                 IT::internal::engine(t), overlay, [](double) { return false; }, IT::internal::threads<Parallel_tag>()),
                IT::Cancelled_error);
 }
 

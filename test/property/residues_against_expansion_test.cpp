@@ -4,7 +4,7 @@
 // Many random fans and strips of triangles with one to eight roots: finite fields take for zero what the
 // expansion in a multiquadratic field proves to be zero, and nothing else.
 
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Planar_vector.h>
+#include "library/arithmetic/Planar_vector.h"
 #include "library/arithmetic/Multiquadratic.h"
 #include "library/arithmetic/Residues.h"
 #include "library/engine/layout/metric_images.h"

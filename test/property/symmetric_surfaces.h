@@ -10,7 +10,7 @@
 #include "samples/sample_surface_types.h"
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/squared_lengths.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <array>

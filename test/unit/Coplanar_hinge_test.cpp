@@ -7,7 +7,7 @@
 #include "library/engine/decide/Coplanar_hinge.h"
 #include "library/engine/layout/Vertex_positions.h"
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/squared_lengths.h>
 
 #include <gtest/gtest.h>
 

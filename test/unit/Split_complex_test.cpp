@@ -6,7 +6,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 #include "library/arithmetic/Split_double_double.h"
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
-#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/squared_lengths.h>
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 // independence divide, too.
 
 #include "library/arithmetic/Square_root_basis.h"
-#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/squared_lengths.h>
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include "library/arithmetic/Residues.h"
 #include "library/arithmetic/Prime_field.h"
-#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/squared_lengths.h>
 
 #include <gtest/gtest.h>
 

@@ -373,7 +373,8 @@ TEST(Repair_polygons, stitches_T_junctions)
       EXPECT_EQ(IT::find_gaps(points, faces).gaps[0].description, before.gaps[0].description);
       const IT::Repaired_polygons apart = IT::repair_polygons(points, faces);
       EXPECT_EQ(examine(apart).gaps.size(), 1u);
-      const IT::Repaired_polygons repaired = IT::repair_polygons(points, faces, {}, tolerance);
+      const IT::Repaired_polygons repaired =
+        IT::repair_polygons(points, faces, CGAL::parameters::stitching_tolerance(tolerance));
       const IT::Surface_report report = examine(repaired);
       EXPECT_EQ(report.first_fatal(), nullptr) << IT::message(report);
       EXPECT_TRUE(report.gaps.empty());
@@ -385,9 +386,10 @@ TEST(Repair_polygons, stitches_T_junctions)
         EXPECT_NE(static_cast<int>(repair.kind), static_cast<int>(Kind::OPENED_EDGE));
     }
   const auto [points, faces] = two_squares({0, 1}, {0, 0.5, 1});
-  const IT::Repaired_polygons one = IT::repair_polygons(points, faces, {}, 0);
+  const IT::Repaired_polygons one = IT::repair_polygons(points, faces, CGAL::parameters::stitching_tolerance(0));
   EXPECT_EQ(IT::message(one.repairs.back()), "edge 0-1 of face 0 was split at vertex 5, which lies within it");
-  EXPECT_THROW(IT::repair_polygons(points, faces, {}, -1), IT::Invalid_argument_error);
+  EXPECT_THROW(IT::repair_polygons(points, faces, CGAL::parameters::stitching_tolerance(-1)),
+               IT::Invalid_argument_error);
 }
 
 // An edge from v = 0 to w = 1 with faces on both sides, and others whose edges end within it or within which it ends.
@@ -418,7 +420,8 @@ TEST(Repair_polygons, stitches_edges_of_two_faces)
     EXPECT_EQ(before.gaps[0].description, c.gap + ", which does not end there");
     EXPECT_EQ(before.stitching_tolerance, 0);
     const IT::Repaired_polygons apart = IT::repair_polygons(points, c.faces),
-                                repaired = IT::repair_polygons(points, c.faces, {}, 0);
+                                repaired =
+                                  IT::repair_polygons(points, c.faces, CGAL::parameters::stitching_tolerance(0));
     const IT::Surface_report report = examine(repaired);
     EXPECT_EQ(report.first_fatal(), nullptr) << IT::message(report);
     EXPECT_EQ(report.number_of_components, c.components) << c.gap;
@@ -450,7 +453,8 @@ TEST(Repair_polygons, stitches_a_wall_between_two_rooms)
   faces.push_back({15, 7, 14, 6, 13, 5, 12, 4});
   EXPECT_EQ(IT::find_gaps(points, faces).gaps[0].count, 4u);
   const IT::Surface_report apart = examine(IT::repair_polygons(points, faces)),
-                           joined = examine(IT::repair_polygons(points, faces, {}, 0));
+                           joined =
+                             examine(IT::repair_polygons(points, faces, CGAL::parameters::stitching_tolerance(0)));
   EXPECT_EQ(joined.first_fatal(), nullptr) << IT::message(joined);
   EXPECT_EQ(joined.number_of_border_edges, 0u);
   EXPECT_EQ(joined.number_of_components, 2u);
@@ -468,8 +472,9 @@ TEST(Repair_polygons, merges_what_is_nearer_than_the_tolerance)
   EXPECT_EQ(
     IT::message(report.gaps[0], "so"),
     "vertices 1 and 3 at (1, 0, 0) are only 4e-13 apart, beside an edge 1.41 long, and 1 more pair like it; so");
-  EXPECT_EQ(examine(IT::repair_polygons(points, faces, {}, 2e-13)).gaps.size(), 1u);
-  const IT::Repaired_polygons repaired = IT::repair_polygons(points, faces, {}, report.stitching_tolerance);
+  EXPECT_EQ(examine(IT::repair_polygons(points, faces, CGAL::parameters::stitching_tolerance(2e-13))).gaps.size(), 1u);
+  const IT::Repaired_polygons repaired =
+    IT::repair_polygons(points, faces, CGAL::parameters::stitching_tolerance(report.stitching_tolerance));
   EXPECT_EQ(repaired.points.size(), 4u);
   EXPECT_TRUE(examine(repaired).gaps.empty());
   points[3][0] = 1.001; // far enough to be intended
@@ -616,19 +621,18 @@ TEST(Repair_polygons, asks_before_each_polygon_whether_to_go_on)
     }
   }
   std::vector<double> fractions;
-  EXPECT_EQ(IT::repair_polygons(points, crowns,
-                                [&](double fraction) {
-                                  fractions.push_back(fraction);
-                                  return true;
-                                })
-              .triangles.size(),
-            30u * 998);
+  const IT::Progress_function note = [&](double fraction) {
+    fractions.push_back(fraction);
+    return true;
+  };
+  EXPECT_EQ(IT::repair_polygons(points, crowns, CGAL::parameters::visitor(note)).triangles.size(), 30u * 998);
   ASSERT_GE(fractions.size(), 32u);
   EXPECT_EQ(fractions.front(), 0);
   EXPECT_EQ(fractions.back(), 1);
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   std::size_t asked = 0;
-  EXPECT_THROW(IT::repair_polygons(points, crowns, [&](double) { return ++asked < 7; }), IT::Cancelled_error);
+  const IT::Progress_function end = [&](double) { return ++asked < 7; };
+  EXPECT_THROW(IT::repair_polygons(points, crowns, CGAL::parameters::visitor(end)), IT::Cancelled_error);
   EXPECT_EQ(asked, 7u);
 }
 

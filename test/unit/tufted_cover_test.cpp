@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The gluing of a tufted cover, its order, and what is dropped before.
+// The gluing of a tufted cover, its order, and the faces that are dropped first.
 
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include "library/gluing/Faces_around_edge.h"

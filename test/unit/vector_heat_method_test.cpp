@@ -39,13 +39,13 @@ using IT::Edge_index;
 using IT::Halfedge_index;
 using IT::Vertex_index;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
-using Vector = IT::Planar_vector<double>;
+using Vector = std::complex<double>;
 using Complex = std::complex<double>;
 using Points = std::vector<std::array<double, 3>>;
 
 const double pi = std::acos(-1.);
 
-Complex complex_number(const Vector& v) { return {v.x(), v.y()}; }
+Complex complex_number(const Vector& v) { return {v.real(), v.imag()}; }
 
 Triangulation make_triangulation(const samples::Indexed_triangles& surface)
 {
@@ -499,24 +499,24 @@ TEST(Vector_heat_method, gives_numbers_or_infinity_everywhere)
   for (std::uint32_t source = 0; source < surface.points.size(); ++source) {
     const auto map = heat.log_map(Vertex_index(source));
     const auto field = heat.transport_tangent_vectors({{Vertex_index(source), {0, -3}}});
-    EXPECT_EQ(map[source].x(), 0);
-    EXPECT_EQ(map[source].y(), 0);
-    EXPECT_EQ(field[source].y(), -3);
+    EXPECT_EQ(map[source].real(), 0);
+    EXPECT_EQ(map[source].imag(), 0);
+    EXPECT_EQ(field[source].imag(), -3);
     for (std::size_t v = 0; v < map.size(); ++v) {
-      EXPECT_FALSE(std::isnan(map[v].x()) || std::isnan(map[v].y())) << source << ' ' << v;
-      EXPECT_EQ(std::isinf(map[v].x()), std::isinf(map[v].y()));
-      EXPECT_TRUE(std::isfinite(field[v].x()) && std::isfinite(field[v].y()));
+      EXPECT_FALSE(std::isnan(map[v].real()) || std::isnan(map[v].imag())) << source << ' ' << v;
+      EXPECT_EQ(std::isinf(map[v].real()), std::isinf(map[v].imag()));
+      EXPECT_TRUE(std::isfinite(field[v].real()) && std::isfinite(field[v].imag()));
       if (source < n && v >= n) {
-        EXPECT_EQ(map[v].x(), infinity);
-        EXPECT_EQ(field[v].x(), 0);
-        EXPECT_EQ(field[v].y(), 0);
+        EXPECT_EQ(map[v].real(), infinity);
+        EXPECT_EQ(field[v].real(), 0);
+        EXPECT_EQ(field[v].imag(), 0);
       }
     }
   }
   for (const auto& v : heat.transport_tangent_vectors({}))
-    EXPECT_TRUE(v.x() == 0 && v.y() == 0);
+    EXPECT_TRUE(v.real() == 0 && v.imag() == 0);
   for (const auto& v : heat.transport_tangent_vectors({{Vertex_index(0), {0, 0}}}))
-    EXPECT_TRUE(v.x() == 0 && v.y() == 0);
+    EXPECT_TRUE(v.real() == 0 && v.imag() == 0);
 }
 
 TEST(Vector_heat_method, does_not_depend_on_the_scale)

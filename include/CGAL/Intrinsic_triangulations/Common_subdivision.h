@@ -11,11 +11,9 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/convex_polygon_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
@@ -24,11 +22,9 @@
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -53,35 +49,8 @@ public:
   // Computes all positions, in O(size of the overlay) arithmetic operations. With threads, only the beginning is
   // reported. Throws Undecided_error if an edge is not a straight line over the input triangles, as an inexact
   // number type has flipped a hinge that is not convex, and Cancelled_error if the function asks for it.
-  template <class ConcurrencyTag = Sequential_tag>
   Overlay_positions(const internal::Exact_engine& engine, const Overlay& overlay,
-                    const Progress_function& progress = {}, ConcurrencyTag = ConcurrencyTag())
-    : number_of_input_vertices_(overlay.number_of_input_vertices()),
-      number_of_original_vertices_(overlay.number_of_original_vertices()),
-      on_intrinsic_edge_(overlay.number_of_crossings(), internal::default_init),
-      on_input_edge_(overlay.number_of_crossings(), internal::default_init)
-  {
-    const internal::Standard_arithmetic arithmetic;
-    static constexpr const char* what = "the search for the places of the crossings";
-    const Delta_complex &intrinsic = engine.connectivity(), &input = engine.correspondence().input();
-    for (size_type v = input.number_of_vertices(); v < intrinsic.number_of_vertices(); ++v)
-      locations_.push_back(normalized(input, engine.correspondence().location(Vertex_index(v))));
-    const std::size_t n = intrinsic.number_of_edges();
-    if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value) {
-      internal::report_progress(progress, 0, what);
-      internal::for_each_block<ConcurrencyTag>(
-        n, internal::elements_of_block, [&](std::size_t first, std::size_t last) {
-          find_crossings(engine, overlay, first, last, internal::Loop_progress({}, what, 0, 1, n));
-        });
-    } else {
-      find_crossings(engine, overlay, 0, n, internal::Loop_progress(progress, what, 0, 1, n));
-    }
-    internal::for_each_block<ConcurrencyTag>(input.number_of_edges(), internal::elements_of_block,
-                                             [&](std::size_t first, std::size_t last) {
-                                               for (std::size_t e = first; e < last; ++e)
-                                                 make_ascending(overlay, Edge_index(size_type(e)));
-                                             });
-  }
+                    const Progress_function& progress = {}, const internal::Block_runner& threads = {});
   /// \endcond
 
   /// returns the position of the crossing `x` on `overlay.intrinsic_edge(x)`, from 0 to 1.
@@ -110,37 +79,17 @@ public:
 
   /// returns the positions of source and target of `h` on the halfedge `overlay.input_halfedge(h)`, from 0 to 1.
   /// \pre `h` is part of an input edge
-  std::pair<double, double> ends_on_input_halfedge(const Overlay& overlay, Overlay::Halfedge h) const
-  {
-    const Halfedge_index side = overlay.input_halfedge(h);
-    const auto position = [&](Overlay::Vertex v, double at_vertex) {
-      return v.idx() < number_of_input_vertices_ ? at_vertex : along(side, on_its_input_edge(v));
-    };
-    return {position(overlay.source(h), 0), position(overlay.target(h), 1)};
-  }
+  std::pair<double, double> ends_on_input_halfedge(const Overlay& overlay, Overlay::Halfedge h) const;
   /// returns the positions of source and target of `h` on the halfedge `overlay.intrinsic_halfedge(h)`, from 0 to 1.
   /// \pre `h` is part of an intrinsic edge
-  std::pair<double, double> ends_on_intrinsic_halfedge(const Overlay& overlay, Overlay::Halfedge h) const
-  {
-    const Halfedge_index side = overlay.intrinsic_halfedge(h);
-    const auto position = [&](Overlay::Vertex v, double at_vertex) {
-      return overlay.is_crossing(v) ? along(side, on_intrinsic_edge(v)) : at_vertex;
-    };
-    return {position(overlay.source(h), 0), position(overlay.target(h), 1)};
-  }
+  std::pair<double, double> ends_on_intrinsic_halfedge(const Overlay& overlay, Overlay::Halfedge h) const;
 
   /// \brief returns the fraction of its edge that a segment covers: of its intrinsic edge, or of
   /// its input edge if the label is `INPUT`.
   ///
   /// Multiplied by the length of the edge, it gives the length of the segment, with an error of a few
   /// units in the last place of the length of the edge.
-  double fraction(const Overlay& overlay, Overlay::Segment s) const
-  {
-    const Overlay::Halfedge h = overlay.halfedge(s);
-    const auto [begin, end] = overlay.label(s) == Segment_label::INPUT ? ends_on_input_halfedge(overlay, h)
-                                                                       : ends_on_intrinsic_halfedge(overlay, h);
-    return end - begin;
-  }
+  double fraction(const Overlay& overlay, Overlay::Segment s) const;
 
 private:
   using size_type = Overlay::size_type;
@@ -149,44 +98,13 @@ private:
   void find_crossings(const internal::Exact_engine& engine, const Overlay& overlay, std::size_t first, std::size_t last,
                       const internal::Loop_progress& progress);
 
-  void make_ascending(const Overlay& overlay, Edge_index input_edge)
-  {
-    const size_type n = overlay.number_of_input_segments(input_edge);
-    if (n < 3)
-      return;
-    double last = 0;
-    size_type first = 0; // the first crossing after the last inserted vertex
-    for (size_type i = 0; i + 1 < n; ++i) {
-      const Overlay::Vertex v = overlay.input_crossing(input_edge, i);
-      if (overlay.is_crossing(v)) {
-        double& position = on_input_edge_[index(v)];
-        last = position = (std::max)(last, position);
-        continue;
-      }
-      last = on_its_input_edge(v); // which is where it is
-      for (; first < i; ++first) {
-        double& position = on_input_edge_[index(overlay.input_crossing(input_edge, first))];
-        position = (std::min)(last, position);
-      }
-      first = i + 1;
-    }
-  }
+  void make_ascending(const Overlay& overlay, Edge_index input_edge);
 
   // The position of a crossing, or of a vertex inserted on an edge.
-  double on_its_input_edge(Overlay::Vertex v) const
-  {
-    if (v.idx() >= number_of_original_vertices_)
-      return on_input_edge(v);
-    const Surface_point& p = location(v); // in the direction of its halfedge
-    return along(p.halfedge, p.coordinates[1]);
-  }
+  double on_its_input_edge(Overlay::Vertex v) const;
 
   // The third coordinate of points on an edge is zero.
-  static Surface_point normalized(const Delta_complex& input, const Surface_point& point)
-  {
-    const Halfedge_index side = point.dimension() == 1 ? internal::side_of(input, point) : point.halfedge;
-    return {side, internal::with_sum_one(coordinates_from(input, point, side))};
-  }
+  static Surface_point normalized(const Delta_complex& input, const Surface_point& point);
 
   size_type index(Overlay::Vertex x) const
   {
@@ -218,42 +136,26 @@ private:
 class Common_subdivision
 {
 public:
-  /// \brief builds the common subdivision of a triangulation and its input.
-  ///
-  /// O(size of the overlay) arithmetic operations.
-  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the result is
-  ///   the same, and the visitor is asked only a few times
-  /// \param triangulation the triangulation
-  /// \param np an optional sequence of named parameters
-  ///
-  /// \cgalNamedParamsBegin
-  ///   \cgalParamVisitor{reports progress, and can cancel}
-  /// \cgalNamedParamsEnd
-  ///
-  /// \pre `triangulation.keeps_input()`
-  /// \exception Integer_overflow_error if there are 2^31 segments or more
-  /// \exception Undecided_error as the constructor of `Overlay_positions`
-  /// \exception Cancelled_error if the visitor asks for it
-  template <class Traits, class NamedParameters = parameters::Default_named_parameters,
-            class ConcurrencyTag = Sequential_tag>
+  /// \brief builds the common subdivision of a triangulation and its input, as `make_common_subdivision()` without
+  /// threads.
+  template <class Traits, class NamedParameters = parameters::Default_named_parameters>
   explicit Common_subdivision(const Intrinsic_triangulation<Traits>& triangulation,
-                              const NamedParameters& np = parameters::default_values(),
-                              ConcurrencyTag = ConcurrencyTag())
-    : Common_subdivision(internal::Released_engine{internal::engine<ConcurrencyTag>(triangulation), {}},
-                         internal::progress_function_of(np), ConcurrencyTag())
+                              const NamedParameters& np = parameters::default_values())
+    : Common_subdivision(internal::Released_engine{internal::engine<Sequential_tag>(triangulation), {}},
+                         internal::progress_function_of(np))
   {}
 
-  /// \brief as above, moving from the triangulation: nothing is copied, and its stored numbers are freed before the
-  /// overlay is built.
-  /// \tparam ConcurrencyTag as above
-  template <class Traits, class NamedParameters = parameters::Default_named_parameters,
-            class ConcurrencyTag = Sequential_tag>
+  /// \brief as above, moving from the triangulation.
+  template <class Traits, class NamedParameters = parameters::Default_named_parameters>
   explicit Common_subdivision(Intrinsic_triangulation<Traits>&& triangulation,
-                              const NamedParameters& np = parameters::default_values(),
-                              ConcurrencyTag = ConcurrencyTag())
-    : Common_subdivision(internal::Engine_access::give_up(triangulation), internal::progress_function_of(np),
-                         ConcurrencyTag())
+                              const NamedParameters& np = parameters::default_values())
+    : Common_subdivision(internal::Engine_access::give_up(triangulation), internal::progress_function_of(np))
   {}
+
+  /// \cond SKIP_IN_MANUAL
+  Common_subdivision(internal::Released_engine released, const Progress_function& progress,
+                     const internal::Block_runner& threads = {});
+  /// \endcond
 
   /// returns the overlay.
   const Overlay& overlay() const { return overlay_; }
@@ -307,22 +209,8 @@ private:
   friend struct internal::Engine_access;
   /// \endcond
 
-  template <class ConcurrencyTag>
-  Common_subdivision(internal::Released_engine released, const Progress_function& progress, ConcurrencyTag)
-    : engine_(std::move(released.engine)), overlay_(build_overlay<ConcurrencyTag>(released.go_further, progress)),
-      positions_(engine_, overlay_, internal::part_of_progress(progress, part_of_graph, 1), ConcurrencyTag())
-  {
-    engine_.decisions().interruption.exchange({});
-  }
-
-  template <class ConcurrencyTag>
-  Overlay build_overlay(const std::function<bool()>& go_further, const Progress_function& progress)
-  {
-    engine_.decisions().interruption.exchange(go_further);
-    engine_.prepare<ConcurrencyTag>();
-    return Overlay(engine_.connectivity(), engine_.correspondence(),
-                   parameters::visitor(internal::part_of_progress(progress, 0, part_of_graph)), ConcurrencyTag());
-  }
+  Overlay build_overlay(const std::function<bool()>& go_further, const Progress_function& progress,
+                        const internal::Block_runner& threads);
 
   internal::Exact_engine engine_;
   Overlay overlay_;
@@ -330,19 +218,50 @@ private:
 };
 
 /// \ingroup PkgIntrinsicTriangulationsOverlay
+/// \brief returns the common subdivision of a triangulation and its input.
+///
+/// O(size of the overlay) arithmetic operations.
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the result is
+///   the same, and the visitor is asked only a few times
+/// \param triangulation the triangulation
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamVisitor{reports progress, and can cancel}
+/// \cgalNamedParamsEnd
+///
+/// \pre `triangulation.keeps_input()`
+/// \exception Integer_overflow_error if there are 2^31 segments or more
+/// \exception Undecided_error if an edge is not a straight line over the input triangles, as an inexact number type has
+///   flipped a hinge that is not convex
+/// \exception Cancelled_error if the visitor asks for it
+template <class ConcurrencyTag = Sequential_tag, class Traits,
+          class NamedParameters = parameters::Default_named_parameters>
+Common_subdivision make_common_subdivision(const Intrinsic_triangulation<Traits>& triangulation,
+                                           const NamedParameters& np = parameters::default_values())
+{
+  return Common_subdivision(internal::Released_engine{internal::engine<ConcurrencyTag>(triangulation), {}},
+                            internal::progress_function_of(np), internal::threads<ConcurrencyTag>());
+}
+
+/// \ingroup PkgIntrinsicTriangulationsOverlay
+/// \brief as above, moving from the triangulation: nothing is copied, and its stored numbers are freed before the
+/// overlay is built.
+template <class ConcurrencyTag = Sequential_tag, class Traits,
+          class NamedParameters = parameters::Default_named_parameters>
+Common_subdivision make_common_subdivision(Intrinsic_triangulation<Traits>&& triangulation,
+                                           const NamedParameters& np = parameters::default_values())
+{
+  return Common_subdivision(internal::Engine_access::give_up(triangulation), internal::progress_function_of(np),
+                            internal::threads<ConcurrencyTag>());
+}
+
+/// \ingroup PkgIntrinsicTriangulationsOverlay
 /// \brief triangulates a convex polygon, such as a face of the overlay, so that its smallest triangle is as large as
 /// possible.
 /// \param corners the polygon, counterclockwise; three at least
 /// \return three indices of corners for each triangle, counterclockwise. O(n³)
-inline std::vector<std::array<std::size_t, 3>>
-triangulate_convex_polygon(const std::vector<std::array<double, 3>>& corners)
-{
-  std::vector<std::array<std::size_t, 3>> result;
-  internal::Convex_polygon_triangulation(corners).for_each_triangle([&](std::size_t a, std::size_t b, std::size_t c) {
-    result.push_back({a, b, c});
-  });
-  return result;
-}
+std::vector<std::array<std::size_t, 3>> triangulate_convex_polygon(const std::vector<std::array<double, 3>>& corners);
 
 } // namespace CGAL::Intrinsic_triangulations
 

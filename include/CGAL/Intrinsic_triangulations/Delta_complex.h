@@ -11,8 +11,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_DELTA_COMPLEX_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_DELTA_COMPLEX_H
 
-#include <CGAL/Intrinsic_triangulations/internal/Index.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/Index.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/memory_access.h>
 
 #include <CGAL/Iterator_range.h>

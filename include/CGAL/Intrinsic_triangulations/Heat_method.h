@@ -9,9 +9,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_HEAT_METHOD_H
 
 #include <CGAL/Intrinsic_triangulations/internal/require_Eigen.h>
-#include <CGAL/Intrinsic_triangulations/internal/Index.h>
+#include <CGAL/Intrinsic_triangulations/Index.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/distances/Distance_bounds.h>
@@ -28,6 +28,8 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/numbers/Accurate_shapes.h>
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
+
+#include <CGAL/Default.h>
 
 #include <Eigen/SparseCore>
 
@@ -129,9 +131,11 @@ std::array<Source_corner, 3> corners_of_point(const Intrinsic_triangulation<Trai
 ///   defined
 ///
 /// Source: K. Crane, C. Weischedel, M. Wardetzky, "Geodesics in heat", 2013.
-template <class LinearSolver = internal::Sparse_Cholesky<>>
+template <class LinearSolver = Default>
 class Heat_method
 {
+  using Solver = typename Default::Get<LinearSolver, internal::Sparse_Cholesky<>>::type;
+
 public:
   /// \brief factorizes the matrix of the heat equation.
   ///
@@ -281,8 +285,8 @@ public:
   double mean_edge_length() const { return std::ldexp(surface_->mean_length, surface_->exponent); }
 
 private:
-  using Diffusion = internal::Heat_diffusion<LinearSolver>;
-  using Poisson = internal::Pinned_system<LinearSolver>;
+  using Diffusion = internal::Heat_diffusion<Solver>;
+  using Poisson = internal::Pinned_system<Solver>;
 
   template <class Traits, class Row, class NamedParameters>
   Heat_method(const Intrinsic_triangulation<Traits>& triangulation, const Row& row, const NamedParameters& np)

@@ -11,7 +11,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/require_Eigen.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Planar_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
 #include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/intrinsic_Delaunay_triangulation.h>
@@ -196,11 +195,11 @@ namespace internal {
 
 // The factor that turns a vector at the target of h into the parallel one at its source.
 inline std::complex<double> transport_to_source(const Delta_complex& complex,
-                                                const std::vector<Planar_vector<double>>& vectors, Halfedge_index h)
+                                                const std::vector<std::complex<double>>& vectors, Halfedge_index h)
 {
   const auto direction = [&](Halfedge_index side) {
-    const Planar_vector<double>& v = vectors[side.idx()];
-    return std::arg(std::complex<double>(v.x(), v.y()));
+    const std::complex<double>& v = vectors[side.idx()];
+    return std::arg(v);
   };
   // The same halfedge seen from both ends: backwards at the target.
   return -std::polar(1., direction(h) - direction(complex.opposite(h)));
@@ -210,7 +209,7 @@ inline std::complex<double> transport_to_source(const Delta_complex& complex,
 // \param weight returns the weight of an edge
 template <class Weight>
 Eigen::SparseMatrix<std::complex<double>>
-assemble_connection_Laplacian(const Delta_complex& complex, const std::vector<Planar_vector<double>>& vectors,
+assemble_connection_Laplacian(const Delta_complex& complex, const std::vector<std::complex<double>>& vectors,
                               const Weight& weight)
 {
   using Scalar = std::complex<double>;

@@ -11,9 +11,8 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/Index.h>
+#include <CGAL/Intrinsic_triangulations/Index.h>
 #include <CGAL/Intrinsic_triangulations/internal/overlay/Overlay_arrays.h>
-#include <CGAL/Intrinsic_triangulations/internal/overlay/Overlay_builder.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 
@@ -80,35 +79,19 @@ public:
   template <class Descriptor>
   using Range = Iterator_range<Descriptor_iterator<Descriptor>>;
 
-  /// \brief builds the overlay of a triangulation and its input.
-  ///
-  /// O(size of the overlay), that is, O(size of the surface + number of crossings).
-  /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the overlay
-  ///   is the same, and the visitor is asked only a few times
-  /// \param triangulation the triangulation
-  /// \param np an optional sequence of named parameters
-  ///
-  /// \cgalNamedParamsBegin
-  ///   \cgalParamVisitor{is called from time to time with the fraction that is done, and can cancel}
-  /// \cgalNamedParamsEnd
-  ///
-  /// \pre `triangulation.keeps_input()`
-  /// \exception Integer_overflow_error if there are 2^31 segments or more
-  /// \exception Cancelled_error if the visitor asks for it
-  template <class Traits, class NamedParameters = parameters::Default_named_parameters,
-            class ConcurrencyTag = Sequential_tag>
+  /// \brief builds the overlay of a triangulation and its input, as `make_overlay()` without threads.
+  template <class Traits, class NamedParameters = parameters::Default_named_parameters>
   explicit Overlay(const Intrinsic_triangulation<Traits>& triangulation,
-                   const NamedParameters& np = parameters::default_values(), ConcurrencyTag = ConcurrencyTag())
-    : Overlay(triangulation.connectivity(), internal::engine<ConcurrencyTag>(triangulation).correspondence(), np,
-              ConcurrencyTag())
+                   const NamedParameters& np = parameters::default_values())
+    : Overlay(triangulation.connectivity(), internal::engine<Sequential_tag>(triangulation).correspondence(),
+              internal::progress_function_of(np))
   {}
 
   /// \cond SKIP_IN_MANUAL
   // From the current connectivity and its correspondence, which knows the input.
-  template <class NamedParameters = parameters::Default_named_parameters, class ConcurrencyTag = Sequential_tag>
   Overlay(const Delta_complex& intrinsic, const internal::Correspondence& correspondence,
-          const NamedParameters& np = parameters::default_values(), ConcurrencyTag = ConcurrencyTag())
-    : arrays_(internal::build_overlay<ConcurrencyTag>(intrinsic, correspondence, internal::progress_function_of(np)))
+          const Progress_function& progress = {}, const internal::Block_runner& threads = {})
+    : arrays_(internal::build_overlay(intrinsic, correspondence, progress, threads))
   {}
   /// \endcond
 
@@ -317,6 +300,31 @@ private:
 
   internal::Overlay_arrays arrays_;
 };
+
+/// \ingroup PkgIntrinsicTriangulationsOverlay
+/// \brief returns the overlay of a triangulation and its input.
+///
+/// O(size of the overlay), that is, O(size of the surface + number of crossings).
+/// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the overlay
+///   is the same, and the visitor is asked only a few times
+/// \param triangulation the triangulation
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamVisitor{is called from time to time with the fraction that is done, and can cancel}
+/// \cgalNamedParamsEnd
+///
+/// \pre `triangulation.keeps_input()`
+/// \exception Integer_overflow_error if there are 2^31 segments or more
+/// \exception Cancelled_error if the visitor asks for it
+template <class ConcurrencyTag = Sequential_tag, class Traits,
+          class NamedParameters = parameters::Default_named_parameters>
+Overlay make_overlay(const Intrinsic_triangulation<Traits>& triangulation,
+                     const NamedParameters& np = parameters::default_values())
+{
+  return Overlay(triangulation.connectivity(), internal::engine<ConcurrencyTag>(triangulation).correspondence(),
+                 internal::progress_function_of(np), internal::threads<ConcurrencyTag>());
+}
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_SIMPLIFICATION_MAP_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 
 #include <array>
 #include <cstddef>

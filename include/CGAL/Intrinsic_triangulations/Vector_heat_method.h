@@ -9,9 +9,8 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_VECTOR_HEAT_METHOD_H
 
 #include <CGAL/Intrinsic_triangulations/internal/require_Eigen.h>
-#include <CGAL/Intrinsic_triangulations/internal/Index.h>
+#include <CGAL/Intrinsic_triangulations/Index.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Planar_vector.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_diffusion.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
@@ -84,7 +83,7 @@ class Vector_diffusion
 public:
   // \param vectors the result of `halfedge_vectors_in_vertex()`
   // \param interruption is asked before the factorization and each solution; must outlive this
-  Vector_diffusion(const Delta_complex& complex, const std::vector<Planar_vector<double>>& vectors,
+  Vector_diffusion(const Delta_complex& complex, const std::vector<std::complex<double>>& vectors,
                    const Heat_surface& surface, const Interruption& interruption)
     : interruption_(interruption),
       matrix_(with_masses(assemble_connection_Laplacian(
@@ -97,9 +96,9 @@ public:
         continue;
       const Halfedge_index h = complex.halfedge(e), g = complex.opposite(h);
       const auto in_units = [&](Halfedge_index side) {
-        const Planar_vector<double>& v = vectors[side.idx()];
+        const std::complex<double>& v = vectors[side.idx()];
         const std::size_t row = complex.source(side).idx();
-        return Scalar(surface.from_input_unit(v.x(), row), surface.from_input_unit(v.y(), row));
+        return Scalar(surface.from_input_unit(v.real(), row), surface.from_input_unit(v.imag(), row));
       };
       edges_.push_back({std::uint32_t(complex.source(h).idx()), std::uint32_t(complex.source(g).idx()),
                         surface.weights[e.idx()], in_units(h), in_units(g)});
@@ -150,7 +149,7 @@ class Vector_heat_method
 {
 public:
   /// a tangent vector
-  using Vector = Planar_vector<double>;
+  using Vector = std::complex<double>;
 
   /// \brief factorizes the matrices.
   ///
@@ -214,7 +213,7 @@ public:
     std::vector<std::pair<std::uint32_t, double>> from; // rows, and the lengths of the vectors there
     for (const auto& [v, vector] : sources) {
       internal::require_vertex(v, number_of_vertices_);
-      const Complex z(vector.x(), vector.y());
+      const Complex z = vector;
       if (!std::isfinite(z.real()) || !std::isfinite(z.imag()))
         throw Invalid_argument_error("the vector at vertex " + std::to_string(v.idx()) + " is not finite");
       const double length = std::hypot(z.real(), z.imag());

@@ -71,7 +71,7 @@ struct Spectrum_part
   double mass = 0;
   bool has_constants = true; // they solve the equation with zero: all sums of rows vanish
 
-  // Of what is not zero for this reason.
+  // Other than the zero of the constants.
   std::size_t number_of_eigenvalues() const { return rows.size() - (has_constants ? 1 : 0); }
 };
 

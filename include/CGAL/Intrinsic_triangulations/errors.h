@@ -9,7 +9,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_ERRORS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_ERRORS_H
 
-#include <CGAL/Intrinsic_triangulations/internal/Index.h>
+#include <CGAL/Intrinsic_triangulations/Index.h>
 
 #include <cstddef>
 #include <stdexcept>

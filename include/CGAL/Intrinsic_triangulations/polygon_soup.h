@@ -10,7 +10,6 @@
 
 #include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/files/Polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 
 #include <array>
@@ -22,6 +21,49 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsIO
+/// \brief points and polygons as they are in a file, whether they are a surface or not.
+///
+/// Faces are in `triangles` if all of them have three corners, and in `corners` and `first_corner` otherwise. Indices
+/// count from 0; any value may occur, including one of a vertex that does not exist.
+struct Polygon_soup
+{
+  /// \brief the corners of a face, as a range.
+  struct Polygon
+  {
+    const std::uint32_t* first;                          ///< the first corner
+    const std::uint32_t* last;                           ///< past the last corner
+    const std::uint32_t* begin() const { return first; } ///< returns `first`.
+    const std::uint32_t* end() const { return last; }    ///< returns `last`.
+    /// returns the number of corners.
+    std::size_t size() const { return static_cast<std::size_t>(last - first); }
+  };
+
+  std::vector<std::array<double, 3>> points;           ///< the vertices
+  std::vector<std::array<std::uint32_t, 3>> triangles; ///< all faces if all are triangles; empty otherwise
+  std::vector<std::uint32_t> corners;                  ///< those of all faces if not all are triangles; empty otherwise
+  /// face `i` has the corners from `first_corner[i]` to before `first_corner[i + 1]`; empty if all faces are triangles
+  std::vector<std::size_t> first_corner;
+  /// warnings about a readable file, a sentence for each
+  std::vector<std::string> warnings;
+
+  /// returns whether all faces are triangles.
+  bool is_triangulated() const { return first_corner.empty(); }
+  /// returns the number of faces.
+  std::size_t number_of_faces() const { return is_triangulated() ? triangles.size() : first_corner.size() - 1; }
+  /// returns the corners of a face. \pre `face < number_of_faces()`
+  Polygon polygon(std::size_t face) const;
+  /// returns all faces, as ranges into the arrays. O(number of faces).
+  std::vector<Polygon> polygons() const;
+
+  /// appends a face, of any number of corners.
+  void add_face(const std::uint32_t* first, const std::uint32_t* last);
+
+private:
+  // Called for the first face that is not a triangle.
+  void give_up_triangles();
+};
 
 namespace internal {
 

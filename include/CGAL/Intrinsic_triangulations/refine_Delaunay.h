@@ -12,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/history/Long_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Delaunay_refiner.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Measured_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/point_on_input.h>
@@ -79,30 +78,6 @@ struct Refinement_run
     return result;
   }
 };
-
-// The longest side of the box, or the longest edge of a surface without points; in the unit of the input.
-inline double extent(const Exact_engine& engine)
-{
-  const Delta_complex& input = engine.correspondence().input();
-  const Input_metric::Point_vector& points = engine.metric().points();
-  double result = 0;
-  if (points.empty()) {
-    Input_shapes shapes(engine);
-    for (Edge_index e : input.edges())
-      result = (std::max)(result, shapes.length(e));
-  } else {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      double low = (std::numeric_limits<double>::infinity)(), high = -low;
-      for (Vertex_index v : input.vertices())
-        if (input.halfedge(v).is_valid()) {
-          low = (std::min)(low, points[v.idx()][axis]);
-          high = (std::max)(high, points[v.idx()][axis]);
-        }
-      result = (std::max)(result, high - low);
-    }
-  }
-  return (std::min)(std::ldexp(result, engine.metric().unit_exponent()), (std::numeric_limits<double>::max)());
-}
 
 template <class Traits>
 bool has_faces_below(Intrinsic_triangulation<Traits>& triangulation, double height)
@@ -264,9 +239,7 @@ Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation
   for (Edge_index e : complex.edges())
     is_segment[e.idx()] = complex.is_border(e) || get(is_constrained, e);
   const internal::Standard_arithmetic arithmetic;
-  const internal::Exact_engine& engine = internal::engine(triangulation);
-  // Ties need the crossings of many edges.
-  internal::Long_crossings(complex, engine.correspondence(), engine.decisions().interruption).keep();
+  internal::engine(triangulation).keep_crossings(); // ties need those of many edges
   auto observer = internal::observer_of(np);
   using Observer = decltype(observer);
   internal::Flips_before_refinement<Observer> before{observer};

@@ -9,6 +9,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_REPAIR_POLYGONS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_REPAIR_POLYGONS_H
 
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 
@@ -126,20 +127,29 @@ bool is_repairable(Invalid_surface_error::Defect defect);
 ///
 /// \param points the vertices; their coordinates are converted to `double`
 /// \param polygons the faces, as indices into `points`
-/// \param progress is called from time to time, at least before each polygon is triangulated
-/// \param stitching_tolerance a length, at least 0, in the unit of the input; nothing is stitched by default
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{stitching_tolerance}
+///     \cgalParamDescription{a length in the unit of the input, within which the border is stitched}
+///     \cgalParamType{`double`, at least 0, or `std::optional<double>`}
+///     \cgalParamDefault{nothing is stitched}
+///   \cgalParamNEnd
+///   \cgalParamVisitor{is called from time to time, at least before each polygon is triangulated, and can cancel}
+/// \cgalNamedParamsEnd
 ///
 /// \exception Invalid_surface_error if there is no face, an index is invalid, a coordinate is not finite, or a face
 ///   crosses itself
 /// \exception Invalid_argument_error if the tolerance is negative or not finite
-/// \exception Cancelled_error if `progress` returns `false`
+/// \exception Cancelled_error if the visitor asks for it
 ///
 /// Complexity: O(n log n), plus that of `triangulate_polygon()` for faces with more than three corners.
-template <class PointRange, class PolygonRange>
+template <class PointRange, class PolygonRange, class NamedParameters = parameters::Default_named_parameters>
 Repaired_polygons repair_polygons(const PointRange& points, const PolygonRange& polygons,
-                                  const Progress_function& progress = {},
-                                  const std::optional<double>& stitching_tolerance = std::nullopt)
+                                  const NamedParameters& np = parameters::default_values())
 {
+  const auto stitching_tolerance =
+    internal::value_of<internal::Parameter::STITCHING_TOLERANCE>(np, std::optional<double>());
   if (stitching_tolerance && !(*stitching_tolerance >= 0 && std::isfinite(*stitching_tolerance)))
     throw Invalid_argument_error("a stitching tolerance is at least 0 and finite");
   const Surface_report report = examine_polygons(points, polygons);
@@ -158,7 +168,8 @@ Repaired_polygons repair_polygons(const PointRange& points, const PolygonRange& 
     for (const auto index : polygon)
       faces.back().push_back(static_cast<std::size_t>(index));
   }
-  return internal::repair(std::move(coordinates), std::move(faces), progress, stitching_tolerance);
+  return internal::repair(std::move(coordinates), std::move(faces), internal::progress_function_of(np),
+                          stitching_tolerance);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsValidation

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_REPORTS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_REPORTS_H
 
-#include <CGAL/Intrinsic_triangulations/internal/Index.h>
+#include <CGAL/Intrinsic_triangulations/Index.h>
 
 #include <array>
 #include <cstddef>
@@ -16,6 +16,14 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsRef
+/// \brief the outcome of `Intrinsic_triangulation::flip()`.
+enum class Flip_outcome {
+  FLIPPED,    ///< the edge was flipped
+  NOT_CONVEX, ///< the hinge has no other diagonal; nothing was changed
+  UNDECIDED   ///< the number type cannot tell; nothing was changed
+};
 
 /// \ingroup PkgIntrinsicTriangulationsRef
 /// \brief how a run of `flip_to_Delaunay()` ended.

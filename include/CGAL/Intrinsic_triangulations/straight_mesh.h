@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_STRAIGHT_MESH_H
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
-#include <CGAL/Intrinsic_triangulations/internal/Index.h>
+#include <CGAL/Intrinsic_triangulations/Index.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 
 #include <array>

@@ -3,17 +3,21 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The sides of a part: the sharp edges between them, and unneeded vertices inside them.
+// The sides of a part: sharp edges between them, lines on them, and unneeded vertices inside them.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_FEATURES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_FEATURES_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/Index.h>
+#include <CGAL/Intrinsic_triangulations/Index.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -128,6 +132,52 @@ double coordinate_spacing(const std::vector<std::array<double, 3>>& points);
 /// O(n log n) for n edges of thin faces, otherwise linear. Directions and lengths are rounded.
 std::vector<bool> sharp_edges(const Delta_complex& complex, const std::vector<std::array<double, 3>>& points,
                               double degrees, double minimum_size = 0);
+
+/// \ingroup PkgIntrinsicTriangulationsInsertion
+/// \brief divides edges and faces so that lines on a surface become edges, to be constrained in `refine_Delaunay()`.
+///
+/// Each point of a line inside an edge or a face becomes a vertex, and edges join consecutive ones. So two consecutive
+/// points lie in one face, as those of `Geodesic_path` do. Different lines may meet at their points.
+class Line_divider
+{
+public:
+  /// vertices, and the positive weights of a point between them: one at a vertex, two on an edge, three in a face
+  using Corners = std::vector<std::pair<Vertex_index, double>>;
+
+  /// \param complex, points the connectivity, and the positions of its vertices. They are changed as by
+  ///   `Delta_complex::split_edge()` and `Delta_complex::split_face()`, and have to outlive this
+  Line_divider(Delta_complex& complex, std::vector<std::array<double, 3>>& points) : complex_(complex), points_(points)
+  {}
+
+  /// begins another line.
+  void begin_line() { last_.reset(); }
+  /// \brief appends a point to the line.
+  /// \param corners the point, by vertices of the complex as it was given
+  /// \exception Invalid_point_error if there is no such edge or face, if the line crosses an edge a second time, or if
+  ///   it ends in a face that was cut before. Then nothing has changed, or only an edge or a face was divided. O(sum of
+  ///   the degrees of the corners)
+  void add_point(const Corners& corners);
+  /// \brief keeps an edge.
+  /// \exception Invalid_point_error if no edge joins these vertices
+  void add_edge(Vertex_index v, Vertex_index w);
+
+  /// returns for each edge whether it is part of a line, or was kept.
+  std::vector<bool> edges() const;
+
+private:
+  std::optional<Halfedge_index> halfedge(Vertex_index v, Vertex_index w) const;
+  Vertex_index on_edge(const Corners& corners);
+  Vertex_index in_face(const Corners& corners);
+  std::optional<Halfedge_index> side_of_face(Vertex_index a, Vertex_index b, Vertex_index c) const;
+  void add_place(const Corners& corners);
+
+  Delta_complex& complex_;
+  std::vector<std::array<double, 3>>& points_;
+  std::set<Edge_index> edges_;
+  std::optional<Vertex_index> last_; // of the current line
+  // The vertex on an edge that was cut, and its weight at the second end.
+  std::map<std::pair<Vertex_index, Vertex_index>, std::pair<Vertex_index, double>> cuts_;
+};
 
 } // namespace CGAL::Intrinsic_triangulations
 

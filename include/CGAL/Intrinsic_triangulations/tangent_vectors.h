@@ -13,8 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Planar_vector.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 
@@ -24,6 +23,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -33,7 +33,7 @@ namespace CGAL::Intrinsic_triangulations {
 namespace internal {
 
 template <class Triangulation>
-Planar_vector<double> halfedge_vector(const Triangulation& triangulation, Halfedge_index h, double direction)
+std::complex<double> halfedge_vector(const Triangulation& triangulation, Halfedge_index h, double direction)
 {
   const double length = CGAL::to_double(triangulation.length(triangulation.connectivity().edge(h)));
   return {length * std::cos(direction), length * std::sin(direction)};
@@ -127,10 +127,10 @@ std::pair<Halfedge_index, double> halfedge_with_direction(const Intrinsic_triang
 ///
 /// Source: F. Knöppel, K. Crane, U. Pinkall, P. Schröder, "Globally optimal direction fields" (2013).
 template <class Traits>
-std::vector<Planar_vector<double>> halfedge_vectors_in_vertex(const Intrinsic_triangulation<Traits>& triangulation)
+std::vector<std::complex<double>> halfedge_vectors_in_vertex(const Intrinsic_triangulation<Traits>& triangulation)
 {
   const Delta_complex& complex = triangulation.connectivity();
-  std::vector<Planar_vector<double>> result(complex.number_of_halfedges(), {0, 0});
+  std::vector<std::complex<double>> result(complex.number_of_halfedges(), {0, 0});
   std::vector<std::pair<Halfedge_index, double>> directions;
   for (Vertex_index v : complex.vertices()) {
     if (!complex.halfedge(v).is_valid())
@@ -166,10 +166,10 @@ std::vector<Planar_vector<double>> halfedge_vectors_in_vertex(const Intrinsic_tr
 ///   of their lengths and cotangents for traits without exact geometry; (0, 0) for a border halfedge
 /// \exception Undecided_error as `angle()`. O(size).
 template <class Traits>
-std::vector<Planar_vector<double>> halfedge_vectors_in_face(const Intrinsic_triangulation<Traits>& triangulation)
+std::vector<std::complex<double>> halfedge_vectors_in_face(const Intrinsic_triangulation<Traits>& triangulation)
 {
   const Delta_complex& complex = triangulation.connectivity();
-  std::vector<Planar_vector<double>> result(complex.number_of_halfedges(), {0, 0});
+  std::vector<std::complex<double>> result(complex.number_of_halfedges(), {0, 0});
   for (Face_index f : complex.faces()) {
     const Halfedge_index first = complex.halfedge(f), next = complex.next(first), prev = complex.prev(first);
     const double at_source = angle(triangulation, next), at_target = angle(triangulation, prev);
@@ -189,9 +189,9 @@ struct Vertex_frame
   std::array<double, 3> normal; ///< the normal, towards the side from which faces are counterclockwise
 
   /// returns a tangent vector in space.
-  std::array<double, 3> in_space(const Planar_vector<double>& v) const
+  std::array<double, 3> in_space(const std::complex<double>& v) const
   {
-    return {v.x() * x[0] + v.y() * y[0], v.x() * x[1] + v.y() * y[1], v.x() * x[2] + v.y() * y[2]};
+    return {v.real() * x[0] + v.imag() * y[0], v.real() * x[1] + v.imag() * y[1], v.real() * x[2] + v.imag() * y[2]};
   }
 };
 

@@ -12,7 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/metric_defects.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/affine_image.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>

@@ -8,7 +8,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_UNTWIST_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_UNTWIST_H
 
-#include <CGAL/Intrinsic_triangulations/internal/twists/Crossing_counts.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
@@ -16,27 +15,111 @@
 #include <CGAL/Intrinsic_triangulations/internal/flips/default_traits.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
-#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/squared_lengths.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/gluing_text.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
 
-#include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <istream>
-#include <limits>
-#include <ostream>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsTwists
+/// \brief two faces that share two edges, and whose other sides are loops: a tube.
+///
+/// The two shared edges run across the tube. Seen with `loop` at the bottom, from left to right, one is to the left of
+/// the upper corner of the first face and one to its right: the face is (i, i, q), with the sides `loop`, `next(loop)`
+/// and `prev(loop)`.
+struct Tube
+{
+  Halfedge_index loop;  ///< one side, with the tube to its left
+  Halfedge_index other; ///< the other side, with the tube to its left
+  Edge_index right;     ///< the edge of `next(loop)`
+  Edge_index left;      ///< the edge of `prev(loop)`
+};
+
+/// \ingroup PkgIntrinsicTriangulationsTwists
+/// \brief returns whether the face to the left of `loop` and another one form a `Tube` with `loop` as one of its sides.
+/// O(1).
+///
+/// This depends on the connectivity alone. `loop` and `other` may be the same edge, as on a torus.
+bool is_tube(const Delta_complex& complex, Halfedge_index loop);
+
+/// \ingroup PkgIntrinsicTriangulationsTwists
+/// \brief returns the tube to the left of `loop`. O(1). \pre `is_tube(complex, loop)`
+Tube tube(const Delta_complex& complex, Halfedge_index loop);
+
+/// \ingroup PkgIntrinsicTriangulationsTwists
+///
+/// \brief how often each edge of a triangulation crosses edges of the one that it was flipped from, as integers of any
+/// size.
+///
+/// The same numbers as in `Normal_coordinates`, which stop at 2^60 and also know the order of crossings. These follow
+/// flips and whole powers of twists.
+class Crossing_counts
+{
+public:
+  /// constructs the counts of an empty triangulation.
+  Crossing_counts() = default;
+  /// constructs the counts of a triangulation in itself. O(edges).
+  explicit Crossing_counts(const Delta_complex& input) : counts_(input.number_of_edges(), Integer(-1)) {}
+
+  /// returns the number of edges.
+  std::size_t number_of_edges() const { return counts_.size(); }
+  /// returns the number of times that input edges cross `e`, or −1 if `e` coincides with one.
+  const Integer& crossings(Edge_index e) const { return counts_[e.idx()]; }
+  /// returns whether `e` coincides with an input edge.
+  bool is_original(Edge_index e) const { return crossings(e) < 0; }
+  /// returns the number of times that input edges cross `e`.
+  Integer number_of_crossings(Edge_index e) const { return is_original(e) ? Integer(0) : crossings(e); }
+
+  /// \brief updates the counts for the flip of `e`; to be called before that of the connectivity.
+  ///
+  /// O(1) operations with integers.
+  /// \pre `complex.is_flippable(e)`
+  void flip(const Delta_complex& complex, Edge_index e);
+
+  /// \brief updates the counts for the flip of `e` that `complex.flip(e)` has just made, as the visitor of
+  /// `flip_to_Delaunay()` reports it.
+  void after_flip(const Delta_complex& complex, Edge_index e);
+
+  /// \brief updates the counts for `|power|` flips within a tube, a multiple of four, which leaves the connectivity
+  /// unchanged.
+  ///
+  /// A positive power turns the far side of the tube to the right, with its side at the bottom: the vector of an
+  /// edge from the bottom to the top grows by `power` times that of the side. O(1) operations with integers.
+  void twist(const Delta_complex& complex, const Tube& tube, const Integer& power);
+
+private:
+  Integer count(Halfedge_index h, const Delta_complex& complex) const { return number_of_crossings(complex.edge(h)); }
+  void flip(const Delta_complex& complex, const Hinge_halfedges& around);
+
+  std::vector<Integer> counts_;
+};
+
+/// \ingroup PkgIntrinsicTriangulationsTwists
+/// \brief consecutive flips within one tube.
+struct Twist
+{
+  Halfedge_index loop; ///< a side of the tube, with the tube to its left
+  Integer
+    power; ///< the number of flips; positive if they turn the far side to the right, as `Crossing_counts::twist()` explains
+};
+
+/// \ingroup PkgIntrinsicTriangulationsTwists
+/// \brief what `untwist()` did.
+struct Untwisting
+{
+  std::vector<Twist> twists;         ///< in order; each tube belongs to the triangulation that earlier twists leave
+  Integer number_of_flips = 0;       ///< of all twists together
+  std::uint64_t number_of_steps = 0; ///< how many of those flips were made one by one
+  Crossing_counts crossings;         ///< how often each edge crosses edges of the complex that was given
+  bool is_complete = true;           ///< `false` if the visitor ended it: then some tubes are left as they were
+};
 
 namespace internal {
 
@@ -45,12 +128,6 @@ Untwisting untwist(Delta_complex& complex, std::vector<Rational>& squared_length
                    const std::function<bool(std::uint64_t, std::uint64_t)>& go_further);
 
 } // namespace internal
-
-/// \ingroup PkgIntrinsicTriangulationsTwists
-/// \brief returns the exact squares of lengths that are doubles, for `untwist()`. O(size).
-/// \param lengths the length of each edge
-/// \exception Invalid_surface_error if a length is not positive and finite
-std::vector<Rational> squared_lengths(const std::vector<double>& lengths);
 
 /// \ingroup PkgIntrinsicTriangulationsTwists
 /// \brief makes the flips within tubes of two faces, many at a time, until the edges within each tube are Delaunay.
@@ -94,104 +171,6 @@ Untwisting untwist(Delta_complex& complex, std::vector<Rational>& squared_length
   return internal::untwist(
     complex, squared_lengths, [&](Edge_index e) { return bool(get(is_constrained, e)); },
     [&](std::uint64_t tests, std::uint64_t flips) { return observer.go_further(tests, flips); });
-}
-
-/// \ingroup PkgIntrinsicTriangulationsIO
-/// \brief the contents of a gluing file of either version: one of the two vectors is empty.
-struct Exact_gluing
-{
-  Delta_complex complex;                           ///< the triangles
-  std::vector<double> lengths;                     ///< the length of each edge, in version 1 of the format
-  std::vector<internal::Rational> squared_lengths; ///< its square, in version 2
-};
-
-namespace internal {
-
-// Of both versions of the format.
-class Exact_gluing_reader : public Gluing_reader
-{
-public:
-  using Gluing_reader::Gluing_reader;
-
-  std::vector<Rational> squared_lengths; // instead of lengths in version 2
-
-private:
-  void take_version(const std::string& version) override
-  {
-    is_squared_ = version == "2";
-    if (!is_squared_ && version != "1")
-      fail(Defect::UNREADABLE, "asks for version " + shown_text(version) + " of the format; there are 1 and 2");
-  }
-
-  void take_number(const std::string& field) override
-  {
-    if (!is_squared_)
-      return Gluing_reader::take_number(field);
-    // GMP would read 010 as octal, and allocate any amount of memory.
-    if (field.size() > maximum_size)
-      fail(Defect::OUT_OF_RANGE, "has a squared length of more than a million digits");
-    const std::size_t slash = (std::min)(field.find('/'), field.size());
-    const std::string above = field.substr(0, slash), below = slash == field.size() ? "1" : field.substr(slash + 1);
-    Integer n, d;
-    if (!parse(above, n) || !parse(below, d) || d == 0)
-      fail(Defect::UNREADABLE,
-           "has '" + shown_text(field) + "' where a squared length is expected, an integer or a fraction of two");
-    if (n == 0)
-      fail(Defect::ZERO_LENGTH_EDGE, "has the squared length " + shown_text(field) + ", which is not positive");
-    squared_lengths.push_back(Rational(n, d));
-  }
-
-  static constexpr std::size_t maximum_size = 1000000;
-
-  static bool parse(const std::string& digits, Integer& n)
-  {
-    return !digits.empty() && std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; }) &&
-           mpz_set_str(n.backend().data(), digits.c_str(), 10) == 0;
-  }
-
-  bool is_squared_ = false;
-};
-
-} // namespace internal
-
-/// \ingroup PkgIntrinsicTriangulationsIO
-/// \brief writes a complex and the exact squared lengths of its edges, in version 2 of the gluing format.
-///
-/// It differs from version 1, which `write_gluing()` describes, in two things: the first line is `INTRINSIC_GLUING 2`,
-/// and the last field in the line of an edge is the *square* of its length, as an integer or a fraction of two without
-/// a sign, such as `5` or `25/4`.
-///
-/// \param os the stream; the caller has to check its state afterwards
-/// \param complex any complex
-/// \param squared_lengths the squared length of each edge
-/// \exception Invalid_surface_error if a squared length is not positive, or there are
-///   more than a million isolated vertices. Then nothing is written. O(size).
-/// \pre `squared_lengths.size() == complex.number_of_edges()`
-inline void write_exact_gluing(std::ostream& os, const Delta_complex& complex,
-                               const std::vector<internal::Rational>& squared_lengths)
-{
-  CGAL_precondition(squared_lengths.size() == complex.number_of_edges());
-  for (Edge_index e : complex.edges())
-    if (squared_lengths[e.idx()] <= 0)
-      throw Invalid_surface_error(Invalid_surface_error::Defect::ZERO_LENGTH_EDGE, e.idx(), 1,
-                                  "edge " + std::to_string(e.idx()) + " does not have a positive length");
-  internal::write_gluing_text(os, complex, 2,
-                              [&](std::ostream& text, Edge_index e) { text << squared_lengths[e.idx()].str(); });
-}
-
-/// \ingroup PkgIntrinsicTriangulationsIO
-/// \brief reads a gluing of either version.
-///
-/// \exception Invalid_surface_error as `read_gluing()`; also if a squared length has more than a million digits.
-///   O(size)
-inline Exact_gluing read_exact_gluing(std::istream& is)
-{
-  internal::Exact_gluing_reader reader(is);
-  Exact_gluing result;
-  result.complex = reader.read();
-  result.lengths = std::move(reader.lengths);
-  result.squared_lengths = std::move(reader.squared_lengths);
-  return result;
 }
 
 /// \ingroup PkgIntrinsicTriangulationsTwists

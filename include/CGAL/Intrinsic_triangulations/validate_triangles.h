@@ -14,19 +14,19 @@
 #include <CGAL/Intrinsic_triangulations/internal/measures/Length_range.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/Polygon_sides.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/Vertices_on_edges.h>
 
 #include <CGAL/number_utils.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <limits>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -151,28 +151,61 @@ void throw_if_fatal(const Surface_report& report, const std::string& name = std:
 
 namespace internal {
 
-// The findings in copied polygons.
-// \param only_gaps whether to look for gaps alone
-Surface_report examine(const std::vector<std::array<double, 3>>& points, Polygon_sides& polygons, bool only_gaps);
+class Vertices_on_edges;
 
-// Two vertices are close if their distance is at most this part of the edges there.
-constexpr double closeness = 0x1p-30;
-inline double close_distance(double length) { return std::isfinite(length) ? closeness * length : 0; }
+// Points and polygons as they were given.
+struct Polygon_copies
+{
+  static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
+
+  std::size_t number_of_vertices, number_of_faces;
+  std::vector<std::array<double, 3>> points; // empty if there are no faces, or too many elements
+  std::vector<std::uint32_t> corners;        // of one face after the other; none instead of a bad index
+  std::vector<std::uint32_t> ends;           // of the faces in `corners`
+  std::size_t first_bad_index = 0;
+
+  bool can_be_numbered() const
+  {
+    return number_of_vertices < none && number_of_faces < none / 3 && corners.size() < none;
+  }
+};
+
+template <class PointRange, class PolygonRange>
+Polygon_copies copy_polygons(const PointRange& points, const PolygonRange& polygons)
+{
+  Polygon_copies result{std::size_t(std::distance(std::begin(points), std::end(points))),
+                        std::size_t(std::distance(std::begin(polygons), std::end(polygons))),
+                        {},
+                        {},
+                        {}};
+  if (result.number_of_faces == 0 || !result.can_be_numbered())
+    return result;
+  bool has_bad_index = false;
+  result.corners.reserve(3 * result.number_of_faces);
+  result.ends.reserve(result.number_of_faces);
+  for (const auto& polygon : polygons) {
+    for (const auto index : polygon) {
+      const auto value = static_cast<std::size_t>(index);
+      const bool is_bad = value >= result.number_of_vertices;
+      if (is_bad && !std::exchange(has_bad_index, true))
+        result.first_bad_index = value;
+      result.corners.push_back(is_bad ? Polygon_copies::none : static_cast<std::uint32_t>(value));
+    }
+    if (!result.can_be_numbered())
+      return result;
+    result.ends.push_back(static_cast<std::uint32_t>(result.corners.size()));
+  }
+  result.points.reserve(result.number_of_vertices);
+  for (const auto& p : points)
+    result.points.push_back({to_double(p[0]), to_double(p[1]), to_double(p[2])});
+  return result;
+}
+
+// \param only_gaps whether to look for gaps alone
+Surface_report examine(Polygon_copies polygons, bool only_gaps);
 
 // The first corner of the side whose ends are close compared with the other sides, if any.
-inline std::optional<std::size_t> shortest_side(std::array<std::array<double, 3>, 3> p)
-{
-  for (std::array<double, 3>& point : p)
-    for (double& x : point)
-      x /= 4; // so that differences do not overflow
-  std::array<double, 3> lengths;
-  for (std::size_t i = 0; i < 3; ++i)
-    lengths[i] = Vertices_on_edges::norm(Vertices_on_edges::difference(p[i], p[(i + 1) % 3]));
-  const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
-  if (*shortest > closeness * *longest)
-    return std::nullopt;
-  return std::size_t(shortest - lengths.begin());
-}
+std::optional<std::size_t> shortest_side(std::array<std::array<double, 3>, 3> p);
 
 // The ends of border edges, two for each.
 class Border_gaps
@@ -188,7 +221,7 @@ public:
 
 private:
   const std::vector<std::array<double, 3>>& points_;
-  Vertices_on_edges near_;
+  std::shared_ptr<const Vertices_on_edges> near_;
 };
 
 } // namespace internal
@@ -217,15 +250,7 @@ private:
 template <class PointRange, class PolygonRange>
 Surface_report examine_polygons(const PointRange& points, const PolygonRange& polygons)
 {
-  internal::Polygon_sides copy(static_cast<std::size_t>(std::distance(std::begin(points), std::end(points))),
-                               static_cast<std::size_t>(std::distance(std::begin(polygons), std::end(polygons))));
-  std::vector<std::array<double, 3>> coordinates;
-  if (copy.add_polygons(polygons)) {
-    coordinates.reserve(copy.number_of_vertices());
-    for (const auto& p : points)
-      coordinates.push_back({to_double(p[0]), to_double(p[1]), to_double(p[2])});
-  }
-  return internal::examine(coordinates, copy, false);
+  return internal::examine(internal::copy_polygons(points, polygons), false);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsValidation
@@ -240,15 +265,7 @@ Surface_report examine_polygons(const PointRange& points, const PolygonRange& po
 template <class PointRange, class TriangleRange>
 Surface_report find_gaps(const PointRange& points, const TriangleRange& triangles)
 {
-  internal::Polygon_sides copy(static_cast<std::size_t>(std::distance(std::begin(points), std::end(points))),
-                               static_cast<std::size_t>(std::distance(std::begin(triangles), std::end(triangles))));
-  std::vector<std::array<double, 3>> coordinates;
-  if (copy.add_polygons(triangles)) {
-    coordinates.reserve(copy.number_of_vertices());
-    for (const auto& p : points)
-      coordinates.push_back({to_double(p[0]), to_double(p[1]), to_double(p[2])});
-  }
-  return internal::examine(coordinates, copy, true);
+  return internal::examine(internal::copy_polygons(points, triangles), true);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsValidation

@@ -7,7 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/gluing_text.h>
+#include "gluing_text.h"
 
 #include <CGAL/assertions.h>
 

@@ -5,7 +5,7 @@
 //
 // Definitions of Surface_point.h.
 
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double.h>
 
 #include <CGAL/assertions.h>

@@ -10,12 +10,12 @@
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
 #include "Flat_face_remover.h"
 #include "../gluing/Faces_around_edge.h"
-#include <CGAL/Intrinsic_triangulations/internal/gluing/Sides_by_edge.h>
+#include "../gluing/Sides_by_edge.h"
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/mollify.h>
 
 #include <CGAL/assertions.h>

@@ -7,12 +7,12 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include "Exact_engine_memory.h"
-#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include "layout/Unfolding.h"
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/history/Long_crossings.h>
+#include "history/Long_crossings.h"
 #include "history/Flip_log.h"
 #include "layout/Developed_faces.h"
 #include "decide/Exact_fallback.h"
@@ -306,7 +306,12 @@ void Exact_engine::prepare_insertion()
   find_straight_faces();
   prepare();
   if (correspondence().number_of_inserted_vertices() == 0 || correspondence().kept_crossings().is_empty())
-    Long_crossings(connectivity_, correspondence(), decisions().interruption).keep();
+    keep_crossings();
+}
+
+void Exact_engine::keep_crossings() const
+{
+  Long_crossings(connectivity_, correspondence(), decisions().interruption).keep();
 }
 
 Halfedge_index Exact_engine::halfedge_of_face(const Triangle_piece& piece) const

@@ -60,7 +60,7 @@ protected:
   Input_surface* surface_; // may be taken later
 };
 
-// Also uses what is known of the faces. Remembers nothing.
+// Also uses knowledge about the faces, but stores nothing.
 class Exact_engine::Known_corners : public Corners
 {
 public:

@@ -11,7 +11,7 @@
 #include "Side_and_corner.h"
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include "decide/Ladder.h"
-#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossed_halfedges.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include "history/check_correspondence.h"
 #include "layout/metric_images.h"

@@ -164,4 +164,45 @@ Polygon_soup internal::read_polygon_soup(const std::string& file_name, const Pro
   return soup;
 }
 
+Polygon_soup::Polygon Polygon_soup::polygon(std::size_t face) const
+{
+  if (is_triangulated())
+    return Polygon{triangles[face].data(), triangles[face].data() + 3};
+  return Polygon{corners.data() + first_corner[face], corners.data() + first_corner[face + 1]};
+}
+
+std::vector<Polygon_soup::Polygon> Polygon_soup::polygons() const
+{
+  std::vector<Polygon> result;
+  result.reserve(number_of_faces());
+  for (std::size_t f = 0; f < number_of_faces(); ++f)
+    result.push_back(polygon(f));
+  return result;
+}
+
+void Polygon_soup::add_face(const std::uint32_t* first, const std::uint32_t* last)
+{
+  if (is_triangulated()) {
+    if (last - first == 3) {
+      triangles.push_back({first[0], first[1], first[2]});
+      return;
+    }
+    give_up_triangles();
+  }
+  corners.insert(corners.end(), first, last);
+  first_corner.push_back(corners.size());
+}
+
+void Polygon_soup::give_up_triangles()
+{
+  corners.reserve(3 * triangles.size() + 4);
+  first_corner.reserve(triangles.size() + 2);
+  first_corner.push_back(0);
+  for (const std::array<std::uint32_t, 3>& triangle : triangles) {
+    corners.insert(corners.end(), triangle.begin(), triangle.end());
+    first_corner.push_back(corners.size());
+  }
+  std::vector<std::array<std::uint32_t, 3>>().swap(triangles);
+}
+
 } // namespace CGAL::Intrinsic_triangulations

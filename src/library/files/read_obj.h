@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_OBJ_H
 
 #include "Text_lines.h"
-#include <CGAL/Intrinsic_triangulations/internal/files/Polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <algorithm>
 #include <charconv>

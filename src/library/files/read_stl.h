@@ -8,10 +8,10 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_STL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_FILES_READ_STL_H
 
-#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include "File_blocks.h"
 #include "text_file.h"
-#include <CGAL/Intrinsic_triangulations/internal/files/Polygon_soup.h>
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
 #include <boost/config.hpp>
 

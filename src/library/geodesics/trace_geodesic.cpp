@@ -12,7 +12,7 @@
 #include "../engine/layout/metric_images.h"
 #include "Line_layout.h"
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossed_halfedges.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include "../engine/layout/Strip.h"
 #include "../positions/Crossing_locator.h"

@@ -9,9 +9,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_SURFACE_GLUER_H
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include "Faces_around_edge.h"
-#include <CGAL/Intrinsic_triangulations/internal/gluing/Sides_by_edge.h>
+#include "Sides_by_edge.h"
 #include "../measures/Flat_geometry.h"
 #include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>

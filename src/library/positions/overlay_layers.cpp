@@ -11,13 +11,26 @@
 #include "../engine/layout/Metric_frame.h"
 #include "../engine/layout/Strip.h"
 #include "Crossing_locator.h"
-#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/squared_lengths.h>
 
 #include <cstdint>
 #include <string>
 #include <type_traits>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+Halfedge_index only_side_from(const Delta_complex& complex, Face_index f, Vertex_index v)
+{
+  Halfedge_index result;
+  const Halfedge_index first = complex.halfedge(f);
+  for (Halfedge_index h : {first, complex.next(first), complex.prev(first)})
+    if (complex.source(h) == v) {
+      if (result.is_valid())
+        return Halfedge_index();
+      result = h;
+    }
+  return result;
+}
 
 std::optional<Sign> Input_layer::side_of_chord(Overlay::Halfedge before, const Surface_point& point) const
 {

@@ -4,11 +4,11 @@
 // Author(s)     : The Intrinsic_triangulations developers
 
 #include <CGAL/Intrinsic_triangulations/internal/saving/Saved_file.h>
-#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/squared_lengths.h>
 #include "Byte_stream.h"
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
+#include "../engine/history/Crossing_sequence.h"
 #include <CGAL/Intrinsic_triangulations/reports.h>
 
 #include <algorithm>

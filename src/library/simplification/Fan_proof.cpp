@@ -29,7 +29,7 @@ Interval heron(double a, double b, double c)
 }
 double largest_magnitude(const Interval& x) { return (std::max)(-x.inf(), x.sup()); }
 
-// What is behind two faces that share a new one.
+// The change of a new face that overlaps two others.
 Squared_change either(const Squared_change& a, const Squared_change& b)
 {
   return {(std::min)(a.down, b.down), (std::max)(a.up, b.up)};

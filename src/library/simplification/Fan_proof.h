@@ -26,7 +26,7 @@ Squared_change product(const Squared_change& a, const Squared_change& b);
 
 // Proves that the fan, with its vertex at the place, is mapped one to one to the triangulation.
 //
-// What is proven holds for the triangles that have the given lengths exactly.
+// The proof is about triangles with exactly the given lengths.
 // \param changes for each triangle
 // \return whether that is proven, and no squared change exceeds `limit`
 bool prove_removal(const Fan& fan, const Fan_triangulation& triangulation, double limit,

@@ -7,7 +7,6 @@
 
 #include <CGAL/Intrinsic_triangulations/untwist.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/twists/Crossing_counts.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 
@@ -205,19 +204,5 @@ Untwisting untwist(Delta_complex& complex, std::vector<Rational>& squared_length
 }
 
 } // namespace internal
-
-std::vector<Rational> squared_lengths(const std::vector<double>& lengths)
-{
-  std::vector<Rational> result;
-  result.reserve(lengths.size());
-  for (std::size_t e = 0; e < lengths.size(); ++e) {
-    if (!(lengths[e] > 0 && lengths[e] <= (std::numeric_limits<double>::max)()))
-      throw Invalid_surface_error(Invalid_surface_error::Defect::NOT_FINITE, e, 1,
-                                  "the length of edge " + std::to_string(e) + " is not a positive finite number");
-    const Rational l(lengths[e]);
-    result.push_back(l * l);
-  }
-  return result;
-}
 
 } // namespace CGAL::Intrinsic_triangulations

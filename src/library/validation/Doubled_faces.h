@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_DOUBLED_FACES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_DOUBLED_FACES_H
 
-#include <CGAL/Intrinsic_triangulations/internal/gluing/Sides_by_edge.h>
+#include "../gluing/Sides_by_edge.h"
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_FLAT_SPIKES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_FLAT_SPIKES_H
 
-#include <CGAL/Intrinsic_triangulations/internal/gluing/Sides_by_edge.h>
+#include "../gluing/Sides_by_edge.h"
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 

@@ -7,13 +7,13 @@
 
 #include <CGAL/Intrinsic_triangulations/repair_polygons.h>
 #include "../gluing/Surface_gluer.h"
+#include "../gluing/Sides_by_edge.h"
 #include "Doubled_faces.h"
 #include "Flat_spikes.h"
 #include "Polygon_cutter.h"
-#include <CGAL/Intrinsic_triangulations/internal/gluing/Sides_by_edge.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/Hanging_vertices.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/Polygon_sides.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/Vertices_on_edges.h>
+#include "Hanging_vertices.h"
+#include "Polygon_sides.h"
+#include "Vertices_on_edges.h"
 
 #include <boost/functional/hash.hpp>
 
@@ -288,7 +288,7 @@ private:
     struct Cut
     {
       Index first, size; // triangles
-      bool is_turned;    // the polygon, to be what is looked up
+      bool is_turned;    // whether the polygon is the reverse of the key
     };
     std::unordered_map<std::vector<Index>, Cut, boost::hash<std::vector<Index>>> seen;
     for (const auto& [input, corners] : polygons_) {
@@ -697,7 +697,7 @@ private:
   std::vector<bool> has_lost_part_;         // of each input face of which several parts were left
   std::map<Index, Index> other_side_;       // of input faces that enclose nothing
   Element_collector fans_, stitched_, opened_;
-  std::string first_fan_;                          // what is to be said about it
+  std::string first_fan_;                          // its description in messages
   std::set<Index> tips_;                           // of flat spikes that were removed
   std::array<Index, 3> first_stitch_ = {};         // ends, and the vertex
   std::set<std::array<Index, 2>> new_sides_;       // parts of border edges that were split

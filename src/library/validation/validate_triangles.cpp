@@ -7,15 +7,18 @@
 
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 #include "../gluing/Surface_gluer.h"
+#include "Hanging_vertices.h"
+#include "Polygon_sides.h"
+#include "Vertices_on_edges.h"
 #include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/Hanging_vertices.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <tuple>
@@ -53,14 +56,32 @@ inline std::string faces_text(const Polygon_sides& polygons, const std::size_t s
   return text + (faces.size() > 8 ? ", ..." : "");
 }
 
+// Two vertices are close if their distance is at most this part of the edges there.
+constexpr double closeness = 0x1p-30;
+inline double close_distance(double length) { return std::isfinite(length) ? closeness * length : 0; }
+
+std::optional<std::size_t> shortest_side(std::array<std::array<double, 3>, 3> p)
+{
+  for (std::array<double, 3>& point : p)
+    for (double& x : point)
+      x /= 4; // so that differences do not overflow
+  std::array<double, 3> lengths;
+  for (std::size_t i = 0; i < 3; ++i)
+    lengths[i] = Vertices_on_edges::norm(Vertices_on_edges::difference(p[i], p[(i + 1) % 3]));
+  const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
+  if (*shortest > closeness * *longest)
+    return std::nullopt;
+  return std::size_t(shortest - lengths.begin());
+}
+
 // Examines one list of polygons, in passes over the flat arrays of Polygon_sides.
 class Surface_examiner
 {
   using Coordinates = std::array<double, 3>;
 
 public:
-  Surface_examiner(const std::vector<Coordinates>& points, Polygon_sides& polygons)
-    : points_(points), polygons_(polygons)
+  explicit Surface_examiner(Polygon_copies&& polygons)
+    : points_(std::move(polygons.points)), polygons_(std::move(polygons))
   {}
 
   Surface_report examine(bool only_gaps)
@@ -610,8 +631,8 @@ private:
           [&](std::size_t) { return "the surface has " + std::to_string(roots.count()) + " components"; });
   }
 
-  const std::vector<Coordinates>& points_;
-  Polygon_sides& polygons_;
+  const std::vector<Coordinates> points_;
+  Polygon_sides polygons_;
   const std::size_t number_of_vertices_ = polygons_.number_of_vertices();
   bool all_finite_ = true, has_flat_faces_ = false, are_sheets_meeting_ = false;
   std::vector<Index> border_; // positions of sides without a partner
@@ -678,9 +699,9 @@ inline Finding_words words_of(const Finding& finding)
   }
 }
 
-Surface_report examine(const std::vector<std::array<double, 3>>& points, Polygon_sides& polygons, bool only_gaps)
+Surface_report examine(Polygon_copies polygons, bool only_gaps)
 {
-  return Surface_examiner(points, polygons).examine(only_gaps);
+  return Surface_examiner(std::move(polygons)).examine(only_gaps);
 }
 
 // Each end of a border edge begins another one.
@@ -693,13 +714,13 @@ inline std::vector<std::uint32_t> even_numbers_below(std::size_t n)
 }
 
 Border_gaps::Border_gaps(const std::vector<std::array<double, 3>>& points)
-  : points_(points), near_(points, even_numbers_below(points.size()))
+  : points_(points), near_(std::make_shared<Vertices_on_edges>(points, even_numbers_below(points.size())))
 {}
 
 bool Border_gaps::are_within(const std::array<double, 3>& p, const std::array<double, 3>& q) const
 {
   bool result = false;
-  near_.for_each_within_edge(p, q, 0, closeness, [&](std::uint32_t, double, double) { result = true; });
+  near_->for_each_within_edge(p, q, 0, closeness, [&](std::uint32_t, double, double) { result = true; });
   return result;
 }
 
@@ -708,7 +729,7 @@ bool Border_gaps::are_close() const
   bool result = false;
   for (std::size_t i = 0; i < points_.size(); i += 2)
     for (const std::size_t v : {i, i + 1})
-      near_.for_each_within(
+      near_->for_each_within(
         points_[v], close_distance(Vertices_on_edges::norm(Vertices_on_edges::difference(points_[i], points_[i + 1]))),
         [&](std::uint32_t w, double) { result = result || points_[v] != points_[w]; });
   return result;

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NAMED_PARAMETERS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_NAMED_PARAMETERS_H
 
-#include <CGAL/Intrinsic_triangulations/internal/Index.h>
+#include <CGAL/Intrinsic_triangulations/Index.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/property_map.h>
@@ -38,6 +38,7 @@ namespace Intrinsic_triangulations::internal {
   F(tolerance, TOLERANCE)                                                                                              \
   F(surface_cover, SURFACE_COVER)                                                                                      \
   F(coincident_vertices, COINCIDENT_VERTICES)                                                                          \
+  F(stitching_tolerance, STITCHING_TOLERANCE)                                                                          \
   F(is_welded, IS_WELDED)                                                                                              \
   F(mollification, MOLLIFICATION)                                                                                      \
   F(mass_type, MASS_TYPE)                                                                                              \
@@ -143,6 +144,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(tolerance, TOLERANCE)
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(surface_cover, SURFACE_COVER)
 /// \brief how edges of length zero are treated: a value of `Coincident_vertices`.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(coincident_vertices, COINCIDENT_VERTICES)
+/// \brief the length within which the border of a surface is stitched.
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(stitching_tolerance, STITCHING_TOLERANCE)
 /// \brief whether all vertices at the same place become one.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(is_welded, IS_WELDED)
 /// \brief if positive, the margin by which edges are lengthened, as by `mollify_lengths()`.

@@ -12,8 +12,8 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include "../layout/Unfolding.h"
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/Input_metric.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/squared_lengths.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossed_halfedges.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include "Ladder.h"
 #include "Parallel_folds.h"

@@ -26,7 +26,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // compare the stored numbers with their error bounds (Filtered_edge_length_traits).
 //
 // \brief The sign of the sum of the cotangents at two corners. `Corners` determines which knowledge may be used and
-// what is remembered: flips remember, queries only read, and verification uses the input and the integers alone. A
+// whether results are stored: flips store them, queries only read, and verification uses the input and the integers alone. A
 // stage for which `Corners` has no means gives no answer.
 // \return nothing if `Corners` does not continue
 template <class Corners>

@@ -10,7 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossed_halfedges.h>
 #include "../layout/metric_images.h"
 #include "../../measures/Flat_geometry.h"
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>

@@ -12,8 +12,9 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include "../history/Crossing_sequence.h"
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossed_halfedges.h>
 #include "../layout/Vertex_positions.h"
 #include "../layout/metric_images.h"
 #include "../../measures/Flat_geometry.h"

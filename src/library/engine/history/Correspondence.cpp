@@ -7,7 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include "Flip_log.h"
-#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
 
 #include <CGAL/assertions.h>

@@ -9,9 +9,9 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_DEVELOPED_FACES_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include "../../arithmetic/Disk.h"
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Planar_vector.h>
+#include "../../arithmetic/Planar_vector.h"
 #include "../../arithmetic/Residues.h"
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>

@@ -8,7 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_TWO_STRAIGHT_FACES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_TWO_STRAIGHT_FACES_H
 
-#include <CGAL/Intrinsic_triangulations/internal/Index.h>
+#include <CGAL/Intrinsic_triangulations/Index.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include "../../arithmetic/Split_double_double.h"
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>

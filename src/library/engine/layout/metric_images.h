@@ -9,8 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_LAYOUT_METRIC_IMAGES_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/metric/Input_metric.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Planar_vector.h>
+#include "../../arithmetic/Planar_vector.h"
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Decisions.h>
 #include "Fan_positions.h"
 #include "Unfolding.h"
@@ -31,6 +30,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/system/memory_access.h>
 
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/squared_lengths.h>
 
 #include <CGAL/enum.h>
 

@@ -6,7 +6,7 @@
 // Definitions of Input_metric, and of its functions in rational numbers.
 
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/metric/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/squared_lengths.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
 #include "../../arithmetic/Prime_field.h"

@@ -7,7 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/engine/metric/Rational_points.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
-#include <CGAL/Intrinsic_triangulations/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/squared_lengths.h>
 
 #include <cstddef>
 #include <utility>

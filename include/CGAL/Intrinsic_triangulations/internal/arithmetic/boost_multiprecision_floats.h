@@ -8,8 +8,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_BOOST_MULTIPRECISION_FLOATS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_BOOST_MULTIPRECISION_FLOATS_H
 
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/number_kinds.h>
-
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Real_embeddable_traits.h>
 #include <CGAL/boost_mp.h>
@@ -58,6 +56,9 @@ struct RET_boost_mp<NT, boost::mpl::int_<boost::multiprecision::number_kind_floa
 };
 
 namespace Intrinsic_triangulations::internal {
+
+template <class FT, class>
+struct Has_roots; // number_kinds.h
 
 // For some kinds of numbers CGAL only declares such templates. A comparison of Boost's intervals has no third answer.
 template <class FT>

@@ -10,7 +10,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_DELTA_COMPLEX_BUILDER_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
 #include <algorithm>
@@ -24,6 +24,8 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+using Index_triangle = std::array<std::uint32_t, 3>;
 
 using Defect = Invalid_surface_error::Defect;
 

@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_DISTANCES_FLAT_WAYS_H
 
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
-#include <CGAL/Intrinsic_triangulations/internal/Index.h>
+#include <CGAL/Intrinsic_triangulations/Index.h>
 
 #include <functional>
 #include <vector>

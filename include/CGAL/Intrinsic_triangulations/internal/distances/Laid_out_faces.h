@@ -91,8 +91,7 @@ public:
   // The next side that begins at the same vertex, to the left or to the right; none beyond a border.
   std::uint32_t left_of(std::uint32_t i) const { return sides_[prev(i)].opposite; }
   std::uint32_t right_of(std::uint32_t i) const { return sides_[i].opposite == none ? none : next(sides_[i].opposite); }
-  // Of a side on the border, the next one at the same edge of a surface that was cut there, and after the last one the
-  // first; none if there is none.
+  // For a side where the surface was cut: the next side at the same edge, cyclically; none if it is the only one.
   std::uint32_t beside(std::uint32_t i) const { return beside_.empty() ? none : beside_[i]; }
   std::size_t number_of_narrow_edges() const { return number_of_narrow_edges_; }
   // Infinite on the border.

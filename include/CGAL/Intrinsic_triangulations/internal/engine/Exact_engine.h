@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_EXACT_ENGINE_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/metric/Input_metric.h>
+#include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/reports.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Decisions.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Triangle_corner.h>
@@ -179,6 +179,9 @@ public:
     if (!is_prepared())
       prepare(block_runner<ConcurrencyTag>());
   }
+  void prepare(const Block_runner& run) const;
+  // Caches what all edges cross, for work that asks for most of it.
+  void keep_crossings() const;
 
   // The methods that a test may use.
   enum class Means {
@@ -246,7 +249,6 @@ private:
   bool follow_faces(const Hinge_halfedges& around);
   void set_first(std::initializer_list<Halfedge_index> first);
   bool is_prepared() const;
-  void prepare(const Block_runner& run) const;
   void find_straight_faces() const;
   void recognize_straight_face(Halfedge_index h);
   void prepare_insertion();

@@ -53,11 +53,15 @@ public:
   using Logs = Exact_engine::Logs; // one for each block
 
   // \param most the maximum number of blocks
-  static Logs logs(Triangulation& triangulation, std::size_t most) { return {triangulation.engine_, most}; }
+  static Logs logs(Triangulation& triangulation, std::size_t most)
+  {
+    return {Engine_access::measured(triangulation).engine(), most};
+  }
 
   Triangulation_block(Triangulation& triangulation, Edge_index::size_type first, Edge_index::size_type last,
                       Logs::Log& log)
-    : triangulation_(triangulation), first_(first), size_(last - first), log_(log)
+    : triangulation_(triangulation), measured_(Engine_access::measured(triangulation)), first_(first),
+      size_(last - first), log_(log)
   {}
 
   const Delta_complex& connectivity() const { return triangulation_.connectivity(); }
@@ -76,7 +80,7 @@ public:
   // By stored numbers alone.
   Boolean is_locally_Delaunay(Edge_index e) const
   {
-    return triangulation_.traits_.is_locally_Delaunay_object()(triangulation_.hinge(connectivity().hinge(e)));
+    return measured_.traits().is_locally_Delaunay_object()(measured_.hinge(connectivity().hinge(e)));
   }
   Boolean test_and_recompute(Edge_index e) const { return is_locally_Delaunay(e); }
   void count_as_tested(std::uint64_t) const {} // all at once, after the blocks
@@ -84,11 +88,11 @@ public:
   // \return nothing if the flip is postponed
   std::optional<Flip_outcome> flip_not_Delaunay(const Hinge_halfedges& around)
   {
-    const typename Triangulation::Hinge_data old = triangulation_.hinge(around);
-    if (!triangulation_.is_new_edge_known_to_have_length(old))
+    const typename Triangulation::Hinge_data old = measured_.hinge(around);
+    if (!measured_.is_new_edge_known_to_have_length(old))
       return std::nullopt;
-    return triangulation_.flip_hinge(around, old, triangulation_.traits().construct_flipped_hinge_object(),
-                                     [&] { log_.flip(around); });
+    return measured_.flip_hinge(around, old, measured_.traits().construct_flipped_hinge_object(),
+                                [&] { log_.flip(around); });
   }
 
 private:
@@ -100,6 +104,7 @@ private:
   }
 
   Triangulation& triangulation_;
+  Measured_triangulation<Traits_>& measured_;
   Edge_index::size_type first_, size_;
   Logs::Log& log_;
 };

@@ -24,6 +24,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 template <class Traits_>
 class Whole_triangulation
 {
+  using Measured = Measured_triangulation<Traits_>;
+
 public:
   using Triangulation = Intrinsic_triangulation<Traits_>;
   using Traits = Traits_;
@@ -31,28 +33,27 @@ public:
   using Flip_outcome = typename Triangulation::Flip_outcome;
   static constexpr bool is_whole = true;
 
-  explicit Whole_triangulation(Triangulation& triangulation) : triangulation_(triangulation) {}
+  explicit Whole_triangulation(Triangulation& triangulation)
+    : triangulation_(triangulation), measured_(Engine_access::measured(triangulation))
+  {}
 
   Triangulation& triangulation() const { return triangulation_; }
   const Delta_complex& connectivity() const { return triangulation_.connectivity(); }
 
   // Whether the bounds kept for the corners prove that e is Delaunay; `false` means nothing. This holds for most edges
   // of an ordinary surface, and is much faster than a test, with which it never disagrees.
-  bool is_known_Delaunay(Edge_index e) const
-  {
-    return Triangulation::keeps_bounds && triangulation_.bounds_.imply_Delaunay(e);
-  }
+  bool is_known_Delaunay(Edge_index e) const { return Measured::keeps_bounds && measured_.bounds().imply_Delaunay(e); }
   // The same for four edges: bit i of the result belongs to the i-th edge after e. \pre these edges exist
   unsigned are_known_Delaunay(Edge_index e) const
   {
-    return Triangulation::keeps_bounds ? triangulation_.bounds_.imply_Delaunay_of_four(e) : 0;
+    return Measured::keeps_bounds ? measured_.bounds().imply_Delaunay_of_four(e) : 0;
   }
 
   Boolean is_locally_Delaunay(Edge_index e) const { return triangulation_.is_locally_Delaunay(e); }
   // By stored numbers alone. \pre e is flippable
   Boolean is_Delaunay_by_filter(Edge_index e) const
   {
-    return triangulation_.traits_.is_locally_Delaunay_object()(triangulation_.hinge(e));
+    return measured_.traits().is_locally_Delaunay_object()(measured_.hinge(e));
   }
 
   // If the stored numbers cannot decide, they are replaced by tight ones that do.
@@ -61,13 +62,13 @@ public:
     const Boolean answer = is_Delaunay_by_filter(e);
     if constexpr (Triangulation::uses_exact_geometry)
       if (!is_certain(answer))
-        return triangulation_.decide_and_recompute(e);
+        return measured_.decide_and_recompute(e);
     count_as_tested(1);
     return answer;
   }
 
   // It may not be prepared yet.
-  Exact_engine& engine() const { return triangulation_.engine_; }
+  Exact_engine& engine() const { return measured_.engine(); }
 
   std::function<bool()> set_interruption(std::function<bool()> go_further)
   {
@@ -75,50 +76,48 @@ public:
   }
 
   // Counts, for the statistics, edges that stored numbers decided.
-  void count_as_tested(std::uint64_t number) { triangulation_.number_of_filter_decisions_ += number; }
+  void count_as_tested(std::uint64_t number) { measured_.count_filter_decisions(number); }
 
-  Flip_outcome flip_not_Delaunay(const Hinge_halfedges& around) { return triangulation_.flip_not_Delaunay(around); }
-  Flip_outcome flip_not_Delaunay(Edge_index e) { return triangulation_.flip_not_Delaunay(e); }
+  Flip_outcome flip_not_Delaunay(const Hinge_halfedges& around) { return measured_.flip_not_Delaunay(around); }
+  Flip_outcome flip_not_Delaunay(Edge_index e) { return measured_.flip_not_Delaunay(e); }
 
   // \pre the quadrilateral is strictly convex. \param construct computes the numbers, like the traits' functor
   template <class Construct>
   Flip_outcome flip_convex(const Hinge_halfedges& around, const Construct& construct)
   {
-    return triangulation_.flip_convex(around, construct);
+    return measured_.flip_convex(around, construct);
   }
   // The data that a flip or `recompute(f)` replaces, to be put back.
-  using Replaced = typename Triangulation::Replaced;
-  using Face_numbers = typename Triangulation::Face_numbers;
-  Replaced replaced(const Hinge_halfedges& around) const { return triangulation_.replaced(around); }
-  Face_numbers numbers_of_face(Halfedge_index h) const { return triangulation_.numbers_of_face(h); }
-  void flip_back(const Hinge_halfedges& around, const Replaced& before) { triangulation_.flip_back(around, before); }
-  void put_back(Halfedge_index h, const Face_numbers& numbers) { triangulation_.put_back(h, numbers); }
+  using Replaced = typename Measured::Replaced;
+  using Face_numbers = typename Measured::Face_numbers;
+  Replaced replaced(const Hinge_halfedges& around) const { return measured_.replaced(around); }
+  Face_numbers numbers_of_face(Halfedge_index h) const { return measured_.numbers_of_face(h); }
+  void flip_back(const Hinge_halfedges& around, const Replaced& before) { measured_.flip_back(around, before); }
+  void put_back(Halfedge_index h, const Face_numbers& numbers) { measured_.put_back(h, numbers); }
 
   Vertex_index split_face(const Triangle_piece& piece, const Surface_point& location)
   {
-    return triangulation_.split_face(piece, location);
+    return measured_.split_face(piece, location);
   }
-  Vertex_index split_edge(Halfedge_index h, const Surface_point& location)
-  {
-    return triangulation_.split_edge(h, location);
-  }
-  Removed_elements unsplit_face(Vertex_index v) { return triangulation_.unsplit_face(v); }
-  Removed_elements unsplit_edge(Halfedge_index h) { return triangulation_.unsplit_edge(h); }
+  Vertex_index split_edge(Halfedge_index h, const Surface_point& location) { return measured_.split_edge(h, location); }
+  Removed_elements unsplit_face(Vertex_index v) { return measured_.unsplit_face(v); }
+  Removed_elements unsplit_edge(Halfedge_index h) { return measured_.unsplit_edge(h); }
 
   template <class ConcurrencyTag, class Saved>
   void restore(Saved saved)
   {
-    triangulation_.template restore<ConcurrencyTag>(std::move(saved));
+    measured_.template restore<ConcurrencyTag>(std::move(saved));
   }
 
   template <class Element>
   auto recompute(Element x)
   {
-    return triangulation_.recompute(x);
+    return measured_.recompute(x);
   }
 
 private:
   Triangulation& triangulation_;
+  Measured& measured_;
 };
 
 // A triangulation whose edges are all tested, with a visitor that is told about the tests.

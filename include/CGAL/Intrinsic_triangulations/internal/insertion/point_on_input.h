@@ -12,8 +12,8 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossing_sequence.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Crossed_halfedges.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/straight_walk.h>
@@ -31,19 +31,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 // Coordinates that are positive multiples of 2^-52 and sum exactly to 1. So nothing has to be divided later, and the
 // point is strictly inside the face.
-inline std::array<double, 3> rounded_coordinates(const std::array<double, 3>& w)
-{
-  constexpr std::int64_t one = std::int64_t(1) << 52;
-  std::array<std::int64_t, 3> n{};
-  std::size_t largest = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    n[i] = (std::max)(std::int64_t(1), std::int64_t(std::llround(std::ldexp(w[i], 52))));
-    if (n[i] > n[largest])
-      largest = i;
-  }
-  n[largest] = one - n[(largest + 1) % 3] - n[(largest + 2) % 3];
-  return {std::ldexp(double(n[0]), -52), std::ldexp(double(n[1]), -52), std::ldexp(double(n[2]), -52)};
-}
+std::array<double, 3> rounded_coordinates(const std::array<double, 3>& w);
 
 // The rounded lengths of the input edges, and the shapes of its faces. They are computed on first use, by one thread:
 // refinement sees few of them.
@@ -56,28 +44,11 @@ public:
   {}
 
   // In the internal unit.
-  double squared_length(Edge_index e)
-  {
-    double& s = squared_lengths_[e.idx()];
-    if (s == unknown)
-      s = engine_.metric().squared_length_double_double(input_, e).hi();
-    return s;
-  }
+  double squared_length(Edge_index e);
   double length(Edge_index e) { return std::sqrt(squared_length(e)); }
-  double four_areas(Face_index f)
-  {
-    double& a = four_areas_[f.idx()];
-    if (a == unknown)
-      a = engine_.metric().has_area(input_, f) ? engine_.metric().four_areas_double_double(input_, f).hi() : 0;
-    return a;
-  }
+  double four_areas(Face_index f);
   // The third corner of the face of h, in the frame of h.
-  Plane_point apex(Halfedge_index h)
-  {
-    const double ij = squared_length(input_.edge(h)), jk = squared_length(input_.edge(input_.next(h))),
-                 ki = squared_length(input_.edge(input_.prev(h)));
-    return {(ij + (ki - jk)) / (2 * ij), four_areas(input_.face(h)) / (2 * ij)};
-  }
+  Plane_point apex(Halfedge_index h);
 
 private:
   static constexpr double unknown = -1;
@@ -87,21 +58,11 @@ private:
   std::vector<double> squared_lengths_, four_areas_;
 };
 
+// The longest side of the box, or the longest edge of a surface without points; in the unit of the input.
+double extent(const Exact_engine& engine);
+
 // The input face that contains a piece.
-inline Face_index input_face(const Exact_engine& engine, const Triangle_piece& piece)
-{
-  const Delta_complex& complex = engine.connectivity();
-  const Correspondence& correspondence = engine.correspondence();
-  const Delta_complex& input = correspondence.input();
-  const std::int64_t n = correspondence.coordinates().crossings(complex.edge(piece.side));
-  if (n > 0) {
-    const Halfedge_index crossed =
-      Crossed_halfedges(complex, correspondence, piece.side,
-                        engine.decisions().interruption)[std::size_t((std::max)(std::int64_t(0), piece.gap - 1))];
-    return input.face(piece.gap > 0 ? crossed : input.opposite(crossed));
-  }
-  return uncrossed_input_face(complex, correspondence, piece.side);
-}
+Face_index input_face(const Exact_engine& engine, const Triangle_piece& piece);
 
 // A point of the input, and the initial piece of the search for it.
 struct Point_to_insert

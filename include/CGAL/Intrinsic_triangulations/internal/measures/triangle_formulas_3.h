@@ -10,7 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Two_doubles.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/rounded_sqrt.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 
 #include <CGAL/Uncertain.h>
 #include <CGAL/number_type_basic.h>

@@ -9,7 +9,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_CARRIED_PROPERTIES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_CARRIED_PROPERTIES_H
 
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Kernel_traits.h>

@@ -8,8 +8,12 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_OVERLAY_ARRAYS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_OVERLAY_OVERLAY_ARRAYS_H
 
-#include <CGAL/Intrinsic_triangulations/internal/Index.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Index.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <cstdint>
 
@@ -71,6 +75,10 @@ struct Overlay_arrays
   Large_vector<Input_edge> input_edges;
   Large_vector<size_type> split_parts; // for input edges with inserted vertices, the halfedges from end to end
 };
+
+// \param threads runs the blocks of loops; without it, all is done at once
+Overlay_arrays build_overlay(const Delta_complex& intrinsic, const Correspondence& correspondence,
+                             const Progress_function& progress, const Block_runner& threads = {});
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

@@ -11,7 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 
 #include <CGAL/enum.h>
@@ -24,18 +24,7 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // The side of a face that begins at a vertex; null if there are several.
-inline Halfedge_index only_side_from(const Delta_complex& complex, Face_index f, Vertex_index v)
-{
-  Halfedge_index result;
-  const Halfedge_index first = complex.halfedge(f);
-  for (Halfedge_index h : {first, complex.next(first), complex.prev(first)})
-    if (complex.source(h) == v) {
-      if (result.is_valid())
-        return Halfedge_index();
-      result = h;
-    }
-  return result;
-}
+Halfedge_index only_side_from(const Delta_complex& complex, Face_index f, Vertex_index v);
 
 // Like `search()`, which walks around the target of h if that is a vertex of the surface: through all segments of the
 // other layer there. Repeating this for each corner between them is needed only if the face of the layer has the vertex

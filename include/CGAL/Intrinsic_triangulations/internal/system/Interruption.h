@@ -8,8 +8,6 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_INTERRUPTION_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_INTERRUPTION_H
 
-#include <CGAL/Intrinsic_triangulations/errors.h>
-
 #include <atomic>
 #include <chrono>
 #include <functional>
@@ -40,20 +38,13 @@ public:
       ask();
   }
 
-  using Clock = std::chrono::steady_clock;
-  static inline Clock::duration time_between_questions = std::chrono::milliseconds(10); // tests ask more often
-
 private:
+  using Clock = std::chrono::steady_clock;
   using Ticks = Clock::duration::rep;
 
   static Ticks now() { return Clock::now().time_since_epoch().count(); }
 
-  void ask() const
-  {
-    if (!go_further_())
-      throw Cancelled_error("the computation was cancelled");
-    next_question_.store(now() + time_between_questions.count(), std::memory_order_relaxed);
-  }
+  void ask() const;
 
   Go_further go_further_;
   mutable std::atomic<Ticks> next_question_{0};

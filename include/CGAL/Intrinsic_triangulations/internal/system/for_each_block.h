@@ -122,6 +122,17 @@ Block_runner block_runner()
   };
 }
 
+// The threads of a tag; empty if there is only one.
+template <class ConcurrencyTag>
+Block_runner threads()
+{
+  require_threads<ConcurrencyTag>();
+  if constexpr (std::is_convertible<ConcurrencyTag, Parallel_tag>::value)
+    return block_runner<ConcurrencyTag>();
+  else
+    return {};
+}
+
 } // namespace CGAL::Intrinsic_triangulations::internal
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_FOR_EACH_BLOCK_H

@@ -8,44 +8,22 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_SHOWN_TEXT_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_SHOWN_TEXT_H
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <string>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // The contents of a file may control a terminal, or be long.
-inline std::string shown_text(const std::string& text)
-{
-  std::string result = text.substr(0, 40);
-  std::replace_if(
-    result.begin(), result.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return result + (text.size() > 40 ? "..." : "");
-}
+std::string shown_text(const std::string& text);
 
 // "1 vertex", "2 vertices"
-inline std::string counted(const std::uintmax_t n, const char* const singular, const char* const plural)
-{
-  return std::to_string(n) + " " + (n == 1 ? singular : plural);
-}
+std::string counted(const std::uintmax_t n, const char* const singular, const char* const plural);
 // "is 1 vertex", "are 2 vertices"
-inline std::string are_counted(const std::uintmax_t n, const char* const singular, const char* const plural)
-{
-  return (n == 1 ? "is " : "are ") + counted(n, singular, plural);
-}
+std::string are_counted(const std::uintmax_t n, const char* const singular, const char* const plural);
 
 // A -1 that was converted to std::size_t, or to 32 bits, is shown as -1.
-inline std::string index_text(const std::size_t value)
-{
-  constexpr std::size_t none = (std::numeric_limits<std::uint32_t>::max)();
-  if (value > (std::numeric_limits<std::size_t>::max)() / 2)
-    return "-" + std::to_string(std::size_t(0) - value);
-  if (value > none / 2 && value <= none)
-    return "-" + std::to_string(none + 1 - value);
-  return std::to_string(value);
-}
+std::string index_text(const std::size_t value);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

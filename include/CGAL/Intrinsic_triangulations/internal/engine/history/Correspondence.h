@@ -10,7 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
-#include <CGAL/Intrinsic_triangulations/internal/connectivity/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Kept_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Rotation_system.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>

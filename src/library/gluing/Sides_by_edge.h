@@ -10,7 +10,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_SIDES_BY_EDGE_H
 
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Large_vector.h>
+#include <CGAL/Intrinsic_triangulations/Large_vector.h>
 
 #include <algorithm>
 #include <array>
@@ -20,8 +20,6 @@
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
-
-using Index_triangle = std::array<std::uint32_t, 3>;
 
 class Sides_by_edge
 {

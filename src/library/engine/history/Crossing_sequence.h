@@ -13,7 +13,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Normal_coordinates.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Input_edge_walk.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/history/Kept_crossings.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
 #include <CGAL/assertions.h>
@@ -261,54 +260,6 @@ private:
   std::vector<std::array<Link, 2>> links_; // to the left and to the right; empty until needed
   std::vector<std::int64_t> to_pass_on_;
   std::int64_t number_of_unknown_ = 0;
-};
-
-// The input halfedges that h crosses from its left to its right, in order: cached ones, or its own.
-class Crossed_halfedges
-{
-public:
-  // \pre something is crossed
-  Crossed_halfedges(const Delta_complex& complex, const Correspondence& correspondence, Halfedge_index h,
-                    const Interruption& interruption)
-  {
-    const Delta_complex& input = correspondence.input();
-    const auto n = std::size_t(correspondence.coordinates().number_of_crossings(complex.edge(h)));
-    CGAL_precondition(n > 0);
-    const Kept_crossings& kept = correspondence.kept_crossings();
-    if (const std::optional<Crossed_range> range = kept.find(h, n)) {
-      crossed_ = *range;
-      return;
-    }
-    const bool leaves_corner = !correspondence.is_inserted(complex.source(h));
-    Halfedge_index g = leaves_corner ? input.opposite(input.prev(input.opposite(correspondence.input_halfedge(h))))
-                                     : crossed_input_halfedge(complex, correspondence, h, 0, interruption);
-    own_.push_back(g);
-    if (n > 1) {
-      const Crossing_sequence sequence(complex, correspondence, h, interruption);
-      own_.reserve(n);
-      for (std::size_t i = 0; i + 1 < n; ++i) {
-        g = input.opposite(sequence.turns_left(i) ? input.prev(g) : input.next(g));
-        own_.push_back(g);
-      }
-    }
-    crossed_ = Crossed_range(own_.data(), n, false);
-    // Around inserted vertices, input edges may have to be followed far.
-    if (n > few || correspondence.number_of_inserted_vertices() != 0)
-      kept.keep(complex.number_of_edges(), h, crossed_);
-  }
-  Crossed_halfedges(const Crossed_halfedges&) = delete;
-  Crossed_halfedges& operator=(const Crossed_halfedges&) = delete;
-
-  std::size_t size() const { return crossed_.size(); }
-  Halfedge_index operator[](std::size_t i) const { return crossed_[i]; }
-  Halfedge_index front() const { return crossed_[0]; }
-
-  // Finding this many takes no longer than looking them up.
-  static constexpr std::size_t few = 8;
-
-private:
-  boost::container::small_vector<Halfedge_index, 16> own_;
-  Crossed_range crossed_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -10,37 +10,27 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-/// \ingroup PkgIntrinsicTriangulationsMetric
-/// \brief a complex number, or a vector in a plane, over a ring.
+// A complex number: a vector in the plane whose coordinates may be of any number type.
 template <class Real>
 class Planar_vector
 {
 public:
-  /// constructs x + i y.
   Planar_vector(const Real& x, const Real& y) : x_(x), y_(y) {}
 
-  /// returns the real part.
   const Real& x() const { return x_; }
-  /// returns the imaginary part.
   const Real& y() const { return y_; }
 
-  /// returns the product of complex numbers.
   friend Planar_vector operator*(const Planar_vector& a, const Planar_vector& b)
   {
     return {a.x_ * b.x_ - a.y_ * b.y_, a.x_ * b.y_ + a.y_ * b.x_};
   }
-  /// returns the sum.
   friend Planar_vector operator+(const Planar_vector& a, const Planar_vector& b) { return {a.x_ + b.x_, a.y_ + b.y_}; }
-  /// returns the difference.
   friend Planar_vector operator-(const Planar_vector& a, const Planar_vector& b) { return {a.x_ - b.x_, a.y_ - b.y_}; }
-  /// returns `a` times the conjugate of `b`.
   friend Planar_vector times_conjugate(const Planar_vector& a, const Planar_vector& b)
   {
     return {a.x_ * b.x_ + a.y_ * b.y_, a.y_ * b.x_ - a.x_ * b.y_};
   }
-  /// returns the quotient by a real number.
   friend Planar_vector operator/(const Planar_vector& a, const Real& b) { return {a.x_ / b, a.y_ / b}; }
-  /// returns the squared absolute value.
   friend Real squared_norm(const Planar_vector& a) { return a.x_ * a.x_ + a.y_ * a.y_; }
 
 private:

@@ -5,8 +5,8 @@
 //
 // The vector that holds one item for each element of a surface.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_LARGE_VECTOR_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_LARGE_VECTOR_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_LARGE_VECTOR_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_LARGE_VECTOR_H
 
 #include <boost/container/vector.hpp>
 
@@ -114,4 +114,4 @@ void make_room(Vector& vector, std::size_t n)
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_SYSTEM_LARGE_VECTOR_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_LARGE_VECTOR_H

@@ -5,8 +5,8 @@
 //
 // Typed descriptors: a vertex cannot be passed where an edge is expected.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INDEX_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INDEX_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INDEX_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INDEX_H
 
 #include <CGAL/Intrinsic_triangulations/internal/config.h>
 
@@ -101,4 +101,4 @@ struct std::hash<CGAL::Intrinsic_triangulations::Index<Tag>>
 };
 /// \endcond
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INDEX_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INDEX_H

@@ -9,11 +9,12 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_POLYGON_SIDES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_POLYGON_SIDES_H
 
+#include <CGAL/Intrinsic_triangulations/validate_triangles.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -49,7 +50,7 @@ class Polygon_sides
 {
 public:
   typedef std::uint32_t Index;
-  static constexpr Index none = (std::numeric_limits<Index>::max)();
+  static constexpr Index none = Polygon_copies::none;
 
   // A side of a face: the corners that it joins, in the face's direction, and the larger of
   // the two vertices.
@@ -58,47 +59,36 @@ public:
     Index other, source, target;
   };
 
-  Polygon_sides(const std::size_t number_of_vertices, const std::size_t number_of_faces)
-    : number_of_vertices_(number_of_vertices), number_of_faces_(number_of_faces)
-  {}
-
-  // Copies the corners; false if there are no faces, or too many elements. The corners of a face with a bad index
-  // all become `none`, so that nothing later looks at that face.
-  template <class PolygonRange>
-  bool add_polygons(const PolygonRange& polygons)
+  // The corners of a face with a bad index all become `none`, so that nothing later looks at that face.
+  explicit Polygon_sides(Polygon_copies&& polygons)
+    : number_of_vertices_(polygons.number_of_vertices), number_of_faces_(polygons.number_of_faces),
+      first_bad_index_(polygons.first_bad_index), can_be_numbered_(polygons.can_be_numbered()),
+      corners_(std::move(polygons.corners))
   {
-    if (number_of_faces_ == 0 || !can_be_numbered())
-      return false;
+    if (!can_be_numbered_)
+      return;
     is_used_.assign(number_of_vertices_, 0);
-    corners_.reserve(3 * number_of_faces_);
-    std::size_t face = 0;
-    for (const auto& polygon : polygons) {
-      const std::size_t begin = corners_.size();
-      bool is_good = true;
-      for (const auto index : polygon) {
-        const std::size_t value = static_cast<std::size_t>(index);
-        if (value < number_of_vertices_)
-          is_used_[value] = 1;
-        else if (is_good) {
-          is_good = false;
-          first_bad_index_ = bad_faces_.count() == 0 ? value : first_bad_index_;
-        }
-        corners_.push_back(static_cast<Index>(value));
-      }
-      if (!is_good) {
+    for (const Index corner : corners_)
+      if (corner != none)
+        is_used_[corner] = 1;
+    std::size_t begin = 0;
+    for (std::size_t face = 0; face < polygons.ends.size(); ++face) {
+      const std::size_t end = polygons.ends[face];
+      all_triangles_ = all_triangles_ && end - begin == 3;
+      const auto first = corners_.begin() + static_cast<std::ptrdiff_t>(begin),
+                 last = corners_.begin() + static_cast<std::ptrdiff_t>(end);
+      if (std::find(first, last, none) != last) {
         bad_faces_.add(face);
-        std::fill(corners_.begin() + static_cast<std::ptrdiff_t>(begin), corners_.end(), none);
+        std::fill(first, last, none);
       }
-      if (!can_be_numbered())
-        return false;
-      end_face(face++, corners_.size() - begin);
+      begin = end;
     }
-    return true;
+    if (!all_triangles_) {
+      first_corner_ = std::move(polygons.ends);
+      first_corner_.insert(first_corner_.begin(), 0);
+    }
   }
-  bool can_be_numbered() const
-  {
-    return number_of_vertices_ < none && number_of_faces_ < none / 3 && corners_.size() < none;
-  }
+  bool can_be_numbered() const { return can_be_numbered_; }
 
   void sort_sides()
   {
@@ -208,22 +198,11 @@ public:
   }
 
 private:
-  void end_face(const std::size_t face, const std::size_t degree)
-  {
-    if (all_triangles_ && degree != 3) {
-      all_triangles_ = false;
-      first_corner_.reserve(number_of_faces_ + 1);
-      for (std::size_t f = 0; f <= face; ++f)
-        first_corner_.push_back(static_cast<Index>(3 * f));
-    }
-    if (!all_triangles_)
-      first_corner_.push_back(static_cast<Index>(corners_.size()));
-  }
-
   std::size_t number_of_vertices_, number_of_faces_;
   std::vector<unsigned char> is_used_;
   Element_collector bad_faces_;
-  std::size_t first_bad_index_ = 0;
+  std::size_t first_bad_index_;
+  bool can_be_numbered_;
   std::vector<Index> corners_;
   std::vector<Index> first_corner_; // only if not all faces are triangles
   bool all_triangles_ = true;

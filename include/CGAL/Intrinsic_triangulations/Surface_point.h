@@ -6,11 +6,11 @@
 // A point of a triangulated surface, a direction there, interpolation of vertex data, and whether two points are the
 // same.
 
-#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_SURFACE_POINT_H
-#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_SURFACE_POINT_H
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_POINT_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_POINT_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/internal/Index.h>
+#include <CGAL/Intrinsic_triangulations/Index.h>
 
 #include <CGAL/enum.h>
 #include <CGAL/number_type_basic.h>
@@ -134,4 +134,4 @@ std::array<double, 3> point_in_space(const Delta_complex& input, const PointRang
 
 } // namespace CGAL::Intrinsic_triangulations
 
-#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_CONNECTIVITY_SURFACE_POINT_H
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_SURFACE_POINT_H

@@ -8,8 +8,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_HANGING_VERTICES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_VALIDATION_HANGING_VERTICES_H
 
+#include "Vertices_on_edges.h"
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
-#include <CGAL/Intrinsic_triangulations/internal/validation/Vertices_on_edges.h>
 
 #include <array>
 #include <cstddef>
