@@ -16,18 +16,14 @@
 #include "system/Progress.h"
 #include "system/text.h"
 
-#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/reports.h>
 #include <CGAL/Intrinsic_triangulations/straight_mesh.h>
-#include <CGAL/Intrinsic_triangulations/surface_features.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <iostream>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -43,7 +39,7 @@ struct Refine_options
 {
   std::string input;
   Refinement_options refinement;
-  std::optional<double> constrained_angle, minimum_size, flat_tolerance;
+  std::optional<double> flat_tolerance;
   std::string constraints, kept_edges, flattened;
   Repair_options repair;
   bool removes_flat_vertices = false;
@@ -61,11 +57,11 @@ void check(const Refine_options& options)
     throw Usage_error("--maximum-circumradius: R is larger than 0");
   if (!(criteria.maximum_edge_length > 0))
     throw Usage_error("--maximum-edge-length: L is larger than 0");
-  if (options.minimum_size && !(*options.minimum_size >= 0))
+  if (criteria.minimum_size && !(*criteria.minimum_size >= 0))
     throw Usage_error("--minimum-size: S is not negative");
   if (options.flat_tolerance && !(*options.flat_tolerance >= 0))
     throw Usage_error("--flat-tolerance: D is not negative");
-  if (options.constrained_angle && !(*options.constrained_angle >= 0 && *options.constrained_angle <= 180))
+  if (criteria.sharp_edge_angle && !(*criteria.sharp_edge_angle >= 0 && *criteria.sharp_edge_angle <= 180))
     throw Usage_error("--constrain-angle: D is between 0 and 180 degrees");
   options.files.check_paths({options.input});
   std::vector<std::string> outputs = options.files.paths();
@@ -74,60 +70,6 @@ void check(const Refine_options& options)
     throw Usage_error("--flatten: " + options.flattened + " does not end in " + straight_mesh_extensions());
   check_output_paths(outputs, {options.input, options.constraints});
 }
-
-// As powers of two of the extent: the first is 16 units in the last place of a float as large as that.
-constexpr std::array<int, 3> levels = {-20, -17, -14};
-
-double extent_of(const Surface& surface)
-{
-  if (!surface.has_points())
-    return surface.lengths.empty() ? 0 : *std::max_element(surface.lengths.begin(), surface.lengths.end());
-  double result = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    double low = (std::numeric_limits<double>::infinity)(), high = -low;
-    for (IT::Vertex_index v : surface.connectivity.vertices())
-      if (surface.connectivity.halfedge(v).is_valid()) {
-        low = (std::min)(low, surface.points[v.idx()][axis]);
-        high = (std::max)(high, surface.points[v.idx()][axis]);
-      }
-    result = (std::max)(result, high - low);
-  }
-  return (std::min)(result, (std::numeric_limits<double>::max)());
-}
-
-// The default minimum size beside sharp edges: which edges are sharp depends on the size, so the library cannot choose
-// it. Begins with 0. Sides below 2^-14 of the longest side of the
-// box are what CAD programs leave by mistake if they need many vertices: then refinement begins anew with 2^-20 of the
-// box, 2^-17 and 2^-14 in turn. Places that need few vertices are refined, whatever their size.
-class Smallest_size
-{
-public:
-  explicit Smallest_size(const Surface& surface)
-    : extent_(extent_of(surface)), maximum_(10000 + std::uint64_t(surface.connectivity.number_of_vertices()))
-  {}
-
-  double size() const { return size_; }
-  // Whether too many vertices have been inserted for small sides.
-  bool is_exceeded(const IT::Refinement_progress& progress) { return covers(progress.size) && ++number_ > maximum_; }
-  // Whether sides as short as that are below a larger size that may still be chosen.
-  bool covers(double side) const
-  {
-    const double largest = std::ldexp(extent_, levels.back());
-    return side < largest && size_ < largest;
-  }
-  // Chooses the next size.
-  void increase()
-  {
-    size_ = std::ldexp(extent_, *std::find_if(levels.begin(), levels.end(),
-                                              [this](int level) { return std::ldexp(extent_, level) > size_; }));
-    number_ = 0;
-  }
-
-private:
-  double extent_; // of the box, or the longest edge of a surface that has no points
-  std::uint64_t maximum_, number_ = 0;
-  double size_ = 0;
-};
 
 // Writes once to the standard error that the budget will not suffice, as soon as two estimates in a row say so: the
 // first one takes the thin faces around a vertex for a strip that has to be filled evenly.
@@ -161,32 +103,19 @@ private:
   bool was_exceeded_ = false, is_written_ = false;
 };
 
-// \exception Invalid_surface_error if the surface has no dihedral angles
-void constrain_sharp_edges(const Surface& surface, double degrees, Refinement_options& refinement)
-{
-  if (!surface.has_points())
-    refuse_file(surface.path, "--constrain-angle needs a surface in space, but this one has only edge lengths");
-  const std::vector<bool> is_sharp =
-    IT::sharp_edges(surface.connectivity, surface.points, degrees, refinement.criteria.minimum_size.value_or(0));
-  refinement.is_constrained.resize(is_sharp.size());
-  for (std::size_t e = 0; e < is_sharp.size(); ++e)
-    if (is_sharp[e])
-      refinement.is_constrained[e] = true;
-}
-
 std::uint64_t budget(const Surface& surface, const Refine_options& options)
 {
   return options.refinement.maximum_number_of_points.value_or(
     10 * std::uint64_t(surface.connectivity.number_of_vertices()) + 1000000);
 }
 
-// Begins anew with a larger smallest size where that was not given and is too small.
 Triangulation_result refine_surface(Surface surface, Run_options run_options, const Refine_options& options)
 {
-  Smallest_size chosen(surface);
   Budget_warning warning(surface.path, budget(surface, options));
   Refinement_options& refinement = *run_options.refinement;
-  std::vector<bool> is_constrained = surface.saved ? surface.saved->is_constrained : std::vector<bool>();
+  std::vector<bool>& is_constrained = refinement.is_constrained;
+  if (surface.saved)
+    is_constrained = surface.saved->is_constrained;
   if (!options.constraints.empty()) {
     const std::size_t number_of_points = surface.points.size();
     const std::vector<bool> read = read_constraints(options.constraints, surface);
@@ -196,35 +125,20 @@ Triangulation_result refine_surface(Surface surface, Run_options run_options, co
     is_constrained.resize(read.size());
     std::transform(read.begin(), read.end(), is_constrained.begin(), is_constrained.begin(), std::logical_or<>());
   }
-  const bool is_chosen_here = options.constrained_angle && !options.minimum_size;
-  refinement.gives_up = [&](const IT::Refinement_progress& progress, const std::function<Short_side()>& where) {
-    if (progress.is_on_trial)
-      return false;
-    if (!is_chosen_here || !chosen.covers(progress.size)) {
+  refinement.look = [&](const IT::Refinement_progress& progress, const std::function<Short_side()>& where) {
+    if (!progress.is_on_trial)
       warning.look(progress, where);
-      return false;
-    }
-    return chosen.is_exceeded(progress);
   };
-  while (true) {
-    refinement.criteria.minimum_size = is_chosen_here ? std::make_optional(chosen.size()) : options.minimum_size;
-    refinement.is_constrained = is_constrained;
-    if (options.constrained_angle)
-      constrain_sharp_edges(surface, *options.constrained_angle, refinement);
-    Triangulation_result result = triangulate(std::move(surface), run_options);
-    if (!result.outcome.refinement)
-      return result;
-    if (!result.outcome.refinement->is_given_up) {
-      const double size = result.outcome.refinement->report.minimum_size;
-      result.smallest_size = options.minimum_size ? in_short(*options.minimum_size)
-                             : size == 0          ? "0: no place needs one"
-                                         : in_short(size) + ", chosen: smaller faces need many vertices, which "
-                                                            "--minimum-size 0 allows";
-      return result;
-    }
-    surface = std::move(result.surface);
-    chosen.increase();
+  Triangulation_result result = triangulate(std::move(surface), run_options);
+  if (result.outcome.refinement) {
+    const std::optional<double>& given = refinement.criteria.minimum_size;
+    const double size = result.outcome.refinement->report.minimum_size;
+    result.smallest_size = given       ? in_short(*given)
+                           : size == 0 ? "0: no place needs one"
+                                       : in_short(size) + ", chosen: smaller faces need many vertices, which "
+                                                          "--minimum-size 0 allows";
   }
+  return result;
 }
 
 Exit_status refine_file(const std::string& path, const Refine_options& options)
@@ -234,6 +148,8 @@ Exit_status refine_file(const std::string& path, const Refine_options& options)
   options.files.check_surface(surface);
   if (!options.flattened.empty() && !surface.has_points())
     throw Usage_error(path + ": --flatten needs a surface in space, but this one has only edge lengths");
+  if (options.refinement.criteria.sharp_edge_angle && !surface.has_points())
+    refuse_file(path, "--constrain-angle needs a surface in space, but this one has only edge lengths");
   Run_options run_options;
   run_options.refinement = options.refinement;
   options.files.add_to(run_options.wanted);
@@ -284,14 +200,14 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
              "the largest circumradius allowed (default: unlimited)");
   add_option(command, "--maximum-edge-length", options->refinement.criteria.maximum_edge_length, "L",
              "the largest edge length allowed (default: unlimited)");
-  add_option(command, "--minimum-size", options->minimum_size, "S",
+  add_option(command, "--minimum-size", options->refinement.criteria.minimum_size, "S",
              "insert no vertex for a face with a side or a height shorter than S, so that refinement ends early at "
              "irrelevantly thin sheets and slivers (default: 0, or up to 2^-14 of the box if smaller faces need many "
              "vertices)");
   add_option(command, "--maximum-points", options->refinement.maximum_number_of_points, "N",
              "give up after this many new vertices (default: 1,000,000 and 10 for each vertex)")
     ->transform(whole_number());
-  add_option(command, "--constrain-angle", options->constrained_angle, "D",
+  add_option(command, "--constrain-angle", options->refinement.criteria.sharp_edge_angle, "D",
              "keep the edges whose two faces have normals that differ by more than D degrees: they may be split, "
              "but not flipped");
   CLI::Option* const constraints =

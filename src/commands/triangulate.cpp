@@ -180,6 +180,8 @@ Triangulation_result triangulate(Surface surface, const Run_options& options)
     };
     result.outcome = run({result.surface, options, show_flips, has_time_to_decide, show_overlay, show_points});
   }
+  if (result.outcome.refinement)
+    result.options.refinement->is_constrained = result.outcome.refinement->is_constrained;
   const Stopwatch stopwatch;
   result.counts = count_elements(result.outcome.connectivity);
   result.count_seconds = stopwatch.seconds();

@@ -34,6 +34,7 @@
 #include "twists/untwist.cpp"
 #include "insertion/Line_divider.cpp"
 #include "insertion/Piece_search.cpp"
+#include "insertion/Segments_by_size.cpp"
 #include "insertion/Small_cones.cpp"
 #include "insertion/point_on_input.cpp"
 #include "insertion/surface_features.cpp"

@@ -7,6 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/surface_features.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
 #include <algorithm>
@@ -99,16 +100,19 @@ public:
   {
     progress_.points = progress.insertions;
     flips_ = progress.flips;
+    is_flipping_ = is_flipping_ || progress.tests > 0;
     return goes_on();
   }
   void before_step(const IT::Refinement_progress& progress)
   {
     progress_ = progress;
-    const auto& gives_up = job_.options.refinement->gives_up;
-    is_given_up_ = is_given_up_ || (gives_up && gives_up(progress, where_));
+    is_flipping_ = false;
+    if (const auto& look = job_.options.refinement->look)
+      look(progress, where_);
   }
-  bool goes_on() const { return !is_given_up_ && (!job_.refine_further || job_.refine_further(progress_)); }
-  bool is_given_up() const { return is_given_up_; }
+  bool goes_on() const { return !job_.refine_further || job_.refine_further(progress_); }
+  double minimum_size() const { return progress_.minimum_size; }
+  bool is_flipping() const { return is_flipping_; } // before the refinement, or before it begins anew
   std::uint64_t flips() const { return flips_; }
 
 private:
@@ -116,8 +120,15 @@ private:
   const std::function<Short_side()> where_;
   IT::Refinement_progress progress_;
   std::uint64_t flips_ = 0;
-  bool is_given_up_ = false;
+  bool is_flipping_ = true;
 };
+
+void add_sharp_edges(const Surface& surface, double degrees, double size, std::vector<bool>& is_constrained)
+{
+  const std::vector<bool> is_sharp = IT::sharp_edges(surface.connectivity, surface.points, degrees, size);
+  is_constrained.resize(is_sharp.size());
+  std::transform(is_sharp.begin(), is_sharp.end(), is_constrained.begin(), is_constrained.begin(), std::logical_or<>());
+}
 
 } // namespace
 
@@ -140,6 +151,7 @@ void refine(Filtered_triangulation& triangulation, const Job& job, Outcome& outc
                             .maximum_circumradius(options.criteria.maximum_circumradius)
                             .maximum_edge_length(options.criteria.maximum_edge_length)
                             .minimum_size(options.criteria.minimum_size)
+                            .sharp_edge_angle(options.criteria.sharp_edge_angle)
                             .edge_is_constrained_map(edge_flags(is_constrained))
                             .visitor(std::ref(visitor));
   try {
@@ -149,9 +161,13 @@ void refine(Filtered_triangulation& triangulation, const Job& job, Outcome& outc
         : IT::refine_Delaunay(triangulation, parameters);
   } catch (const IT::Invalid_surface_error&) {
     throw;
+  } catch (const IT::Invalid_argument_error& error) {
+    throw IT::Invalid_argument_error(job.surface.path + ": " + error.what());
   } catch (const IT::Cancelled_error&) {
     summary.is_cancelled = true;
     summary.report.flips = visitor.flips();
+    if (options.criteria.sharp_edge_angle && visitor.is_flipping())
+      outcome.report.status = IT::Flip_status::BUDGET_EXHAUSTED;
   } catch (const IT::Error& error) {
     // Vertices inserted before remain.
     outcome.failure = error.what();
@@ -159,7 +175,11 @@ void refine(Filtered_triangulation& triangulation, const Job& job, Outcome& outc
     summary.report.flips = visitor.flips();
   }
   triangulation.set_interruption(std::move(afterwards));
-  summary.is_given_up = visitor.is_given_up();
+  summary.is_constrained = options.is_constrained;
+  if (options.criteria.sharp_edge_angle)
+    add_sharp_edges(job.surface, *options.criteria.sharp_edge_angle,
+                    summary.is_cancelled ? visitor.minimum_size() : summary.report.minimum_size,
+                    summary.is_constrained);
   summary.smallest_left = smallest_left_face(triangulation, job.surface, summary.report);
   if (summary.report.status == IT::Refinement_status::BUDGET_EXHAUSTED)
     summary.sufficient_size = sufficient_size(triangulation, options, summary.report);

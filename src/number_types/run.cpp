@@ -246,11 +246,11 @@ std::optional<Shape_summary> summarize_shapes(const Triangulation& triangulation
 }
 
 template <class Triangulation>
-IT::Delaunay_verification verify(const Triangulation& triangulation, const Job& job)
+IT::Delaunay_verification verify(const Triangulation& triangulation, const Outcome& outcome)
 {
   if constexpr (Triangulation::uses_exact_geometry)
-    if (job.options.refinement) {
-      const std::vector<bool> is_constrained = constrained_parts(triangulation, job.options.refinement->is_constrained);
+    if (outcome.refinement) {
+      const std::vector<bool> is_constrained = constrained_parts(triangulation, outcome.refinement->is_constrained);
       return IT::verify_Delaunay<Concurrency_tag>(
         triangulation, CGAL::parameters::edge_is_constrained_map(edge_flags(is_constrained)));
     }
@@ -274,8 +274,8 @@ void save(const Triangulation& triangulation, const Job& job, Outcome& outcome)
     std::ostringstream os;
     const auto parameters = CGAL::parameters::visitor(
       IT::Progress_function([&job](double) { return !job.go_on_deciding || job.go_on_deciding(); }));
-    if (job.options.refinement && !job.options.refinement->is_constrained.empty()) {
-      const std::vector<bool> is_constrained = constrained_parts(triangulation, job.options.refinement->is_constrained);
+    if (outcome.refinement && !outcome.refinement->is_constrained.empty()) {
+      const std::vector<bool> is_constrained = constrained_parts(triangulation, outcome.refinement->is_constrained);
       IT::write_triangulation(os, triangulation, first_sides(job.surface),
                               parameters.edge_is_constrained_map(edge_flags(is_constrained)));
     } else {
@@ -305,7 +305,7 @@ void relate_to_input(const Triangulation& triangulation, const Job& job, Outcome
       outcome.crossing_summary->seconds = stopwatch.restart();
     }
     if (wanted.verification)
-      outcome.verification = verify(triangulation, job);
+      outcome.verification = verify(triangulation, outcome);
     const bool is_Delaunay = outcome.verification ? outcome.verification->is_Delaunay()
                                                   : Triangulation::Traits::Has_exact_decisions::value &&
                                                       outcome.report.status == IT::Flip_status::DELAUNAY;
@@ -404,8 +404,6 @@ Outcome run_with(const Job& job)
     else if (wanted.needs_input())
       outcome.stages = triangulation.stage_counts();
   }
-  if (outcome.refinement && outcome.refinement->is_given_up)
-    return outcome;
   if (wanted.overlay && job.overlay_progress)
     job.overlay_progress(0);
 

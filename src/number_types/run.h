@@ -65,7 +65,8 @@ struct Refinement_criteria
   double minimum_angle = 25;
   double maximum_circumradius = std::numeric_limits<double>::infinity();
   double maximum_edge_length = std::numeric_limits<double>::infinity();
-  std::optional<double> minimum_size; // the library chooses it otherwise
+  std::optional<double> minimum_size;     // the library chooses it otherwise
+  std::optional<double> sharp_edge_angle; // in degrees
 };
 
 // The task of Delaunay refinement after the flips.
@@ -74,10 +75,9 @@ struct Refinement_options
   Refinement_criteria criteria;
   std::optional<std::uint64_t> maximum_number_of_points;
   std::vector<bool> is_constrained; // for each input edge: whether no flip may remove it
-  // Called before each face is refined, and may ask where that face is; returning true ends the run without further
-  // results.
-  std::function<bool(const CGAL::Intrinsic_triangulations::Refinement_progress&, const std::function<Short_side()>&)>
-    gives_up;
+  // Called before each face is refined, and may ask where that face is.
+  std::function<void(const CGAL::Intrinsic_triangulations::Refinement_progress&, const std::function<Short_side()>&)>
+    look;
 };
 
 struct Run_options
@@ -130,10 +130,10 @@ struct Tessellation_summary
 // The results of refinement.
 struct Refinement_summary
 {
-  bool is_given_up = false;
   bool is_cancelled = false; // by the caller; the report then lists the faces that do not meet the criteria
   CGAL::Intrinsic_triangulations::Refinement_report report;
   std::vector<CGAL::Intrinsic_triangulations::Surface_point> points; // on the input, of the new vertices in order
+  std::vector<bool> is_constrained;                                  // for each input edge: those given, and sharp ones
   // The face with the shortest side among those left as too small or for the budget.
   std::optional<Short_side> smallest_left;
   // A smallest size with which, judged by areas, a tenth of the budget would suffice for the remaining faces; 0 if

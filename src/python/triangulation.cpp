@@ -263,7 +263,7 @@ const char* name_of(IT::Refinement_obstacle obstacle)
 
 py::tuple refine(Surface& surface, double minimum_angle, double maximum_circumradius, double maximum_edge_length,
                  const std::optional<Booleans>& constrained, const std::optional<std::uint64_t>& maximum_number,
-                 const std::optional<double>& minimum_size)
+                 const std::optional<double>& minimum_size, const std::optional<double>& sharp_edge_angle)
 {
   require(!minimum_size || *minimum_size >= 0, "minimum_size is negative");
   require(minimum_angle >= 0 && minimum_angle <= 30, "minimum_angle is not between 0 and 30 degrees");
@@ -276,6 +276,7 @@ py::tuple refine(Surface& surface, double minimum_angle, double maximum_circumra
            .maximum_circumradius(maximum_circumradius)
            .maximum_edge_length(maximum_edge_length)
            .minimum_size(minimum_size)
+           .sharp_edge_angle(sharp_edge_angle)
            .edge_is_constrained_map(constrained_edges(is_constrained))
            .visitor(Signal_visitor())
            .maximum_number(maximum_number ? *maximum_number
@@ -374,7 +375,8 @@ void add_triangulation(py::module_& module)
     .def("flip_to_delaunay", &flip_to_Delaunay, py::arg("constrained").noconvert(), py::arg("maximum_number"))
     .def("verify", &verify, py::arg("constrained").noconvert())
     .def("refine", &refine, py::arg("minimum_angle"), py::arg("maximum_circumradius"), py::arg("maximum_edge_length"),
-         py::arg("constrained").noconvert(), py::arg("maximum_number"), py::arg("minimum_size"))
+         py::arg("constrained").noconvert(), py::arg("maximum_number"), py::arg("minimum_size"),
+         py::arg("sharp_edge_angle"))
     .def("sharp_edges", &sharp_edges, py::arg("points").noconvert(), py::arg("degrees"), py::arg("minimum_size"))
     .def("stiffness",
          [](Surface& surface) {

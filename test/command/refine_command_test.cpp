@@ -166,6 +166,26 @@ TEST_F(Refine_command, keeps_sharp_edges)
   EXPECT_LT(stats()["segment_splits"], constrained["segment_splits"]);
 }
 
+// Which edges are sharp depends on the smallest size, which is chosen: here, a sliver along the ridge is ignored.
+TEST_F(Refine_command, keeps_sharp_edges_for_the_size_that_it_chooses)
+{
+  write("roof.off", "OFF\n8 6 0\n0 -1 0\n4 -1 0\n0 0 1\n4 0 1\n0 1e-6 1\n4 1e-6 1\n0 1 0\n4 1 0\n"
+                    "3 0 1 3\n3 0 3 2\n3 2 3 5\n3 2 5 4\n3 4 5 7\n3 4 7 6\n");
+  const Command_run run =
+    idt("refine roof.off --constrain-angle 30 --verify --edges e.csv --kept-edges k.csv --stats s.json");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_GT(stats()["minimum_size"], 1e-6);
+  const std::string size = stats()["minimum_size"].dump();
+  EXPECT_EQ(stats()["kept_edges"], 1);
+  EXPECT_EQ(stats()["verification"]["not_delaunay"], 0);
+  const auto edges = rows("e.csv");
+  ASSERT_EQ(idt("refine roof.off --constraints k.csv --edges e.csv --minimum-size " + size).status, 0);
+  EXPECT_EQ(rows("e.csv"), edges);
+  ASSERT_EQ(idt("refine roof.off --constrain-angle 30 --minimum-size 0 --maximum-points 9 --kept-edges k.csv").status,
+            4);
+  EXPECT_EQ(rows("k.csv").size(), 2u);
+}
+
 TEST_F(Refine_command, keeps_the_edges_that_it_is_told)
 {
   write_roof("roof.off");
@@ -278,7 +298,7 @@ TEST_F(Refine_command, chooses_a_smallest_size_where_it_needs_one)
   write("tube.off", tube);
   const Command_run run = idt("refine tube.off --verify --stats s.json");
   EXPECT_EQ(run.status, 0) << run.err;
-  EXPECT_TRUE(contains(run.out, "smallest size   1.907e-06, chosen: smaller faces need many vertices")) << run.out;
+  EXPECT_TRUE(contains(run.out, "smallest size   9.537e-07, chosen: smaller faces need many vertices")) << run.out;
   EXPECT_TRUE(contains(run.out, "shortest left   a side of 1e-07 at (")) << run.out;
   EXPECT_NEAR(stats()["minimum_size"], std::ldexp(2., -20), 1e-12);
   EXPECT_NEAR(stats()["shortest_left"]["length"], 1e-7, 1e-20);

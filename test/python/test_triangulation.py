@@ -199,6 +199,13 @@ def test_sharp_edges_are_kept():
     assert t.lengths[sharp].sum() == pytest.approx(4) and not t.sharp_edges(100, minimum_size=1e-3).any()
     ridge = t.edges[sharp]
     assert numpy.array_equal(t.edges_between(ridge[:, ::-1]), sharp)
+    u, s = it.Triangulation(V, F), it.Triangulation(V, F)
+    report = u.refine(sharp_edge_angle=30)
+    assert report.is_refined and report.minimum_size > 1e-6
+    again = s.refine(constrained=s.sharp_edges(30, report.minimum_size), minimum_size=report.minimum_size)
+    assert numpy.array_equal(u.edges, s.edges) and again.flips == report.flips
+    with pytest.raises(ValueError, match="between 0 and 180"):
+        it.Triangulation(V, F).refine(sharp_edge_angle=200)
     assert t.refine(constrained=sharp, minimum_size=1e-3).is_refined
     for bad in (-1, 181, numpy.nan, "30"):
         with pytest.raises(ValueError):

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/insertion/straight_walk.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/surface_features.h>
 #include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <boost/property_map/function_property_map.hpp>
@@ -434,6 +435,49 @@ TEST(Refine_Delaunay, ends_at_the_tips_of_needles)
     IT::refine_Delaunay(triangulation, CGAL::parameters::edge_is_constrained_map(map).maximum_number(200));
     EXPECT_TRUE(triangulation.connectivity().is_valid());
   }
+}
+
+// A roof with a sliver along its ridge, which has one sharp edge or two, depending on the smallest size.
+const samples::Indexed_triangles roof = {
+  {{0, -1, 0}, {4, -1, 0}, {0, 0, 1}, {4, 0, 1}, {0, 1e-6, 1}, {4, 1e-6, 1}, {0, 1, 0}, {4, 1, 0}},
+  {{0, 1, 3}, {0, 3, 2}, {2, 3, 5}, {2, 5, 4}, {4, 5, 7}, {4, 7, 6}}};
+
+TEST(Refine_Delaunay, keeps_sharp_edges_for_the_smallest_size)
+{
+  Triangulation t = triangulation_of(roof), u = t;
+  const IT::Refinement_report report = IT::refine_Delaunay(t, CGAL::parameters::sharp_edge_angle(30.));
+  EXPECT_GT(report.minimum_size, 1e-6);
+  const std::vector<bool> is_sharp = IT::sharp_edges(u.connectivity(), roof.points, 30, report.minimum_size);
+  EXPECT_EQ(std::count(is_sharp.begin(), is_sharp.end(), true), 1);
+  const auto map =
+    boost::make_function_property_map<IT::Edge_index, bool>([&](IT::Edge_index e) { return bool(is_sharp[e.idx()]); });
+  const IT::Refinement_report again =
+    IT::refine_Delaunay(u, CGAL::parameters::minimum_size(report.minimum_size).edge_is_constrained_map(map));
+  EXPECT_TRUE(t.connectivity() == u.connectivity());
+  EXPECT_EQ(again.flips, report.flips);
+  // Another call continues, with parts of sharp edges.
+  EXPECT_GT(IT::refine_Delaunay(
+              t, CGAL::parameters::sharp_edge_angle(30.).minimum_size(report.minimum_size).maximum_edge_length(0.5))
+              .insertions,
+            0u);
+}
+
+TEST(Refine_Delaunay, names_a_sharp_edge_that_was_flipped)
+{
+  const samples::Indexed_triangles fold = {{{0, 0, 0}, {4, 0, 0}, {2, 1, 0}, {2, 0, 1}}, {{0, 1, 2}, {1, 0, 3}}};
+  Triangulation t = triangulation_of(fold);
+  IT::flip_to_Delaunay(t);
+  EXPECT_THROW(IT::refine_Delaunay(t, CGAL::parameters::sharp_edge_angle(30.)), IT::Invalid_argument_error);
+  EXPECT_EQ(IT::refine_Delaunay(t, CGAL::parameters::sharp_edge_angle(100.)).unrefined.size(), 0u);
+  Triangulation u = triangulation_of(fold);
+  for (const double bad : {-1., 181., std::nan("")})
+    EXPECT_THROW(IT::refine_Delaunay(u, CGAL::parameters::sharp_edge_angle(bad)), IT::Invalid_argument_error);
+  IT::refine_Delaunay(u, CGAL::parameters::sharp_edge_angle(30.));
+  double on_fold = 0;
+  for (IT::Edge_index e : u.connectivity().edges())
+    if (u.is_input_edge(e) && u.input().edge(u.input_halfedge(u.connectivity().halfedge(e))).idx() == 0)
+      on_fold += u.length(e);
+  EXPECT_NEAR(on_fold, 4, 1e-14);
 }
 
 } // namespace

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Delaunay_refiner.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Measured_faces.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/Segments_by_size.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/point_on_input.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Standard_arithmetic.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
@@ -21,6 +22,8 @@
 #include <CGAL/Intrinsic_triangulations/reports.h>
 
 #include <CGAL/tags.h>
+
+#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -48,7 +51,7 @@ struct Flips_before_refinement
   void after_flip(Edge_index) {}
 };
 
-// One run with a smallest size.
+// Runs with a smallest size.
 template <class Traits, class Observer>
 struct Refinement_run
 {
@@ -61,9 +64,23 @@ struct Refinement_run
 
   Intrinsic_triangulation<Traits>& triangulation;
   Refinement_criteria criteria;
-  const std::vector<bool>& is_segment;
+  const Segments_by_size& segments;
   Observer& observer;
   const std::uint64_t maximum_number;
+  std::vector<bool> is_segment = {};
+  std::uint64_t flips_before = 0;
+
+  // Makes the triangulation Delaunay but for the segments.
+  void flip()
+  {
+    is_segment = segments(engine(triangulation), criteria.minimum_size);
+    Flips_before_refinement<Observer> before{observer};
+    const auto is_constrained =
+      boost::make_function_property_map<Edge_index, bool>([this](Edge_index e) { return bool(is_segment[e.idx()]); });
+    flips_before = flip_all<Sequential_tag>(Whole_triangulation<Traits>(triangulation), is_constrained, before,
+                                            (std::numeric_limits<std::uint64_t>::max)())
+                     .flips;
+  }
 
   Result operator()(const Refinement_trial& trial)
   {
@@ -72,7 +89,8 @@ struct Refinement_run
     if constexpr (!Observer::Is_silent::value)
       scope.emplace(triangulation, [&refiner] { return refiner.asks_further(); });
     Result result{refiner(), refiner.number_of_close_vertices(), (std::numeric_limits<double>::infinity)()};
-    const Refinement_report& report = result.report;
+    Refinement_report& report = result.report;
+    report.flips += flips_before;
     if (!refiner.is_given_up() && report.status == Refinement_status::REFINED)
       result.cost = double(report.insertions + report.segment_splits) + 10. * double(report.unrefined.size());
     return result;
@@ -89,19 +107,22 @@ bool has_faces_below(Intrinsic_triangulation<Traits>& triangulation, double heig
 }
 
 // Chooses the smallest size, as `refine_Delaunay()` says.
+// \param start before the first flips, if the segments depend on the size
 template <class Traits, class Observer>
-Refinement_report refine_by_trial(Refinement_run<Traits, Observer>& run)
+Refinement_report refine_by_trial(Refinement_run<Traits, Observer>& run,
+                                  std::optional<Intrinsic_triangulation<Traits>> start)
 {
   using Triangulation = Intrinsic_triangulation<Traits>;
-  // The first is 16 units in the last place of a float as large as the extent.
-  constexpr std::array<int, 3> levels = {-20, -17, -14};
+  // The first is 8 units in the last place of a float as large as the extent.
+  constexpr std::array<int, 4> levels = {-21, -20, -17, -14};
   Triangulation& triangulation = run.triangulation;
   const double unit = extent(engine(triangulation));
   const std::uint32_t n = triangulation.connectivity().number_of_vertices();
   Refinement_trial trial{std::ldexp(unit, levels.back()), 10000 + std::uint64_t(n)};
   if (!has_faces_below(triangulation, 8 * trial.size)) // so such vertices are unlikely
     return run({}).report;
-  const Triangulation start = triangulation;
+  if (!start)
+    start = triangulation;
   // The function that can interrupt a decision stays.
   const auto replace = [&](Triangulation other) {
     std::function<bool()> interruption = triangulation.set_interruption({});
@@ -125,13 +146,15 @@ Refinement_report refine_by_trial(Refinement_run<Traits, Observer>& run)
       if (!best_result || result.cost < best_result->cost || !std::isfinite(best_result->cost)) {
         best_result = std::move(result);
         if (!is_last)
-          best = replace(start);
+          best = replace(*start);
       } else {
-        replace(is_last ? std::move(*best) : Triangulation(start));
+        replace(is_last ? std::move(*best) : *start);
       }
       if (is_last)
         break;
       run.criteria.minimum_size = std::ldexp(unit, levels[i]);
+      if (run.segments.depend_on_size())
+        run.flip();
     }
     tell_insertions();
     return std::move(best_result->report);
@@ -158,7 +181,7 @@ Refinement_report refine_by_trial(Refinement_run<Traits, Observer>& run)
 /// No vertex is inserted for a face with a side shorter than the smallest size, nor for a lower one unless it is too
 /// long. If none is given, refinement begins with 0. CAD programs leave slivers, sheets and tubes by mistake that need
 /// many vertices: if many come closer to each other than 2^-14 of the longest side of the bounding box (or of the
-/// longest edge of a surface without points), refinement begins anew with 2^-20, 2^-17 and 2^-14 of it in turn. The
+/// longest edge of a surface without points), refinement begins anew with 2^-21, 2^-20, 2^-17 and 2^-14 of it in turn. The
 /// result is the run with the fewest vertices and the fewest faces left; the report has its size.
 ///
 /// A vertex inside the surface whose angles sum to less than 60 degrees gets one neighbor close to it, and the triangle
@@ -172,6 +195,13 @@ Refinement_report refine_by_trial(Refinement_run<Traits, Observer>& run)
 /// \cgalNamedParamsBegin
 ///   \cgalParamConstraints{which edges must not be flipped. They have to coincide with input edges. It is read only at
 ///     the beginning; the parts of a split edge are constrained, too}
+///   \cgalParamNBegin{sharp_edge_angle}
+///     \cgalParamDescription{edges of the input at which the directions of the faces differ by more than this angle in
+///       degrees must not be flipped, either: see `sharp_edges()`, with the smallest size. The surface has to have
+///       points}
+///     \cgalParamType{`double` from 0 to 180, or `std::optional<double>`}
+///     \cgalParamDefault{no such edges}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_angle}
 ///     \cgalParamDescription{the minimum angle of all corners, in degrees}
 ///     \cgalParamType{`double`, at most 30}
@@ -206,7 +236,8 @@ Refinement_report refine_by_trial(Refinement_run<Traits, Observer>& run)
 /// \cgalNamedParamsEnd
 ///
 /// \return the report. The triangulation is Delaunay
-/// \exception Invalid_argument_error if the minimum angle is more than 30 degrees, or the minimum size is negative
+/// \exception Invalid_argument_error if the minimum angle is more than 30 degrees, the minimum size is negative, or the
+///   angle of sharp edges is out of range, the surface has no points for them, or one was flipped before
 /// \exception Cancelled_error if the visitor asks for it, or as `insert_vertex()`
 /// \exception Integer_overflow_error, Undecided_error as `insert_vertex()`. The triangulation is valid after any
 ///   exception, and another call continues
@@ -241,18 +272,16 @@ Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation
   const internal::Standard_arithmetic arithmetic;
   internal::engine(triangulation).keep_crossings(); // ties need those of many edges
   auto observer = internal::observer_of(np);
-  using Observer = decltype(observer);
-  internal::Flips_before_refinement<Observer> before{observer};
-  const std::uint64_t flips_before =
-    internal::flip_all<Sequential_tag>(internal::Whole_triangulation<Traits>(triangulation), is_constrained, before,
-                                       (std::numeric_limits<std::uint64_t>::max)())
-      .flips;
   const std::uint64_t maximum_number = choose_parameter(get_parameter(np, internal_np::maximum_number),
                                                         10 * std::uint64_t(complex.number_of_vertices()) + 1000000);
-  internal::Refinement_run<Traits, Observer> run{triangulation, criteria, is_segment, observer, maximum_number};
-  Refinement_report report = minimum_size ? run({}).report : internal::refine_by_trial(run);
-  report.flips += flips_before;
-  return report;
+  const internal::Segments_by_size segments(internal::engine(triangulation), std::move(is_segment),
+                                            value_of<Parameter::SHARP_EDGE_ANGLE>(np, std::optional<double>()));
+  internal::Refinement_run<Traits, decltype(observer)> run{triangulation, criteria, segments, observer, maximum_number};
+  std::optional<Intrinsic_triangulation<Traits>> start;
+  if (segments.depend_on_size() && !minimum_size)
+    start = triangulation;
+  run.flip();
+  return minimum_size ? run({}).report : internal::refine_by_trial(run, std::move(start));
 }
 
 } // namespace CGAL::Intrinsic_triangulations

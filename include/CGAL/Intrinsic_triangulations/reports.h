@@ -76,6 +76,7 @@ struct Refinement_progress
     0;             ///< an upper bound on the faces that do not meet the criteria: some of them may meet them by now
   double size = 0; ///< the shortest side of the face that is next, in the unit of the input
   Face_index face; ///< that face
+  double minimum_size = 0; ///< the smallest size, given or chosen for now
   /// whether a smallest size may still be chosen that leaves this face: then refinement begins anew
   bool is_on_trial = false;
   /// a rough estimate of the vertices still needed by faces that are too large, and by thin ones whose shortest

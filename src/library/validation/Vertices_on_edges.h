@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -33,8 +34,13 @@ public:
   {
     std::sort(vertices_.begin(), vertices_.end());
     vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
-    if (!vertices_.empty())
-      build(0, Index(vertices_.size()));
+    if (vertices_.empty())
+      return;
+    build(0, Index(vertices_.size()));
+    for (Index v : vertices_) {
+      const Place& p = points_[v];
+      is_used_[cell_at({cell(p[0], 0), cell(p[1], 1), cell(p[2], 2)})] = true;
+    }
   }
 
   // Calls visit(vertex, distance, position) for the vertices within an edge: those exactly on it, with distance 0, and
@@ -110,10 +116,48 @@ private:
     nodes_[node].behind = Index(nodes_.size());
   }
 
+  // The cells of a grid of cubes over all vertices: they tell at once that most segments are far from all. In each
+  // coordinate their order is that of the numbers, however those are rounded.
+  static constexpr int cells = 32; // along each axis
+  int cell(double x, std::size_t axis) const
+  {
+    const double lower = nodes_[0].lower[axis], upper = nodes_[0].upper[axis],
+                 place = (x - lower) * (cells / (upper - lower));
+    return !(place > 0) ? 0 : place >= cells ? cells - 1 : int(place);
+  }
+  static std::size_t cell_at(const std::array<int, 3>& c)
+  {
+    return (std::size_t(c[0]) * cells + std::size_t(c[1])) * cells + std::size_t(c[2]);
+  }
+  bool is_far_from_all(const Place& p, const Place& q, double tolerance) const
+  {
+    std::array<int, 3> first, last;
+    int number = 1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double slack = tolerance + 0x1p-48 * (std::abs(p[k]) + std::abs(q[k])),
+                   lower = (std::min)(p[k], q[k]) - slack, upper = (std::max)(p[k], q[k]) + slack;
+      if (upper < nodes_[0].lower[k] || lower > nodes_[0].upper[k])
+        return true;
+      first[k] = cell(lower, k);
+      last[k] = cell(upper, k);
+      number *= last[k] - first[k] + 1;
+    }
+    if (number > cells)
+      return false;
+    for (std::array<int, 3> c = first; c[0] <= last[0]; ++c[0])
+      for (c[1] = first[1]; c[1] <= last[1]; ++c[1])
+        for (c[2] = first[2]; c[2] <= last[2]; ++c[2])
+          if (is_used_[cell_at(c)])
+            return false;
+    return true;
+  }
+
   // Calls visit(vertex) for all vertices that may be that near to the segment, and some others.
   template <class Function>
   void for_each_near(const Place& p, const Place& q, double tolerance, const Function& visit) const
   {
+    if (nodes_.empty() || is_far_from_all(p, q, tolerance))
+      return;
     for (Index n = 0; n < nodes_.size();) {
       const Node& node = nodes_[n];
       if (is_far(node, p, q, tolerance)) {
@@ -151,6 +195,7 @@ private:
   const std::vector<Place>& points_;
   std::vector<Index> vertices_; // in the order of the tree
   std::vector<Node> nodes_;     // each before those below it
+  std::bitset<std::size_t(cells) * cells * cells> is_used_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -419,7 +419,8 @@ class Triangulation:
         return VerificationReport(*self._surface.verify(self._constrained(constrained)))
 
     def refine(self, minimum_angle: float = 25, maximum_circumradius: float = math.inf, maximum_edge_length: float = math.inf,
-               constrained: Optional[ArrayLike] = None, max_insertions: Optional[int] = None, minimum_size: Optional[float] = None) -> RefinementReport:
+               constrained: Optional[ArrayLike] = None, max_insertions: Optional[int] = None, minimum_size: Optional[float] = None,
+               sharp_edge_angle: Optional[float] = None) -> RefinementReport:
         """Flip edges and insert vertices until no face is too thin or too large. The surface does not change.
 
         Parameters
@@ -435,6 +436,9 @@ class Triangulation:
         minimum_size : float, optional
             No vertex is inserted for a face with a side or a height shorter than this, in the unit of the input.
             Default: 0, or up to 2**-14 of the bounding box if smaller faces need many vertices; the report has it.
+        sharp_edge_angle : float, optional
+            Edges of the input at which the directions of the faces differ by more than this angle in degrees are not
+            flipped, either: the `sharp_edges` for the smallest size.
 
         Returns
         -------
@@ -461,7 +465,8 @@ class Triangulation:
         edge_length = _arrays.number(maximum_edge_length, "maximum_edge_length")
         maximum = None if max_insertions is None else _arrays.integer(max_insertions, "max_insertions")
         size = None if minimum_size is None else _arrays.number(minimum_size, "minimum_size")
-        return RefinementReport(*self._surface.refine(angle, circumradius, edge_length, self._constrained(constrained), maximum, size))
+        sharp = None if sharp_edge_angle is None else _arrays.number(sharp_edge_angle, "sharp_edge_angle")
+        return RefinementReport(*self._surface.refine(angle, circumradius, edge_length, self._constrained(constrained), maximum, size, sharp))
 
     def simplify(self, maximum_change: Optional[float] = None, number_of_vertices: int = 0, kept: Optional[ArrayLike] = None,
                  constrained: Optional[ArrayLike] = None, sharp_angle: float = 180) -> SimplifiedSurface:

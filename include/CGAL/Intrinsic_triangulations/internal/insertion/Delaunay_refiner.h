@@ -158,6 +158,7 @@ private:
     progress_.waiting_faces = bad_faces_.size() + 1;
     progress_.face = next;
     progress_.size = faces_.length(faces_.shortest_side(next));
+    progress_.minimum_size = quality_.criteria().minimum_size;
     progress_.is_on_trial = progress_.size < trial_.size;
     if (progress_.points >= next_estimate_) {
       progress_.estimated_points = estimated_points();
