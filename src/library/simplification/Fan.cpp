@@ -4,6 +4,7 @@
 // Lays the faces around a vertex flat, and triangulates the hole.
 
 #include "Fan.h"
+#include "flat_layout.h"
 
 #include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
 
@@ -161,8 +162,6 @@ bool flatten_between_ends(const Fan& fan, double ends, double largest, Fan_array
   return fan.size() > 2 && flatten_along(fan, w, largest, factors);
 }
 
-// The squared factors are the eigenvalues of 1 + M, where M is the change of the metric relative to it. As the side on the
-// link keeps its length, M has a closed form without cancellation.
 double largest_squared_change(const Fan& fan, const Fan_array<double>& factors)
 {
   double result = 1;
@@ -171,9 +170,7 @@ double largest_squared_change(const Fan& fan, const Fan_array<double>& factors)
     const Flat_corner old = corner(fan, j);
     const double f = factors[j], g = factors[k];
     const double d = (f - 1) * (f + 1) * old.s, e = (g - 1) * (g + 1) * old.t;
-    const double half = ((old.t + old.c - old.s) * d + (old.s + old.c - old.t) * e) / old.squared_sine;
-    const double root = std::sqrt(half * half + (d - e) * (d - e) / old.squared_sine);
-    const double up = 1 + half + root, down = 1 + half - root;
+    const auto [down, up] = squared_factors(old.s, old.t, old.c, old.squared_sine, d, e);
     if (!(down > 0) || !(up < std::numeric_limits<double>::infinity()))
       return std::numeric_limits<double>::infinity();
     result = (std::max)({result, fan.changes[j].up * up, 1 / (fan.changes[j].down * down)});
@@ -183,19 +180,13 @@ double largest_squared_change(const Fan& fan, const Fan_array<double>& factors)
 
 namespace {
 
-struct Laid_out_point
-{
-  double x = 0, y = 0;
-  double squared_length() const { return x * x + y * y; }
-};
-Laid_out_point operator-(const Laid_out_point& p, const Laid_out_point& q) { return {p.x - q.x, p.y - q.y}; }
-double determinant(const Laid_out_point& p, const Laid_out_point& q) { return p.x * q.y - p.y * q.x; }
+using Laid_out_point = Planar_vector<double>;
 
 class Fan_triangulator
 {
 public:
   Fan_triangulator(const Fan& fan, const Fan_array<double>& factors, double line, Fan_triangulation& result)
-    : fan_(fan), result_(result), points_(fan.size()), before_(fan.size()), after_(fan.size()),
+    : fan_(fan), result_(result), points_(fan.size(), Laid_out_point(0, 0)), before_(fan.size()), after_(fan.size()),
       side_(fan.link.begin(), fan.link.end())
   {
     side_.resize(fan.size(), line);
@@ -223,7 +214,7 @@ public:
       if (!(best < std::numeric_limits<double>::infinity()))
         return false;
       const std::uint32_t a = before_[tip], b = after_[tip];
-      const double across = std::sqrt((points_[a] - points_[b]).squared_length());
+      const double across = std::sqrt(squared_norm(points_[a] - points_[b]));
       result_.ears.push_back({a, tip, b, side_[a], side_[tip], across});
       after_[a] = b;
       before_[b] = a;
@@ -246,12 +237,12 @@ private:
     Laid_out_point direction{1, 0};
     for (std::size_t j = 0; j < fan_.size(); ++j) {
       const double r = factors[j] * fan_.spokes[j];
-      points_[j] = {r * direction.x, r * direction.y};
+      points_[j] = {r * direction.x(), r * direction.y()};
       if (j + 1 == fan_.size())
         break;
       const Flat_corner flat = corner(fan_, factors, j);
       const double c = flat.cosine / flat.scale, s = flat.sine / flat.scale;
-      direction = {direction.x * c - direction.y * s, direction.x * s + direction.y * c};
+      direction = direction * Laid_out_point(c, s);
     }
   }
 
@@ -259,7 +250,7 @@ private:
   {
     const Laid_out_point u = points_[tip] - points_[a], w = points_[b] - points_[tip];
     const double d = determinant(u, w);
-    return d > 0 && d * d > 1e-18 * u.squared_length() * w.squared_length();
+    return d > 0 && d * d > 1e-18 * squared_norm(u) * squared_norm(w);
   }
 
   // Smallest for the triangle that is Delaunay without the vertex, which lies at the origin: O. Devillers, "On deletion
@@ -271,7 +262,7 @@ private:
       return none;
     const std::uint32_t a = before_[tip], b = after_[tip];
     const Laid_out_point &p = points_[a], &q = points_[tip], &r = points_[b];
-    const double pp = p.squared_length(), qq = q.squared_length(), rr = r.squared_length();
+    const double pp = squared_norm(p), qq = squared_norm(q), rr = squared_norm(r);
     if (!is_convex(a, tip, b) || !(determinant(p, r) >= -1e-13 * std::sqrt(pp * rr)))
       return none;
     const double in_circle = pp * determinant(q, r) - qq * determinant(p, r) + rr * determinant(p, q);

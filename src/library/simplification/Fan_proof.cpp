@@ -4,6 +4,7 @@
 // The factors by which the steps of a simplification change lengths, in intervals.
 
 #include "Fan_proof.h"
+#include "flat_layout.h"
 
 #include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
 
@@ -78,19 +79,14 @@ Squared_change change_by_rounding(const std::array<double, 3>& sides)
 
 namespace {
 
-struct Bounded_point
-{
-  Interval x, y;
-};
-Bounded_point operator-(const Bounded_point& p, const Bounded_point& q) { return {p.x - q.x, p.y - q.y}; }
-Interval determinant(const Bounded_point& p, const Bounded_point& q) { return p.x * q.y - p.y * q.x; }
+using Bounded_point = Planar_vector<Interval>;
 
 // The steps of a proof, in order; each returns whether it succeeds.
 class Removal_proof
 {
 public:
   Removal_proof(const Fan& fan, const Fan_triangulation& triangulation)
-    : fan_(fan), triangulation_(triangulation), points_(fan.size()), changes_(fan.changes)
+    : fan_(fan), triangulation_(triangulation), points_(fan.size(), {Interval(0), Interval(0)}), changes_(fan.changes)
   {}
 
   // The triangles are triangles, and lie in the plane side by side.
@@ -112,16 +108,13 @@ public:
     const std::uint32_t corners[] = {core.before, core.tip, core.after};
     for (std::size_t i = 0; i < 3; ++i) {
       const Interval weight(triangulation_.place[i]);
-      sum.x += weight * points_[corners[i]].x;
-      sum.y += weight * points_[corners[i]].y;
+      sum = sum + points_[corners[i]] * Bounded_point(weight, Interval(0));
       weights += weight;
     }
     if (!(weights.inf() > 0))
       return false;
-    sum.x /= weights;
-    sum.y /= weights;
     for (Bounded_point& p : points_)
-      p = p - sum;
+      p = p - sum / weights;
     return true;
   }
 
@@ -141,7 +134,7 @@ public:
     // The number of times that they cross a ray whose direction is not that of an edge of a grid.
     int crossings = 0;
     const auto side = [this](std::size_t j) {
-      const Interval y = points_[j].x * Interval(0.8312475) + points_[j].y * Interval(0.5558923);
+      const Interval y = points_[j].x() * Interval(0.8312475) + points_[j].y() * Interval(0.5558923);
       return y.inf() > 0 ? 1 : y.sup() < 0 ? -1 : 0;
     };
     for (std::size_t j = 0; j < points_.size(); ++j) {
@@ -153,7 +146,6 @@ public:
     return crossings == 1;
   }
 
-  // As the link keeps its lengths, M has the eigenvalues h ± √(h² + (δ − ε)² / a²), with h = (p δ + q ε) / a².
   bool find_changes(double limit)
   {
     for (std::size_t j = 0; j < fan_.link.size(); ++j) {
@@ -162,13 +154,10 @@ public:
       if (!(area.inf() > 0))
         return false;
       const Interval s = squared(fan_.spokes[j]), t = squared(fan_.spokes[k]), c = squared(fan_.link[j]);
-      const Interval d = image(j) - s, e = image(k) - t;
-      const Interval half = ((t + c - s) * d + (s + c - t) * e) / area;
-      const Interval root = CGAL::sqrt(CGAL::square(half) + CGAL::square(d - e) / area);
-      const Interval down = Interval(1) + half - root;
+      const auto [down, up] = squared_factors(s, t, c, area, image(j) - s, image(k) - t);
       if (!(down.inf() > 0))
         return false;
-      changes_[j] = product(changes_[j], down, Interval(1) + half + root);
+      changes_[j] = product(changes_[j], down, up);
       if (!is_within(changes_[j], limit))
         return false;
     }
@@ -201,7 +190,7 @@ public:
   }
 
 private:
-  Interval image(std::size_t j) const { return CGAL::square(points_[j].x) + CGAL::square(points_[j].y); }
+  Interval image(std::size_t j) const { return CGAL::square(points_[j].x()) + CGAL::square(points_[j].y()); }
 
   // The third corner of a triangle to the left of its side from p to q.
   bool lay_out(std::size_t p, std::size_t q, std::size_t third, double from_p, double from_q, double side)
@@ -209,10 +198,7 @@ private:
     const Interval area = heron(side, from_p, from_q);
     if (!(area.inf() > 0))
       return false;
-    const Interval s = squared(side), twice = Interval(2) * s;
-    const Interval along = (squared(from_p) + s - squared(from_q)) / twice, across = CGAL::sqrt(area) / twice;
-    const Bounded_point d = points_[q] - points_[p];
-    points_[third] = {points_[p].x + along * d.x - across * d.y, points_[p].y + along * d.y + across * d.x};
+    points_[third] = third_corner(points_[p], points_[q], side, from_p, from_q, CGAL::sqrt(area));
     return true;
   }
 

@@ -3,6 +3,8 @@
 //
 // Carries points through the steps of a simplification.
 
+#include "flat_layout.h"
+
 #include <CGAL/Intrinsic_triangulations/Simplification_map.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
@@ -18,31 +20,16 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-namespace internal {
-
-struct Planar_position
-{
-  double x = 0, y = 0;
-};
-
-} // namespace internal
-
 namespace {
 
 constexpr std::uint32_t no_triangle = std::uint32_t(-1);
-
-double determinant(const internal::Planar_position& p, const internal::Planar_position& q,
-                   const internal::Planar_position& r)
-{
-  return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
-}
 
 } // namespace
 
 // The points of a step in the plane.
 struct Simplification_map::Layout
 {
-  Layout(const Simplification_map& map, const Step& step) : points(step.number_of_points)
+  Layout(const Simplification_map& map, const Step& step) : points(step.number_of_points, {0, 0})
   {
     const Triangle* const fresh = map.triangles(step) + step.number_of_old;
     std::vector<bool> is_placed(step.number_of_points, false);
@@ -58,38 +45,35 @@ struct Simplification_map::Layout
         std::rotate(corners.begin(), corners.begin() + 1, corners.end());
         std::rotate(sides.begin(), sides.begin() + 1, sides.end());
       }
-      const internal::Planar_position p = points[corners[0]], q = points[corners[1]];
-      const double s = sides[0] * sides[0], along = (sides[2] * sides[2] + s - sides[1] * sides[1]) / (2 * s),
-                   across =
-                     std::sqrt((std::max)(0., squared_four_areas_from_lengths(sides[0], sides[1], sides[2]))) / (2 * s);
-      points[corners[2]] = {p.x + along * (q.x - p.x) - across * (q.y - p.y),
-                            p.y + along * (q.y - p.y) + across * (q.x - p.x)};
+      const double four_areas =
+        std::sqrt((std::max)(0., squared_four_areas_from_lengths(sides[0], sides[1], sides[2])));
+      points[corners[2]] =
+        internal::third_corner(points[corners[0]], points[corners[1]], sides[0], sides[2], sides[1], four_areas);
       is_placed[corners[2]] = true;
     }
     points.back() = position(fresh[0], step.place);
   }
 
-  internal::Planar_position position(const Triangle& t, const Coordinates& b) const
+  Planar_vector<double> position(const Triangle& t, const Coordinates& b) const
   {
-    internal::Planar_position result;
-    for (std::size_t i = 0; i < 3; ++i) {
-      result.x += b[i] * points[t.corners[i]].x;
-      result.y += b[i] * points[t.corners[i]].y;
-    }
+    Planar_vector<double> result(0, 0);
+    for (std::size_t i = 0; i < 3; ++i)
+      result = result + points[t.corners[i]] * Planar_vector<double>(b[i], 0);
     return result;
   }
   // Some are negative outside of the triangle.
-  Coordinates coordinates(const Triangle& t, const internal::Planar_position& p) const
+  Coordinates coordinates(const Triangle& t, const Planar_vector<double>& p) const
   {
-    const internal::Planar_position &a = points[t.corners[0]], &b = points[t.corners[1]], &c = points[t.corners[2]];
-    Coordinates result{determinant(p, b, c), determinant(p, c, a), determinant(p, a, b)};
+    const Planar_vector<double> a = points[t.corners[0]] - p, b = points[t.corners[1]] - p,
+                                c = points[t.corners[2]] - p;
+    Coordinates result{internal::determinant(b, c), internal::determinant(c, a), internal::determinant(a, b)};
     const double sum = result[0] + result[1] + result[2];
     for (double& x : result)
       x /= sum;
     return result;
   }
 
-  std::vector<internal::Planar_position> points;
+  std::vector<Planar_vector<double>> points;
 };
 
 // Carries points through one step, or back: from triangles to their replacements.
@@ -124,7 +108,7 @@ public:
         coordinates[std::size_t(same - other.corners.begin())] = 1;
         return other.number;
       }
-    const internal::Planar_position p = layout().position(t, coordinates);
+    const Planar_vector<double> p = layout().position(t, coordinates);
     std::uint32_t result = no_triangle;
     double best = -std::numeric_limits<double>::infinity();
     for (const Triangle& other : to_) {
