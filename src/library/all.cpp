@@ -65,3 +65,6 @@
 #include "simplification/Simplified_distances.cpp"
 #include "simplification/Simplifier.cpp"
 #include "simplification/simplify_surface.cpp"
+#include "parameterization/Triple_overlay.cpp"
+#include "parameterization/Conformal_layout.cpp"
+#include "parameterization/Conformal_map.cpp"

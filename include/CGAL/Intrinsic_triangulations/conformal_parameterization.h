@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Conformal maps of surfaces of any topology to the plane.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONFORMAL_PARAMETERIZATION_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_CONFORMAL_PARAMETERIZATION_H
+
+#include <CGAL/Intrinsic_triangulations/Conformal_map.h>
+#include <CGAL/Intrinsic_triangulations/discrete_conformal_metric.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+
+#include <string>
+#include <utility>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsParameterization
+/// \brief maps a surface to the plane conformally, and proves that the result is locally injective.
+///
+/// The metric is that of `discrete_conformal_metric()`. The surface is cut along shortest paths of edges of the ideal
+/// Delaunay triangulation, between its cones, and open where its topology demands it, and laid out triangle by triangle,
+/// across the longest edges first. Then the corners of each vertex off the cuts are merged, the rounded result is checked by
+/// exact predicates, and overlaid with the input. Components come side by side. Without cones and handles, a surface
+/// with one border is not cut.
+///
+/// If triangles turn over, or the metric does not converge, and cones may be chosen, more of them are.
+///
+/// \param triangulation, options as for `discrete_conformal_metric()`
+/// \exception Numerical_error also if triangles turn over although the cones were given: the message names the first face
+///   and the range of u
+/// Other exceptions as for `discrete_conformal_metric()`.
+inline Conformal_map
+conformal_parameterization(const Intrinsic_triangulation<Filtered_edge_length_traits>& triangulation,
+                           Conformal_options options = {})
+{
+  const internal::Doubled_surface doubled(triangulation, options.progress);
+  constexpr int maximum_number_of_attempts = 6;
+  for (int attempt = 1;; ++attempt, options.largest_range *= 0.6) {
+    const bool can_choose = !options.number_of_cones && options.angles.empty() && attempt < maximum_number_of_attempts;
+    try {
+      Conformal_map map = internal::lay_out(
+        triangulation, doubled, internal::find_conformal_metric(triangulation, doubled, options, internal::factorize));
+      if (map.is_certified)
+        return map;
+      if (!can_choose)
+        throw Numerical_error("triangles of the conformal map turn over, first in face " +
+                              std::to_string(map.turned.empty() ? 0 : map.input_faces[map.turned.front()].idx()) +
+                              ", since u has a range of " + std::to_string(map.metric.range_of_u) +
+                              ": allow more cones");
+    } catch (const Numerical_error&) {
+      if (!can_choose)
+        throw;
+    }
+  }
+}
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_CONFORMAL_PARAMETERIZATION_H

@@ -1,0 +1,297 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Definitions of Conformal_layout.h.
+
+#include "Conformal_layout.h"
+#include "planar_predicates.h"
+#include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
+
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <queue>
+#include <utility>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+Conformal_layout::Conformal_layout(const Delta_complex& complex, const std::vector<double>& lengths,
+                                   const std::vector<bool>& is_inside, const std::vector<bool>& is_end)
+  : complex_(complex), lengths_(lengths), is_inside_(is_inside), is_cut_(complex.number_of_edges(), false),
+    corners_(complex.number_of_halfedges(), {0, 0})
+{
+  cut(is_end);
+  lay_out();
+  merge_corners();
+}
+
+bool Conformal_layout::is_inside(Face_index f) const
+{
+  const Halfedge_index h = complex_.halfedge(f);
+  return is_inside_[h.idx()] || is_inside_[complex_.next(h).idx()] || is_inside_[complex_.prev(h).idx()];
+}
+
+// Shortest paths lead from all vertices to the nearest border, or to one vertex where cuts end. A maximal tree of faces does
+// not cross them; the edges that it does not cross either close a loop each, the shortest ones if the tree crosses those
+// first whose loops are longest (Erickson, Whittlesey 2005). Dead ends are no cuts.
+void Conformal_layout::cut(const std::vector<bool>& is_end)
+{
+  std::vector<bool> is_in_tree(complex_.number_of_edges(), false);
+  const std::vector<double> distance = distances(is_end, is_in_tree);
+  std::vector<std::pair<double, Edge_index>> loops;
+  for (Edge_index e : complex_.edges()) {
+    const Halfedge_index h = complex_.halfedge(e);
+    is_cut_[e.idx()] = true;
+    if (is_inner(e) && !is_in_tree[e.idx()])
+      loops.emplace_back(distance[complex_.source(h).idx()] + distance[complex_.target(h).idx()] + length(h), e);
+  }
+  std::stable_sort(loops.begin(), loops.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  Disjoint_sets faces(complex_.number_of_faces());
+  for (const auto& [loop, e] : loops) {
+    const std::uint32_t f = faces.find(complex_.face(complex_.halfedge(e)).idx()),
+                        g = faces.find(complex_.face(complex_.opposite(complex_.halfedge(e))).idx());
+    if (f != g) {
+      faces.unite(f, g);
+      is_cut_[e.idx()] = false;
+    }
+  }
+  prune(is_end);
+}
+
+// Along edges inside the surface, and on its border. Each component that has no border gets one vertex as its root.
+std::vector<double> Conformal_layout::distances(const std::vector<bool>& is_end, std::vector<bool>& is_in_tree) const
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<double> result(complex_.number_of_vertices(), infinity);
+  using Entry = std::pair<double, Halfedge_index>; // to its target
+  const auto later = [](const Entry& a, const Entry& b) {
+    return a.first != b.first ? a.first > b.first : a.second.idx() > b.second.idx();
+  };
+  std::priority_queue<Entry, std::vector<Entry>, decltype(later)> queue(later);
+  const auto is_usable = [&](Halfedge_index h) {
+    return is_inside_[h.idx()] || is_inside_[complex_.opposite(h).idx()];
+  };
+  const auto push = [&](Vertex_index v) {
+    for (Halfedge_index in : Halfedges_around(complex_, v)) {
+      const Halfedge_index h = complex_.opposite(in);
+      if (is_usable(h) && result[v.idx()] + length(h) < result[complex_.target(h).idx()])
+        queue.emplace(result[v.idx()] + length(h), h);
+    }
+  };
+  const auto spread = [&] {
+    while (!queue.empty()) {
+      const auto [distance, h] = queue.top();
+      queue.pop();
+      double& at = result[complex_.target(h).idx()];
+      if (!(distance < at))
+        continue;
+      at = distance;
+      is_in_tree[complex_.edge(h).idx()] = true;
+      push(complex_.target(h));
+    }
+  };
+  std::vector<Vertex_index> roots;
+  for (Halfedge_index h : complex_.halfedges())
+    if (is_inside_[h.idx()] && !is_inner(complex_.edge(h)))
+      for (Vertex_index v : {complex_.source(h), complex_.target(h)})
+        if (result[v.idx()] != 0) {
+          result[v.idx()] = 0;
+          roots.push_back(v);
+        }
+  for (Vertex_index v : roots)
+    push(v);
+  spread();
+  for (bool wanted : {true, false})
+    for (Vertex_index v : complex_.vertices())
+      if (result[v.idx()] == infinity && is_end[v.idx()] == wanted) {
+        result[v.idx()] = 0;
+        push(v);
+        spread();
+      }
+  return result;
+}
+
+void Conformal_layout::prune(const std::vector<bool>& is_end)
+{
+  std::vector<int> degree(complex_.number_of_vertices(), 0);
+  for (Edge_index e : complex_.edges())
+    if (is_cut_[e.idx()])
+      for (Vertex_index v : {complex_.source(complex_.halfedge(e)), complex_.target(complex_.halfedge(e))})
+        ++degree[v.idx()];
+  std::vector<Vertex_index> dead_ends(complex_.vertices().begin(), complex_.vertices().end());
+  while (!dead_ends.empty()) {
+    const Vertex_index v = dead_ends.back();
+    dead_ends.pop_back();
+    if (degree[v.idx()] != 1 || is_end[v.idx()])
+      continue;
+    for (Halfedge_index h : Halfedges_around(complex_, v))
+      if (is_cut_[complex_.edge(h).idx()] && is_inner(complex_.edge(h))) {
+        is_cut_[complex_.edge(h).idx()] = false;
+        --degree[v.idx()];
+        --degree[complex_.source(h).idx()];
+        dead_ends.push_back(complex_.source(h));
+        break;
+      }
+  }
+}
+
+// From the largest face of each component, over the longest edges first, so that small triangles get their places from
+// their neighbors. The components come from left to right.
+void Conformal_layout::lay_out()
+{
+  std::vector<std::pair<double, Face_index>> faces;
+  for (Face_index f : complex_.faces())
+    if (is_inside(f)) {
+      const Halfedge_index h = complex_.halfedge(f);
+      const double a = length(h), b = length(complex_.next(h)), c = length(complex_.prev(h));
+      faces.emplace_back((a + b + c) * (std::min)({a + b - c, b + c - a, c + a - b}), f);
+    }
+  std::stable_sort(faces.begin(), faces.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<bool> is_placed(complex_.number_of_faces(), false);
+  double right = 0;
+  for (const auto& [size, first] : faces) {
+    if (is_placed[first.idx()])
+      continue;
+    std::vector<Face_index> placed;
+    lay_out_from(first, is_placed, placed);
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    const auto for_each_corner = [&](const auto& visit) {
+      for (Face_index f : placed) {
+        const Halfedge_index h = complex_.halfedge(f);
+        for (Halfedge_index side : {h, complex_.next(h), complex_.prev(h)})
+          visit(corners_[side.idx()]);
+      }
+    };
+    for_each_corner([&](const Point& p) {
+      least = (std::min)(least, p[0]);
+      most = (std::max)(most, p[0]);
+    });
+    if (right > 0) {
+      const double shift = 1.05 * right - least;
+      for_each_corner([&](Point& p) { p[0] += shift; });
+      most += shift;
+    }
+    right = most;
+  }
+}
+
+void Conformal_layout::lay_out_from(Face_index first, std::vector<bool>& is_placed, std::vector<Face_index>& placed)
+{
+  using Entry = std::pair<double, Halfedge_index>; // whose face is placed
+  const auto shorter = [](const Entry& a, const Entry& b) {
+    return a.first != b.first ? a.first < b.first : a.second.idx() > b.second.idx();
+  };
+  std::priority_queue<Entry, std::vector<Entry>, decltype(shorter)> queue(shorter);
+  const auto finish = [&](Halfedge_index h) {
+    place_third(h);
+    is_placed[complex_.face(h).idx()] = true;
+    placed.push_back(complex_.face(h));
+    for (Halfedge_index side : {h, complex_.next(h), complex_.prev(h)})
+      if (is_inner(complex_.edge(side)) && !is_cut_[complex_.edge(side).idx()])
+        queue.emplace(length(side), side);
+  };
+  const Halfedge_index start = side_with_largest(complex_, first, [&](Halfedge_index h) { return length(h); });
+  corners_[start.idx()] = {0, 0};
+  corners_[complex_.next(start).idx()] = {length(start), 0};
+  finish(start);
+  while (!queue.empty()) {
+    const Halfedge_index h = queue.top().second, g = complex_.opposite(h);
+    queue.pop();
+    if (is_placed[complex_.face(g).idx()])
+      continue;
+    corners_[g.idx()] = corners_[complex_.next(h).idx()];
+    corners_[complex_.next(g).idx()] = corners_[h.idx()];
+    finish(g);
+  }
+}
+
+// The third corner of the face of h, whose ends are placed.
+void Conformal_layout::place_third(Halfedge_index h)
+{
+  const Halfedge_index next = complex_.next(h), prev = complex_.prev(h);
+  const double c = length(h), a = length(next), b = length(prev);
+  const Point &p = corners_[h.idx()], &q = corners_[next.idx()];
+  const double dx = q[0] - p[0], dy = q[1] - p[1], d = std::hypot(dx, dy);
+  if (!(d > 0)) {
+    corners_[prev.idx()] = p;
+    return;
+  }
+  const double s = a + b + c, y = std::sqrt((std::max)(0., s * (b + c - a))) *
+                                  std::sqrt((std::max)(0., (c + a - b) * (a + b - c))) / (2 * c);
+  const double x = (c + (b - a) * ((b + a) / c)) / 2;
+  corners_[prev.idx()] = {p[0] + (x * dx - y * dy) / d, p[1] + (x * dy + y * dx) / d};
+}
+
+void Conformal_layout::merge_corners()
+{
+  Disjoint_sets sets(complex_.number_of_halfedges());
+  for (Edge_index e : complex_.edges())
+    if (is_inner(e) && !is_cut_[e.idx()]) {
+      const Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
+      sets.unite(h.idx(), complex_.next(g).idx());
+      sets.unite(g.idx(), complex_.next(h).idx());
+    }
+  std::vector<Point> sums(corners_.size(), {0, 0});
+  std::vector<double> counts(corners_.size(), 0);
+  for (std::uint32_t h = 0; h < corners_.size(); ++h) {
+    const std::uint32_t root = sets.find(h);
+    counts[root] += 1;
+    for (std::size_t k = 0; k < 2; ++k)
+      sums[root][k] += corners_[h][k];
+  }
+  for (std::uint32_t h = 0; h < corners_.size(); ++h) {
+    const std::uint32_t root = sets.find(h);
+    corners_[h] = {sums[root][0] / counts[root], sums[root][1] / counts[root]};
+  }
+}
+
+bool Conformal_layout::is_certified() const
+{
+  std::vector<double> sums(complex_.number_of_vertices(), 0.);
+  std::vector<bool> is_on_cut(complex_.number_of_vertices(), false);
+  for (Face_index f : complex_.faces()) {
+    if (!is_inside(f))
+      continue;
+    const Halfedge_index first = complex_.halfedge(f);
+    if (!turns_left(corners_[first.idx()], corners_[complex_.next(first).idx()], corners_[complex_.prev(first).idx()]))
+      return false;
+    for (Halfedge_index h : {first, complex_.next(first), complex_.prev(first)}) {
+      const Point &p = corners_[h.idx()], &q = corners_[complex_.next(h).idx()], &r = corners_[complex_.prev(h).idx()];
+      const double ux = q[0] - p[0], uy = q[1] - p[1], vx = r[0] - p[0], vy = r[1] - p[1];
+      sums[complex_.source(h).idx()] += std::atan2(ux * vy - uy * vx, ux * vx + uy * vy);
+    }
+  }
+  for (Edge_index e : complex_.edges())
+    if (!is_inner(e) || is_cut_[e.idx()])
+      for (Vertex_index v : {complex_.source(complex_.halfedge(e)), complex_.target(complex_.halfedge(e))})
+        is_on_cut[v.idx()] = true;
+  // Triangles with one orientation around a point: the sum is a multiple of 2 pi, so it need not be known exactly.
+  for (Vertex_index v : complex_.vertices())
+    if (!is_on_cut[v.idx()] && complex_.halfedge(v).is_valid() && !(std::abs(sums[v.idx()] - 2 * CGAL_PI) < 1))
+      return false;
+  return true;
+}
+
+double Conformal_layout::seam() const
+{
+  double result = 0;
+  const auto image = [&](Halfedge_index h) {
+    const Point &p = corners_[h.idx()], &q = corners_[complex_.next(h).idx()];
+    return std::hypot(q[0] - p[0], q[1] - p[1]);
+  };
+  for (Edge_index e : complex_.edges())
+    if (is_cut(e)) {
+      const Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
+      result = (std::max)(
+        {result, std::abs(image(h) - image(g)), std::abs(image(h) - length(h)), std::abs(image(g) - length(h))});
+    }
+  return result * (1 + 0x1p-40); // rounding included
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal

@@ -1,0 +1,306 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Conformal maps: what they claim, checked in rational numbers, and against known maps.
+
+#include "samples/sample_surfaces.h"
+
+#include <CGAL/Intrinsic_triangulations/conformal_parameterization.h>
+#include <CGAL/Intrinsic_triangulations/insert_vertex.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+
+#include <CGAL/Gmpq.h>
+#include <CGAL/number_type_config.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
+using IT::Conformal_map;
+using IT::Vertex_index;
+using samples::Indexed_triangles;
+
+Triangulation triangulation_of(const Indexed_triangles& surface)
+{
+  return Triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
+}
+
+int exact_orientation(const std::array<Conformal_map::Point, 3>& t)
+{
+  const auto q = [&](int i, int k) { return CGAL::Gmpq(t[std::size_t(i)][std::size_t(k)]); };
+  return CGAL::sign(CGAL::Gmpq((q(1, 0) - q(0, 0)) * (q(2, 1) - q(0, 1)) - (q(1, 1) - q(0, 1)) * (q(2, 0) - q(0, 0))));
+}
+
+// What is wrong with a map; empty if nothing is.
+std::string defect(const Conformal_map& map, const Triangulation& t)
+{
+  if (!map.is_certified || !map.turned.empty())
+    return "it is not certified";
+  std::vector<double> areas(t.input().number_of_faces(), 0.);
+  std::map<std::array<std::uint32_t, 2>, std::size_t> sides;
+  for (std::size_t i = 0; i < map.triangles.size(); ++i) {
+    if (exact_orientation(map.uv[i]) <= 0)
+      return "triangle " + std::to_string(i) + " is turned over";
+    // Its area, as a part of the input face.
+    std::array<std::array<double, 3>, 3> b;
+    for (std::size_t k = 0; k < 3; ++k)
+      b[k] = map.coordinates_in_face(map.places[map.triangles[i][k]], map.input_faces[i]);
+    areas[map.input_faces[i].idx()] += b[0][0] * (b[1][1] * b[2][2] - b[1][2] * b[2][1]) -
+                                       b[0][1] * (b[1][0] * b[2][2] - b[1][2] * b[2][0]) +
+                                       b[0][2] * (b[1][0] * b[2][1] - b[1][1] * b[2][0]);
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!sides.insert({{map.triangles[i][k], map.triangles[i][(k + 1) % 3]}, 3 * i + k}).second)
+        return "two triangles have the same side in the same direction";
+  }
+  for (double area : areas)
+    if (!(std::abs(area - 1) < 1e-9))
+      return "the triangles do not make up a face";
+  for (const auto& [side, s] : sides) {
+    const auto other = sides.find({side[1], side[0]});
+    if (other == sides.end())
+      continue;
+    const auto end = [&](std::size_t x, std::size_t k) { return map.uv[x / 3][(x % 3 + k) % 3]; };
+    const bool agree = end(s, 0) == end(other->second, 1) && end(s, 1) == end(other->second, 0);
+    const bool is_cut = map.is_cut[s / 3][s % 3] && map.is_cut[other->second / 3][other->second % 3];
+    if (!agree && !is_cut)
+      return "triangles " + std::to_string(s / 3) + " and " + std::to_string(other->second / 3) +
+             " do not fit together";
+    const auto length = [&](std::size_t x) {
+      return std::hypot(end(x, 1)[0] - end(x, 0)[0], end(x, 1)[1] - end(x, 0)[1]);
+    };
+    if (is_cut && std::abs(length(s) - length(other->second)) > 2 * map.seam + 1e-13)
+      return "a seam does not fit together";
+  }
+  return "";
+}
+
+TEST(Conformal_map, claims_are_true_in_rational_numbers)
+{
+  Indexed_triangles shaken_torus = samples::torus(20, 12);
+  std::mt19937 random(2);
+  for (auto& p : shaken_torus.points)
+    for (double& x : p)
+      x += 0.04 * (double(random()) / 0x1p31 - 1);
+  for (const Indexed_triangles& surface :
+       {samples::bumpy_sphere(20, 15, 0.3), samples::torus(20, 12), shaken_torus, samples::bumpy_dome(14, 10, 0.2),
+        samples::disk_with_spike(12, 8, 3), samples::sheared_grid(9, 7, 3), samples::latitude_longitude_sphere(16, 9),
+        samples::prism(20), samples::cap(1e-3), samples::random_diagonal_grid(8, 8)}) {
+    const Triangulation t = triangulation_of(surface);
+    const Conformal_map map = IT::conformal_parameterization(t);
+    EXPECT_EQ(defect(map, t), "") << surface.points.size();
+    EXPECT_LT(map.metric.residual, 1e-10);
+    EXPECT_LT(map.seam, 1e-9);
+    Conformal_map moved = map;
+    const std::size_t i = moved.uv.size() / 2;
+    moved.uv[i][0][0] = moved.uv[i][1][0];
+    moved.uv[i][0][1] = moved.uv[i][1][1];
+    EXPECT_NE(defect(moved, t), "");
+    // By the last bit, so that it does not fit together, unless it is on the border.
+    moved = map;
+    for (std::size_t k = 0; k < 3; ++k)
+      moved.uv[i][k][0] = std::nextafter(moved.uv[i][k][0], 1e9);
+    EXPECT_NE(defect(moved, t), "");
+  }
+}
+
+TEST(Conformal_map, moves_points_there_and_back)
+{
+  const Triangulation t = triangulation_of(samples::bumpy_sphere(16, 11, 0.3));
+  const Conformal_map map = IT::conformal_parameterization(t);
+  std::mt19937 random(4);
+  int same = 0, hits = 0, checked = 0;
+  for (int i = 0; i < 200; ++i) {
+    const IT::Face_index f(std::uint32_t(random() % t.input().number_of_faces()));
+    const double a = double(random()) + 1, b = double(random()) + 1, c = double(random()) + 1;
+    const IT::Surface_point p{t.input().halfedge(f), {a, b, c}};
+    const Conformal_map::Point x = map.to_plane(p);
+    const IT::Surface_point q = map.to_surface(x);
+    const Conformal_map::Point y = map.to_plane(q);
+    EXPECT_NEAR(x[0], y[0], 1e-12);
+    EXPECT_NEAR(x[1], y[1], 1e-12);
+    if (t.input().face(q.halfedge) == f) {
+      ++same;
+      const std::array<double, 3> coordinates = IT::coordinates_from(t.input(), q, p.halfedge);
+      EXPECT_NEAR(coordinates[0], a / (a + b + c), 1e-9);
+    }
+  }
+  EXPECT_TRUE(same == 200 || map.overlaps) << same;
+  for (IT::Halfedge_index h : t.input().halfedges()) // a vertex that is cut has several images
+    if (std::find(map.metric.cones.begin(), map.metric.cones.end(), t.input().source(h)) == map.metric.cones.end() &&
+        std::find(map.divided_input.begin(), map.divided_input.end(), t.input().face(h)) == map.divided_input.end())
+      ++checked, hits += map.to_plane({h, {1, 0, 0}}) == map.input_uv[h.idx()];
+  EXPECT_GT(hits, 0.9 * checked);
+  EXPECT_THROW(map.to_plane({t.input().halfedge(IT::Face_index(0)), {1, -1, 1}}), IT::Invalid_point_error);
+  EXPECT_THROW(map.to_plane({IT::Halfedge_index(), {1, 1, 1}}), IT::Invalid_point_error);
+}
+
+// A spherical cap of 90 degrees around the pole, with n rings.
+Indexed_triangles cap_of_sphere(std::uint32_t n)
+{
+  Indexed_triangles result;
+  result.points.push_back({0, 0, 1});
+  std::vector<std::uint32_t> first{0};
+  for (std::uint32_t r = 1; r <= n; ++r) {
+    first.push_back(std::uint32_t(result.points.size()));
+    for (std::uint32_t i = 0; i < 6 * r; ++i) {
+      const double polar = CGAL_PI / 2 * r / n, angle = 2 * CGAL_PI * (i + 0.2 * (r % 3)) / (6 * r);
+      result.points.push_back({std::sin(polar) * std::cos(angle), std::sin(polar) * std::sin(angle), std::cos(polar)});
+    }
+  }
+  for (std::uint32_t r = 0; r < n; ++r) {
+    const std::uint32_t inner = (std::max)(1u, 6 * r), outer = 6 * (r + 1);
+    for (std::uint32_t i = 0, j = 0; i < (r == 0 ? 0 : inner) || j < outer;) {
+      const auto in = [&](std::uint32_t k) { return first[r] + k % inner; };
+      const auto out = [&](std::uint32_t k) { return first[r + 1] + k % outer; };
+      if (r == 0 || (j < outer && (j + 0.5) / outer <= (i + 0.5) / inner) || i == inner) {
+        result.triangles.push_back({in(i), out(j), out(j + 1)});
+        ++j;
+      } else {
+        result.triangles.push_back({in(i), out(j), in(i + 1)});
+        ++i;
+      }
+    }
+  }
+  return result;
+}
+
+TEST(Conformal_map, of_a_hemisphere_tends_to_stereographic_projection)
+{
+  std::vector<double> errors;
+  for (std::uint32_t n : {4u, 8u, 16u, 32u}) {
+    const Indexed_triangles cap = cap_of_sphere(n);
+    const Triangulation t = triangulation_of(cap);
+    IT::Conformal_options options;
+    options.boundary = IT::Conformal_boundary::DISK;
+    const Conformal_map map = IT::conformal_parameterization(t, options);
+    EXPECT_EQ(defect(map, t), "");
+    EXPECT_FALSE(map.overlaps);
+    // The similarity that fits best, by complex least squares.
+    using C = std::complex<double>;
+    std::vector<C> z, w;
+    for (Vertex_index v : t.input().vertices()) {
+      const auto& p = cap.points[v.idx()];
+      z.emplace_back(p[0] / (1 + p[2]), p[1] / (1 + p[2]));
+      const Conformal_map::Point x = map.to_plane(map.places[v.idx()]);
+      w.emplace_back(x[0], x[1]);
+    }
+    C mean_z = 0, mean_w = 0, product = 0;
+    double squares = 0;
+    for (std::size_t i = 0; i < z.size(); ++i) {
+      mean_z += z[i] / double(z.size());
+      mean_w += w[i] / double(z.size());
+    }
+    for (std::size_t i = 0; i < z.size(); ++i) {
+      product += (z[i] - mean_z) * std::conj(w[i] - mean_w);
+      squares += std::norm(w[i] - mean_w);
+    }
+    double error = 0;
+    for (std::size_t i = 0; i < z.size(); ++i)
+      error = (std::max)(error, std::abs(product / squares * (w[i] - mean_w) - (z[i] - mean_z)));
+    errors.push_back(error);
+  }
+  for (std::size_t i = 1; i < errors.size(); ++i) {
+    EXPECT_GT(std::log2(errors[i - 1] / errors[i]), 1.4) << errors[i - 1] << " then " << errors[i];
+    RecordProperty("exponent_" + std::to_string(i), std::to_string(std::log2(errors[i - 1] / errors[i])));
+  }
+}
+
+TEST(Conformal_map, says_whether_it_overlaps_itself)
+{
+  // A flat spiral ramp of one and a half turns covers itself; of three quarters of a turn it does not.
+  for (double turns : {0.75, 1.5}) {
+    Indexed_triangles ramp;
+    const std::uint32_t n = 60;
+    for (std::uint32_t i = 0; i <= n; ++i)
+      for (double r : {1., 1.4, 2.}) {
+        const double a = 2 * CGAL_PI * turns * i / n;
+        ramp.points.push_back({r * std::cos(a), r * std::sin(a), 1e-3 * a});
+      }
+    for (std::uint32_t i = 0; i < n; ++i)
+      for (std::uint32_t k = 0; k < 2; ++k) {
+        ramp.triangles.push_back({3 * i + k, 3 * i + k + 1, 3 * i + k + 4});
+        ramp.triangles.push_back({3 * i + k, 3 * i + k + 4, 3 * i + k + 3});
+      }
+    const Triangulation t = triangulation_of(ramp);
+    const Conformal_map map = IT::conformal_parameterization(t);
+    EXPECT_EQ(defect(map, t), "");
+    EXPECT_EQ(map.overlaps, turns > 1);
+    EXPECT_TRUE(map.turned_input.empty());
+    EXPECT_TRUE(map.divided_input.empty());
+    for (const auto& sides : map.is_cut)
+      EXPECT_FALSE(sides[0] || sides[1] || sides[2]) << "nothing has to be cut";
+  }
+}
+
+TEST(Conformal_map, of_a_symmetric_surface_is_symmetric)
+{
+  // Mirrored at x = 0.
+  Indexed_triangles roof;
+  const std::uint32_t n = 12;
+  for (std::uint32_t i = 0; i <= n; ++i)
+    for (std::uint32_t j = 0; j <= n; ++j) {
+      const double x = (double(i) - n / 2.) / 6, y = (double(j) - n / 2.) / 6;
+      roof.points.push_back({x, y, 0.8 * std::exp(-3 * x * x - 2 * y * y)});
+    }
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = 0; j < n; ++j) {
+      const std::uint32_t v = i * (n + 1) + j;
+      if (i < n / 2) {
+        roof.triangles.push_back({v, v + n + 1, v + n + 2});
+        roof.triangles.push_back({v, v + n + 2, v + 1});
+      } else {
+        roof.triangles.push_back({v, v + n + 1, v + 1});
+        roof.triangles.push_back({v + 1, v + n + 1, v + n + 2});
+      }
+    }
+  const Triangulation t = triangulation_of(roof);
+  const Conformal_map map = IT::conformal_parameterization(t);
+  EXPECT_EQ(defect(map, t), "");
+  for (std::uint32_t i = 0; i <= n; ++i)
+    for (std::uint32_t j = 0; j <= n; ++j) {
+      const auto vertex = [&](std::uint32_t k) { return k * (n + 1) + j; };
+      EXPECT_NEAR(map.metric.u[vertex(i)], map.metric.u[vertex(n - i)], 1e-12);
+      // All distances in the plane are the same as those of the mirror images.
+      const auto distance = [&](std::uint32_t a, std::uint32_t b) {
+        const auto p = map.to_plane(map.places[a]), q = map.to_plane(map.places[b]);
+        return std::hypot(p[0] - q[0], p[1] - q[1]);
+      };
+      EXPECT_NEAR(distance(vertex(i), 0), distance(vertex(n - i), n * (n + 1)), 1e-11);
+    }
+}
+
+TEST(Conformal_map, lays_components_out_side_by_side_and_keeps_inserted_vertices)
+{
+  Indexed_triangles all = samples::bumpy_sphere(12, 9, 0.3);
+  const std::uint32_t first = std::uint32_t(all.points.size());
+  const Indexed_triangles torus = samples::torus(12, 8);
+  all.points.insert(all.points.end(), torus.points.begin(), torus.points.end());
+  for (const auto& t : torus.triangles)
+    all.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  Triangulation t = triangulation_of(all);
+  IT::insert_vertex(t, {t.input().halfedge(IT::Face_index(3)), {0.3, 0.3, 0.4}});
+  const Conformal_map map = IT::conformal_parameterization(t);
+  EXPECT_EQ(defect(map, t), "");
+  EXPECT_EQ(map.metric.u.size(), all.points.size() + 1);
+  std::array<double, 2> low{1e9, 1e9}, high{-1e9, -1e9};
+  for (std::size_t i = 0; i < map.uv.size(); ++i)
+    for (const auto& p : map.uv[i]) {
+      const std::size_t part = t.input().source(t.input().halfedge(map.input_faces[i])).idx() >= first;
+      low[part] = (std::min)(low[part], p[0]);
+      high[part] = (std::max)(high[part], p[0]);
+    }
+  EXPECT_TRUE(high[0] < low[1] || high[1] < low[0]);
+}
+
+} // namespace
