@@ -8,6 +8,7 @@
 #include "system/Progress.h"
 #include "system/Stopwatch.h"
 #include "commands/command_line.h"
+#include "commands/conformal_map.h"
 #include "commands/commands.h"
 #include "output/finite_weights.h"
 #include "input/mesh_file.h"
@@ -24,6 +25,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -48,6 +50,8 @@ struct Parameterize_options
   std::string distortion_path;
   std::string json_path;
   std::string view_path;
+  std::string cone_angles_path;
+  std::optional<std::uint64_t> cones;
   Repair_options repair;
 };
 
@@ -75,7 +79,16 @@ void check(Parameterize_options& options)
       throw Usage_error("--boundary disk: the boundary of a circle pattern is free: omit it");
     options.boundary = "natural";
   } else if (options.boundary.empty()) {
-    options.boundary = "disk";
+    options.boundary = options.method == "conformal" ? "free" : "disk";
+  }
+  if (options.method == "conformal") {
+    if (!options.distortion_path.empty() || options.Laplacian == "extrinsic")
+      throw Usage_error("--distortion and --laplacian: a conformal map has neither; omit them");
+  } else {
+    if (options.cones || !options.cone_angles_path.empty())
+      throw Usage_error("--cones and --cone-angles: only a conformal map has cones: add --method conformal");
+    if (options.boundary == "free" || options.boundary == "angles")
+      throw Usage_error("--boundary " + options.boundary + ": only for --method conformal");
   }
   std::vector<std::string> outputs{options.json_path, options.distortion_path, options.view_path};
   for (const std::string& obj_path : {options.uv_path, options.uv_input_path})
@@ -86,7 +99,7 @@ void check(Parameterize_options& options)
     else if (!obj_path.empty())
       for (const std::string& path : textured_mesh_paths(obj_path))
         outputs.push_back(path);
-  check_output_paths(outputs, {options.input});
+  check_output_paths(outputs, {options.input, options.cone_angles_path});
   check_view(options.view_path);
 }
 
@@ -268,6 +281,10 @@ void write_files(const Parameterize_options& options, const Result& result)
 Exit_status run_parameterize(Parameterize_options options)
 {
   check(options);
+  if (options.method == "conformal")
+    return run_conformal_map({options.input, options.boundary, options.cone_angles_path, options.uv_path,
+                              options.uv_input_path, options.view_path, options.json_path, options.cones,
+                              options.repair});
   Result result;
   Run_options run_options;
   run_options.wanted.weights = run_options.wanted.numbers = run_options.wanted.input_numbers = true;
@@ -309,8 +326,9 @@ Exit_status run_parameterize(Parameterize_options options)
 void add_parameterize_command(CLI::App& app, Selected_command& selected)
 {
   const auto options = std::make_shared<Parameterize_options>();
-  CLI::App& command = *app.add_subcommand("parameterize", "Map a disk to the plane, harmonically or conformally");
-  command.footer("The surface must be a disk: one component with one boundary and no handle. Orientation\n"
+  CLI::App& command = *app.add_subcommand("parameterize", "Map a surface to the plane, harmonically or conformally");
+  command.footer("Except for a conformal map, which is cut open where it has to be,\n"
+                 "the surface must be a disk: one component with one boundary and no handle. Orientation\n"
                  "is decided exactly, for the map that is linear on the input triangles and for the one\n"
                  "that is linear on the intrinsic Delaunay triangles. Distortion is the ratio of the\n"
                  "singular values: 1 where a triangle keeps its shape.\n");
@@ -320,13 +338,20 @@ void add_parameterize_command(CLI::App& app, Selected_command& selected)
             {"intrinsic", "extrinsic"})
     ->capture_default_str();
   set_words(command.add_option("--boundary", options->boundary,
-                               "disk: spread over the unit circle by arc length (default); natural: where it "
-                               "distorts least"),
-            {"disk", "natural"});
+                               "disk: spread over the unit circle by arc length (default), or, conformal, a polygon "
+                               "with such angles; natural: where it distorts least; conformal: free, with its scale "
+                               "(default), or angles, straight where --cone-angles has none"),
+            {"disk", "natural", "free", "angles"});
   set_words(command.add_option("--method", options->method,
-                               "harmonic, or circle-pattern: discrete conformal, boundary natural"),
-            {"harmonic", "circle-pattern"})
+                               "harmonic; circle-pattern: discrete conformal, boundary natural; conformal: for any "
+                               "surface, proven to be locally injective"),
+            {"harmonic", "circle-pattern", "conformal"})
     ->capture_default_str();
+  add_option(command, "--cones", options->cones, "N",
+             "conformal: choose N cones; by default, so many that no length changes too much")
+    ->transform(whole_number());
+  add_option(command, "--cone-angles", options->cone_angles_path, "F.csv",
+             "conformal: the sums of the angles at cones, in radians, as CSV: vertex,NAME");
   add_option(command, "--uv", options->uv_path, "F.obj",
              "write the surface, as the overlay, with texture coordinates that are linear on the intrinsic "
              "triangles; and F.mtl and F.png with a checkerboard");
@@ -335,7 +360,7 @@ void add_parameterize_command(CLI::App& app, Selected_command& selected)
              "write the distortion of both on each face of the overlay: "
              "input_face,intrinsic_face,over_input,over_intrinsic");
   add_view_option(command, options->view_path);
-  add_option(command, "--json", options->json_path, "F.json", "write the report as a JSON object");
+  add_option(command, "--stats,--json", options->json_path, "F.json", "write the report as a JSON object");
   add_repair_option(command, options->repair);
   command.callback([options, &selected] { selected = [options] { return run_parameterize(*options); }; });
 }

@@ -13,6 +13,7 @@
 #include <boost/crc.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 
@@ -59,7 +60,7 @@ std::string checkerboard_png(std::uint32_t squares)
 
 Textured_mesh make_map_over_input(const Surface& surface, const IT::Planar_points& uv)
 {
-  Textured_mesh mesh{surface.points, uv, {}};
+  Textured_mesh mesh{surface.points, uv, {}, {}, false};
   const IT::Delta_complex& complex = surface.connectivity;
   mesh.faces.reserve(complex.number_of_faces());
   for (IT::Face_index f : complex.faces()) {
@@ -114,7 +115,11 @@ void write_textured_mesh(const std::string& obj_path, const Textured_mesh& mesh)
       low[i] = (std::min)(low[i], p[i]);
       high[i] = (std::max)(high[i], p[i]);
     }
-  const double size = (std::max)(high[0] - low[0], high[1] - low[1]);
+  double size = (std::max)(high[0] - low[0], high[1] - low[1]);
+  if (mesh.is_exact) {
+    low = {0, 0};
+    size = std::ldexp(1., std::ilogb(size) + 1);
+  }
   const std::vector<std::string> paths = textured_mesh_paths(obj_path);
 
   Output_file obj(paths[0]), material(paths[1]), image(paths[2]);
@@ -128,10 +133,11 @@ void write_textured_mesh(const std::string& obj_path, const Textured_mesh& mesh)
   for (const std::array<double, 2>& p : mesh.uv)
     os << "vt " << in_full((p[0] - low[0]) / size) << ' ' << in_full((p[1] - low[1]) / size) << '\n';
   os << "usemtl checkerboard\n";
-  for (const std::vector<std::size_t>& face : mesh.faces) {
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) {
+    const std::vector<std::size_t>& uv = mesh.uv_of_faces.empty() ? mesh.faces[f] : mesh.uv_of_faces[f];
     os << 'f';
-    for (std::size_t corner : face)
-      os << ' ' << corner + 1 << '/' << corner + 1;
+    for (std::size_t i = 0; i < uv.size(); ++i)
+      os << ' ' << mesh.faces[f][i] + 1 << '/' << uv[i] + 1;
     os << '\n';
   }
   image.commit();

@@ -22,8 +22,10 @@ namespace idt {
 struct Textured_mesh
 {
   std::vector<std::array<double, 3>> points;
-  CGAL::Intrinsic_triangulations::Planar_points uv; // of each point
+  CGAL::Intrinsic_triangulations::Planar_points uv; // of each point, or those that `uv_of_faces` refers to
   std::vector<std::vector<std::size_t>> faces;
+  std::vector<std::vector<std::size_t>> uv_of_faces{}; // of the corners; empty if they are those of the points
+  bool is_exact = false;                               // whether the coordinates are only multiplied by a power of two
 };
 
 // The map that is linear on each input triangle: the input itself.
@@ -41,7 +43,7 @@ Textured_mesh make_map_over_intrinsic(const Surface& surface,
 std::vector<std::string> textured_mesh_paths(const std::string& obj_path);
 
 // Writes a mesh with texture coordinates, and a checkerboard for it. The coordinates are moved and scaled into the unit
-// square.
+// square, unless they have to stay exact.
 void write_textured_mesh(const std::string& obj_path, const Textured_mesh& mesh);
 
 } // namespace idt

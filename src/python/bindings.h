@@ -14,6 +14,7 @@ namespace idt_python {
 void register_errors();
 
 void add_Laplacian(pybind11::module_& module);
+void add_conformal_maps(pybind11::module_& module);
 void add_files(pybind11::module_& module);
 void add_triangulation(pybind11::module_& module);
 void add_simplification(pybind11::module_& module);

@@ -11,6 +11,7 @@ PYBIND11_MODULE(_core, module)
   module.doc() = "The compiled core of the package intrinsic_triangulations.";
   module.attr("version") = INTRINSIC_TRIANGULATIONS_VERSION;
   idt_python::register_errors();
+  idt_python::add_conformal_maps(module);
   idt_python::add_files(module);
   idt_python::add_Laplacian(module);
   idt_python::add_triangulation(module);

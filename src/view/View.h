@@ -38,6 +38,14 @@ struct View_field
   std::vector<std::vector<double>> numbers;
 };
 
+// An image of the surface in the plane, which is shown beside it. Its third coordinates are zero.
+struct View_plane
+{
+  std::vector<std::array<double, 3>> corners; // of each triangle
+  std::vector<std::array<double, 3>> path;    // the images of `View::path`
+  std::vector<std::array<double, 3>> marks, marks_on_surface;
+};
+
 struct View
 {
   std::string title;
@@ -52,6 +60,7 @@ struct View
   std::vector<std::array<double, 3>> path; // lines, with NaN between them
   std::string path_name = "the line";
   std::vector<double> path_numbers; // which colour the lines: for each point, or none
+  View_plane plane;                 // without corners if there is none
 };
 
 // The view of an input and of its result.

@@ -144,6 +144,7 @@ function read_surface() {
     corners: read_integers("corners"),
     sides: read_bytes("sides"),
     faces: page.vertices.map((_, t) => read_integers("faces-" + t)), // of each triangulation, for each triangle
+    plane: page.has_plane ? read_floats("plane") : null, // of the corners of the triangles
   };
   page.vertices.forEach((_, t) => triangulations.push(new Triangulation(t)));
   result = triangulations[triangulations.length - 1];

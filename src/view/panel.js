@@ -21,7 +21,7 @@ async function start_page() {
 
   // Colours and their legend.
   const select = by_id("colours");
-  [["each face apart", "faces"], ["one colour", "plain"], ...fields.map((field, i) => [field.name, i])]
+  [...(page.has_plane ? [["checkerboard", "checkerboard"]] : []), ["each face apart", "faces"], ["one colour", "plain"], ...fields.map((field, i) => [field.name, i])]
     .forEach(([name, value]) => select.add(new Option(name, value)));
   by_id("scale").style.background = "linear-gradient(to right, " + scale_colours.map(css).join(", ") + ")";
   const set_colours = () => {
@@ -37,7 +37,7 @@ async function start_page() {
     }
     picture.set_colours(field, by_id("isolines").checked);
   };
-  select.value = page.fields.length > 0 && fields.length > 1 ? "0" : "faces";
+  select.value = page.has_plane ? "checkerboard" : page.fields.length > 0 && fields.length > 1 ? "0" : "faces";
   select.addEventListener("change", set_colours);
   by_id("isolines").addEventListener("change", set_colours);
   set_colours();
@@ -77,16 +77,25 @@ async function start_page() {
   by_id("path-label").hidden = !picture.path;
   by_id("path-label").lastElementChild.textContent = " " + page.path;
   by_id("path").addEventListener("change", event => {
-    picture.path.visible = event.target.checked;
+    picture.show_path = event.target.checked;
     picture.request();
   });
-  by_id("split").addEventListener("change", event => {
-    picture.is_split = event.target.checked;
-    by_id("left").hidden = by_id("right").hidden = !picture.is_split;
+  const split = is_split => {
+    picture.is_split = is_split;
+    by_id("left").hidden = by_id("right").hidden = !is_split;
     picture.request();
-  });
-  by_id("left").textContent = "input";
-  by_id("right").textContent = page.result;
+  };
+  by_id("split").addEventListener("change", event => split(event.target.checked));
+  by_id("left").textContent = page.has_plane ? "surface" : "input";
+  by_id("right").textContent = page.has_plane ? "plane" : page.result;
+  if (page.has_plane) {
+    by_id("split").parentElement.hidden = false;
+    by_id("split").nextSibling.textContent = " surface and plane side by side";
+    by_id("split").checked = true;
+    for (const label of [1, 2, 3])
+      by_id("edges-" + label).checked = picture.shown[label - 1] = 0;
+    split(true);
+  }
 
   // Pointing at elements and looking for them.
   let found = null, waiting = null, timer = 0;

@@ -68,13 +68,21 @@ function make_rough_surface() {
       triangles.push(t);
   }
   return {
+    plane: surface.plane && Float32Array.from(triangles.flatMap(t => [...surface.plane.subarray(9 * t, 9 * t + 9)])),
     places, corners: Uint32Array.from(triangles.flatMap(t => [3 * t, 3 * t + 1, 3 * t + 2]), c => moved[corners[c]]),
     sides: new Uint8Array(3 * triangles.length), faces: surface.faces.map(faces => Uint32Array.from(triangles, t => faces[t])),
   };
 }
 
+function points_of(array) {
+  const points = [];
+  for (let i = 0; i < array.length; i += 3)
+    points.push(new THREE.Vector3().fromArray(array, i));
+  return points;
+}
+
 // Per corner of each triangle: nothing is shared, so that a triangle can have colours of its own.
-function make_surface_arrays({ places, corners, sides, faces }, face_normals, colours) {
+function make_surface_arrays({ places, corners, sides, faces, plane }, face_normals, colours) {
   const n = corners.length, last = colours.length - 1;
   const position = new Float32Array(3 * n), direction = new Int8Array(3 * n), info = new Uint8Array(4 * n);
   for (let c = 0; c < n; ++c)
@@ -94,7 +102,7 @@ function make_surface_arrays({ places, corners, sides, faces }, face_normals, co
       info[4 * c + 3] = i;
     }
   }
-  return { position: [position, 3], direction: [direction, 3, true], info: [info, 4] };
+  return { position: [position, 3], direction: [direction, 3, true], info: [info, 4], plane: [plane || position, 3] };
 }
 
 // Of unit length 127, of input faces: those of thin triangles that are parts of them would be far off.
@@ -123,7 +131,7 @@ class Picture {
     this.is_split = false;
     this.uniforms = {
       layer: { value: 1 }, mode: { value: 1 }, isoline_step: { value: 0 }, isoline_offset: { value: 0 }, half_width: { value: 0.8 },
-      shown: { value: [1, 1, 1] }, face_colours: { value: face_colours.map(c => new THREE.Vector3(...c)) },
+      shown: { value: [1, 1, 1] }, flattened: { value: 0 }, face_colours: { value: face_colours.map(c => new THREE.Vector3(...c)) },
     };
     this.shown = [1, 1, 1];
     const normals = make_face_normals(), colours = triangulations.map(colour_faces);
@@ -135,7 +143,7 @@ class Picture {
     this.is_slow = surface.corners.length > 3 * 50000;
     if (this.is_slow)
       this.parts.push(make_part(make_rough_surface()));
-    this.numbers = new THREE.Mesh(this.surface.geometry, make_material(number_vertex_shader, number_fragment_shader, {}));
+    this.numbers = new THREE.Mesh(this.surface.geometry, make_material(number_vertex_shader, number_fragment_shader, { flattened: this.uniforms.flattened }));
     this.numbers.frustumCulled = false;
     this.number_scene = new THREE.Scene().add(this.numbers);
     this.target = new THREE.WebGLRenderTarget(1, 1);
@@ -147,6 +155,17 @@ class Picture {
       inserted.push(place(v));
     if (inserted.length > 0)
       this.scene.add(this.points = make_points(inserted, [1, 1, 1], 4));
+    this.on_surface = []; // what is drawn there alone
+    this.on_plane = [];
+    if (page.has_plane) {
+      const marks = points_of(read_floats("marks")), plane_marks = points_of(read_floats("plane-marks"));
+      if (marks.length > 0) {
+        this.on_surface.push(make_points(marks, highlight_colour, 9));
+        this.on_plane.push(make_points(plane_marks, highlight_colour, 9));
+      }
+      this.on_plane.push(make_path(read_floats("plane-path"), new Float32Array(0)));
+      this.scene.add(...this.on_surface, ...this.on_plane);
+    }
     if (page.arrays.path[1] > 0)
       this.scene.add(this.path = make_path(read_floats("path"), read_floats("path-numbers")));
     this.control = new Orbit_camera(canvas, page.radius, () => this.request(true));
@@ -169,7 +188,16 @@ class Picture {
 
   set_camera(view) {
     this.control.views = this.is_split ? 2 : 1;
-    return this.control.camera_for(view.w / view.h);
+    const camera = this.control.camera_for(view.w / view.h), is_flat = page.has_plane && this.is_split && view.layer === 1;
+    this.uniforms.flattened.value = is_flat ? 1 : 0;
+    if (!is_flat)
+      return camera;
+    const front = camera.clone(); // it shares the zoom
+    front.position.set(0, 0, this.control.distance);
+    front.quaternion.identity();
+    front.near = this.control.distance / 50;
+    front.far = 2 * this.control.distance;
+    return front;
   }
 
   draw() {
@@ -193,6 +221,12 @@ class Picture {
       this.uniforms.layer.value = view.layer;
       // Side by side, each picture has its own edges.
       this.uniforms.shown.value = this.shown.map((x, i) => (this.is_split && i === 1 - view.layer ? 0 : x));
+      const camera = this.set_camera(view), is_flat = this.uniforms.flattened.value === 1;
+      this.on_surface.forEach(object => (object.visible = !is_flat));
+      this.on_plane.forEach(object => (object.visible = is_flat));
+      this.marks.visible = !is_flat;
+      if (this.path)
+        this.path.visible = this.show_path !== false && !is_flat;
       if (this.points)
         this.points.visible = this.show_points !== false && view.layer === 1;
       this.scene.traverse(object => {
@@ -200,7 +234,7 @@ class Picture {
         if (uniforms && uniforms.size)
           uniforms.size.value = new THREE.Vector2(view.w / 2, view.h / 2);
       });
-      this.renderer.render(this.scene, this.set_camera(view));
+      this.renderer.render(this.scene, camera);
     }
     if (this.parts.length > 1 && !is_rough) {
       const context = this.renderer.getContext();
@@ -238,9 +272,9 @@ class Picture {
     return [view.x + (p.x + 1) / 2 * view.w, (1 - p.y) / 2 * view.h];
   }
 
-  // Colours the surface by a field; by a name: "faces", "plain".
+  // Colours the surface by a field; by a name: "faces", "plain", "checkerboard".
   set_colours(field, has_isolines) {
-    this.uniforms.mode.value = field === "plain" ? 0 : field === "faces" ? 1 : 2;
+    this.uniforms.mode.value = field === "plain" ? 0 : field === "faces" ? 1 : field === "checkerboard" ? 3 : 2;
     this.uniforms.isoline_step.value = 0;
     if (field.numbers) {
       const range = field.highest - field.lowest || 1;

@@ -12,7 +12,10 @@ const surface_vertex_shader = `
 attribute vec3 direction;     // normal to the input face
 attribute vec4 info;          // the colours in both triangulations, the labels of the sides, the corner
 attribute vec2 number;        // in both triangulations, from 0 to 1; below -1 if there is none
+attribute vec3 plane;         // the place in the plane
 uniform float layer;          // 0 input, 1 result
+uniform float flattened;      // 1 for the plane
+varying vec2 on_plane;
 varying vec3 corner, at_eye, light_normal;
 flat varying vec3 labels;
 flat varying vec3 face_colour;
@@ -20,10 +23,11 @@ varying float shade;
 uniform vec3 face_colours[6];
 
 void main() {
-  vec4 seen = modelViewMatrix * vec4(position, 1.0);
+  vec4 seen = modelViewMatrix * vec4(flattened > 0.5 ? plane : position, 1.0);
   gl_Position = projectionMatrix * seen;
   at_eye = seen.xyz;
-  light_normal = normalMatrix * direction;
+  light_normal = flattened > 0.5 ? vec3(0.0) : normalMatrix * direction;
+  on_plane = plane.xy;
   corner = vec3(equal(vec3(info.w), vec3(0.0, 1.0, 2.0)));
   float bits = info.z;
   labels = mod(floor(bits / vec3(1.0, 4.0, 16.0)), 4.0);
@@ -32,11 +36,12 @@ void main() {
 }`;
 
 const surface_fragment_shader = `
+varying vec2 on_plane;
 varying vec3 corner, at_eye, light_normal;
 flat varying vec3 labels;
 flat varying vec3 face_colour;
 varying float shade;
-uniform float mode;           // 0 one colour, 1 a colour for each face, 2 numbers
+uniform float mode;           // 0 one colour, 1 a colour for each face, 2 numbers, 3 a checkerboard in the plane
 uniform float isoline_step;   // 0 if there are none
 uniform float isoline_offset;
 uniform float half_width;     // of edges
@@ -53,9 +58,10 @@ vec3 colour_of_number(float x) {
 void main() {
   vec3 away = normalize(-at_eye), normal = length(light_normal) > 0.0 ? normalize(light_normal) : away;
   float facing = abs(dot(normal, away)), side = abs(dot(normal, normalize(vec3(-0.4, 0.6, 0.7))));
-  vec3 colour = mode < 0.5 ? ${glsl(plain_colour)} : mode < 1.5 ? face_colour : shade < -1.0 ? ${glsl(no_number_colour)} : colour_of_number(shade);
+  float square = mod(floor(on_plane.x * 24.0) + floor(on_plane.y * 24.0), 2.0);
+  vec3 colour = mode > 2.5 ? mix(${glsl(face_colours[0])}, ${glsl(face_colours[4])}, square) : mode < 0.5 ? ${glsl(plain_colour)} : mode < 1.5 ? face_colour : shade < -1.0 ? ${glsl(no_number_colour)} : colour_of_number(shade);
   colour *= 0.45 + 0.35 * facing + 0.25 * side;
-  if (mode > 1.5 && isoline_step > 0.0 && shade >= -1.0) {
+  if (mode > 1.5 && mode < 2.5 && isoline_step > 0.0 && shade >= -1.0) {
     float x = (shade - isoline_offset) / isoline_step, slope = max(fwidth(x), 1e-9);
     float away_from_line = abs(fract(x + 0.5) - 0.5) / slope;
     colour = mix(colour, 0.4 * colour, clamp(half_width + 0.7 - away_from_line, 0.0, 1.0) * clamp(0.5 / slope - 1.0, 0.0, 1.0));
@@ -75,9 +81,11 @@ void main() {
 
 // The number of a triangle as a colour.
 const number_vertex_shader = `
+attribute vec3 plane;
+uniform float flattened;
 flat varying vec4 number;
 void main() {
-  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(flattened > 0.5 ? plane : position, 1.0);
   int n = gl_VertexID / 3 + 1;
   number = vec4(n & 255, n >> 8 & 255, n >> 16 & 255, n >> 24 & 255) / 255.0;
 }`;

@@ -213,6 +213,13 @@ void write_page(std::ostream& os, const View& view)
   arrays.add("sides", view.sides);
   arrays.add_words("path", words_of(box.inside(view.path)));
   arrays.add_words("path-numbers", words_of(view.path_numbers));
+  if (!view.plane.corners.empty()) {
+    const Box plane(view.plane.corners);
+    arrays.add_words("plane", words_of(plane.inside(view.plane.corners)));
+    arrays.add_words("plane-path", words_of(plane.inside(view.plane.path)));
+    arrays.add_words("plane-marks", words_of(plane.inside(view.plane.marks)));
+    arrays.add_words("marks", words_of(box.inside(view.plane.marks_on_surface)));
+  }
   Words input_lengths, input_cotangents;
   for (std::size_t t = 0; t < view.triangulations.size(); ++t) {
     const View_triangulation& triangulation = view.triangulations[t];
@@ -237,6 +244,7 @@ void write_page(std::ostream& os, const View& view)
       arrays.add_words("field-" + std::to_string(f) + "-" + std::to_string(t), words_of(view.fields[f].numbers[t]));
   Json json = description(view, box);
   json["arrays"] = arrays.places;
+  json["has_plane"] = !view.plane.corners.empty();
 #ifdef IDT_HAS_ZLIB
   json["is_compressed"] = true;
   arrays.bytes = compressed(arrays.bytes);

@@ -49,6 +49,7 @@ struct Discrete_conformal_metric
   /// 2</sup>
   std::vector<double> u;
   std::vector<Vertex_index> cones; ///< the vertices inside the surface whose angles do not sum to 2π, given or chosen
+  std::vector<double> cone_angles; ///< for each cone, the sum of its angles, up to rounding
   /// proven: at no vertex whose angle was wanted does the sum of the angles differ by more from it, in radians
   double residual = 0;
   double range_of_u = 0; ///< the largest minus the smallest value of u

@@ -154,7 +154,8 @@ void Conformal_layout::lay_out()
     }
   std::stable_sort(faces.begin(), faces.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<bool> is_placed(complex_.number_of_faces(), false);
-  double right = 0;
+  double right = 0, gap = 0;
+  bool is_first = true;
   for (const auto& [size, first] : faces) {
     if (is_placed[first.idx()])
       continue;
@@ -172,11 +173,14 @@ void Conformal_layout::lay_out()
       least = (std::min)(least, p[0]);
       most = (std::max)(most, p[0]);
     });
-    if (right > 0) {
-      const double shift = 1.05 * right - least;
+    if (is_first) {
+      gap = 0.05 * (most - least);
+    } else {
+      const double shift = right + gap - least;
       for_each_corner([&](Point& p) { p[0] += shift; });
       most += shift;
     }
+    is_first = false;
     right = most;
   }
 }

@@ -61,8 +61,12 @@ public:
           u_[v] += 0.5 * std::log(areas[i] / system_.area(targets_, i));
     evaluate();
     const std::vector<double> lengths = system_.scaled_lengths(u_);
-    return {u_,      targets_.cones(),  proven_residual(lengths), range_of(u_),   steps_, system_.complex(),
-            lengths, doubled_.vertices, doubled_.halfedges,       system_.flips()};
+    std::vector<double> cone_angles;
+    for (Vertex_index v : targets_.cones())
+      cone_angles.push_back(system_.sum_of_angles(v.idx()) / system_.factor());
+    return {
+      u_,      targets_.cones(),  cone_angles,        proven_residual(lengths), range_of(u_), steps_, system_.complex(),
+      lengths, doubled_.vertices, doubled_.halfedges, system_.flips()};
   }
 
 private:
@@ -91,13 +95,15 @@ private:
     }
   }
 
-  double largest_excess() const
+  std::size_t worst_vertex() const
   {
-    double result = 0;
+    std::size_t worst = 0;
     for (std::size_t v = 0; v < u_.size(); ++v)
-      result = (std::max)(result, std::abs(system_.excess(v, targets_)) / system_.factor());
-    return result;
+      if (std::abs(system_.excess(v, targets_)) > std::abs(system_.excess(worst, targets_)))
+        worst = v;
+    return worst;
   }
+  double largest_excess() const { return std::abs(system_.excess(worst_vertex(), targets_)) / system_.factor(); }
 
   // The gradient of the convex energy is half the wanted minus the present angles. So the energy still falls at the end of
   // a step as long as the product of the step and the excesses is not negative.
@@ -111,7 +117,8 @@ private:
       if (idle == 2 && least <= tolerable_error)
         return;
       if (steps_ == maximum_number_of_steps || idle == 6)
-        throw_not_converged("a sum of angles still differs by " + shown(least) + " from the wanted one");
+        throw_not_converged("the sum of the angles at vertex " + std::to_string(worst_vertex()) + " still differs by " +
+                            shown(least) + " from the wanted one");
       const std::vector<double> step = newton_step(), before = u_;
       const double squares = sum_of_squares(), range = range_of(step);
       double part = 1;

@@ -14,6 +14,7 @@ The package is under the LGPL, except for `point_cloud_laplacian` and `repair`, 
 """
 
 from ._core import version as __version__
+from ._conformal import ConformalMap
 from ._errors import (CancelledError, Error, IntegerOverflowError, InvalidArgumentError, InvalidPointError, InvalidSurfaceError,
                       NumericalError, UndecidedError)
 from ._files import Repair, RepairedMesh, orient, read_mesh, repair
@@ -30,6 +31,7 @@ from ._view import Page, view
 __all__ = [
     "CancelledError",
     "CommonSubdivision",
+    "ConformalMap",
     "CutSurface",
     "DistanceIntervals",
     "EdgeFlipGeodesicSolver",

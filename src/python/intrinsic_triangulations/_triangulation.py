@@ -10,13 +10,14 @@ from __future__ import annotations
 import copy
 import math
 import os
-from typing import Any, List, NamedTuple, Optional, Tuple, Union
+from typing import Any, List, Mapping, NamedTuple, Optional, Tuple, Union
 
 import numpy
 import scipy.sparse
 from numpy.typing import ArrayLike
 
 from . import _arrays, _core
+from ._conformal import ConformalMap, conformal_map
 from ._simplification import SimplifiedSurface
 from ._subdivision import CommonSubdivision
 
@@ -679,6 +680,43 @@ class Triangulation:
         subdivision = _core.subdivision(self._surface)
         marks = _arrays.marks(marked, "marked", subdivision.number_of_input_edges())
         return StraightMesh(*subdivision.straight_mesh(self._points, marks, _arrays.number(thin_angle, "thin_angle")))
+
+    def conformal_map(self, cones: Optional[int] = None, cone_angles: Optional[Mapping[int, float]] = None,
+                      boundary: str = "free") -> ConformalMap:
+        """Return a conformal map of the surface to the plane, which is proven to be locally injective.
+
+        The surface may have any topology: it is cut open between its cones. The triangulation does not change.
+
+        Parameters
+        ----------
+        cones : int, optional
+            How many cones are chosen; by default, so many that no length changes too much.
+        cone_angles : mapping from vertices to float, optional
+            The sums of the angles wanted at cones, and with the boundary "angles" on the border.
+        boundary : {"free", "angles", "disk"}
+            The border keeps its scale; or has the given angles, and is straight elsewhere; or becomes a polygon whose outer
+            angles are proportional to its edges.
+
+        Returns
+        -------
+        ConformalMap
+
+        Raises
+        ------
+        InvalidArgumentError
+            If the angles have the wrong sum, are not positive, or belong to other vertices.
+        NumericalError
+            If rounding prevents convergence, or turns triangles over.
+
+        Examples
+        --------
+        >>> import intrinsic_triangulations as it
+        >>> t = it.Triangulation([[0, 0, 1], [1, 0, 0], [0, 1, 0], [-1, -1, 0]], [[0, 1, 2], [0, 2, 3], [0, 3, 1]])
+        >>> m = t.conformal_map()
+        >>> m.is_certified, m.overlaps, len(m.turned), m.uv.shape
+        (True, False, 0, (3, 3, 2))
+        """
+        return conformal_map(self._surface, self.number_of_vertices, cones, cone_angles, boundary)
 
     def common_subdivision(self) -> CommonSubdivision:
         """Return the common subdivision of the input and this triangulation, as it is now.

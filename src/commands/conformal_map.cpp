@@ -1,0 +1,223 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Definitions of conformal_map.h.
+
+#include "commands/conformal_map.h"
+#include "commands/command_line.h"
+#include "input/Surface.h"
+#include "input/standard_input.h"
+#include "input/vertex_values.h"
+#include "number_types/make_triangulation.h"
+#include "output/Output_file.h"
+#include "output/Textured_mesh.h"
+#include "output/write_json.h"
+#include "system/Interruption.h"
+#include "system/Progress.h"
+#include "system/Stopwatch.h"
+#include "system/text.h"
+#include "view/View.h"
+
+#include <CGAL/Intrinsic_triangulations/conformal_parameterization.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <iostream>
+#include <limits>
+#include <map>
+#include <vector>
+
+namespace idt {
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Json = nlohmann::ordered_json;
+using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
+
+IT::Conformal_options wanted(const Conformal_map_options& options, const Surface& surface)
+{
+  IT::Conformal_options result;
+  result.boundary = options.boundary == "disk"     ? IT::Conformal_boundary::DISK
+                    : options.boundary == "angles" ? IT::Conformal_boundary::ANGLES
+                                                   : IT::Conformal_boundary::FREE;
+  if (options.cones)
+    result.number_of_cones = std::size_t(*options.cones);
+  if (!options.cone_angles.empty()) {
+    const std::vector<double> angles =
+      read_vertex_values(options.cone_angles, surface.connectivity.number_of_vertices()).front().values;
+    for (std::size_t v = 0; v < angles.size(); ++v)
+      if (!std::isnan(angles[v]))
+        result.angles.emplace_back(IT::Vertex_index(std::uint32_t(v)), angles[v]);
+  }
+  return result;
+}
+
+std::array<double, 3> in_space(const IT::Conformal_map& map, const Surface& surface, std::uint32_t v)
+{
+  if (!map.places[v].halfedge.is_valid()) // without a face
+    return surface.points[v];
+  return IT::point_in_space(map.input, surface.points, map.places[v]);
+}
+
+Textured_mesh mesh_of(const IT::Conformal_map& map, const Surface& surface)
+{
+  Textured_mesh mesh;
+  mesh.is_exact = true;
+  for (std::uint32_t v = 0; v < map.places.size(); ++v)
+    mesh.points.push_back(in_space(map, surface, v));
+  std::map<IT::Conformal_map::Point, std::size_t> numbers;
+  for (std::size_t i = 0; i < map.triangles.size(); ++i) {
+    mesh.faces.emplace_back(map.triangles[i].begin(), map.triangles[i].end());
+    std::vector<std::size_t>& uv = mesh.uv_of_faces.emplace_back();
+    for (const auto& p : map.uv[i]) {
+      const auto [place, is_new] = numbers.insert({p, mesh.uv.size()});
+      if (is_new)
+        mesh.uv.push_back(p);
+      uv.push_back(place->second);
+    }
+  }
+  return mesh;
+}
+
+Textured_mesh input_of(const IT::Conformal_map& map, const Surface& surface)
+{
+  Textured_mesh mesh = make_map_over_input(surface, {});
+  mesh.is_exact = true;
+  for (IT::Face_index f : map.input.faces()) {
+    const IT::Halfedge_index h = map.input.halfedge(f);
+    std::vector<std::size_t>& uv = mesh.uv_of_faces.emplace_back();
+    for (IT::Halfedge_index side : {h, map.input.next(h), map.input.prev(h)}) {
+      uv.push_back(mesh.uv.size());
+      mesh.uv.push_back(map.input_uv[side.idx()]);
+    }
+  }
+  return mesh;
+}
+
+// The surface and its image, with the cuts and the cones.
+View view_of(const Conformal_map_options& options, const IT::Conformal_map& map, const Surface& surface)
+{
+  std::vector<std::array<double, 3>> points;
+  for (std::uint32_t v = 0; v < map.places.size(); ++v)
+    points.push_back(in_space(map, surface, v));
+  View view = make_view(options.input, points, map.triangles);
+  view.path_name = "the cuts";
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; i < map.triangles.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& [x, y] = map.uv[i][k];
+      view.plane.corners.push_back({x, y, 0});
+      if (std::find(map.metric.cones.begin(), map.metric.cones.end(), IT::Vertex_index(map.triangles[i][k])) !=
+          map.metric.cones.end()) {
+        view.plane.marks.push_back({x, y, 0});
+        view.plane.marks_on_surface.push_back(points[map.triangles[i][k]]);
+      }
+      if (!map.is_cut[i][k])
+        continue;
+      const std::size_t next = (k + 1) % 3;
+      view.path.push_back({none, none, none});
+      view.plane.path.push_back({none, none, none});
+      for (std::size_t end : {k, next}) {
+        view.path.push_back(points[map.triangles[i][end]]);
+        view.plane.path.push_back({map.uv[i][end][0], map.uv[i][end][1], 0});
+      }
+    }
+  return view;
+}
+
+// Of the lengths of edges, at the vertices.
+std::array<double, 2> range_of_scale(const IT::Conformal_map& map)
+{
+  const auto [least, most] = std::minmax_element(map.metric.u.begin(), map.metric.u.end());
+  return {std::exp(*least), std::exp(*most)};
+}
+
+Json statistics(const Conformal_map_options& options, const IT::Conformal_map& map, const Surface& surface,
+                double seconds)
+{
+  Json cones = Json::array(), turned = Json::array();
+  for (std::size_t i = 0; i < map.metric.cones.size(); ++i)
+    cones.push_back({{"vertex", map.metric.cones[i].idx()}, {"angle", map.metric.cone_angles[i]}});
+  const std::array<double, 2> scale = range_of_scale(map);
+  return {{"input", options.input},
+          {"method", "conformal"},
+          {"boundary", options.boundary},
+          {"vertices", surface.connectivity.number_of_vertices()},
+          {"faces", surface.connectivity.number_of_faces()},
+          {"triangles", map.triangles.size()},
+          {"steps", map.metric.steps},
+          {"residual", map.metric.residual},
+          {"turned", map.turned.size()},
+          {"cones", cones},
+          {"range_of_u", map.metric.range_of_u},
+          {"smallest_scale", scale[0]},
+          {"largest_scale", scale[1]},
+          {"seam", map.seam},
+          {"certified", map.is_certified},
+          {"overlaps", map.overlaps},
+          {"turned_input", map.turned_input.size()},
+          {"divided_input", map.divided_input.size()},
+          {"repair", to_json_value(repairs(surface))},
+          {"warnings", surface.warnings},
+          {"seconds", seconds}};
+}
+
+void write_report(std::ostream& os, const Conformal_map_options& options, const IT::Conformal_map& map, double seconds)
+{
+  const std::array<double, 2> scale = range_of_scale(map);
+  os << options.input << "\n  map               conformal, boundary " << options.boundary << "\n  cones             "
+     << with_separators(map.metric.cones.size()) << "\n  angles            within " << in_short(map.metric.residual)
+     << " of the wanted sums, proven\n  lengths           between " << in_short(scale[0]) << " and "
+     << in_short(scale[1]) << " times those of the surface\n  triangles         "
+     << with_separators(map.triangles.size()) << ", of which " << with_separators(map.turned.size())
+     << " turned over\n  input triangles   " << with_separators(map.turned_input.size())
+     << " would turn over if the map were linear on them, " << with_separators(map.divided_input.size())
+     << " cut\n  locally injective " << (map.is_certified ? "yes, proven" : "no") << "\n  overlaps itself   "
+     << (map.overlaps ? "yes: cut it into parts, or allow more cones" : "no") << "\n  seams             within "
+     << in_short(map.seam) << "\n  time              " << seconds_text(seconds) << '\n';
+}
+
+void check(const Conformal_map_options& options)
+{
+  if (options.cones && !options.cone_angles.empty())
+    throw Usage_error("--cones and --cone-angles: cones are either chosen or given; omit one of them");
+  if (options.boundary == "natural")
+    throw Usage_error("--boundary natural: a conformal map has the boundary free, angles or disk");
+}
+
+} // namespace
+
+Exit_status run_conformal_map(const Conformal_map_options& options)
+{
+  check(options);
+  return for_each_input({options.input}, [&](const std::string& path) {
+    const Surface surface = load_surface(path, options.repair);
+    if (!(options.uv.empty() && options.uv_input.empty() && options.view.empty()) && !surface.has_points())
+      throw Usage_error(path + " has only lengths, no points: omit --uv, --uv-input and --view");
+    const Stopwatch stopwatch;
+    Triangulation triangulation = make_triangulation<IT::Filtered_edge_length_traits>(surface);
+    triangulation.set_interruption([] { return !is_interrupted(); });
+    IT::Conformal_options how = wanted(options, surface);
+    Progress progress(path, "solving");
+    how.progress = std::ref(progress);
+    const IT::Conformal_map map = IT::conformal_parameterization(triangulation, how);
+    const double seconds = stopwatch.seconds();
+    if (!options.uv.empty())
+      write_textured_mesh(options.uv, mesh_of(map, surface));
+    if (!options.uv_input.empty())
+      write_textured_mesh(options.uv_input, input_of(map, surface));
+    if (!options.view.empty())
+      write_view(options.view, view_of(options, map, surface));
+    write_json(options.stats, statistics(options, map, surface, seconds));
+    write_report(std::cout, options, map, seconds);
+    flush_standard_output();
+    return Exit_status::DONE;
+  });
+}
+
+} // namespace idt

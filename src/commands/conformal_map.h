@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// `idt parameterize --method conformal`
+
+#ifndef IDT_CONFORMAL_MAP_H
+#define IDT_CONFORMAL_MAP_H
+
+#include "input/repair.h"
+#include "system/Exit_status.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace idt {
+
+struct Conformal_map_options
+{
+  std::string input, boundary, cone_angles, uv, uv_input, view, stats;
+  std::optional<std::uint64_t> cones;
+  Repair_options repair;
+};
+
+// Maps a surface, writes the files and reports.
+// \exception Usage_error if options contradict each other
+Exit_status run_conformal_map(const Conformal_map_options& options);
+
+} // namespace idt
+
+#endif // IDT_CONFORMAL_MAP_H
