@@ -194,9 +194,10 @@ class Picture {
       return camera;
     const front = camera.clone(); // it shares the zoom
     front.position.set(0, 0, this.control.distance);
-    front.quaternion.identity();
+    front.quaternion.set(0, 0, 0, 1);
     front.near = this.control.distance / 50;
     front.far = 2 * this.control.distance;
+    front.updateProjectionMatrix();
     return front;
   }
 

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <fstream>
 #include <map>
 #include <sstream>
 #include <string>
@@ -161,6 +162,40 @@ Matrix read_matrix(const std::string& text)
   }
   EXPECT_TRUE(bool(in));
   return matrix;
+}
+
+TEST_F(Parameterize_command, ConformalMapsAreCertifiedAndWritten)
+{
+  write_disk("bumpy-dome");
+  for (const std::string boundary : {"free", "disk", "angles"}) {
+    const std::string cones = boundary == "angles" ? " --cones 3" : "";
+    const Json json = run("--method conformal --uv uv.obj --uv-input in.obj --boundary " + boundary + cones);
+    EXPECT_EQ(json["certified"], true);
+    EXPECT_EQ(json["turned"], 0);
+    EXPECT_LT(double(json["residual"]), 1e-10);
+    EXPECT_EQ(json["cones"].size(), boundary == "angles" ? 3u : 0u);
+    const Textured_mesh mesh = read_obj(content(folder_ / "uv.obj"));
+    EXPECT_EQ(mesh.faces.size(), std::size_t(json["triangles"]));
+    for (const auto& face : mesh.faces) {
+      const auto uv = [&](std::size_t i, std::size_t k) { return (long double)(mesh.uv[face[i][1]][k]); };
+      EXPECT_GT((uv(1, 0) - uv(0, 0)) * (uv(2, 1) - uv(0, 1)) - (uv(1, 1) - uv(0, 1)) * (uv(2, 0) - uv(0, 0)), 0);
+    }
+    EXPECT_EQ(read_obj(content(folder_ / "in.obj")).faces.size(), std::size_t(json["faces"]));
+  }
+  EXPECT_EQ(idt("sample bumpy-sphere -o sphere.off").status, 0);
+  std::ofstream(folder_ / "cones.csv")
+    << "vertex,angle\n3,3.141592653589793\n40,3.141592653589793\n900,3.141592653589793\n"
+       "2000,3.141592653589793\n";
+  ASSERT_EQ(idt("parameterize sphere.off --method conformal --cone-angles cones.csv --stats s.json").status, 0);
+  EXPECT_EQ(Json::parse(content(folder_ / "s.json"))["cones"].size(), 4u);
+  std::ofstream(folder_ / "cones.csv") << "vertex,angle\n3,3\n";
+  const Command_run refused = idt("parameterize sphere.off --method conformal --cone-angles cones.csv");
+  EXPECT_NE(refused.status, 0);
+  EXPECT_NE(refused.err.find("Gauss and Bonnet"), std::string::npos) << refused.err;
+  for (const char* wrong :
+       {"--cones 3", "--method conformal --cones 3 --cone-angles cones.csv", "--method conformal --distortion d.csv",
+        "--boundary free", "--method conformal --boundary natural"})
+    EXPECT_EQ(idt("parameterize sphere.off " + std::string(wrong)).status, 2) << wrong;
 }
 
 } // namespace

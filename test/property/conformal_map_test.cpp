@@ -101,6 +101,13 @@ TEST(Conformal_map, claims_are_true_in_rational_numbers)
     EXPECT_EQ(defect(map, t), "") << surface.points.size();
     EXPECT_LT(map.metric.residual, 1e-10);
     EXPECT_LT(map.seam, 1e-9);
+    const IT::Delta_complex& c = t.connectivity();
+    const auto edges = c.edges();
+    const bool has_border = std::any_of(edges.begin(), edges.end(), [&](IT::Edge_index e) { return c.is_border(e); });
+    if (has_border && map.metric.cones.empty() &&
+        c.number_of_vertices() + c.number_of_faces() == c.number_of_edges() + 1)
+      for (const auto& sides : map.is_cut)
+        EXPECT_FALSE(sides[0] || sides[1] || sides[2]) << "a disk has to be cut nowhere";
     Conformal_map moved = map;
     const std::size_t i = moved.uv.size() / 2;
     moved.uv[i][0][0] = moved.uv[i][1][0];
@@ -213,6 +220,27 @@ TEST(Conformal_map, of_a_hemisphere_tends_to_stereographic_projection)
   for (std::size_t i = 1; i < errors.size(); ++i) {
     EXPECT_GT(std::log2(errors[i - 1] / errors[i]), 1.4) << errors[i - 1] << " then " << errors[i];
     RecordProperty("exponent_" + std::to_string(i), std::to_string(std::log2(errors[i - 1] / errors[i])));
+  }
+}
+
+TEST(Conformal_map, can_be_interrupted)
+{
+  const Triangulation t = triangulation_of(samples::bumpy_sphere(20, 15, 0.3));
+  int calls = 0;
+  IT::Conformal_options options;
+  double last = 0;
+  options.progress = [&](double fraction) {
+    EXPECT_TRUE(fraction >= 0 && fraction <= 1);
+    last = fraction;
+    return ++calls > 0;
+  };
+  IT::conformal_parameterization(t, options);
+  EXPECT_GT(last, 0.7);
+  const int all = calls;
+  for (const int last_call : {1, all / 2, all - 1}) {
+    calls = 0;
+    options.progress = [&](double) { return ++calls <= last_call; };
+    EXPECT_THROW(IT::conformal_parameterization(t, options), IT::Cancelled_error);
   }
 }
 

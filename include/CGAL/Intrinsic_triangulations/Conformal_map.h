@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Conformal_metric.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/parameterization/Doubled_surface.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <array>
 #include <cstddef>
@@ -70,7 +71,7 @@ namespace internal {
 
 // Cuts, lays out, and proves.
 Conformal_map lay_out(const Doubled_surface::Triangulation& surface, const Doubled_surface& doubled,
-                      Discrete_conformal_metric metric);
+                      Discrete_conformal_metric metric, const Progress_function& progress);
 
 } // namespace internal
 

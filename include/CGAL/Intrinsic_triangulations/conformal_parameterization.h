@@ -36,13 +36,16 @@ inline Conformal_map
 conformal_parameterization(const Intrinsic_triangulation<Filtered_edge_length_traits>& triangulation,
                            Conformal_options options = {})
 {
+  const Progress_function whole = options.progress, progress = internal::part_of_progress(whole, 0.6, 1);
+  options.progress = internal::part_of_progress(whole, 0, 0.6);
   const internal::Doubled_surface doubled(triangulation, options.progress);
   constexpr int maximum_number_of_attempts = 6;
   for (int attempt = 1;; ++attempt, options.largest_range *= 0.6) {
     const bool can_choose = !options.number_of_cones && options.angles.empty() && attempt < maximum_number_of_attempts;
     try {
       Conformal_map map = internal::lay_out(
-        triangulation, doubled, internal::find_conformal_metric(triangulation, doubled, options, internal::factorize));
+        triangulation, doubled, internal::find_conformal_metric(triangulation, doubled, options, internal::factorize),
+        progress);
       if (map.is_certified)
         return map;
       if (!can_choose)

@@ -64,7 +64,7 @@ void Conformal_layout::cut(const std::vector<bool>& is_end)
   prune(is_end);
 }
 
-// Along edges inside the surface, and on its border. Each component that has no border gets one vertex as its root.
+// Along edges inside the surface, from its border. Each component that has no border gets one vertex as its root.
 std::vector<double> Conformal_layout::distances(const std::vector<bool>& is_end, std::vector<bool>& is_in_tree) const
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -74,13 +74,10 @@ std::vector<double> Conformal_layout::distances(const std::vector<bool>& is_end,
     return a.first != b.first ? a.first > b.first : a.second.idx() > b.second.idx();
   };
   std::priority_queue<Entry, std::vector<Entry>, decltype(later)> queue(later);
-  const auto is_usable = [&](Halfedge_index h) {
-    return is_inside_[h.idx()] || is_inside_[complex_.opposite(h).idx()];
-  };
   const auto push = [&](Vertex_index v) {
     for (Halfedge_index in : Halfedges_around(complex_, v)) {
       const Halfedge_index h = complex_.opposite(in);
-      if (is_usable(h) && result[v.idx()] + length(h) < result[complex_.target(h).idx()])
+      if (is_inner(complex_.edge(h)) && result[v.idx()] + length(h) < result[complex_.target(h).idx()])
         queue.emplace(result[v.idx()] + length(h), h);
     }
   };
@@ -98,7 +95,7 @@ std::vector<double> Conformal_layout::distances(const std::vector<bool>& is_end,
   };
   std::vector<Vertex_index> roots;
   for (Halfedge_index h : complex_.halfedges())
-    if (is_inside_[h.idx()] && !is_inner(complex_.edge(h)))
+    if (is_inside(complex_.face(h)) && !is_inner(complex_.edge(h)))
       for (Vertex_index v : {complex_.source(h), complex_.target(h)})
         if (result[v.idx()] != 0) {
           result[v.idx()] = 0;

@@ -38,7 +38,8 @@ Planar_point between(const Planar_point& p, const Planar_point& q, double t)
 }
 
 // The overlay of the Delaunay triangulation of a surface and what flips have made of it.
-Overlay overlay_of_flips(const Delta_complex& complex, const std::vector<Edge_index>& flips)
+Overlay overlay_of_flips(const Delta_complex& complex, const std::vector<Edge_index>& flips,
+                         const Progress_function& progress)
 {
   using Lengths = Intrinsic_triangulation<Ptolemy_traits<float>>; // only the integers of the flips count
   Lengths t = Lengths::from_lengths(complex, std::vector<float>(complex.number_of_edges(), 1));
@@ -50,15 +51,15 @@ Overlay overlay_of_flips(const Delta_complex& complex, const std::vector<Edge_in
   };
   for (Edge_index e : flips)
     whole.flip_convex(t.connectivity().hinge(e), keeps_one);
-  return Overlay(t);
+  return Overlay(t, parameters::visitor(progress));
 }
 
 class Conformal_map_builder
 {
 public:
   Conformal_map_builder(const Doubled_surface::Triangulation& surface, const Doubled_surface& doubled,
-                        Discrete_conformal_metric metric)
-    : surface_(surface), doubled_(doubled), input_(doubled.triangulation.input()),
+                        Discrete_conformal_metric metric, const Progress_function& progress)
+    : surface_(surface), doubled_(doubled), progress_(progress), input_(doubled.triangulation.input()),
       given_halfedge_(input_.number_of_halfedges())
   {
     map_.metric = std::move(metric);
@@ -76,9 +77,11 @@ public:
     for (Vertex_index v : doubled_.vertices)
       u.push_back(metric.u[v.idx()]);
     const std::vector<double> lengths = exact_edge_lengths(doubled_.triangulation);
-    const Common_subdivision subdivision(doubled_.triangulation);
-    const Overlay ideal = overlay_of_flips(intrinsic, metric.flips);
-    const Triple_overlay overlay(subdivision, metric.triangulation, ideal, lengths, u);
+    const Common_subdivision subdivision(doubled_.triangulation,
+                                         parameters::visitor(part_of_progress(progress_, 0, 0.2)));
+    const Overlay ideal = overlay_of_flips(intrinsic, metric.flips, part_of_progress(progress_, 0.2, 0.4));
+    const Triple_overlay overlay(subdivision, metric.triangulation, ideal, lengths, u,
+                                 part_of_progress(progress_, 0.4, 0.9));
 
     std::vector<bool> is_inside(metric.triangulation.number_of_halfedges(), false);
     for (const Triple_overlay::Piece& piece : overlay.pieces())
@@ -257,6 +260,7 @@ private:
 
   const Doubled_surface::Triangulation& surface_;
   const Doubled_surface& doubled_;
+  const Progress_function& progress_;
   const Delta_complex& input_;
   std::vector<Halfedge_index> given_halfedge_; // of the surface's input, for each halfedge of the first copy
   std::vector<Planar_point> input_uv_;
@@ -301,9 +305,9 @@ bool have_common_points(std::vector<std::array<std::array<double, 2>, 2>> segmen
 }
 
 Conformal_map lay_out(const Doubled_surface::Triangulation& surface, const Doubled_surface& doubled,
-                      Discrete_conformal_metric metric)
+                      Discrete_conformal_metric metric, const Progress_function& progress)
 {
-  return Conformal_map_builder(surface, doubled, std::move(metric)).run();
+  return Conformal_map_builder(surface, doubled, std::move(metric), progress).run();
 }
 
 } // namespace internal

@@ -35,7 +35,7 @@ double fraction_of(double x, double from, double to)
 
 Triple_overlay::Triple_overlay(const Common_subdivision& subdivision, const Delta_complex& ideal,
                                const Overlay& ideal_overlay, const std::vector<double>& lengths,
-                               const std::vector<double>& u)
+                               const std::vector<double>& u, const Progress_function& progress)
   : subdivision_(subdivision), intrinsic_(subdivision.intrinsic()), ideal_(ideal), ideal_overlay_(ideal_overlay),
     lengths_(lengths), ideal_crossings_(ideal_overlay.number_of_crossings()), on_edges_(intrinsic_.number_of_edges())
 {
@@ -59,11 +59,14 @@ Triple_overlay::Triple_overlay(const Common_subdivision& subdivision, const Delt
   first_ideal_node_ = std::uint32_t(nodes_.size());
   nodes_.resize(nodes_.size() + ideal_overlay.number_of_crossings());
   index_on_edge_.resize(nodes_.size());
-  for (Edge_index e : ideal.edges())
+  for (Edge_index e : ideal.edges()) {
+    if (e.idx() % 1024 == 0)
+      report_progress(progress, 0, "the overlay of three triangulations");
     place_ideal_crossings(e);
+  }
   for (Edge_index e : intrinsic_.edges())
     merge(e);
-  divide_faces();
+  divide_faces(progress);
 }
 
 // λ-lengths from both ends of an edge of C to the ends of the edges of B that it crosses: by Ptolemy's formula from each to
@@ -208,9 +211,12 @@ public:
       ideal_faces_[ideal_overlay_.input_face(f).idx()].push_back(f);
   }
 
-  void run()
+  void run(const Progress_function& progress)
   {
     for (Face_index f : whole_.intrinsic_.faces()) {
+      if (f.idx() % 256 == 0)
+        report_progress(progress, double(f.idx()) / whole_.intrinsic_.number_of_faces(),
+                        "the overlay of three triangulations");
       collect_boundary(f);
       collect_chords(f);
       for (Overlay::Face piece : ideal_faces_[f.idx()])
@@ -562,6 +568,6 @@ private:
   std::map<std::uint32_t, Between> between_;
 };
 
-void Triple_overlay::divide_faces() { Face_builder(*this).run(); }
+void Triple_overlay::divide_faces(const Progress_function& progress) { Face_builder(*this).run(progress); }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

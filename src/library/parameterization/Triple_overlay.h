@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <array>
 #include <cstddef>
@@ -52,7 +53,7 @@ public:
   // \param lengths of the Delaunay triangulation
   // \param u at its vertices
   Triple_overlay(const Common_subdivision& subdivision, const Delta_complex& ideal, const Overlay& ideal_overlay,
-                 const std::vector<double>& lengths, const std::vector<double>& u);
+                 const std::vector<double>& lengths, const std::vector<double>& u, const Progress_function& progress);
 
   const std::vector<Surface_point>& nodes() const { return nodes_; } // on the input; vertices of the surface come first
   const std::vector<Piece>& pieces() const { return pieces_; }
@@ -75,7 +76,7 @@ private:
 
   void place_ideal_crossings(Edge_index e);
   void merge(Edge_index e);
-  void divide_faces();
+  void divide_faces(const Progress_function& progress);
   Surface_point place_on_input(Edge_index e, double position) const;
 
   const Common_subdivision& subdivision_;
