@@ -92,10 +92,13 @@ TEST(Conformal_map, claims_are_true_in_rational_numbers)
   for (auto& p : shaken_torus.points)
     for (double& x : p)
       x += 0.04 * (double(random()) / 0x1p31 - 1);
+  Indexed_triangles with_isolated_vertex = samples::bumpy_dome(8, 6, 0.2);
+  with_isolated_vertex.points.push_back({9, 9, 9});
   for (const Indexed_triangles& surface :
-       {samples::bumpy_sphere(20, 15, 0.3), samples::torus(20, 12), shaken_torus, samples::bumpy_dome(14, 10, 0.2),
-        samples::disk_with_spike(12, 8, 3), samples::sheared_grid(9, 7, 3), samples::latitude_longitude_sphere(16, 9),
-        samples::prism(20), samples::cap(1e-3), samples::random_diagonal_grid(8, 8)}) {
+       {samples::bumpy_sphere(20, 15, 0.3), with_isolated_vertex, samples::torus(20, 12), shaken_torus,
+        samples::bumpy_dome(14, 10, 0.2), samples::disk_with_spike(12, 8, 3), samples::sheared_grid(9, 7, 3),
+        samples::latitude_longitude_sphere(16, 9), samples::prism(20), samples::cap(1e-3),
+        samples::random_diagonal_grid(8, 8)}) {
     const Triangulation t = triangulation_of(surface);
     const Conformal_map map = IT::conformal_parameterization(t);
     EXPECT_EQ(defect(map, t), "") << surface.points.size();

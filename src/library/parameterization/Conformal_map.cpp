@@ -114,7 +114,7 @@ private:
   {
     std::vector<std::uint32_t> number(overlay.nodes().size(), none);
     for (Vertex_index v : surface_.connectivity().vertices()) {
-      if (doubled_.images.size() > v.idx())
+      if (doubled_.images[v.idx()].is_valid()) // it has a face, or the surface is closed
         number[doubled_.images[v.idx()].idx()] = v.idx();
       map_.places.push_back(place_of_vertex(v));
     }
