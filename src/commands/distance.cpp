@@ -5,6 +5,7 @@
 
 #include "commands/command_line.h"
 #include "commands/commands.h"
+#include "commands/distance_sources.h"
 #include "input/Surface.h"
 #include "input/Triangle_soup.h"
 #include "input/gluing_file.h"
@@ -33,6 +34,7 @@
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/sides_of_curve.h>
 #include <CGAL/Intrinsic_triangulations/simplify_surface.h>
 #include <CGAL/Intrinsic_triangulations/tangent_vectors.h>
 #include <CGAL/Intrinsic_triangulations/transfer.h>
@@ -66,13 +68,15 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_trait
 struct Distance_options
 {
   std::string input;
-  std::vector<std::uint64_t> sources;
-  std::string output_path, overlay_path, stats_path, view_path;
+  Named_sources sources;
+  std::string output_path, overlay_path, labels_path, stats_path, view_path;
   std::string cover = "tufted", boundary, format = "csv", method;
   std::optional<double> time_coefficient, maximum_change;
   Repair_options repair;
-  bool is_refined = false, has_vectors = false, is_compared = false;
+  bool is_refined = false, has_vectors = false, is_compared = false, is_signed = false;
 
+  // Whether ways begin elsewhere than at vertices, or their origin matters.
+  bool has_places() const { return sources.has_files() || !labels_path.empty(); }
   bool is_by_heat() const { return method == "heat" || (method.empty() && (!boundary.empty() || time_coefficient)); }
 
   std::optional<Mesh_format> overlay_format() const
@@ -86,7 +90,9 @@ struct Distance_result
   std::size_t number_of_vertices = 0;
   std::vector<std::array<double, 3>> points; // empty if the surface is given by lengths
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<double> distances;     // infinite where no source is connected
+  std::vector<double> distances; // infinite where no source is connected
+  std::vector<std::uint32_t> nearest_sources;
+  double largest_snap = -1;          // of sources in space, if there are any
   std::vector<Named_values> vectors; // other values at each vertex
   std::uint64_t flips = 0;
   std::size_t number_of_inserted_vertices = 0;
@@ -116,13 +122,26 @@ struct Distance_result
     double result = 0;
     for (double d : distances)
       if (std::isfinite(d))
-        result = (std::max)(result, d);
+        result = (std::max)(result, std::abs(d));
     return result;
   }
 };
 
 void check(const Distance_options& options)
 {
+  if (options.sources.vertices.empty() && !options.sources.has_files())
+    throw Usage_error("distances need a source: --source, --source-points, --source-edges or --source-curve");
+  if (options.has_places() && (options.is_by_heat() || options.maximum_change))
+    throw Usage_error(
+      "--source-points, --source-edges, --source-curve and --labels follow straight ways on the surface "
+      "itself: omit heat and --maximum-change");
+  if (options.is_signed && (options.sources.curve_path.empty() || !options.sources.vertices.empty() ||
+                            !options.sources.points_path.empty() || !options.sources.edges_path.empty()))
+    throw Usage_error("--signed needs --source-curve, and no other source");
+  if (options.is_signed && (options.cover == "tufted" || options.is_refined))
+    throw Usage_error("--signed needs --cover none, and no --refine");
+  if (options.has_places() && options.has_vectors)
+    throw Usage_error("--vectors needs vertices as sources, and no --labels");
   if (!options.is_by_heat() && !options.boundary.empty())
     throw Usage_error("--boundary needs --method heat");
   if (!options.is_by_heat() && options.time_coefficient)
@@ -154,7 +173,9 @@ void check(const Distance_options& options)
   const std::string type = extension_with_format(path, options.format);
   if (!path.empty() && type != ".csv" && type != ".ply" && type != ".vtp")
     throw Usage_error(path + ": distances are written as a file whose name ends in .csv, .ply or .vtp");
-  check_output_paths({path, options.overlay_path, options.stats_path, options.view_path}, {options.input});
+  check_output_paths(
+    {path, options.overlay_path, options.labels_path, options.stats_path, options.view_path},
+    {options.input, options.sources.points_path, options.sources.edges_path, options.sources.curve_path});
   check_view(options.view_path);
 }
 
@@ -183,7 +204,7 @@ struct Refinement_watch
 
 void set_number_of_vertices(const Distance_options& options, std::size_t n, Distance_result& result)
 {
-  for (std::uint64_t v : options.sources)
+  for (std::uint64_t v : options.sources.vertices)
     if (v >= n)
       throw Usage_error("--source: there is no vertex " + std::to_string(v) + ": the input has " + std::to_string(n) +
                         ", counted from 0");
@@ -208,7 +229,7 @@ std::array<double, 2> compare(const std::vector<double>& distances, const std::v
 std::vector<IT::Vertex_index> sources_of(const Distance_options& options)
 {
   std::vector<IT::Vertex_index> result;
-  for (std::uint64_t v : options.sources)
+  for (std::uint64_t v : options.sources.vertices)
     result.push_back(IT::Vertex_index(IT::Vertex_index::size_type(v)));
   return result;
 }
@@ -228,26 +249,40 @@ void find_by_heat(const Distance_options& options, const Any_surface& surface, P
   result.number_of_bounded_distances = heat.number_of_bounded_distances();
 }
 
+template <class Any_surface, class Options>
+IT::Geodesic_distances distances_from(const Any_surface& surface, const std::vector<IT::Vertex_index>& sources,
+                                      const Options& options)
+{
+  return IT::geodesic_distances(surface, sources, options);
+}
+template <class Any_surface, class Options>
+IT::Geodesic_distances distances_from(const Any_surface& surface, const std::vector<IT::Geodesic_source>& sources,
+                                      const Options& options)
+{
+  return IT::geodesic_distances_from(surface, sources, options);
+}
+
 // The distances, unless they come from heat, and the ones for comparison.
 // \param surface a triangulation, or a cover that is made of sheets
-template <class Any_surface>
-void follow_ways(const Distance_options& options, const Any_surface& surface, Progress& progress,
-                 Distance_result& result)
+// \param sources vertices, or `Geodesic_source`s
+template <class Any_surface, class Sources>
+void follow_ways(const Distance_options& options, const Any_surface& surface, const Sources& sources,
+                 Progress& progress, Distance_result& result)
 {
-  const std::vector<IT::Vertex_index> sources = sources_of(options);
   const auto geodesic_options = [](double tolerance) {
     return CGAL::parameters::tolerance(tolerance).visitor([] { return !is_interrupted(); });
   };
   if (!options.is_by_heat() && !options.maximum_change) {
     progress.begin("following straight ways");
     IT::Geodesic_distances found =
-      IT::geodesic_distances(surface, sources, geodesic_options(options.method == "exact" ? 0 : 0.001));
+      distances_from(surface, sources, geodesic_options(options.method == "exact" ? 0 : 0.001));
     result.is_complete = found.is_complete;
     result.distances = std::move(found.distances);
+    result.nearest_sources = std::move(found.nearest_sources);
   }
   if (options.is_compared) {
     progress.begin("following all straight ways");
-    const IT::Geodesic_distances exact = IT::geodesic_distances(surface, sources, geodesic_options(0));
+    const IT::Geodesic_distances exact = distances_from(surface, sources, geodesic_options(0));
     result.is_complete = result.is_complete && exact.is_complete;
     result.errors = compare(result.distances, exact.distances);
   }
@@ -271,6 +306,33 @@ void find_by_simplification(const Distance_options& options, Triangulation& tria
   result.vectors.push_back({"upper", std::move(found.upper)});
 }
 
+// Distances from a curve become positive to its left, and negative to its right.
+void set_signs(const Triangulation& triangulation, const Placed_sources& placed, Distance_result& result)
+{
+  if (placed.sources.size() != 1)
+    throw Usage_error("--signed needs one curve");
+  const std::vector<CGAL::Sign> signs = IT::sides_of_curve(triangulation.input(), placed.sources.front().parts.front());
+  for (std::size_t v = 0; v < signs.size(); ++v)
+    if (signs[v] == CGAL::NEGATIVE)
+      result.distances[v] = -result.distances[v];
+}
+void set_signs(const IT::Tufted_cover&, const Placed_sources&, Distance_result&) {} // refused by check()
+
+// \param place_sources places the sources if they are not only vertices
+template <class Any_surface, class Place_sources>
+void follow_ways_from(const Place_sources& place_sources, const Distance_options& options, const Any_surface& surface,
+                      Progress& progress, Distance_result& result)
+{
+  if (!options.has_places())
+    return follow_ways(options, surface, sources_of(options), progress, result);
+  progress.begin("placing the sources");
+  const Placed_sources placed = place_sources();
+  result.largest_snap = placed.largest_snap;
+  follow_ways(options, surface, placed.sources, progress, result);
+  if (options.is_signed)
+    set_signs(surface, placed, result);
+}
+
 // The first axis of the tangent plane of each source, transported to the vertices nearest to it; and for a single
 // source the logarithmic map.
 void find_vectors(const Distance_options& options, const Triangulation& triangulation,
@@ -279,7 +341,7 @@ void find_vectors(const Distance_options& options, const Triangulation& triangul
   const std::size_t n = result.number_of_vertices;
   const IT::Vector_heat_method heat(triangulation, CGAL::parameters::visitor([] { return !is_interrupted(); }));
   std::vector<std::pair<IT::Vertex_index, std::complex<double>>> axes;
-  for (std::uint64_t v : std::set<std::uint64_t>(options.sources.begin(), options.sources.end()))
+  for (std::uint64_t v : std::set<std::uint64_t>(options.sources.vertices.begin(), options.sources.vertices.end()))
     axes.push_back({IT::Vertex_index(IT::Vertex_index::size_type(v)), {1, 0}});
   const auto transported = heat.transport_tangent_vectors(axes);
   Named_values axis{"axis", {}, points.empty() ? std::size_t(2) : std::size_t(3)};
@@ -302,9 +364,10 @@ void find_vectors(const Distance_options& options, const Triangulation& triangul
 
 // Any triangles: heat on their tufted cover, straight ways on sheets of them.
 // \param make_cover makes a cover of the given kind
-template <class Make_cover>
-void find_on_cover(const Distance_options& options, const Make_cover& make_cover, Progress& progress,
-                   Distance_result& result)
+// \param place_on places the sources on it
+template <class Make_cover, class Place_on>
+void find_on_cover(const Distance_options& options, const Make_cover& make_cover, const Place_on& place_on,
+                   Progress& progress, Distance_result& result)
 {
   const auto with = [&](IT::Surface_cover kind, const auto& find) {
     progress.begin("covering");
@@ -320,8 +383,9 @@ void find_on_cover(const Distance_options& options, const Make_cover& make_cover
     with(IT::Surface_cover::TUFTED,
          [&](const IT::Tufted_cover& cover) { find_by_heat(options, cover, progress, result); });
   if (!options.is_by_heat() || options.is_compared)
-    with(IT::Surface_cover::SHEETS,
-         [&](const IT::Tufted_cover& cover) { follow_ways(options, cover, progress, result); });
+    with(IT::Surface_cover::SHEETS, [&](const IT::Tufted_cover& cover) {
+      follow_ways_from([&] { return place_on(cover); }, options, cover, progress, result);
+    });
 }
 
 void find_on_cover(const Distance_options& options, Distance_result& result)
@@ -337,6 +401,15 @@ void find_on_cover(const Distance_options& options, Distance_result& result)
       [&gluing](IT::Surface_cover kind) {
         return IT::make_tufted_cover(gluing.complex, gluing.lengths, CGAL::parameters::surface_cover(kind));
       },
+      [&](const IT::Tufted_cover& cover) {
+        std::vector<std::array<std::uint32_t, 3>> triangles;
+        for (IT::Face_index f : gluing.complex.faces()) {
+          const IT::Halfedge_index h = gluing.complex.halfedge(f);
+          triangles.push_back({gluing.complex.source(h).idx(), gluing.complex.target(h).idx(),
+                               gluing.complex.target(gluing.complex.next(h)).idx()});
+        }
+        return place_sources(options.sources, cover, {}, triangles);
+      },
       progress, result);
   } else {
     Triangle_soup soup = read_triangle_soup(options.input);
@@ -349,6 +422,7 @@ void find_on_cover(const Distance_options& options, Distance_result& result)
       [&soup](IT::Surface_cover kind) {
         return IT::make_tufted_cover(soup.points, soup.triangles, CGAL::parameters::surface_cover(kind));
       },
+      [&](const IT::Tufted_cover& cover) { return place_sources(options.sources, cover, soup.points, soup.triangles); },
       progress, result);
     result.points = std::move(soup.points);
     result.triangles = std::move(soup.triangles);
@@ -392,7 +466,8 @@ void find_on_surface(const Distance_options& options, Distance_result& result)
     find_by_heat(options, triangulation, progress, result);
   if (options.maximum_change)
     find_by_simplification(options, triangulation, progress, result);
-  follow_ways(options, triangulation, progress, result);
+  follow_ways_from([&] { return place_sources(options.sources, triangulation, surface.points); }, options,
+                   triangulation, progress, result);
   if (result.subdivision)
     result.overlay_distances.values = IT::interpolate_intrinsic_values(*result.subdivision, result.distances);
   result.distances.resize(result.number_of_vertices); // without vertices inserted by refinement
@@ -414,7 +489,7 @@ Json statistics(const Distance_options& options, const Distance_result& result)
 {
   Json json = {{"input", options.input},
                {"vertices", result.number_of_vertices},
-               {"sources", options.sources},
+               {"sources", options.sources.vertices},
                {"inserted", result.number_of_inserted_vertices},
                {"flips", result.flips},
                {"method", options.is_by_heat()     ? "heat"
@@ -438,6 +513,13 @@ Json statistics(const Distance_options& options, const Distance_result& result)
     json["simplification"] = {{"vertices", result.number_of_simplified_vertices},
                               {"shrink", result.change->shrink},
                               {"stretch", result.change->stretch}};
+  if (options.sources.has_files()) {
+    json["source_points"] = options.sources.points_path;
+    json["source_edges"] = options.sources.edges_path;
+    json["source_curve"] = options.sources.curve_path;
+  }
+  if (result.largest_snap >= 0)
+    json["largest_snap"] = result.largest_snap;
   if (result.errors)
     json["error"] = {{"mean", (*result.errors)[0]}, {"largest", (*result.errors)[1]}};
   return json;
@@ -477,6 +559,8 @@ void write_report(std::ostream& os, const Distance_options& options, const Dista
     os << "\n  inserted          " << counted(result.number_of_inserted_vertices, "vertex", "vertices");
   os << "\n  flips             " << with_separators(result.flips) << "\n  largest distance  "
      << in_short(result.largest_distance()) << "\n  accuracy          " << accuracy(options, result) << result.cuts;
+  if (result.largest_snap >= 0)
+    os << "\n  snap              points in space were up to " << in_short(result.largest_snap) << " from the surface";
   if (const std::size_t n = result.number_of_unreachable_vertices())
     os << "\n  unreachable       " << counted(n, "vertex", "vertices");
   os << "\n  time              " << seconds_text(result.triangulation_seconds + result.distance_seconds) << '\n';
@@ -494,6 +578,16 @@ void write_csv(std::ostream& os, std::size_t number_of_vertices, const std::vect
     text << v;
     for_each_coordinate(values, v, [&text](double x) { text << ',' << x; });
     text << '\n';
+  });
+}
+
+// A row `vertex,source` for each vertex that a source reaches.
+void write_labels(std::ostream& os, const Distance_result& result)
+{
+  os << "vertex,source\n";
+  write_elements(os, result.number_of_vertices, [&result](Long_text& text, std::size_t v) {
+    if (std::isfinite(result.distances[v]))
+      text << v << ',' << result.nearest_sources[v] << '\n';
   });
 }
 
@@ -553,6 +647,7 @@ Exit_status run_distance(Distance_options options)
       else
         write_mesh(os, result.points, result.triangles, *find_mesh_format(type), values);
     });
+    write_file(options.labels_path, [&](std::ostream& os) { write_labels(os, result); });
     if (!options.view_path.empty())
       write_view(options.view_path, view_of(options, result));
     write_json(options.stats_path, statistics(options, result));
@@ -575,16 +670,29 @@ void add_distance_command(CLI::App& app, Selected_command& selected)
   command
     .add_option("INPUT", options->input, "a mesh, or a .gluing file of triangles with lengths; - is the standard input")
     ->required();
-  add_option(command, "--source", options->sources, "V[,V...]", "the vertices with distance zero")
+  add_option(command, "--source", options->sources.vertices, "V[,V...]", "the vertices with distance zero")
     ->delimiter(',')
     ->allow_extra_args(false)
-    ->transform(whole_number())
-    ->required();
+    ->transform(whole_number());
+  add_option(command, "--source-points", options->sources.points_path, "F.csv",
+             "points with distance zero: a table that begins with input_face,b0,b1,b2 (barycentric coordinates), or "
+             "with x,y,z, of which the nearest points of the surface are taken");
+  add_option(command, "--source-edges", options->sources.edges_path, "F.csv",
+             "edges with distance zero: two vertices in each line");
+  add_option(command, "--source-curve", options->sources.curve_path, "F.csv",
+             "a curve with distance zero, as `idt geodesic` writes it, or through points as for --source-points, along "
+             "shortest paths");
   add_option(command, "-o,--output", options->output_path, "F.(csv|ply|vtp)",
              "write the distances: as a table, or as the mesh with a value at each vertex");
   add_option(command, "--overlay", options->overlay_path, "F.(ply|vtp)",
              "write the overlay of input and triangulation, as `idt triangulate` does, with the distance at each of "
              "its vertices");
+  command.add_flag("--signed", options->is_signed,
+                   "distances to the right of the curve are negative; it has to be closed, or to lead from border to "
+                   "border, and to cut something off");
+  add_option(
+    command, "--labels", options->labels_path, "F.csv",
+    "write the nearest source of each vertex: first those of --source, then each point, all edges, each curve");
   set_words(command.add_option("--format", options->format, "the format of -o - or --overlay - on the standard output"),
             {"csv", "ply", "vtp"})
     ->type_name("EXT")

@@ -10,8 +10,10 @@
 #include <CGAL/Intrinsic_triangulations/Heat_method.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
-#include <CGAL/Intrinsic_triangulations/shortest_path.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_distance_matrix.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
 
+#include <atomic>
 #include <memory>
 #include <mutex>
 
@@ -100,6 +102,60 @@ py::array geodesic_distances(const Doubles& points, const Indices& triangles, co
   }));
 }
 
+// \param places a row for each point: the number of a triangle, and barycentric coordinates
+// \param first where the points of each source begin, and their number: one is a point, more are a curve
+// \return the distances, and the numbers of the nearest sources
+std::pair<py::array, py::array> geodesic_distances_from(const Doubles& points, const Indices& triangles,
+                                                        const Indices& numbers, const Doubles& coordinates,
+                                                        const Indices& first, const Doubles& offsets, double tolerance)
+{
+  const Rows<double> rows(points);
+  const auto faces = copied_rows(triangles);
+  const auto in_faces = copied(numbers);
+  const Rows<double> in_face(coordinates);
+  std::vector<IT::Point_in_triangle> places;
+  for (std::size_t i = 0; i < in_faces.size(); ++i)
+    places.push_back({in_faces[i], {in_face[i][0], in_face[i][1], in_face[i][2]}});
+  const auto begins = copied(first);
+  const auto starts = copied(offsets);
+  const auto options = CGAL::parameters::tolerance(tolerance).visitor(&Signal_watch::goes_on);
+  IT::Geodesic_distances found = without_lock([&] {
+    const IT::Tufted_cover cover = Delaunay_cover(rows, faces, IT::Surface_cover::SHEETS);
+    const std::vector<IT::Surface_point> placed = IT::points_of_cover(cover, faces, places);
+    std::vector<IT::Geodesic_source> sources;
+    for (std::size_t i = 0; i + 1 < begins.size(); ++i)
+      sources.push_back({{{placed.begin() + begins[i], placed.begin() + begins[i + 1]}}, starts[i]});
+    return IT::geodesic_distances_from(cover, sources, options);
+  });
+  return {to_array(std::move(found.distances)), to_array(std::move(found.nearest_sources))};
+}
+
+py::array geodesic_distance_matrix(const Doubles& points, const Indices& triangles, const Indices& sources,
+                                   const Indices& targets, double tolerance)
+{
+  const Rows<double> rows(points);
+  const auto faces = copied_rows(triangles);
+  std::vector<IT::Vertex_index> from, to;
+  for (std::uint32_t v : copied(sources))
+    from.push_back(IT::Vertex_index(v));
+  for (std::uint32_t v : copied(targets))
+    to.push_back(IT::Vertex_index(v));
+  std::atomic<bool> goes_on{true}; // only this thread receives signals
+  const auto options = CGAL::parameters::tolerance(tolerance).visitor([&goes_on] {
+    if (!Signal_watch::goes_on())
+      goes_on = false;
+    return goes_on.load();
+  });
+  return to_array(without_lock([&] {
+    std::vector<double> result;
+    for (const std::vector<double>& row : IT::geodesic_distance_matrix<CGAL::Parallel_if_available_tag>(
+                                            Delaunay_cover(rows, faces, IT::Surface_cover::SHEETS), from, to, options)
+                                            .distances)
+      result.insert(result.end(), row.begin(), row.end());
+    return result;
+  }));
+}
+
 py::array extend(Heat& heat, const Indices& vertices, const Doubles& values, double elsewhere)
 {
   const auto pairs = values_at(vertices, values);
@@ -117,6 +173,12 @@ void add_heat(py::module_& module)
              py::arg("keeps_ridges"));
   module.def("geodesic_distances", &geodesic_distances, py::arg("points").noconvert(), py::arg("triangles").noconvert(),
              py::arg("sources").noconvert(), py::arg("tolerance"));
+  module.def("geodesic_distances_from", &geodesic_distances_from, py::arg("points").noconvert(),
+             py::arg("triangles").noconvert(), py::arg("numbers").noconvert(), py::arg("coordinates").noconvert(),
+             py::arg("first").noconvert(), py::arg("offsets").noconvert(), py::arg("tolerance"));
+  module.def("geodesic_distance_matrix", &geodesic_distance_matrix, py::arg("points").noconvert(),
+             py::arg("triangles").noconvert(), py::arg("sources").noconvert(), py::arg("targets").noconvert(),
+             py::arg("tolerance"));
   py::class_<Heat>(module, "Heat")
     .def("distances", &distances, py::arg("sources").noconvert())
     .def("extend", &extend, py::arg("vertices").noconvert(), py::arg("values").noconvert(), py::arg("elsewhere"));

@@ -167,6 +167,78 @@ TEST_F(Distance_command, writes_vectors)
   EXPECT_EQ(lines(content(folder_ / "t.csv")).at(0), "vertex,distance,axis_x,axis_y,log_x,log_y");
 }
 
+// A strip of 10 by 1, cut in two: the sources are its lower side, or a point.
+TEST_F(Distance_command, begins_at_points_edges_and_curves)
+{
+  write("strip.off", "OFF\n4 2 0\n0 0 0\n10 0 0\n10 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n");
+  write("edges.csv", "vertex,vertex\n1,0\n");
+  write("curve.csv", "x,y,z\n0,0,0.5\n5,0,-0.25\n10,-3,0\n");
+  write("points.csv", "input_face,b0,b1,b2\n0,0.5,0.5,0\n1,0,0,1\n");
+  for (const std::string options : {"", " --cover none", " --method exact", " --cover none --method exact"}) {
+    for (const std::string sources : {"--source-edges edges.csv", "--source-curve curve.csv"}) {
+      const Command_run run = idt("distance strip.off " + sources + " -o d.csv --stats s.json" + options);
+      ASSERT_EQ(run.status, 0) << run.err;
+      const std::vector<double> d = distances("d.csv"), expected{0, 0, 1, 1};
+      for (std::size_t v = 0; v < 4; ++v)
+        EXPECT_NEAR(d[v], expected[v], 1e-14) << sources << options << v;
+      EXPECT_EQ(contains(run.out, "up to 3 from the surface"), sources == "--source-curve curve.csv");
+    }
+    EXPECT_EQ(json::parse(content(folder_ / "s.json"))["largest_snap"], 3);
+    ASSERT_EQ(idt("distance strip.off --source 2 --source-points points.csv --labels l.csv -o d.csv" + options).status,
+              0);
+    const std::vector<double> d = distances("d.csv");
+    EXPECT_NEAR(d[0], 1, 1e-14);
+    EXPECT_NEAR(d[1], 1, 1e-14);
+    EXPECT_EQ(d[2], 0);
+    EXPECT_EQ(d[3], 0);
+    EXPECT_EQ(content(folder_ / "l.csv"), "vertex,source\n0,2\n1,0\n2,0\n3,2\n");
+  }
+  // The output of idt geodesic, from corner to corner.
+  ASSERT_EQ(idt("geodesic strip.off --from 1 --to 3 -o path.csv").status, 0);
+  ASSERT_EQ(idt("distance strip.off --source-curve path.csv -o d.csv --method exact").status, 0);
+  EXPECT_NEAR(distances("d.csv")[0], 10 / std::sqrt(101.), 1e-14);
+  EXPECT_NEAR(distances("d.csv")[1], 0, 1e-14);
+  // Bad input.
+  EXPECT_EQ(idt("distance strip.off").status, 2);
+  EXPECT_EQ(idt("distance strip.off --source-edges edges.csv --method heat").status, 2);
+  write("bad.csv", "0,2,1\n");
+  const Command_run edges = idt("distance strip.off --source-edges bad.csv");
+  EXPECT_NE(edges.status, 0);
+  EXPECT_TRUE(contains(edges.err, "bad.csv, line 1: expected are two vertices")) << edges.err;
+  write("bad.csv", "1,3\n");
+  EXPECT_TRUE(contains(idt("distance strip.off --source-edges bad.csv").err, "no edge joins vertex 1 and vertex 3"));
+  write("bad.csv", "1,2,3\n");
+  EXPECT_TRUE(contains(idt("distance strip.off --source-points bad.csv").err, "the first line of such a table is"));
+  write("bad.csv", "x,y,z\n1,2,nan\n");
+  EXPECT_TRUE(contains(idt("distance strip.off --source-points bad.csv").err, "bad.csv, line 2: \"nan\" is no finite"));
+  write("bad.csv", "input_face,b0,b1,b2\n7,1,0,0\n");
+  EXPECT_TRUE(contains(idt("distance strip.off --source-points bad.csv").err, "there is no triangle 7"));
+  EXPECT_TRUE(contains(idt("distance strip.off --cover none --source-points bad.csv").err, "there is no face 7"));
+  EXPECT_NE(idt("distance strip.off --source-points missing.csv").status, 0);
+}
+
+TEST_F(Distance_command, has_a_sign_beside_a_curve_that_cuts_something_off)
+{
+  write("strip.off", "OFF\n6 4 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n3 0 1 4\n3 0 4 3\n3 1 2 5\n3 1 5 4\n");
+  write("up.csv", "x,y,z\n0.75,0,0\n0.75,1,0\n");
+  write("down.csv", "x,y,z\n0.75,1,0\n0.75,0,0\n");
+  write("slit.csv", "x,y,z\n0.75,0,0\n0.75,0.5,0\n");
+  for (const std::string method : {"", " --method exact"}) {
+    ASSERT_EQ(idt("distance strip.off --cover none --signed --source-curve up.csv -o left.csv" + method).status, 0);
+    ASSERT_EQ(idt("distance strip.off --cover none --signed --source-curve down.csv -o right.csv" + method).status, 0);
+    const std::vector<double> left = distances("left.csv"), right = distances("right.csv");
+    for (std::size_t v = 0; v < 6; ++v) {
+      EXPECT_NEAR(left[v], 0.75 - double(v % 3), 1e-14) << v;
+      EXPECT_NEAR(right[v], double(v % 3) - 0.75, 1e-14) << v;
+    }
+  }
+  const Command_run slit = idt("distance strip.off --cover none --signed --source-curve slit.csv");
+  EXPECT_NE(slit.status, 0);
+  EXPECT_TRUE(contains(slit.err, "does not separate")) << slit.err;
+  EXPECT_EQ(idt("distance strip.off --signed --source-curve up.csv").status, 2);
+  EXPECT_EQ(idt("distance strip.off --cover none --signed --source 0").status, 2);
+}
+
 TEST_F(Distance_command, is_infinite_where_no_source_is_connected)
 {
   write("two.off", "OFF\n7 2 0\n0 0 0\n1 0 0\n0 1 0\n5 0 0\n6 0 0\n5 1 0\n9 9 9\n3 0 1 2\n3 3 4 5\n");

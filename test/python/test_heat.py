@@ -64,6 +64,47 @@ def test_shortest_paths():
             it.geodesic_distances(V, F, bad)
 
 
+def test_distances_from_curves():
+    # On a plane: from a line through triangles, an edge, a vertex with an offset.
+    V, F = grid(8)
+    spread = V.max(axis=0)
+    triangle, middle = 2 * 8 * 3 + 6, numpy.array([[0.2, 0.3, 0.5], [0.6, 0.3, 0.1]])
+    curve = numpy.column_stack([[triangle] * 2, middle])
+    a, b = middle @ V[F[triangle]]
+    edge = F[40][[0, 1]]
+    distances, nearest = it.geodesic_distances_from(V, F, [curve, edge, 5], 0, offsets=[0, 0.25 * spread[0], 0])
+
+    def to_segment(p, q):
+        d = q - p
+        t = numpy.clip((V - p) @ d / max(d @ d, 1e-300), 0, 1)
+        return numpy.linalg.norm(V - p - t[:, None] * d, axis=1)
+    each = numpy.array([to_segment(a, b), 0.25 * spread[0] + to_segment(*V[edge]), to_segment(V[5], V[5])])
+    if numpy.ptp(V[:, 2]) == 0:
+        assert abs(distances - each.min(axis=0)).max() < 1e-12
+        assert (each[nearest, numpy.arange(len(V))] - each.min(axis=0)).max() < 1e-12
+    point, _ = it.geodesic_distances_from(V, F, [[triangle, 1, 0, 0]], 0)
+    assert abs(point - it.geodesic_distances(V, F, F[triangle][0], 0)).max() < 1e-14
+    assert numpy.isinf(it.geodesic_distances_from(V, F, [])[0]).all()
+    for bad in ([len(V)], [[0, len(V) - 1]], [[0.5, 1, 0, 0]], [[len(F), 1, 0, 0]], [[0, -1, 1, 1]], [[0, numpy.nan, 0, 1]],
+                [[[0, 1, 0, 0], [len(F) - 1, 0, 0, 1]]]):
+        with pytest.raises(ValueError):
+            it.geodesic_distances_from(V, F, bad)
+    with pytest.raises(ValueError):
+        it.geodesic_distances_from(V, F, [0], offsets=[-1])
+
+
+def test_distance_matrix():
+    V, F = grid(12)
+    for tolerance in (0, 0.001):
+        found = it.geodesic_distance_matrix(V, F, [0, 7, 7], [3, 50, 100, 0], tolerance)
+        assert found.shape == (3, 4) and numpy.array_equal(found[1], found[2]) and found[0, 3] == 0
+        for row, source in zip(found, (0, 7, 7)):
+            assert numpy.array_equal(row, it.geodesic_distances(V, F, source, tolerance)[[3, 50, 100, 0]])
+    assert it.geodesic_distance_matrix(V, F, [], [1]).shape == (0, 1)
+    with pytest.raises(ValueError):
+        it.geodesic_distance_matrix(V, F, [0], [len(V)])
+
+
 def test_options(thin):
     V, F = grid(12)
     neumann, dirichlet, averaged = (it.MeshHeatMethodDistanceSolver(V, F, use_robust=False, boundary=b).compute_distance(40)

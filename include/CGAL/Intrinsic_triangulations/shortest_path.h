@@ -13,157 +13,23 @@
 #include <CGAL/Intrinsic_triangulations/Index.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
-#include <CGAL/Intrinsic_triangulations/internal/distances/Flat_ways.h>
 #include <CGAL/Intrinsic_triangulations/internal/distances/Laid_out_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/distances/Window_propagation.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
-#include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
-#include <CGAL/Intrinsic_triangulations/internal/distances/Distance_bounds.h>
-#include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <map>
-#include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
-
-/// \ingroup PkgIntrinsicTriangulationsHeat
-/// \brief the result of `geodesic_distances()`.
-struct Geodesic_distances
-{
-  std::vector<double> distances; ///< of all vertices, in the unit of the input; infinite where no source is connected
-  std::uint64_t number_of_ways = 0; ///< how often a bundle of straight lines was followed to the next face
-  bool is_complete = true;          ///< whether all were followed; if not, distances may be as large as along edges
-};
-
-namespace internal {
-
-// The maximum number of bundles of straight ways.
-template <class NamedParameters>
-std::uint64_t number_of_ways(const NamedParameters& np, const Delta_complex& complex)
-{
-  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::maximum_number),
-                                      1000000 + 500 * std::uint64_t(complex.number_of_faces()));
-}
-
-// \param sources vertices: for a cover, vertices of its input, as in the result
-// \tparam Row gives the row of a vertex, as Row_of_vertex
-template <class Traits, class Row, class NamedParameters>
-Geodesic_distances distances_by_windows(const Intrinsic_triangulation<Traits>& triangulation, const Row& row,
-                                        const std::vector<Vertex_index>& sources, const NamedParameters& np)
-{
-  std::vector<std::uint32_t> rows;
-  std::map<std::uint32_t, double> pins;
-  for (Vertex_index v : sources) {
-    require_vertex(v, row.number_of_rows());
-    rows.push_back(row.of_input(v));
-    pins[rows.back()] = 0;
-  }
-  const double tolerance = value_of<Parameter::TOLERANCE>(np, 0.001);
-  if (!(tolerance >= 0 && tolerance < 1))
-    throw Invalid_argument_error("the tolerance of distances has to be at least 0 and less than 1");
-  const Interruption interruption(go_further_function_of(np));
-  const std::optional<Intrinsic_triangulation<Traits>> by_place = with_ties_by_place(triangulation, row, interruption);
-  const Laid_out_faces faces(by_place ? *by_place : triangulation, row);
-  Window_distances windows =
-    propagate_windows(faces, tolerance, rows, number_of_ways(np, triangulation.connectivity()), interruption);
-  Geodesic_distances result{std::move(windows.distances), windows.number_of_steps, windows.is_complete};
-  Distance_bounds(by_place ? *by_place : triangulation, row).apply(result.distances, pins);
-  for (double& d : result.distances)
-    d = std::ldexp(d, faces.exponent());
-  for (std::size_t v = 0; v < result.distances.size(); ++v)
-    result.distances[v] = result.distances[row.of_input(Vertex_index(Vertex_index::size_type(v)))];
-  return result;
-}
-
-} // namespace internal
-
-/// \ingroup PkgIntrinsicTriangulationsHeat
-/// \brief returns the length of the shortest path on the surface from the nearest source to each vertex.
-///
-/// Straight lines that cross the same edges are followed together, from face to face, the nearest first. Paths bend at
-/// vertices whose angles sum to more than 2π, and at the border. With a positive tolerance, bundles that meet at an
-/// edge are merged if that changes no length by more than the tolerance. On a Delaunay triangulation there are then
-/// about four to ten bundles for each face, and fewer the finer the faces are. Their number may grow quadratically with
-/// the number of faces if the tolerance is zero, or if many thin faces meet.
-///
-/// Distances are zero only at the sources. They never exceed the shortest path along edges of the triangulation or of
-/// its input and, for a surface in space, are never shorter than the straight line. They do not depend on other
-/// components of the surface, nor on the numbers of vertices and faces if the vertices of the input are points at
-/// different places: edges by which Delaunay triangulations of one surface differ are replaced in a copy, unless they are
-/// in the input.
-///
-/// \param triangulation a triangulation, preferably Delaunay, so that paths cross few faces
-/// \param sources vertices
-/// \param np an optional sequence of named parameters
-///
-/// \cgalNamedParamsBegin
-///   \cgalParamNBegin{tolerance}
-///     \cgalParamDescription{how much the length of a path may be changed at each edge that it crosses, as a fraction
-///       of the length of the edge. With 0, distances are exact up to rounding; a positive tolerance saves much time on
-///       large surfaces}
-///     \cgalParamType{`double`, at least 0 and less than 1}
-///     \cgalParamDefault{0.001}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{maximum_number}
-///     \cgalParamDescription{the maximum number of steps of bundles from one face to the next}
-///     \cgalParamType{`std::uint64_t`}
-///     \cgalParamDefault{a million, and 500 for each face}
-///   \cgalParamNEnd
-///   \cgalParamVisitor{is called from time to time, and can cancel}
-/// \cgalNamedParamsEnd
-///
-/// \exception Invalid_argument_error if there is no such vertex, or the tolerance is out of range
-/// \exception Cancelled_error if the visitor asks for it
-///
-/// Source: J. Chen, Y. Han, "Shortest paths on a polyhedron", 1996; V. Surazhsky et al., "Fast exact and approximate
-/// geodesics on meshes", 2005; S. Xin, G. Wang, "Improving Chen and Han's algorithm on the discrete geodesic problem",
-/// 2009.
-template <class Traits, class NamedParameters = parameters::Default_named_parameters>
-Geodesic_distances geodesic_distances(const Intrinsic_triangulation<Traits>& triangulation,
-                                      const std::vector<Vertex_index>& sources,
-                                      const NamedParameters& np = parameters::default_values())
-{
-  return internal::distances_by_windows(triangulation, internal::Row_of_vertex(triangulation.connectivity()), sources,
-                                        np);
-}
-
-/// \ingroup PkgIntrinsicTriangulationsHeat
-/// \brief as `geodesic_distances()` of a triangulation, for any triangles. The vertices are those of the input; merged
-/// vertices have the same distance. To vertices whose faces all have zero area, ways go along edges.
-///
-/// If the cover is made of sheets (`Surface_cover::SHEETS`), paths go from each face at an edge into all others. On a
-/// tufted cover, they go into the next faces around an edge only; distances across edges with more than two faces are
-/// then too long.
-/// \param cover a cover
-/// \param sources vertices of the input
-/// \param np as above
-/// \pre the cover was made Delaunay by `flip_to_Delaunay(cover.triangulation)`, or the faces are the given ones
-template <class NamedParameters = parameters::Default_named_parameters>
-Geodesic_distances geodesic_distances(const Tufted_cover& cover, const std::vector<Vertex_index>& sources,
-                                      const NamedParameters& np = parameters::default_values())
-{
-  Geodesic_distances result;
-  const internal::Surface_distances on_surface = [&](const std::vector<Vertex_index>& from) {
-    Geodesic_distances found =
-      internal::distances_by_windows(cover.triangulation, internal::Row_of_cover_vertex(cover), from, np);
-    result.number_of_ways += found.number_of_ways;
-    result.is_complete = result.is_complete && found.is_complete;
-    return std::move(found.distances);
-  };
-  result.distances =
-    cover.flat_edges.empty() ? on_surface(sources) : internal::distances_along_flat_edges(cover, on_surface, sources);
-  return result;
-}
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
 /// \brief the result of `shortest_path()`.
@@ -347,7 +213,7 @@ Shortest_path shortest_path(Intrinsic_triangulation<Traits>& triangulation, Vert
   const internal::Laid_out_faces faces(triangulation, row);
   const internal::Interruption interruption(internal::go_further_function_of(np));
   const internal::Window_distances windows = internal::propagate_windows(
-    faces, 0, {source.idx()}, internal::number_of_ways(np, complex), interruption, target.idx());
+    faces, 0, {{{source.idx(), 0, 0, {}}}, {}}, internal::number_of_ways(np, complex), interruption, {target.idx()});
   result.is_complete = windows.is_complete;
   result.distance = std::ldexp(windows.distances[target.idx()], faces.exponent());
   internal::Way_back<Traits> way(triangulation, faces, windows, interruption);

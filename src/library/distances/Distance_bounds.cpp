@@ -41,7 +41,8 @@ std::vector<std::uint32_t> rows_by_distance(const std::vector<double>& distances
   return result;
 }
 
-void Distance_bounds::apply(std::vector<double>& distances, const std::map<std::uint32_t, double>& sources) const
+void Distance_bounds::apply(std::vector<double>& distances, const std::map<std::uint32_t, double>& sources,
+                            double farther) const
 {
   std::vector<double> paths(first_.size() - 1, not_yet);
   std::vector<std::uint32_t> origins(paths.size(), 0);
@@ -96,9 +97,7 @@ void Distance_bounds::apply(std::vector<double>& distances, const std::map<std::
   }
   for (std::uint32_t row = 0; row < std::uint32_t(paths.size()); ++row)
     if (paths[row] < nowhere)
-      distances[row] = within(distances[row], paths[row], row, origins[row], sources);
-  for (const auto& [row, distance] : sources)
-    distances[row] = distance;
+      distances[row] = within(distances[row], paths[row], row, origins[row], sources, farther);
 }
 
 void Distance_bounds::index(const std::vector<Edge>& edges)
@@ -125,15 +124,15 @@ void Distance_bounds::index(const std::vector<Edge>& edges)
 // A distance that is not positive is useless: use half the edge path, a lower bound for planar Delaunay
 // triangulations.
 double Distance_bounds::within(double distance, double path, std::uint32_t row, std::uint32_t origin,
-                               const std::map<std::uint32_t, double>& sources) const
+                               const std::map<std::uint32_t, double>& sources, double farther) const
 {
   distance = distance > 0 ? (std::min)(distance, path) : path / 2;
   if (points_.empty() || points_[row][0] == no_point)
     return distance;
-  double nearest = line(row, origin) - sources.at(origin);
+  double nearest = line(row, origin) - sources.at(origin) - farther;
   for (auto source = sources.begin(); nearest > distance && source != sources.end(); ++source)
     if (source->first != origin)
-      nearest = (std::min)(nearest, line(row, source->first) - source->second);
+      nearest = (std::min)(nearest, line(row, source->first) - source->second - farther);
   return (std::min)((std::max)(nearest, distance), path);
 }
 

@@ -18,6 +18,14 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+double Laid_out_faces::longest_side() const
+{
+  double result = 0;
+  for (const Side& side : sides_)
+    result = (std::max)(result, side.length);
+  return result;
+}
+
 bool Laid_out_faces::is_before(std::uint32_t i, std::uint32_t j) const
 {
   for (int corner = 0; corner < 3; ++corner, i = next(i), j = next(j)) {

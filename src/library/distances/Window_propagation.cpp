@@ -7,10 +7,9 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/distances/Window_propagation.h>
 
-#include "Nearest_first_queue.h"
+#include "First_ways.h"
+#include "Waiting_windows.h"
 #include "Window.h"
-
-#include <CGAL/Intrinsic_triangulations/internal/system/memory_access.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -18,8 +17,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -31,13 +30,6 @@ namespace {
 // on from face to face, the nearest first, and dropped where a way over a vertex is not longer. Ways bend only at
 // vertices whose angles sum to more than 2π, and on the border: these send windows of their own into their shadow.
 //
-// Windows that wait at the same side are merged if they come from the same point, as on both sides of a flat vertex. Of
-// two that come from the same vertex over different faces, each is cut off where the other is shorter.
-//
-// With a tolerance, all windows at a side wait for each other. Those that are nowhere the shortest are dropped, and
-// neighbors are merged if that changes no distance and no direction by more than the tolerance. Far from the sources,
-// most sides are then crossed by a single window, however fine the faces are.
-//
 // Source: J. Chen, Y. Han, "Shortest paths on a polyhedron", 1996; S. Xin, G. Wang, "Improving Chen and Han's algorithm
 // on the discrete geodesic problem", 2009; V. Surazhsky et al., "Fast exact and approximate geodesics on meshes", 2005
 // (merging windows).
@@ -47,9 +39,8 @@ public:
   // \param surface, points must outlive this
   Window_propagation(const Laid_out_faces& surface, double tolerance, const Laid_out_points* points = nullptr)
     : surface_(surface), points_(points), tolerance_(tolerance), distances_(surface.number_of_rows(), infinity),
-      arrivals_(surface.number_of_rows()), splits_(surface.sides().size()),
-      waiting_(tolerance > 0 ? surface.sides().size() : 0, none), in_order_(tolerance > 0 ? 0 : surface.sides().size()),
-      at_narrow_edges_(surface.number_of_narrow_edges())
+      arrivals_(surface.number_of_rows()), origins_(surface.number_of_rows(), 0), splits_(surface.sides().size()),
+      waiting_(surface, tolerance), at_narrow_edges_(surface.number_of_narrow_edges())
   {
     // Of two ways to a corner, the longer one ends what lies beyond the other, because they have crossed in the face
     // before. If they may come from different faces, nothing is known.
@@ -57,56 +48,54 @@ public:
       if (surface.beside(side) != none)
         splits_[side].distance = std::numeric_limits<double>::quiet_NaN();
   }
-  Window_propagation(const Window_propagation&) = delete; // the queue refers to it
-  Window_propagation& operator=(const Window_propagation&) = delete;
 
   // \return whether the maximum number of steps was enough
-  bool run(const std::vector<std::uint32_t>& sources, std::uint64_t most, const Interruption& interruption,
-           std::uint32_t goal)
+  bool run(const Window_sources& sources, std::uint64_t most, const Interruption& interruption,
+           std::vector<std::uint32_t> goals)
   {
-    for (std::uint32_t row : sources)
-      distances_[row] = 0;
-    for (std::uint32_t row : sources)
-      send_all_around(row, none);
-    while (!queue_.empty()) {
+    const bool has_goals = !goals.empty();
+    const double farther = tolerance_ > 0 ? surface_.longest_side() / 2 : 0; // than any point of the next side
+    begin_at(sources);
+    while (!waiting_.is_empty()) {
       if (++number_of_steps_ > most)
         return false;
       if (number_of_steps_ % 4096 == 0)
         interruption.check();
-      const auto [distance, slot] = queue_.top();
-      queue_.pop();
-      if (!queue_.empty())
-        prefetch(&windows_[queue_.top().second]);
-      if (goal != none && distance > distances_[goal])
+      const auto [distance, window] = waiting_.pop();
+      while (!goals.empty() && distance - farther > distances_[goals.back()])
+        goals.pop_back();
+      if (has_goals && goals.empty())
         break;
-      const Window window = windows_[slot];
-      if (window.sigma >= 0 && tolerance_ > 0) {
-        send_all_on(window.side);
-        continue;
-      }
-      if (window.sigma < 0)
+      if (window.kind == Window::WAY_TO_VERTEX)
         send_from(window.side, window.x, distance);
-      else if (window.next != taken) {
-        remove(slot);
+      else if (window.kind == Window::SOURCE)
+        send_from_source(sources.rows[window.source], distance);
+      else if (tolerance_ == 0 && window.next != Window::taken)
         send_on(window);
-      }
-      free_.push_back(slot);
+      else if (tolerance_ > 0)
+        send_all_on(window.side);
     }
     return true;
   }
 
   // The same, from points.
-  void run_from_points(const std::vector<std::uint32_t>& sources, const Interruption& interruption)
+  void run_from_points(const std::vector<std::uint32_t>& numbers, const Interruption& interruption)
   {
-    std::vector<std::uint32_t> rows;
-    for (std::uint32_t number : sources)
+    Window_sources sources;
+    for (std::uint32_t number : numbers)
       if (const Laid_out_points::Point* const p = points_->find(number)) {
-        if (p->row != none)
-          rows.push_back(p->row);
-        else
-          send_from_point(*p);
+        if (p->row != none) {
+          sources.rows.push_back({p->row, 0, 0, {}});
+          continue;
+        }
+        for (const Laid_out_points::Point& q : points_->in_face(p->face))
+          come_nearer(q, length_of(q.at[0][0] - p->at[0][0], q.at[0][1] - p->at[0][1]));
+        Face_source source;
+        source.side = 3 * p->face;
+        source.from = p->at[0];
+        sources.in_faces.push_back(source);
       }
-    run(rows, (std::numeric_limits<std::uint64_t>::max)(), interruption, none);
+    run(sources, (std::numeric_limits<std::uint64_t>::max)(), interruption, {});
   }
 
   // Of the points; infinite where no way leads. Ways that bend at a corner of the face come from there.
@@ -123,34 +112,18 @@ public:
 
   Window_distances result(bool is_complete)
   {
-    return {std::move(distances_), std::move(arrivals_), number_of_steps_, is_complete};
+    return {std::move(distances_), std::move(arrivals_), std::move(origins_), number_of_steps_, is_complete};
   }
 
 private:
   using Side = Laid_out_faces::Side;
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  static constexpr std::uint32_t none = Laid_out_faces::none, taken = none - 1;
+  static constexpr std::uint32_t none = Laid_out_faces::none;
   static constexpr double equal = 1 + 1e-15;
   static constexpr std::size_t most_at_narrow_edge = 32;
-  static constexpr double least_width = 1e-12, least_angle = 1e-9;
+  static constexpr double least_angle = 1e-9;
   static constexpr double shadow_begin = CGAL_PI - least_angle; // from the way to a vertex
-
-  // A window in the queue: its distance, and where it is stored.
-  using Place = std::pair<double, std::uint32_t>;
-  // Among windows at the same distance, those at the first side come first, independent of numbering.
-  struct Comes_later
-  {
-    const Window_propagation& windows;
-
-    bool operator()(const Place& a, const Place& b) const
-    {
-      if (a.first != b.first)
-        return a.first > b.first;
-      const Window &u = windows.windows_[a.second], &v = windows.windows_[b.second];
-      return u.side == v.side ? is_before(v, u) : windows.surface_.is_before(v.side, u.side);
-    }
-  };
 
   // The nearest straight way across a side to the opposite corner, and where it crosses the side.
   struct Split
@@ -158,176 +131,24 @@ private:
     double distance = infinity, crossing = 0;
   };
 
-  std::uint32_t store(const Window& window)
-  {
-    std::uint32_t slot = std::uint32_t(windows_.size());
-    if (free_.empty())
-      windows_.push_back(window);
-    else {
-      slot = free_.back();
-      free_.pop_back();
-      windows_[slot] = window;
-    }
-    return slot;
-  }
-
-  // Removes a window from those that wait at its side in order.
-  void remove(std::uint32_t slot)
-  {
-    std::vector<Place>& row = in_order_[windows_[slot].side];
-    auto place = std::lower_bound(row.begin(), row.end(), Place(windows_[slot].x, 0));
-    while (place->second != slot)
-      ++place;
-    row.erase(place);
-  }
-
-  void wait(Window w)
-  {
-    if (tolerance_ == 0)
-      return wait_in_order(w);
-    std::uint32_t& first = waiting_[w.side];
-    w.next = first;
-    first = store(w);
-    if (w.next == none) // a front enters a face without obtuse angle through sides whose middles are nearer
-      queue_.push({w.distance(surface_.side(w.side).length / 2), first});
-  }
-
-  // Between the waiting windows whose ways come from farther to the left and to the right. What others reach sooner is
-  // cut off, of this window and of those.
-  void wait_in_order(Window& w)
-  {
-    unite_with_waiting(w);
-    std::vector<Place>& row = in_order_[w.side];
-    auto place = std::lower_bound(row.begin(), row.end(), Place(w.x, 0));
-    for (; place != row.end(); place = row.erase(place)) {
-      Window& other = windows_[place->second];
-      if (!trim_end(w, other))
-        return;
-      if (trim_beginning(other, w))
-        break;
-      other.next = taken;
-    }
-    for (; place != row.begin(); place = row.erase(place)) {
-      Window& other = windows_[std::prev(place)->second];
-      if (!trim_beginning(w, other))
-        return;
-      if (trim_end(other, w))
-        break;
-      other.next = taken;
-      --place;
-    }
-    const std::uint32_t slot = store(w);
-    row.insert(place, Place(w.x, slot));
-    // At the distance of its nearest point: windows derived from it are not nearer, so ways continue from a vertex
-    // only once the shortest way to it is known.
-    queue_.push({w.distance((std::min)((std::max)(w.x, w.b0), w.b1)), slot});
-  }
-
-  // Merges a window with waiting ones that come from the same point, if possible.
-  void unite_with_waiting(Window& w)
-  {
-    const double least_gap = least_width * surface_.side(w.side).length;
-    std::vector<Place>& row = in_order_[w.side];
-    const auto first_near = [&] {
-      return std::lower_bound(row.begin(), row.end(), Place(w.x - 2 * least_difference(w), 0));
-    };
-    for (auto place = first_near(); place != row.end() && place->first <= w.x + 2 * least_difference(w);) {
-      Window& other = windows_[place->second];
-      const Window &u = other.b0 < w.b0 ? other : w, &v = other.b0 < w.b0 ? w : other;
-      if (v.b0 > u.b1 + least_gap || !come_from_same_point(u, v)) {
-        ++place;
-        continue;
-      }
-      w = both(u, v);
-      other.next = taken;
-      row.erase(place);
-      place = first_near();
-    }
-  }
-
-  // All windows that wait at a side, merged as far as the tolerance allows.
   void send_all_on(std::uint32_t side)
   {
-    meeting_.clear();
-    for (std::uint32_t slot = waiting_[side]; slot != none; slot = windows_[slot].next) {
-      meeting_.push_back(windows_[slot]);
-      free_.push_back(slot);
-    }
-    waiting_[side] = none;
-    std::sort(meeting_.begin(), meeting_.end(), is_before);
-    std::size_t last = 0;
-    for (std::size_t i = 1; i < meeting_.size(); ++i)
-      if (!unite_nearly(meeting_[last], meeting_[i]))
-        meeting_[++last] = meeting_[i];
-    number_of_steps_ += last;
-    for (std::size_t i = 0; i <= last; ++i)
-      send_on(meeting_[i]);
-  }
-
-  // \param u begins before v
-  // \return whether u now represents both
-  bool unite_nearly(Window& u, const Window& v) const
-  {
-    const double length = surface_.side(u.side).length;
-    if (is_nowhere_shorter(v, u))
-      return true;
-    if (is_nowhere_shorter(u, v)) {
-      u = v;
-      return true;
-    }
-    // Changed windows leave gaps between them, which grow with the distance.
-    if (v.b1 <= u.b1 || v.b0 > u.b1 + length / 10)
-      return false;
-    Window result = both(u, v);
-    if (!come_from_same_point(u, v)) {
-      // The distances of the ends do not change.
-      const double width = result.b1 - result.b0;
-      result.sigma = (std::min)(u.sigma, v.sigma);
-      const double r0 = u.distance(u.b0) - result.sigma, r1 = v.distance(v.b1) - result.sigma,
-                   x = (width + (r0 - r1) * ((r0 + r1) / width)) / 2;
-      if (!(std::abs(x) < r0))
-        return false;
-      result.x = result.b0 + x;
-      result.y = std::sqrt((r0 - x) * (r0 + x));
-      const auto differs = [&](const Window& w, double b) {
-        return std::abs(w.distance(b) - result.distance(b)) > tolerance_ * length;
-      };
-      if (turns(u, result, u.b0) || turns(v, result, v.b1) || differs(u, u.b1) || differs(v, v.b0) ||
-          differs(u, (u.b0 + u.b1) / 2) || differs(v, (v.b0 + v.b1) / 2))
-        return false;
-    }
-    u = result;
-    return true;
-  }
-
-  // Whether the ways of another window are shorter at all points of w; or longer by the tolerance at most, if they have
-  // the same direction.
-  bool is_nowhere_shorter(const Window& w, const Window& other) const
-  {
-    if (w.b0 < other.b0 || w.b1 > other.b1)
-      return false;
-    const double more = turns(w, other, w.b0) || turns(w, other, w.b1) ? 0 : tolerance_ * surface_.side(w.side).length;
-    for (double b : {w.b0, (w.b0 + w.b1) / 2, w.b1})
-      if (other.distance(b) > w.distance(b) + more)
-        return false;
-    return true;
-  }
-
-  // In a corridor of thin faces, turned ways would run into the wall.
-  bool turns(const Window& u, const Window& v, double b) const
-  {
-    return std::abs((b - u.x) / length_of(b - u.x, u.y) - (b - v.x) / length_of(b - v.x, v.y)) > 3 * tolerance_;
+    const std::vector<Window>& windows = waiting_.take_all(side);
+    number_of_steps_ += windows.size() - 1;
+    for (const Window& w : windows)
+      send_on(w);
   }
 
   // A way to the vertex where the side begins, from the angle to the left of the side.
-  void reach(std::uint32_t side, double angle, double distance)
+  void reach(std::uint32_t side, double angle, double distance, std::uint32_t source)
   {
     double& known = distances_[surface_.side(side).row];
     if (!(distance < known * shorter))
       return;
     known = distance;
     arrivals_[surface_.side(side).row] = {side, angle};
-    queue_.push({distance, store({0, 0, angle, 0, -1, side})});
+    origins_[surface_.side(side).row] = source;
+    waiting_.add_event(distance, {0, 0, angle, 0, 0, side, none, source, 0, Window::WAY_TO_VERTEX});
   }
 
   // Whether ways over an end of the side are shorter for all points of the window.
@@ -359,7 +180,7 @@ private:
     w.y = (std::max)(w.y, 0.);
     if (w.b1 - w.b0 > least_width * length && !is_useless(w) &&
         (surface_.side(side).narrow == none || crosses_narrow_edge(w)))
-      wait(w);
+      waiting_.add(w);
   }
 
   // Whether a window has to be followed across a narrow edge: not if other ways to the edge are shorter at all its
@@ -382,7 +203,8 @@ private:
       others.push_back(forward);
     else
       others[number_of_steps_ % most_at_narrow_edge] = forward;
-    ++w.turns;
+    if (w.turns < (std::numeric_limits<std::uint16_t>::max)())
+      ++w.turns;
     return true;
   }
 
@@ -403,23 +225,11 @@ private:
       const double u = s.length * std::sin(angle), v = last.length * std::sin(s.angle - angle);
       return u + v > 0 ? o.length * (v / (u + v)) : 0;
     };
-    leave(surface_.next(side), {at(to), at(from), o.length - o.apex_x, o.apex_y, distances_[s.row], 0});
+    leave(surface_.next(side),
+          {at(to), at(from), o.length - o.apex_x, o.apex_y, distances_[s.row], 0, none, origins_[s.row]});
   }
 
-  // The ways from a point within a face.
-  void send_from_point(const Laid_out_points::Point& p)
-  {
-    for (const Laid_out_points::Point& q : points_->in_face(p.face))
-      come_nearer(q, length_of(q.at[0][0] - p.at[0][0], q.at[0][1] - p.at[0][1]));
-    for (std::uint32_t k = 0; k < 3; ++k) {
-      const std::uint32_t side = 3 * p.face + k;
-      const double length = surface_.side(side).length, x = p.at[k][0], y = p.at[k][1];
-      reach(side, std::atan2(y, x), length_of(x, y));
-      leave(side, {0, length, length - x, y, 0, 0});
-    }
-  }
-
-  // The ways of a window to the points of the face that it enters, straight or over its nearest end.
+  // The ways of a window from a point to the points of the face that it enters, straight or over its nearest end.
   void reach_points(const Window& w)
   {
     for (const Laid_out_points::Point& p : points_->in_face(w.side / 3)) {
@@ -436,17 +246,93 @@ private:
     known = (std::min)(known, distance);
   }
 
+  void begin_at(const Window_sources& sources)
+  {
+    for (const Row_source& source : sources.rows)
+      if (source.offset < distances_[source.row]) {
+        distances_[source.row] = source.offset;
+        origins_[source.row] = source.number;
+      }
+    for (std::size_t i = 0; i < sources.rows.size(); ++i) {
+      const Row_source& source = sources.rows[i];
+      const std::uint32_t first = surface_.first_corner(source.row);
+      if (source.offset == 0)
+        send_from_source(source, 0);
+      else if (first < surface_.first_corner(source.row + 1))
+        waiting_.add_event(source.offset,
+                           {0, 0, 0, 0, 0, surface_.corner(first), none, std::uint32_t(i), 0, Window::SOURCE});
+    }
+    for (const Face_source& source : sources.in_faces)
+      for (std::uint32_t side : {source.side, surface_.next(source.side), surface_.prev(source.side)})
+        if (surface_.side(side).opposite != none) // ways into there may begin between others
+          splits_[surface_.side(side).opposite].distance = std::numeric_limits<double>::quiet_NaN();
+    for (const Face_source& source : sources.in_faces) {
+      const First_ways first = first_ways(surface_, source);
+      for (const auto& [side, angle, distance] : first.to_corners)
+        reach(side, angle, distance, source.number);
+      for (const auto& [side, window] : first.windows)
+        leave(side, window);
+    }
+  }
+
+  // The ways from a row, but not between the perpendiculars to a source that begins there.
+  void send_from_source(const Row_source& source, double distance)
+  {
+    if (distance > distances_[source.row])
+      return;
+    if (source.segments.empty())
+      return send_all_around(source.row, none);
+    send_along_edges(source.row);
+    std::map<std::uint32_t, std::pair<double, double>>
+      covered; // from the right side of a corner, and from the left one
+    for (const auto& [first, angle] : source.segments) {
+      double from = angle, rest = CGAL_PI / 2;
+      for (std::uint32_t side = first; side != none && rest > 0; from = 0, side = surface_.left_of(side)) {
+        const double whole = surface_.side(side).angle, part = (std::min)(whole - from, rest);
+        rest -= whole - from;
+        cover(covered[side], from, from + part, whole);
+      }
+      rest = CGAL_PI / 2;
+      double to = angle;
+      for (std::uint32_t side = first; side != none && rest > 0;) {
+        cover(covered[side], (std::max)(0., to - rest), to, surface_.side(side).angle);
+        rest -= to;
+        side = surface_.right_of(side);
+        to = side == none ? 0 : surface_.side(side).angle;
+      }
+    }
+    for (std::uint32_t i = surface_.first_corner(source.row); i < surface_.first_corner(source.row + 1); ++i) {
+      const std::uint32_t side = surface_.corner(i);
+      const double from = covered[side].first, to = surface_.side(side).angle - covered[side].second;
+      if (to - from > least_angle)
+        send_into_face(side, from, to);
+    }
+  }
+
+  // \param covered up to which angles from the right and from the left side of a corner
+  static void cover(std::pair<double, double>& covered, double from, double to, double whole)
+  {
+    if (from <= covered.first + least_angle)
+      covered.first = (std::max)(covered.first, to);
+    if (to >= whole - covered.second - least_angle)
+      covered.second = (std::max)(covered.second, whole - from);
+  }
+
+  void send_along_edges(std::uint32_t row)
+  {
+    for (std::uint32_t i = surface_.first_corner(row); i < surface_.first_corner(row + 1); ++i) {
+      const std::uint32_t side = surface_.corner(i), next = surface_.next(side), last = surface_.prev(side);
+      reach(last, 0, distances_[row] + surface_.side(last).length, origins_[row]);
+      if (surface_.side(side).opposite == none)
+        reach(next, surface_.side(next).angle, distances_[row] + surface_.side(side).length, origins_[row]);
+    }
+  }
+
   // The ways from a row: along all edges, and into all faces at its vertices except one.
   void send_all_around(std::uint32_t row, std::uint32_t but)
   {
-    const std::uint32_t begin = surface_.first_corner(row), end = surface_.first_corner(row + 1);
-    for (std::uint32_t i = begin; i < end; ++i) {
-      const std::uint32_t side = surface_.corner(i), next = surface_.next(side), last = surface_.prev(side);
-      reach(last, 0, distances_[row] + surface_.side(last).length);
-      if (surface_.side(side).opposite == none)
-        reach(next, surface_.side(next).angle, distances_[row] + surface_.side(side).length);
-    }
-    for (std::uint32_t i = begin; i < end; ++i) {
+    send_along_edges(row);
+    for (std::uint32_t i = surface_.first_corner(row); i < surface_.first_corner(row + 1); ++i) {
       const std::uint32_t side = surface_.corner(i);
       if (surface_.side(side).vertex != but)
         send_into_face(side, 0, surface_.side(side).angle);
@@ -508,13 +394,14 @@ private:
     if (points_)
       reach_points(w);
     const std::uint32_t next = surface_.next(w.side), prev = surface_.next(next);
-    const double cx = s.apex_x, cy = s.apex_y, crossing = w.x + (cx - w.x) * (w.y / (w.y + cy));
+    const double cx = s.apex_x, cy = s.apex_y,
+                 crossing = w.kind == Window::FRONT ? cx - cy * (w.x / w.y) : w.x + (cx - w.x) * (w.y / (w.y + cy));
     bool goes_left = w.b0<crossing, goes_right = w.b1> crossing;
     // To the corner, straight or over the end of the window that is nearest to the straight way.
     const double at = (std::min)((std::max)(crossing, w.b0), w.b1);
     const double to_corner = w.distance(at) + length_of(cx - at, cy);
     if (to_corner < distances_[surface_.side(prev).row] * shorter) // otherwise the angle is not needed
-      reach(prev, std::atan2(cy * at, cx * (cx - at) + cy * cy), to_corner);
+      reach(prev, std::atan2(cy * at, cx * (cx - at) + cy * cy), to_corner, w.source);
     if (goes_left && goes_right) {
       Split& split = splits_[w.side];
       if (to_corner < split.distance)
@@ -527,7 +414,7 @@ private:
       const double ex = cx / side.length, ey = cy / side.length;
       const double b0 = on_left(w, s, w.b0) * side.length,
                    b1 = w.b1 >= crossing ? side.length : on_left(w, s, w.b1) * side.length;
-      const Window child{b0, b1, w.x * ex - w.y * ey, w.x * ey + w.y * ex, w.sigma, 0, none, w.turns};
+      const Window child = seen_along(w, 0, 0, ex, ey, b0, b1);
       if (!is_shorter_over(surface_.side(next).row, s.length - b0 * ex, b0 * ey, child, b0, slack(s)))
         leave(prev, child);
     }
@@ -537,11 +424,27 @@ private:
         ey = -cy / side.length;
       const double b0 = w.b0 > crossing ? (1 - on_right(w, s, w.b0)) * side.length : 0,
                    b1 = (1 - on_right(w, s, w.b1)) * side.length;
-      const Window child{b0,   b1,     (w.x - cx) * ex - (w.y + cy) * ey, (w.x - cx) * ey + (w.y + cy) * ex, w.sigma, 0,
-                         none, w.turns};
+      const Window child = seen_along(w, cx, cy, ex, ey, b0, b1);
       if (!is_shorter_over(s.row, cx + b1 * ex, cy + b1 * ey, child, b1, slack(s)))
         leave(next, child);
     }
+  }
+
+  // The window relative to a side from (cx, cy) in the direction (ex, ey).
+  static Window seen_along(const Window& w, double cx, double cy, double ex, double ey, double b0, double b1)
+  {
+    Window result = w;
+    result.b0 = b0;
+    result.b1 = b1;
+    if (w.kind == Window::FRONT) {
+      result.sigma = w.sigma + (cx * w.x + cy * w.y);
+      result.x = w.x * ex + w.y * ey;
+      result.y = w.y * ex - w.x * ey;
+    } else {
+      result.x = (w.x - cx) * ex - (w.y + cy) * ey;
+      result.y = (w.x - cx) * ey + (w.y + cy) * ex;
+    }
+    return result;
   }
 
   // Whether ways over the third corner of the face on the left are shorter for all points of the window. They cross all
@@ -556,13 +459,13 @@ private:
   // side.
   static double on_left(const Window& w, const Side& s, double b)
   {
-    const double up = w.y * b, down = w.y * s.apex_x - (b - w.x) * s.apex_y;
+    const double up = w.y * b, down = w.y * s.apex_x - w.run(b) * s.apex_y;
     return up <= 0 ? 0 : (down > up ? up / down : 1);
   }
   // The side from the end to the corner.
   static double on_right(const Window& w, const Side& s, double b)
   {
-    const double up = w.y * (s.length - b), down = w.y * (s.length - s.apex_x) + (b - w.x) * s.apex_y;
+    const double up = w.y * (s.length - b), down = w.y * (s.length - s.apex_x) + w.run(b) * s.apex_y;
     return up <= 0 ? 0 : (down > up ? up / down : 1);
   }
 
@@ -572,25 +475,21 @@ private:
   double tolerance_;
   std::vector<double> distances_;                   // of the rows
   std::vector<Window_distances::Arrival> arrivals_; // likewise
+  std::vector<std::uint32_t> origins_;              // likewise
   std::vector<Split> splits_;                       // of the sides
-  std::vector<Window> windows_;
-  std::vector<Window> meeting_;                      // at one side
-  std::vector<std::uint32_t> free_;                  // places for windows
-  std::vector<std::uint32_t> waiting_;               // at each side, the first window, with a tolerance
-  std::vector<std::vector<Place>> in_order_;         // at each side, all of them by `x`, without a tolerance
+  Waiting_windows waiting_;
   std::vector<std::vector<Window>> at_narrow_edges_; // some of the windows that arrived, by the number of the edge
-  Nearest_first_queue<Place, Comes_later> queue_{Comes_later{*this}};
   std::uint64_t number_of_steps_ = 0;
 };
 
 } // namespace
 
-Window_distances propagate_windows(const Laid_out_faces& surface, double tolerance,
-                                   const std::vector<std::uint32_t>& sources, std::uint64_t most,
-                                   const Interruption& interruption, std::uint32_t goal)
+Window_distances propagate_windows(const Laid_out_faces& surface, double tolerance, const Window_sources& sources,
+                                   std::uint64_t most, const Interruption& interruption,
+                                   const std::vector<std::uint32_t>& goals)
 {
   Window_propagation windows(surface, tolerance);
-  const bool is_complete = windows.run(sources, most, interruption, goal);
+  const bool is_complete = windows.run(sources, most, interruption, goals);
   return windows.result(is_complete);
 }
 

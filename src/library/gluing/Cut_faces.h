@@ -99,8 +99,12 @@ private:
       return Node(vertex_at(p).idx());
     const Node next = Node(number_of_vertices());
     if (dimension == 2) {
+      std::vector<Node>& inner_nodes = inner_nodes_[complex_.face(p.halfedge).idx()];
+      for (Node other : inner_nodes) // the path may end where it begins
+        if (are_same_points(complex_, location(other), p))
+          return other;
       new_points_.push_back(p);
-      inner_nodes_[complex_.face(p.halfedge).idx()].push_back(next);
+      inner_nodes.push_back(next);
       return next;
     }
     const Edge_index e = complex_.edge(side_of(complex_, p));

@@ -19,7 +19,8 @@ from ._errors import (CancelledError, Error, IntegerOverflowError, InvalidArgume
                       NumericalError, UndecidedError)
 from ._files import Repair, RepairedMesh, orient, read_mesh, repair
 from ._geodesics import CutSurface, EdgeFlipGeodesicSolver, GeodesicPath, GeodesicTracer, cut_along_path, geodesic_path
-from ._heat import MeshHeatMethodDistanceSolver, compute_distance, compute_distance_multisource, geodesic_distances
+from ._heat import (MeshHeatMethodDistanceSolver, compute_distance, compute_distance_multisource, geodesic_distance_matrix,
+                    geodesic_distances, geodesic_distances_from)
 from ._laplacian import laplacian, mesh_laplacian, point_cloud_laplacian
 from ._mesh import cotan_laplacian, face_areas, vertex_areas
 from ._simplification import DistanceIntervals, SimplifiedDistances, SimplifiedSurface
@@ -61,7 +62,9 @@ __all__ = [
     "cotan_laplacian",
     "cut_along_path",
     "face_areas",
+    "geodesic_distance_matrix",
     "geodesic_distances",
+    "geodesic_distances_from",
     "geodesic_path",
     "laplacian",
     "mesh_laplacian",

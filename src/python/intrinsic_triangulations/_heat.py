@@ -7,7 +7,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Optional, Sequence, Tuple
 
 import numpy
 from numpy.typing import ArrayLike
@@ -168,11 +168,77 @@ def geodesic_distances(V: ArrayLike, F: ArrayLike, v_inds: ArrayLike, tolerance:
         As for `MeshHeatMethodDistanceSolver`.
     """
     points, faces = _arrays.points_and_faces(V, F)
-    if not (isinstance(tolerance, (int, float, numpy.integer, numpy.floating)) and 0 <= tolerance < 1):
-        raise ValueError(f"tolerance has to be a number of at least 0 and below 1, not {tolerance!r}")
     sources = _arrays.indices(v_inds if numpy.ndim(v_inds) else [v_inds], "v_inds", (None,), len(points))
     _arrays.warn_of_gaps(points, faces)
-    return _core.geodesic_distances(points, faces, sources, float(tolerance))
+    return _core.geodesic_distances(points, faces, sources, _tolerance(tolerance))
+
+
+def geodesic_distances_from(V: ArrayLike, F: ArrayLike, sources: Sequence[Any], tolerance: float = 0.001, *,
+                            offsets: Optional[ArrayLike] = None) -> Tuple[numpy.ndarray, numpy.ndarray]:
+    """Return the length of the shortest path from the nearest of several points, edges and curves to each vertex.
+
+    Paths leave a curve at right angles. With the tolerance 0, distances from curves are exact up to rounding, too.
+
+    Parameters
+    ----------
+    V, F, tolerance
+        As for `geodesic_distances`.
+    sources : sequence
+        An integer is a vertex, two integers are an edge, four numbers are a point: the number of a triangle, and
+        barycentric coordinates. A (k, 4) array is a curve through such points, each in the triangle of the one before,
+        or on an edge or at a vertex of it.
+    offsets : (number of sources,) array of floats
+        The distances at the sources, not negative; 0 by default.
+
+    Returns
+    -------
+    distances : (n,) array
+        In the unit of the input: infinite where no source is connected.
+    nearest : (n,) array of integers
+        The number of the nearest source.
+
+    Raises
+    ------
+    InvalidSurfaceError
+        As for `MeshHeatMethodDistanceSolver`.
+    ValueError
+        If a source does not lie on the surface, or an offset is negative.
+    """
+    points, faces = _arrays.points_and_faces(V, F)
+    places = [_places(source, i, faces, len(points)) for i, source in enumerate(sources)]
+    starts = numpy.zeros(len(places)) if offsets is None else _arrays.finite(offsets, "offsets", (len(places),))
+    _arrays.warn_of_gaps(points, faces)
+    rows = numpy.concatenate(places) if places else numpy.empty((0, 4))
+    first = numpy.cumsum([0] + [len(p) for p in places]).astype(numpy.uint32)
+    numbers = _arrays.indices(rows[:, 0].astype(numpy.int64), "triangles of sources", (None,), len(faces))
+    return _core.geodesic_distances_from(points, faces, numbers, numpy.ascontiguousarray(rows[:, 1:]), first, starts,
+                                         _tolerance(tolerance))
+
+
+def geodesic_distance_matrix(V: ArrayLike, F: ArrayLike, sources: ArrayLike, targets: ArrayLike,
+                             tolerance: float = 0.001) -> numpy.ndarray:
+    """Return the length of the shortest path from each source to each target, on several cores.
+
+    The numbers are those of `geodesic_distances` from each source alone. Only what is nearer than the farthest target is
+    visited.
+
+    Parameters
+    ----------
+    V, F, tolerance
+        As for `geodesic_distances`.
+    sources, targets : (k,) and (m,) arrays of integers
+        Vertices.
+
+    Returns
+    -------
+    (k, m) array
+        Infinite where no path leads.
+    """
+    points, faces = _arrays.points_and_faces(V, F)
+    rows = _arrays.indices(sources, "sources", (None,), len(points))
+    columns = _arrays.indices(targets, "targets", (None,), len(points))
+    _arrays.warn_of_gaps(points, faces)
+    return _core.geodesic_distance_matrix(points, faces, rows, columns, _tolerance(tolerance)).reshape(len(rows), len(columns))
 
 
 def compute_distance(V: ArrayLike, F: ArrayLike, v_ind: int) -> numpy.ndarray:
@@ -183,6 +249,27 @@ def compute_distance(V: ArrayLike, F: ArrayLike, v_ind: int) -> numpy.ndarray:
 def compute_distance_multisource(V: ArrayLike, F: ArrayLike, v_inds: ArrayLike) -> numpy.ndarray:
     """Construct a `MeshHeatMethodDistanceSolver` and return its `compute_distance_multisource`."""
     return MeshHeatMethodDistanceSolver(V, F).compute_distance_multisource(v_inds)
+
+
+def _tolerance(tolerance: Any) -> float:
+    if not (isinstance(tolerance, (int, float, numpy.integer, numpy.floating)) and 0 <= tolerance < 1):
+        raise ValueError(f"tolerance has to be a number of at least 0 and below 1, not {tolerance!r}")
+    return float(tolerance)
+
+
+def _places(source: Any, i: int, faces: numpy.ndarray, number_of_vertices: int) -> numpy.ndarray:
+    """Return rows of a triangle and barycentric coordinates."""
+    array = numpy.asarray(source)
+    if array.shape in ((), (2,)):
+        ends = [_arrays.vertex(v, f"sources[{i}]", number_of_vertices) for v in array.reshape(-1).tolist()]
+        triangles = numpy.nonzero(numpy.all([(faces == v).any(axis=1) for v in ends], axis=0))[0]
+        if len(triangles) == 0:
+            raise ValueError(f"sources[{i}]: no triangle has the vertices {ends}")
+        return numpy.array([[triangles[0], *(faces[triangles[0]] == v)] for v in ends], dtype=float)
+    rows = _arrays.finite(source, f"sources[{i}]", (4,) if array.ndim == 1 else (None, 4)).reshape(-1, 4)
+    if not (rows[:, 0] == numpy.floor(rows[:, 0])).all():
+        raise ValueError(f"sources[{i}]: the number of a triangle is not whole")
+    return rows
 
 
 def _options(t_coef: Any, boundary: Any, keeps_ridges: Any) -> tuple:

@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include <CGAL/Intrinsic_triangulations/internal/numbers/Accurate_shapes.h>
 
 #include <algorithm>
@@ -65,7 +66,8 @@ public:
 
   // \param distances by rows; infinite ones become finite where edges lead
   // \param sources rows, and their distances from the source that they represent
-  void apply(std::vector<double>& distances, const std::map<std::uint32_t, double>& sources) const;
+  // \param farther by how much more points of a source may be away from its row
+  void apply(std::vector<double>& distances, const std::map<std::uint32_t, double>& sources, double farther = 0) const;
 
 private:
   static constexpr double not_yet = std::numeric_limits<double>::infinity();  // the path of a row before its turn
@@ -93,7 +95,7 @@ private:
 
   void index(const std::vector<Edge>& edges);
   double within(double distance, double path, std::uint32_t row, std::uint32_t origin,
-                const std::map<std::uint32_t, double>& sources) const;
+                const std::map<std::uint32_t, double>& sources, double farther) const;
   double line(std::uint32_t v, std::uint32_t w) const;
 
   std::vector<std::uint32_t> first_; // the first neighbor of a row

@@ -94,6 +94,7 @@ public:
   // For a side where the surface was cut: the next side at the same edge, cyclically; none if it is the only one.
   std::uint32_t beside(std::uint32_t i) const { return beside_.empty() ? none : beside_[i]; }
   std::size_t number_of_narrow_edges() const { return number_of_narrow_edges_; }
+  double longest_side() const;
   // Infinite on the border.
   double angle_sum(std::uint32_t vertex) const
   {

@@ -10,6 +10,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/distances/Laid_out_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/distances/Laid_out_points.h>
+#include <CGAL/Intrinsic_triangulations/internal/distances/Window_sources.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
 #include <cstdint>
@@ -27,19 +28,19 @@ struct Window_distances
     double angle = 0;
   };
 
-  std::vector<double> distances; // of the rows, in the unit of the faces; infinite if unreachable
-  std::vector<Arrival> arrivals; // likewise
+  std::vector<double> distances;      // of the rows, in the unit of the faces; infinite if unreachable
+  std::vector<Arrival> arrivals;      // likewise
+  std::vector<std::uint32_t> origins; // likewise: the number of the nearest source
   std::uint64_t number_of_steps = 0;
   bool is_complete = true; // whether the maximum number of steps was enough
 };
 
 // \param tolerance of the lengths of ways, as a fraction of each edge that they cross
-// \param sources rows
 // \param most the maximum number of windows passed on; the others are lost
-// \param goal a row: without a tolerance, windows farther away are not followed
-Window_distances propagate_windows(const Laid_out_faces& surface, double tolerance,
-                                   const std::vector<std::uint32_t>& sources, std::uint64_t most,
-                                   const Interruption& interruption, std::uint32_t goal = Laid_out_faces::none);
+// \param goals rows: if there are any, windows farther away than all of them are not followed
+Window_distances propagate_windows(const Laid_out_faces& surface, double tolerance, const Window_sources& sources,
+                                   std::uint64_t most, const Interruption& interruption,
+                                   const std::vector<std::uint32_t>& goals = {});
 
 // The distances of points from the nearest of some of them, without a tolerance, in the unit of the faces.
 // \param points on the faces

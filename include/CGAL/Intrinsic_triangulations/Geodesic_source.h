@@ -1,0 +1,67 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// From where distances are measured: points, curves and regions.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_SOURCE_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_SOURCE_H
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Index.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations {
+
+/// \ingroup PkgIntrinsicTriangulationsHeat
+/// \brief a set of points of the input from which `geodesic_distances_from()` measures.
+struct Geodesic_source
+{
+  /// Each part is a point or a curve of straight segments. Two consecutive points of a curve lie in the face of the
+  /// first, as in the results of `geodesic_points()`. Curves may cross each other and themselves. A closed curve ends
+  /// where it begins.
+  std::vector<std::vector<Surface_point>> parts;
+  double offset = 0; ///< the distance at these points, not negative, in the unit of the input
+};
+
+/// \ingroup PkgIntrinsicTriangulationsHeat
+/// \brief returns a vertex as a source. \exception Invalid_argument_error if there is no such vertex, or it has no face
+Geodesic_source source_at_vertex(const Delta_complex& input, Vertex_index v);
+/// \ingroup PkgIntrinsicTriangulationsHeat
+/// \brief returns an edge as a source. \exception Invalid_argument_error if there is no such edge
+Geodesic_source source_at_edge(const Delta_complex& input, Edge_index e);
+/// \ingroup PkgIntrinsicTriangulationsHeat
+/// \brief returns the points of some faces as a source: their vertices, and the edges between them and other faces.
+/// Inside of the faces, distances are zero at the vertices only.
+/// \exception Invalid_argument_error if there is no such face
+Geodesic_source source_of_region(const Delta_complex& input, const std::vector<Face_index>& faces);
+
+/// \ingroup PkgIntrinsicTriangulationsHeat
+/// \brief a point of a triangle.
+struct Point_in_triangle
+{
+  std::size_t triangle;              ///< its number
+  std::array<double, 3> coordinates; ///< barycentric coordinates, of its corners in the order in which they are given
+};
+
+/// \ingroup PkgIntrinsicTriangulationsHeat
+/// \brief returns points of the input of a cover, `cover.triangulation.input()`, given in the triangles below it.
+/// \param cover a cover
+/// \param triangles the triangles from which it was made
+/// \param points points of them
+/// \exception Invalid_point_error if the cover has no such triangle, because its area is zero, for example
+/// O(number of triangles and points).
+std::vector<Surface_point> points_of_cover(const Tufted_cover& cover,
+                                           const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                                           const std::vector<Point_in_triangle>& points);
+
+} // namespace CGAL::Intrinsic_triangulations
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_GEODESIC_SOURCE_H

@@ -1,0 +1,210 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "commands/distance_sources.h"
+
+#include "commands/command_line.h"
+#include "system/Interruption.h"
+
+#include <CGAL/Intrinsic_triangulations/Point_location.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_path.h>
+#include <CGAL/Intrinsic_triangulations/shortest_path.h>
+#include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <utility>
+
+namespace idt {
+namespace {
+
+namespace IT = CGAL::Intrinsic_triangulations;
+using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
+using Points = std::vector<std::array<double, 3>>;
+
+class Source_placer
+{
+public:
+  // \param in_faces finds points that are given in numbered faces
+  // \param vertex_of the vertex of the user, for each vertex of the surface
+  // \param representative of each vertex of the user, another one if they were merged
+  Source_placer(const Named_sources& named, const Triangulation& triangulation, const Points& points,
+                std::function<std::vector<IT::Surface_point>(const std::vector<IT::Point_in_triangle>&)> in_faces,
+                std::vector<std::uint32_t> vertex_of, std::vector<std::uint32_t> representative)
+    : named_(named), triangulation_(triangulation), input_(triangulation.input()), points_(points),
+      in_faces_(std::move(in_faces)), vertex_of_(std::move(vertex_of)), representative_(std::move(representative))
+  {}
+
+  Placed_sources place()
+  {
+    for (std::uint64_t v : named_.vertices)
+      result_.sources.push_back(IT::source_at_vertex(input_, vertex(v)));
+    if (!named_.points_path.empty())
+      for (const auto& places : read_places(named_.points_path))
+        for (const IT::Surface_point& p : placed(places, named_.points_path))
+          result_.sources.push_back({{{p}}});
+    if (!named_.edges_path.empty())
+      add_edges();
+    if (!named_.curve_path.empty())
+      for (const auto& places : read_places(named_.curve_path))
+        add_curve(places);
+    return std::move(result_);
+  }
+
+private:
+  std::uint32_t representative(std::uint64_t number) const
+  {
+    if (number >= representative_.size())
+      throw Usage_error("there is no vertex " + std::to_string(number) + ": the input has " +
+                        std::to_string(representative_.size()) + ", counted from 0");
+    return representative_[number];
+  }
+
+  IT::Vertex_index vertex(std::uint64_t number) const
+  {
+    const auto found = std::find(vertex_of_.begin(), vertex_of_.end(), representative(number));
+    return IT::Vertex_index(IT::Vertex_index::size_type(found - vertex_of_.begin()));
+  }
+
+  std::vector<IT::Surface_point> placed(const std::vector<Place>& places, const std::string& path)
+  {
+    std::vector<IT::Point_in_triangle> given;
+    for (const Place& place : places)
+      if (place.kind != Place::IN_SPACE)
+        given.push_back({std::size_t(place.face), place.numbers});
+    const std::vector<IT::Surface_point> in_faces = in_faces_(given);
+    std::vector<IT::Surface_point> result;
+    std::size_t i = 0;
+    for (const Place& place : places) {
+      if (place.kind == Place::IN_SPACE) {
+        result.push_back(foot(place));
+        continue;
+      }
+      result.push_back(in_faces[i++]);
+      if (place.kind == Place::BETWEEN_VERTICES)
+        arrange(result.back(), place, path);
+    }
+    return result;
+  }
+
+  IT::Surface_point foot(const Place& place)
+  {
+    if (points_.empty())
+      throw Usage_error("points in space need a surface in space: give input_face,b0,b1,b2");
+    IT::Surface_point result = IT::locate(input_, points_, place.numbers);
+    const auto [x, y, z] = IT::point_in_space(input_, points_, result);
+    result_.largest_snap =
+      (std::max)(result_.largest_snap, std::hypot(x - place.numbers[0], y - place.numbers[1], z - place.numbers[2]));
+    return result;
+  }
+
+  // Coordinates that are given for vertices in any order.
+  void arrange(IT::Surface_point& p, const Place& place, const std::string& path) const
+  {
+    const IT::Halfedge_index h = p.halfedge;
+    const std::array<IT::Vertex_index, 3> corners{input_.source(h), input_.target(h), input_.target(input_.next(h))};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto corner = std::find_if(place.corners.begin(), place.corners.end(), [&](std::uint64_t v) {
+        return representative(v) == vertex_of_[corners[i].idx()];
+      });
+      if (corner == place.corners.end())
+        throw IT::Invalid_point_error(path + ", line " + std::to_string(place.line) + ": face " +
+                                      std::to_string(place.face) + " has other vertices");
+      p.coordinates[i] = place.numbers[std::size_t(corner - place.corners.begin())];
+    }
+  }
+
+  void add_edges()
+  {
+    std::vector<std::pair<std::pair<std::uint64_t, std::uint64_t>, IT::Edge_index>> edges;
+    for (IT::Edge_index e : input_.edges()) {
+      const IT::Halfedge_index h = input_.halfedge(e);
+      edges.push_back(
+        {std::minmax<std::uint64_t>(vertex_of_[input_.source(h).idx()], vertex_of_[input_.target(h).idx()]), e});
+    }
+    std::sort(edges.begin(), edges.end());
+    IT::Geodesic_source source;
+    for (const auto& [v, w] : read_vertex_pairs(named_.edges_path)) {
+      const std::pair<std::uint64_t, std::uint64_t> ends =
+        std::minmax<std::uint64_t>(representative(v), representative(w));
+      const auto found = std::lower_bound(edges.begin(), edges.end(), std::make_pair(ends, IT::Edge_index(0)));
+      if (found == edges.end() || found->first != ends)
+        throw IT::Invalid_point_error(named_.edges_path + ": no edge joins vertex " + std::to_string(v) +
+                                      " and vertex " + std::to_string(w));
+      source.parts.push_back(IT::source_at_edge(input_, found->second).parts.front());
+    }
+    result_.sources.push_back(std::move(source));
+  }
+
+  // Points of `idt geodesic` follow each other in faces. Between others, the curve takes the shortest path.
+  void add_curve(const std::vector<Place>& places)
+  {
+    const std::vector<IT::Surface_point> given = placed(places, named_.curve_path);
+    if (given.empty() || places.front().kind == Place::BETWEEN_VERTICES) {
+      result_.sources.push_back({{given}});
+      return;
+    }
+    Triangulation copy = triangulation_;
+    std::vector<IT::Vertex_index> stops;
+    for (const IT::Surface_point& p : given)
+      stops.push_back(IT::vertex_at_point(copy, p));
+    std::vector<IT::Surface_point> curve{given.front()};
+    for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+      if (stops[i] == stops[i + 1])
+        continue;
+      const IT::Shortest_path path =
+        IT::shortest_path(copy, stops[i], stops[i + 1], CGAL::parameters::visitor([] { return !is_interrupted(); }));
+      std::vector<IT::Surface_point> part = IT::geodesic_points(copy, path.halfedges);
+      curve.pop_back();
+      curve.insert(curve.end(), part.begin(), part.end());
+    }
+    result_.sources.push_back({{std::move(curve)}});
+  }
+
+  const Named_sources& named_;
+  const Triangulation& triangulation_;
+  const IT::Delta_complex& input_;
+  const Points& points_;
+  std::function<std::vector<IT::Surface_point>(const std::vector<IT::Point_in_triangle>&)> in_faces_;
+  std::vector<std::uint32_t> vertex_of_, representative_;
+  Placed_sources result_;
+};
+
+} // namespace
+
+Placed_sources place_sources(const Named_sources& named, const Triangulation& triangulation, const Points& points)
+{
+  const IT::Delta_complex& input = triangulation.input();
+  std::vector<std::uint32_t> vertex_of;
+  for (IT::Vertex_index v : input.vertices())
+    vertex_of.push_back(v.idx());
+  const auto in_faces = [&input](const std::vector<IT::Point_in_triangle>& given) {
+    std::vector<IT::Surface_point> result;
+    for (const IT::Point_in_triangle& p : given) {
+      if (p.triangle >= input.number_of_faces())
+        throw IT::Invalid_point_error("there is no face " + std::to_string(p.triangle) + ": the surface has " +
+                                      std::to_string(input.number_of_faces()) + ", counted from 0");
+      result.push_back({input.halfedge(IT::Face_index(IT::Face_index::size_type(p.triangle))), p.coordinates});
+    }
+    return result;
+  };
+  return Source_placer(named, triangulation, points, in_faces, vertex_of, vertex_of).place();
+}
+
+Placed_sources place_sources(const Named_sources& named, const IT::Tufted_cover& cover, const Points& points,
+                             const std::vector<std::array<std::uint32_t, 3>>& triangles)
+{
+  Points of_cover;
+  for (std::uint32_t v : cover.vertex_of)
+    if (!points.empty())
+      of_cover.push_back(points[v]);
+  const auto in_faces = [&](const std::vector<IT::Point_in_triangle>& given) {
+    return IT::points_of_cover(cover, triangles, given);
+  };
+  return Source_placer(named, cover.triangulation, of_cover, in_faces, cover.vertex_of, cover.representative).place();
+}
+
+} // namespace idt
