@@ -32,7 +32,7 @@ TEST(Line_divider, a_line_from_a_corner_across_the_diagonal_into_a_face)
 {
   Square s;
   s.divider.add_point({{V(1), 1}});
-  s.divider.add_point({{V(0), 3}, {V(2), 1}}); // weights need not sum to 1
+  s.divider.add_point({{V(0), 0.75}, {V(2), 0.25}});
   s.divider.add_point({{V(0), 0.25}, {V(2), 0.25}, {V(3), 0.5}});
   ASSERT_EQ(s.complex.number_of_vertices(), 6u);
   EXPECT_EQ(s.complex.number_of_faces(), 6u);
@@ -68,7 +68,7 @@ TEST(Line_divider, refuses_what_is_no_line_on_the_surface)
   s.divider.add_point({{V(0), 0.5}, {V(2), 0.5}});
   EXPECT_THROW(s.divider.add_point({{V(0), 0.25}, {V(2), 0.75}}), IT::Invalid_point_error);
   s.divider.begin_line();
-  EXPECT_THROW(s.divider.add_point({{V(0), 1}, {V(1), 1}, {V(2), 1}}), IT::Invalid_point_error);
+  EXPECT_THROW(s.divider.add_point({{V(0), 0.25}, {V(1), 0.25}, {V(2), 0.5}}), IT::Invalid_point_error);
 }
 
 } // namespace

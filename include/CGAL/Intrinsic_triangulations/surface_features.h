@@ -141,7 +141,8 @@ std::vector<bool> sharp_edges(const Delta_complex& complex, const std::vector<st
 class Line_divider
 {
 public:
-  /// vertices, and the positive weights of a point between them: one at a vertex, two on an edge, three in a face
+  /// vertices, and the positive weights of a point between them, which sum to 1: one at a vertex, two on an edge, three
+  /// in a face
   using Corners = std::vector<std::pair<Vertex_index, double>>;
 
   /// \param complex, points the connectivity, and the positions of its vertices. They are changed as by
