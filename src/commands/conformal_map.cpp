@@ -4,7 +4,7 @@
 // Definitions of conformal_map.h.
 
 #include "commands/conformal_map.h"
-#include "commands/command_line.h"
+#include "commands/commands.h"
 #include "input/Surface.h"
 #include "input/standard_input.h"
 #include "input/vertex_values.h"
