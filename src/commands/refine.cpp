@@ -24,8 +24,10 @@
 #include <cstdint>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,12 +42,35 @@ struct Refine_options
   std::string input;
   Refinement_options refinement;
   std::optional<double> flat_tolerance;
-  std::string constraints, kept_edges, flattened;
+  std::string constraints, kept_edges, flattened, maximum_deviation;
   Repair_options repair;
   bool removes_flat_vertices = false;
   bool is_verified = false;
   Result_files files;
 };
+
+// The longest side of the box.
+double extent_of(const Surface& surface)
+{
+  double result = 0;
+  for (std::size_t axis = 0; axis < 3 && !surface.points.empty(); ++axis) {
+    const auto [low, high] = std::minmax_element(surface.points.begin(), surface.points.end(),
+                                                 [&](const auto& p, const auto& q) { return p[axis] < q[axis]; });
+    result = (std::max)(result, (*high)[axis] - (*low)[axis]);
+  }
+  return result;
+}
+
+// A length, or a percentage of another one; NaN if the text is neither.
+double length(const std::string& text, double whole)
+{
+  const bool is_percentage = !text.empty() && text.back() == '%';
+  std::istringstream stream(is_percentage ? text.substr(0, text.size() - 1) : text);
+  double number = 0;
+  if (!(stream >> number) || stream.get() != std::istringstream::traits_type::eof() || !std::isfinite(number))
+    return std::numeric_limits<double>::quiet_NaN();
+  return is_percentage ? number / 100 * whole : number;
+}
 
 void check(const Refine_options& options)
 {
@@ -63,6 +88,8 @@ void check(const Refine_options& options)
     throw Usage_error("--flat-tolerance: D is not negative");
   if (criteria.sharp_edge_angle && !(*criteria.sharp_edge_angle >= 0 && *criteria.sharp_edge_angle <= 180))
     throw Usage_error("--constrain-angle: D is between 0 and 180 degrees");
+  if (!options.maximum_deviation.empty() && !(length(options.maximum_deviation, 1) > 0))
+    throw Usage_error("--maximum-deviation: D is a length larger than 0, or a percentage such as 0.1%");
   options.files.check_paths({options.input});
   std::vector<std::string> outputs = options.files.paths();
   outputs.insert(outputs.end(), {options.kept_edges, options.flattened});
@@ -152,16 +179,24 @@ Exit_status refine_file(const std::string& path, const Refine_options& options)
     refuse_file(path, "--constrain-angle needs a surface in space, but this one has only edge lengths");
   Run_options run_options;
   run_options.refinement = options.refinement;
+  if (!options.maximum_deviation.empty()) {
+    if (!surface.has_points())
+      throw Usage_error(path + ": --maximum-deviation needs a surface in space, but this one has only edge lengths");
+    run_options.refinement->criteria.maximum_deviation = length(options.maximum_deviation, extent_of(surface));
+  }
   options.files.add_to(run_options.wanted);
-  run_options.wanted.overlay = run_options.wanted.overlay || !options.flattened.empty();
+  const bool makes_triangles = !options.flattened.empty() || !options.maximum_deviation.empty();
+  run_options.wanted.overlay = run_options.wanted.overlay || makes_triangles;
   run_options.wanted.shapes = true;
   run_options.wanted.verification = options.is_verified;
   Triangulation_result result = refine_surface(std::move(surface), run_options, options);
   result.flat_tolerance = options.flat_tolerance;
   result.flat_deviation = deviation;
-  if (!options.flattened.empty() && result.outcome.subdivision) {
+  if (makes_triangles && result.outcome.subdivision) {
+    const double maximum = result.options.refinement->criteria.maximum_deviation;
     result.straight =
-      IT::straight_mesh(*result.outcome.subdivision, result.surface.points, result.options.refinement->is_constrained);
+      IT::straight_mesh(*result.outcome.subdivision, result.surface.points, result.options.refinement->is_constrained,
+                        Triangulation_result::thin_angle, std::isfinite(maximum) ? maximum : 0);
     write_file(options.flattened,
                [&](std::ostream& os) { write_straight_mesh(os, *result.straight, options.flattened); });
   }
@@ -200,6 +235,12 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
              "the largest circumradius allowed (default: unlimited)");
   add_option(command, "--maximum-edge-length", options->refinement.criteria.maximum_edge_length, "L",
              "the largest edge length allowed (default: unlimited)");
+  add_option(
+    command, "--maximum-deviation", options->maximum_deviation, "D[%]",
+    "the largest distance allowed between the surface and the straight triangles of --flatten: a length, or a "
+    "percentage of the longest side of the box (default: unlimited). What is thinner is merged in them, and the "
+    "status is 4 if they are no surface, too far away, or have angles below 10 degrees other than at corners of "
+    "kept edges");
   add_option(command, "--minimum-size", options->refinement.criteria.minimum_size, "S",
              "insert no vertex for a face with a side or a height shorter than S, so that refinement ends early at "
              "irrelevantly thin sheets and slivers (default: 0, or up to 2^-14 of the box if smaller faces need many "

@@ -150,6 +150,7 @@ void refine(Filtered_triangulation& triangulation, const Job& job, Outcome& outc
   const auto parameters = CGAL::parameters::minimum_angle(options.criteria.minimum_angle)
                             .maximum_circumradius(options.criteria.maximum_circumradius)
                             .maximum_edge_length(options.criteria.maximum_edge_length)
+                            .maximum_deviation(options.criteria.maximum_deviation)
                             .minimum_size(options.criteria.minimum_size)
                             .sharp_edge_angle(options.criteria.sharp_edge_angle)
                             .edge_is_constrained_map(edge_flags(is_constrained))

@@ -65,6 +65,7 @@ struct Refinement_criteria
   double minimum_angle = 25;
   double maximum_circumradius = std::numeric_limits<double>::infinity();
   double maximum_edge_length = std::numeric_limits<double>::infinity();
+  double maximum_deviation = std::numeric_limits<double>::infinity();
   std::optional<double> minimum_size;     // the library chooses it otherwise
   std::optional<double> sharp_edge_angle; // in degrees
 };

@@ -6,6 +6,7 @@
 #include "system/text.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace idt {
 namespace {
@@ -49,13 +50,36 @@ std::string describe_refinement(const Outcome& outcome)
   return {};
 }
 
-// What is said of them beside the rest, if they are no surface.
+// Whether the straight triangles are a surface, and are as good as was requested.
+bool are_straight_triangles_good(const Triangulation_result& result)
+{
+  if (!result.straight)
+    return true;
+  const double maximum = result.options.refinement->criteria.maximum_deviation;
+  return result.straight->is_surface() && result.straight->deviation <= maximum &&
+         (std::isinf(maximum) || result.straight->has_good_angles());
+}
+
 std::string describe_straight_triangles(const Triangulation_result& result)
 {
-  if (!result.straight || result.straight->is_surface())
+  if (are_straight_triangles_good(result))
     return {};
-  return "; but the straight triangles of --flatten are no surface: " + message(*result.straight) +
-         "; keep more edges by a smaller --constrain-angle, or choose a smaller --maximum-edge-length";
+  const IT::Straight_mesh& mesh = *result.straight;
+  const double maximum = result.options.refinement->criteria.maximum_deviation;
+  std::string text = "; but the straight triangles ";
+  if (!mesh.is_surface())
+    text += "are no surface: " + message(mesh);
+  else if (!(mesh.deviation <= maximum))
+    text += "are up to " + in_short(mesh.deviation) + " away from the surface, at " + in_short(mesh.deviation_place);
+  else
+    text += "have angles below 10 degrees in " +
+            counted(mesh.thin_triangles.size() - mesh.number_of_sharp_corners, "triangle", "triangles") +
+            " that are not at corners of kept edges";
+  return text + "; " +
+         (std::isinf(maximum) ? "try --maximum-deviation 0.1%"
+          : mesh.sufficient_deviation > 0
+            ? "try --maximum-deviation " + in_short(mesh.sufficient_deviation) + ", or a larger --minimum-size"
+            : "try a larger --minimum-size");
 }
 
 } // namespace
@@ -82,19 +106,18 @@ const char* name(IT::Refinement_obstacle reason)
 std::map<std::string, std::size_t> unrefined_faces(const Outcome& outcome)
 {
   std::map<std::string, std::size_t> result;
-  if (outcome.refinement)
-    for (const IT::Unrefined_face& f : outcome.refinement->report.unrefined)
-      ++result[name(f.reason)];
+  if (outcome.refinement) {
+    const auto numbers = outcome.refinement->report.numbers_by_reason();
+    for (std::size_t reason = 0; reason < numbers.size(); ++reason)
+      if (numbers[reason] > 0)
+        result[name(IT::Refinement_obstacle(reason))] = numbers[reason];
+  }
   return result;
 }
 
 std::string text(const Short_side& side)
 {
-  std::string result = in_short(side.length);
-  if (side.place)
-    result += " at (" + in_short((*side.place)[0]) + ", " + in_short((*side.place)[1]) + ", " +
-              in_short((*side.place)[2]) + ')';
-  return result;
+  return in_short(side.length) + (side.place ? " at " + in_short(*side.place) : std::string());
 }
 
 Exit_status exit_status(const Outcome& outcome)
@@ -108,7 +131,7 @@ Exit_status exit_status(const Outcome& outcome)
 
 Exit_status exit_status(const Triangulation_result& result)
 {
-  return result.straight && !result.straight->is_surface() ? Exit_status::NOT_FINISHED : exit_status(result.outcome);
+  return are_straight_triangles_good(result) ? exit_status(result.outcome) : Exit_status::NOT_FINISHED;
 }
 
 const char* status_word(const Triangulation_result& result)
@@ -126,7 +149,9 @@ const char* status_word(const Triangulation_result& result)
       return "incomplete";
     if (outcome.verification && !outcome.verification->is_Delaunay())
       return "not Delaunay";
-    return result.straight && !result.straight->is_surface() ? "no surface" : "done";
+    return are_straight_triangles_good(result) ? "done"
+           : result.straight->is_surface()     ? "bad triangles"
+                                               : "no surface";
   case IT::Flip_status::INCONSISTENT:
     return "inconsistent";
   case IT::Flip_status::NOT_FLIPPABLE:

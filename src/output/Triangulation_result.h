@@ -26,6 +26,8 @@ namespace idt {
 
 struct Triangulation_result
 {
+  static constexpr double thin_angle = 10; // of straight triangles, in degrees
+
   Surface surface;
   Run_options options;
   Outcome outcome;
@@ -54,7 +56,7 @@ Exit_status exit_status(const Outcome& outcome);
 Exit_status exit_status(const Triangulation_result& result);
 
 // How it ended, for programs: `done`, `interrupted`, `flip budget`, `point budget`, `undecided`, `not flippable`,
-// `inconsistent`, `not Delaunay`, `no surface` of straight triangles, or `incomplete` if something could not be
+// `inconsistent`, `not Delaunay`, `no surface` or `bad triangles` that are straight, or `incomplete` if something could not be
 // determined.
 const char* status_word(const Triangulation_result& result);
 

@@ -149,6 +149,9 @@ std::string straight_text(const CGAL::Intrinsic_triangulations::Straight_mesh& m
   std::string text = "another surface, of " +
                      counted(mesh.triangles.size(), "straight triangle", "straight triangles") + ", up to " +
                      in_short(mesh.deviation) + " away, smallest angle " + in_short(mesh.minimum_angle) + " degrees";
+  if (!mesh.merged_vertices.empty())
+    text += ", " + counted(mesh.merged_vertices.size(), "vertex", "vertices") + " merged, the first at " +
+            in_short(mesh.points[mesh.points_of_vertices[mesh.merged_vertices.front().idx()]]);
   if (!mesh.thin_triangles.empty())
     text += ", below 10 in " + counted(mesh.thin_triangles.size(), "triangle", "triangles") + ", " +
             with_separators(mesh.number_of_sharp_corners) + " of them at corners of kept edges";

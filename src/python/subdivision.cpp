@@ -178,26 +178,28 @@ Numbers numbers_of(const Range& elements)
 }
 
 py::tuple straight_mesh(const Subdivision& s, const Doubles& points, const std::optional<Booleans>& marked,
-                        double thin_angle)
+                        double thin_angle, double maximum_deviation)
 {
   const std::vector<std::array<double, 3>> places = copied_rows(points);
   std::vector<bool> is_marked;
   if (marked)
     for (py::ssize_t i = 0; i < marked->shape(0); ++i)
       is_marked.push_back(marked->at(i));
-  IT::Straight_mesh mesh = without_lock([&] { return IT::straight_mesh(s.get(), places, is_marked, thin_angle); });
+  IT::Straight_mesh mesh =
+    without_lock([&] { return IT::straight_mesh(s.get(), places, is_marked, thin_angle, maximum_deviation); });
   std::vector<std::array<std::int64_t, 2>> edges;
   for (const auto& [a, b] : mesh.marked_edges)
     edges.push_back({a, b});
   py::array triangles = to_numbers(mesh.triangles);
   const std::string defects = message(mesh); // which needs the points
-  return py::make_tuple(to_array(std::move(mesh.points)), triangles, to_array(numbers_of(mesh.faces)),
+  return py::make_tuple(to_array(std::move(mesh.points)), to_array(numbers_of(mesh.points_of_vertices)),
+                        to_array(numbers_of(mesh.merged_vertices)), triangles, to_array(numbers_of(mesh.faces)),
                         to_array(numbers_of(mesh.input_faces)), to_array(numbers_of(mesh.regions)),
                         to_array(std::move(edges)), to_array(numbers_of(mesh.lines)), mesh.deviation,
                         to_array(std::vector<double>(mesh.deviation_place.begin(), mesh.deviation_place.end())),
                         mesh.minimum_angle, to_array(numbers_of(mesh.thin_triangles)), mesh.number_of_sharp_corners,
-                        to_array(numbers_of(mesh.loops)), to_array(numbers_of(mesh.multiple_edges)), mesh.is_surface(),
-                        defects);
+                        mesh.sufficient_deviation, to_array(numbers_of(mesh.loops)),
+                        to_array(numbers_of(mesh.multiple_edges)), mesh.is_surface(), defects);
 }
 
 // ------------------------------------------------------------------- points
@@ -271,7 +273,8 @@ void add_subdivision(py::module_& module)
     .def("interpolate_corners", &interpolate_corners, py::arg("values").noconvert())
     .def("mass_matrices", &mass_matrices)
     .def("number_of_input_edges", [](const Subdivision& s) { return s.overlay().number_of_input_edges(); })
-    .def("straight_mesh", &straight_mesh, py::arg("points").noconvert(), py::arg("marked"), py::arg("thin_angle"))
+    .def("straight_mesh", &straight_mesh, py::arg("points").noconvert(), py::arg("marked"), py::arg("thin_angle"),
+         py::arg("maximum_deviation"))
     .def("to_intrinsic", &to_intrinsic, py::arg("faces").noconvert(), py::arg("coordinates").noconvert())
     .def("to_input", &to_input, py::arg("faces").noconvert(), py::arg("coordinates").noconvert());
 }

@@ -263,11 +263,12 @@ const char* name_of(IT::Refinement_obstacle obstacle)
 
 py::tuple refine(Surface& surface, double minimum_angle, double maximum_circumradius, double maximum_edge_length,
                  const std::optional<Booleans>& constrained, const std::optional<std::uint64_t>& maximum_number,
-                 const std::optional<double>& minimum_size, const std::optional<double>& sharp_edge_angle)
+                 double maximum_deviation, const std::optional<double>& minimum_size,
+                 const std::optional<double>& sharp_edge_angle)
 {
   require(!minimum_size || *minimum_size >= 0, "minimum_size is negative");
   require(minimum_angle >= 0 && minimum_angle <= 30, "minimum_angle is not between 0 and 30 degrees");
-  require(maximum_circumradius > 0 && maximum_edge_length > 0, "a bound is not positive");
+  require(maximum_circumradius > 0 && maximum_edge_length > 0 && maximum_deviation > 0, "a bound is not positive");
   const std::vector<bool> is_constrained = copied_marks(constrained);
   const IT::Refinement_report report = surface.use([&](Triangulation& t) {
     check_marks(t, is_constrained);
@@ -275,6 +276,7 @@ py::tuple refine(Surface& surface, double minimum_angle, double maximum_circumra
       t, parameters::minimum_angle(minimum_angle)
            .maximum_circumradius(maximum_circumradius)
            .maximum_edge_length(maximum_edge_length)
+           .maximum_deviation(maximum_deviation)
            .minimum_size(minimum_size)
            .sharp_edge_angle(sharp_edge_angle)
            .edge_is_constrained_map(constrained_edges(is_constrained))
@@ -283,13 +285,18 @@ py::tuple refine(Surface& surface, double minimum_angle, double maximum_circumra
                                           : 10 * std::uint64_t(t.connectivity().number_of_vertices()) + 1000000));
   });
   Numbers unrefined;
-  py::list reasons;
+  py::dict number_of_faces;
+  std::vector<std::int8_t> reasons;
   for (const IT::Unrefined_face& f : report.unrefined) {
     unrefined.push_back(f.face.idx());
-    reasons.append(name_of(f.reason));
+    reasons.push_back(std::int8_t(f.reason));
   }
+  const auto numbers = report.numbers_by_reason();
+  for (std::size_t reason = 0; reason < numbers.size(); ++reason)
+    number_of_faces[name_of(IT::Refinement_obstacle(reason))] = numbers[reason];
   return py::make_tuple(report.status == IT::Refinement_status::REFINED, report.insertions, report.segment_splits,
-                        report.flips, to_array(std::move(unrefined)), reasons, report.minimum_size);
+                        report.flips, to_array(std::move(unrefined)), to_array(std::move(reasons)), number_of_faces,
+                        report.minimum_size);
 }
 
 py::array sharp_edges(Surface& surface, const Doubles& points, double degrees, double minimum_size)
@@ -375,8 +382,8 @@ void add_triangulation(py::module_& module)
     .def("flip_to_delaunay", &flip_to_Delaunay, py::arg("constrained").noconvert(), py::arg("maximum_number"))
     .def("verify", &verify, py::arg("constrained").noconvert())
     .def("refine", &refine, py::arg("minimum_angle"), py::arg("maximum_circumradius"), py::arg("maximum_edge_length"),
-         py::arg("constrained").noconvert(), py::arg("maximum_number"), py::arg("minimum_size"),
-         py::arg("sharp_edge_angle"))
+         py::arg("constrained").noconvert(), py::arg("maximum_number"), py::arg("maximum_deviation"),
+         py::arg("minimum_size"), py::arg("sharp_edge_angle"))
     .def("sharp_edges", &sharp_edges, py::arg("points").noconvert(), py::arg("degrees"), py::arg("minimum_size"))
     .def("stiffness",
          [](Surface& surface) {

@@ -46,6 +46,11 @@ std::string in_full(double number) { return formatted(number, 17); }
 
 std::string in_short(double number) { return formatted(number, 4); }
 
+std::string in_short(const std::array<double, 3>& point)
+{
+  return '(' + in_short(point[0]) + ", " + in_short(point[1]) + ", " + in_short(point[2]) + ')';
+}
+
 std::string seconds_text(double seconds)
 {
   char buffer[64];

@@ -7,6 +7,7 @@
 #define IDT_TEXT_H
 
 #include <cstdint>
+#include <array>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -28,6 +29,7 @@ std::string in_full(double number);
 
 // With a few digits, for people.
 std::string in_short(double number);
+std::string in_short(const std::array<double, 3>& point);
 
 // "0.012 s"
 std::string seconds_text(double seconds);

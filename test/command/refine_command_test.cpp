@@ -452,6 +452,21 @@ TEST_F(Refine_command, flattens)
   EXPECT_FALSE(stats()["flattened"]["is_surface"].get<bool>());
 }
 
+TEST_F(Refine_command, keeps_straight_triangles_near_the_surface)
+{
+  ASSERT_EQ(idt("sample bumpy-sphere -o bumpy.off").status, 0);
+  ASSERT_EQ(idt("refine bumpy.off --maximum-deviation 1% --flatten f.ply --stats s.json").status, 0);
+  const double first = stats()["flattened"]["deviation"];
+  ASSERT_EQ(idt("refine bumpy.off --maximum-deviation 0.005 --flatten f.ply --stats s.json").status, 0);
+  EXPECT_LE(stats()["flattened"]["deviation"].get<double>(), 0.005);
+  EXPECT_GT(first, 0.005);
+  EXPECT_TRUE(stats()["flattened"]["is_surface"].get<bool>());
+  for (const char* wrong : {"0", "-1", "x", "nan", "1%%", "%"})
+    EXPECT_EQ(idt(std::string("refine bumpy.off --maximum-deviation=") + wrong).status, 2) << wrong;
+  ASSERT_EQ(idt("sample one-vertex-torus -o t.gluing").status, 0);
+  EXPECT_EQ(idt("refine t.gluing --maximum-deviation 1").status, 2);
+}
+
 // With names in Gmsh's and Abaqus' files, which other programs read back.
 TEST_F(Refine_command, writes_meshes_for_solvers)
 {

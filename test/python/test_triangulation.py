@@ -143,7 +143,7 @@ def test_smallest_size_of_refinement():
     t = it.Triangulation([[0, 0, 0], [1, 0, 0], [1, 1e-9, 0], [0, 1e-9, 0]], [[0, 1, 2], [0, 2, 3]])
     report = t.refine(minimum_size=0.001)
     assert report.is_refined and report.insertions + report.segment_splits == 0
-    assert list(report.unrefined) == [0, 1] and list(report.reasons) == ["too_small"] * 2
+    assert list(report.unrefined) == [0, 1] and list(report.reasons) == [4, 4] and report.number_by_reason["too_small"] == 2
     assert report.minimum_size == 0.001
     for bad in (-1, "1"):
         with pytest.raises(ValueError):
@@ -166,7 +166,7 @@ def test_bounds_of_refinement():
     t = it.Triangulation(V, F)
     report = t.refine(25, maximum_circumradius=0.05, max_insertions=5)
     assert not report.is_refined and report.insertions + report.segment_splits == 5
-    assert set(report.reasons) == {"budget"} and len(report.reasons) == len(report.unrefined) > 0
+    assert set(report.reasons) == {5} and report.number_by_reason["budget"] == len(report.unrefined) > 0
     for bad in (31, -1, numpy.nan, "25", None):
         with pytest.raises(ValueError):
             t.refine(bad)
@@ -257,3 +257,15 @@ def test_straight_triangles_of_a_thin_box_are_no_surface():
     t.refine()
     mesh = t.straight_mesh()
     assert not mesh.is_surface and len(mesh.loops) > 0 and "left out" in mesh.message
+
+
+def test_straight_triangles_near_the_surface(sphere):
+    V, F = sphere
+    for deviation in (0.02, 0.005):
+        t = it.Triangulation(V, F)
+        assert t.refine(maximum_deviation=deviation).is_refined
+        mesh = t.straight_mesh(maximum_deviation=deviation)
+        assert mesh.is_surface and mesh.deviation <= deviation and mesh.sufficient_deviation == 0
+        assert numpy.array_equal(mesh.points_of_vertices, numpy.arange(len(mesh.points))) and len(mesh.merged_vertices) == 0
+    with pytest.raises(ValueError):
+        t.refine(maximum_deviation=0)

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/surface_features.h>
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/number_type_config.h>
 
 #include <gtest/gtest.h>
 
@@ -261,6 +262,99 @@ TEST(Straight_mesh, tells_sharp_corners_from_other_thin_triangles)
   std::vector<bool> is_marked(5, true);
   EXPECT_EQ(IT::straight_mesh(IT::Common_subdivision(t), fan.points, is_marked).number_of_sharp_corners, 1u);
   EXPECT_TRUE(IT::straight_mesh(IT::Common_subdivision(t), fan.points, {}, 1).thin_triangles.empty());
+}
+
+// Both directions, by sampling.
+void expect_within(const Model& model, double deviation, std::size_t most_triangles)
+{
+  Triangulation t = model.triangulation();
+  const IT::Refinement_report report =
+    IT::refine_Delaunay(t, CGAL::parameters::minimum_angle(25).maximum_deviation(deviation));
+  EXPECT_EQ(report.status, IT::Refinement_status::REFINED);
+  EXPECT_EQ(report.insertions + report.segment_splits, t.connectivity().number_of_vertices() - model.points.size());
+  const IT::Straight_mesh mesh = IT::straight_mesh(IT::Common_subdivision(t), model.points, {}, 10, deviation);
+  EXPECT_TRUE(mesh.is_surface()) << message(mesh);
+  EXPECT_TRUE(mesh.has_good_angles()) << mesh.minimum_angle;
+  EXPECT_EQ(mesh.sufficient_deviation, 0);
+  EXPECT_LE(mesh.deviation, deviation);
+  EXPECT_LT(mesh.triangles.size(), most_triangles);
+  if (mesh.triangles.size() * model.triangles.size() < 2000000) {
+    EXPECT_LE(farthest_sample(model.points, model.triangles, mesh.points, mesh.triangles), mesh.deviation + 1e-15);
+    EXPECT_LE(farthest_sample(mesh.points, mesh.triangles, model.points, model.triangles), mesh.deviation + 1e-15);
+  }
+}
+
+TEST(Straight_mesh, comes_as_near_as_one_likes)
+{
+  const Model model = graph(12, [](double x, double y) { return 0.3 * std::sin(9 * x) * std::cos(7 * y); });
+  expect_within(model, 0.02, 3000);
+  expect_within(model, 0.005, 12000);
+}
+
+// Where a fold is kept, few triangles follow it at any distance.
+TEST(Straight_mesh, follows_folds)
+{
+  const Model fold = graph(4, [](double x, double) { return std::abs(x - 0.5); });
+  expect_within(fold, 0.001, 100);
+  expect_within(box(1, 0.01), 0.001, 4000);
+}
+
+// The folds of a cone of many facets form small corners at its tip.
+TEST(Straight_mesh, has_good_angles_where_folds_meet)
+{
+  constexpr std::uint32_t n = 64;
+  Model cone;
+  for (std::uint32_t i = 0; i < n; ++i)
+    cone.points.push_back({std::cos(i * 2 * CGAL_PI / n), std::sin(i * 2 * CGAL_PI / n), 0});
+  cone.points.push_back({0, 0, 1});
+  cone.points.push_back({0, 0, 0});
+  for (std::uint32_t i = 0; i < n; ++i) {
+    cone.triangles.push_back({i, (i + 1) % n, n});
+    cone.triangles.push_back({(i + 1) % n, i, n + 1});
+  }
+  expect_within(cone, 0.001, 20000);
+}
+
+// A vertex just beside another one, as CAD programs leave them.
+TEST(Straight_mesh, merges_what_is_thinner_than_the_deviation)
+{
+  Model plate = graph(4, [](double x, double y) { return 0.01 * x * y; });
+  const auto extra = std::uint32_t(plate.points.size());
+  const Triangles::iterator cut = plate.triangles.begin() + 12;
+  const auto [a, b, c] = *cut;
+  const auto &p = plate.points[a], &q = plate.points[b], &r = plate.points[c];
+  plate.points.push_back({p[0] + 1e-5 * (q[0] - p[0]) + 1e-6 * (r[0] - p[0]),
+                          p[1] + 1e-5 * (q[1] - p[1]) + 1e-6 * (r[1] - p[1]), p[2] + 1e-5});
+  *cut = {a, b, extra};
+  plate.triangles.push_back({b, c, extra});
+  plate.triangles.push_back({c, a, extra});
+  Triangulation t = plate.triangulation();
+  IT::refine_Delaunay(t, CGAL::parameters::minimum_angle(25).minimum_size(1e-3));
+  const IT::Common_subdivision subdivision(t);
+  const IT::Straight_mesh before = IT::straight_mesh(subdivision, plate.points);
+  EXPECT_GT(before.thin_triangles.size(), 0u);
+  EXPECT_GT(before.sufficient_deviation, 1e-6);
+  EXPECT_LT(before.sufficient_deviation, 1e-4);
+  const double deviation = (std::max)(before.deviation, 1e-4) + 1e-4;
+  const IT::Straight_mesh after = IT::straight_mesh(subdivision, plate.points, {}, 10, deviation);
+  EXPECT_TRUE(after.is_surface());
+  EXPECT_TRUE(after.thin_triangles.empty());
+  EXPECT_LE(after.deviation, deviation);
+  EXPECT_EQ(after.surface.number_of_border_edges, before.surface.number_of_border_edges);
+  ASSERT_EQ(after.merged_vertices.size(), 1u);
+  EXPECT_EQ(after.points.size(), before.points.size() - 1);
+  EXPECT_EQ(after.points_of_vertices[a], after.points_of_vertices[extra]);
+  EXPECT_LE(farthest_sample(plate.points, plate.triangles, after.points, after.triangles), after.deviation);
+  EXPECT_LE(farthest_sample(after.points, after.triangles, plate.points, plate.triangles), after.deviation);
+}
+
+TEST(Straight_mesh, refuses_senseless_deviations)
+{
+  Triangulation t = box(1, 1).triangulation();
+  for (double deviation : {0., -1., std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THROW(IT::refine_Delaunay(t, CGAL::parameters::maximum_deviation(deviation)), IT::Invalid_argument_error);
+  Triangulation lengths = Triangulation::from_lengths(t.connectivity(), std::vector<double>(18, 1.));
+  EXPECT_THROW(IT::refine_Delaunay(lengths, CGAL::parameters::maximum_deviation(0.1)), IT::Invalid_argument_error);
 }
 
 TEST(Straight_mesh, refuses_wrong_numbers_of_points_and_marks)

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Delaunay_refiner.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/bent_parts.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Measured_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Segments_by_size.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/point_on_input.h>
@@ -114,9 +115,14 @@ Refinement_report refine_by_trial(Refinement_run<Traits, Observer>& run,
 {
   using Triangulation = Intrinsic_triangulation<Traits>;
   // The first is 8 units in the last place of a float as large as the extent.
-  constexpr std::array<int, 4> levels = {-21, -20, -17, -14};
   Triangulation& triangulation = run.triangulation;
   const double unit = extent(engine(triangulation));
+  std::vector<int> levels = {-21, -20, -17, -14};
+  // Triangles that follow a curve may be that small.
+  while (!levels.empty() && std::ldexp(unit, levels.back()) > run.criteria.maximum_deviation / 16)
+    levels.pop_back();
+  if (levels.empty())
+    return run({}).report;
   const std::uint32_t n = triangulation.connectivity().number_of_vertices();
   Refinement_trial trial{std::ldexp(unit, levels.back()), 10000 + std::uint64_t(n)};
   if (!has_faces_below(triangulation, 8 * trial.size)) // so such vertices are unlikely
@@ -212,6 +218,14 @@ Refinement_report refine_by_trial(Refinement_run<Traits, Observer>& run,
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{infinity}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_deviation}
+///     \cgalParamDescription{how far the straight triangle between the corners of a face may be from the surface, in the
+///       unit of the input: see `straight_mesh()`. Folds that few triangles could follow otherwise are kept, as if they
+///       were constrained, except near small corners between them. Faces whose straight triangles have an angle below 15
+///       degrees are refined, too, unless they are smaller than that distance}
+///     \cgalParamType{`double`}
+///     \cgalParamDefault{infinity}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{splits_encroached_edges}
 ///     \cgalParamDescription{whether to first split edges that are not flipped until no angle opposite to them is
 ///       obtuse, even if no face needs it. Then no cotangent weight of the border is negative}
@@ -237,7 +251,8 @@ Refinement_report refine_by_trial(Refinement_run<Traits, Observer>& run,
 ///
 /// \return the report. The triangulation is Delaunay
 /// \exception Invalid_argument_error if the minimum angle is more than 30 degrees, the minimum size is negative, or the
-///   angle of sharp edges is out of range, the surface has no points for them, or one was flipped before
+///   angle of sharp edges is out of range, the surface has no points for them, or one was flipped before; or if the
+///   maximum deviation is not positive, or the surface has no points for it
 /// \exception Cancelled_error if the visitor asks for it, or as `insert_vertex()`
 /// \exception Integer_overflow_error, Undecided_error as `insert_vertex()`. The triangulation is valid after any
 ///   exception, and another call continues
@@ -258,20 +273,26 @@ Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation
   criteria.minimum_angle = value_of<Parameter::MINIMUM_ANGLE>(np, criteria.minimum_angle);
   criteria.maximum_circumradius = value_of<Parameter::MAXIMUM_CIRCUMRADIUS>(np, criteria.maximum_circumradius);
   criteria.maximum_edge_length = value_of<Parameter::MAXIMUM_EDGE_LENGTH>(np, criteria.maximum_edge_length);
+  criteria.maximum_deviation = value_of<Parameter::MAXIMUM_DEVIATION>(np, criteria.maximum_deviation);
   criteria.splits_encroached_edges = value_of<Parameter::SPLITS_ENCROACHED_EDGES>(np, criteria.splits_encroached_edges);
   const auto minimum_size = value_of<Parameter::MINIMUM_SIZE>(np, std::optional<double>());
   criteria.minimum_size = minimum_size.value_or(0);
-  if (!(criteria.minimum_angle <= 30 && criteria.minimum_size >= 0))
-    throw Invalid_argument_error(
-      "the minimum angle of a refinement has to be at most 30 degrees, and the minimum size at least 0");
+  if (!(criteria.minimum_angle <= 30 && criteria.minimum_size >= 0 && criteria.maximum_deviation > 0))
+    throw Invalid_argument_error("the minimum angle of a refinement has to be at most 30 degrees, the minimum size at "
+                                 "least 0, and the maximum deviation larger than 0");
   const auto is_constrained = internal::edge_constraints_of(np);
+  const internal::Standard_arithmetic arithmetic;
   const Delta_complex& complex = triangulation.connectivity();
   std::vector<bool> is_segment(complex.number_of_edges());
   for (Edge_index e : complex.edges())
     is_segment[e.idx()] = complex.is_border(e) || get(is_constrained, e);
-  const internal::Standard_arithmetic arithmetic;
-  internal::engine(triangulation).keep_crossings(); // ties need those of many edges
   auto observer = internal::observer_of(np);
+  const std::uint32_t number_of_given_vertices = complex.number_of_vertices();
+  if (std::isfinite(criteria.maximum_deviation))
+    internal::keep_bent_parts(triangulation, criteria.maximum_deviation, is_segment);
+  for (std::uint32_t v = number_of_given_vertices; v < complex.number_of_vertices(); ++v)
+    observer.after_insertion(Vertex_index(v));
+  const std::uint32_t number_of_vertices_on_folds = complex.number_of_vertices() - number_of_given_vertices;
   const std::uint64_t maximum_number = choose_parameter(get_parameter(np, internal_np::maximum_number),
                                                         10 * std::uint64_t(complex.number_of_vertices()) + 1000000);
   const internal::Segments_by_size segments(internal::engine(triangulation), std::move(is_segment),
@@ -281,7 +302,9 @@ Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation
   if (segments.depend_on_size() && !minimum_size)
     start = triangulation;
   run.flip();
-  return minimum_size ? run({}).report : internal::refine_by_trial(run, std::move(start));
+  Refinement_report report = minimum_size ? run({}).report : internal::refine_by_trial(run, std::move(start));
+  report.segment_splits += number_of_vertices_on_folds;
+  return report;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

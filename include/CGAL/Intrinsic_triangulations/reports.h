@@ -60,6 +60,10 @@ enum class Refinement_obstacle {
 };
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
+/// \brief the number of these reasons.
+constexpr std::size_t number_of_refinement_obstacles = 6;
+
+/// \ingroup PkgIntrinsicTriangulationsInsertion
 /// \brief a face that does not meet the criteria.
 struct Unrefined_face
 {
@@ -102,6 +106,15 @@ struct Refinement_report
   std::uint64_t flips = 0;                               ///< the number of flips, also before the first vertex
   std::vector<Unrefined_face> unrefined;                 ///< the faces that do not meet the criteria, in order
   double minimum_size = 0; ///< the smallest size, given or chosen, in the unit of the input
+
+  /// returns how many faces were left for each reason, by `Refinement_obstacle`. O(number of these faces).
+  std::array<std::size_t, number_of_refinement_obstacles> numbers_by_reason() const
+  {
+    std::array<std::size_t, number_of_refinement_obstacles> result{};
+    for (const Unrefined_face& left : unrefined)
+      ++result[std::size_t(left.reason)];
+    return result;
+  }
 };
 
 /// \ingroup PkgIntrinsicTriangulationsGeodesics

@@ -26,7 +26,10 @@ namespace CGAL::Intrinsic_triangulations {
 /// That is another surface, of which nothing is known but what stands here.
 struct Straight_mesh
 {
-  std::vector<std::array<double, 3>> points; ///< of all vertices of the triangulation, rounded where they were inserted
+  std::vector<std::array<double, 3>> points; ///< of the vertices, rounded where they were inserted
+  /// for each vertex of the triangulation, its point. They are the same in number and order unless vertices are merged
+  std::vector<std::uint32_t> points_of_vertices;
+  std::vector<Vertex_index> merged_vertices; ///< those that have the point of another one
   /// the faces with three different corners, in order
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<Face_index> faces;       ///< for each triangle, the face of the triangulation that it is
@@ -41,9 +44,7 @@ struct Straight_mesh
   std::vector<std::uint32_t> lines;
   std::uint32_t number_of_lines = 0; ///< the number of lines
 
-  /// \brief no point of the surface is farther than this from its place in the straight triangle of its face.
-  ///
-  /// So neither surface is farther from the other at any point. It is proven, rounding included.
+  /// \brief neither surface is farther than this from the other at any point. It is proven, rounding included.
   double deviation = 0;
   std::array<double, 3> deviation_place{}; ///< where on the surface that distance is attained, nearly
 
@@ -51,16 +52,23 @@ struct Straight_mesh
   std::vector<std::uint32_t> thin_triangles; ///< those with an angle below the given bound
   /// how many of them have it between two marked edges, where every mesh has that angle
   std::size_t number_of_sharp_corners = 0;
+  /// a maximum deviation with which the other thin triangles might be merged, by their shortest sides; 0 if there are none
+  double sufficient_deviation = 0;
 
-  std::vector<Edge_index> loops; ///< edges of the triangulation whose ends are the same: their faces are left out
-  std::vector<Edge_index> multiple_edges; ///< edges that have both ends in common with one before, other than loops
+  /// edges of the triangulation whose ends are the same: their faces are left out
+  std::vector<Edge_index> loops;
+  std::vector<Edge_index> multiple_edges;     ///< edges that have both ends in common with one before, other than loops
+  std::size_t number_of_new_border_edges = 0; ///< how many border edges there are that the surface does not have
   Surface_report surface; ///< what `examine_polygons()` finds in the triangles: edges of three triangles, for instance
+
+  /// returns whether the only thin triangles are at sharp corners. Complexity: constant.
+  bool has_good_angles() const { return thin_triangles.size() == number_of_sharp_corners; }
 
   /// returns whether the triangles are a manifold without holes that the surface does not have, and no two of them have
   /// the same corners. Complexity: constant.
   bool is_surface() const
   {
-    return loops.empty() && multiple_edges.empty() && surface.first_fatal() == nullptr &&
+    return number_of_new_border_edges == 0 && surface.first_fatal() == nullptr &&
            surface.find(Invalid_surface_error::Defect::DUPLICATE_FACE) == nullptr;
   }
 };
@@ -71,18 +79,24 @@ struct Straight_mesh
 /// The distance from the surface is the maximum of |x − φ(x)| for the map φ that is linear on each intrinsic face. It is
 /// attained at a vertex of the overlay: x − φ(x) is linear on each of its faces, as these lie in a plane of the input.
 ///
+/// CAD models have edges and gaps that are shorter than any useful triangle. With `maximum_deviation`, vertices are
+/// merged where that makes thin triangles better, or removes a sheet of no thickness: the triangulation and the surface
+/// stay as they are. The triangles stay a manifold of the same kind, and the deviation stays within that bound.
+///
 /// \param subdivision the common subdivision of the triangulation and its input
 /// \param points the positions of the vertices of the input
 /// \param is_marked for each edge of the input, whether the edges of the triangulation that are parts of it are marked;
 ///   empty if none is. Mark those that refinement has kept, for no other edge of the input stays an edge for sure
 /// \param thin_angle triangles with a smaller angle, in degrees, are listed
+/// \param maximum_deviation the deviation up to which vertices may be merged, in the unit of the input; 0 if none may
 ///
 /// \return the triangles with regions, lines and defects
 /// \exception Invalid_argument_error if there are not as many points or marks as vertices or edges of the input
 ///
-/// Complexity: linear in the size of the overlay, and O(n log n) for n edges.
+/// Complexity: linear in the size of the overlay, and O(n log n) for n edges, for vertices of bounded degree.
 Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::vector<std::array<double, 3>>& points,
-                            const std::vector<bool>& is_marked = {}, double thin_angle = 10);
+                            const std::vector<bool>& is_marked = {}, double thin_angle = 10,
+                            double maximum_deviation = 0);
 
 /// \ingroup PkgIntrinsicTriangulationsOverlay
 /// \brief returns a sentence about what makes straight triangles no surface, with the numbers and the first places.

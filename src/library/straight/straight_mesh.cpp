@@ -8,8 +8,8 @@
 #include <CGAL/Intrinsic_triangulations/straight_mesh.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
-
-#include <CGAL/number_type_config.h>
+#include "Straight_map.h"
+#include "Thin_part_merger.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,65 +26,89 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-double length(const Point& p) { return std::hypot(p[0], p[1], p[2]); }
-
-// In units of a size, so that products neither overflow nor vanish.
-Point difference(const Point& p, const Point& q, double size)
-{
-  return {(p[0] - q[0]) / size, (p[1] - q[1]) / size, (p[2] - q[2]) / size};
-}
-
-Point cross_product(const Point& a, const Point& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-// In degrees; 0 between points that coincide.
-double angle(const Point& p, const Point& q, const Point& r)
-{
-  double size = (std::numeric_limits<double>::min)();
-  for (std::size_t i = 0; i < 3; ++i)
-    size = (std::max)({size, std::abs(q[i] - p[i]), std::abs(r[i] - p[i])});
-  const Point a = difference(q, p, size), b = difference(r, p, size);
-  return std::atan2(length(cross_product(a, b)), a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) * (180 / CGAL_PI);
-}
-
 class Straight_mesh_maker
 {
 public:
   Straight_mesh_maker(const Common_subdivision& subdivision, const std::vector<Point>& points)
-    : subdivision_(subdivision), overlay_(subdivision.overlay()), complex_(subdivision.intrinsic()), points_(points)
-  {
-    for (Vertex_index v : complex_.vertices()) // which the overlay begins with
-      mesh_.points.push_back(subdivision_.point(Overlay::Vertex(v.idx()), points_));
-  }
+    : subdivision_(subdivision), overlay_(subdivision.overlay()), complex_(subdivision.intrinsic()), points_(points),
+      map_(subdivision, points)
+  {}
 
-  Straight_mesh make(const std::vector<bool>& is_marked, double thin_angle)
+  Straight_mesh make(const std::vector<bool>& is_marked, double thin_angle, double maximum_deviation)
   {
-    add_triangles();
     find_regions(is_marked);
+    find_triangles(thin_angle, maximum_deviation);
+    find_points();
     find_lines();
-    measure_deviation();
-    measure_angles(thin_angle);
+    measure_angles(thin_angle, maximum_deviation);
     find_multiple_edges();
     mesh_.surface = examine_polygons(mesh_.points, mesh_.triangles);
+    const auto edges = complex_.edges();
+    const auto is_border = [this](Edge_index e) { return complex_.is_border(e); };
+    const std::size_t number = std::size_t(std::count_if(edges.begin(), edges.end(), is_border));
+    mesh_.number_of_new_border_edges = (std::max)(mesh_.surface.number_of_border_edges, number) - number;
     return std::move(mesh_);
   }
 
 private:
-  bool is_loop(Halfedge_index h) const { return complex_.source(h) == complex_.target(h); }
+  using Triangle = std::array<std::uint32_t, 3>;
 
-  void add_triangles()
+  bool is_loop(Halfedge_index h) const { return complex_.source(h) == complex_.target(h); }
+  // Whether the smallest angle is one between two marked edges.
+  bool is_sharp_corner(const Triangle& corners, Face_index f) const
   {
-    const std::vector<Face_index> input_faces = largest_input_faces();
+    Halfedge_index h = complex_.halfedge(f);
+    for (std::size_t i = smallest_angle(map_.corners(corners)).second; i > 0; --i)
+      h = complex_.next(h);
+    return is_marked_[complex_.edge(h).idx()] && is_marked_[complex_.edge(complex_.prev(h)).idx()];
+  }
+
+  void find_triangles(double thin_angle, double maximum_deviation)
+  {
+    std::vector<bool> is_sharp;
     for (Face_index f : complex_.faces()) {
       const Halfedge_index h = complex_.halfedge(f), i = complex_.next(h), j = complex_.prev(h);
       if (is_loop(h) || is_loop(i) || is_loop(j))
         continue;
       mesh_.triangles.push_back({complex_.source(h).idx(), complex_.source(i).idx(), complex_.source(j).idx()});
       mesh_.faces.push_back(f);
-      mesh_.input_faces.push_back(input_faces[f.idx()]);
+      is_sharp.push_back(is_sharp_corner(mesh_.triangles.back(), f));
     }
+    Thin_part_merger merger(map_, mesh_.triangles, mesh_.faces, is_sharp, thin_angle, maximum_deviation);
+    if (maximum_deviation > 0)
+      merger();
+    const Straight_map::Distance distance = map_.largest_distance();
+    mesh_.deviation = map_.bound((std::max)(distance.value, merger.distance_of_cancelled()));
+    mesh_.deviation_place = distance.place;
+    const std::vector<Face_index> input_faces = largest_input_faces();
+    std::size_t n = 0;
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      if (mesh_.triangles[t][0] == mesh_.triangles[t][1])
+        continue;
+      const Face_index f = mesh_.faces[t];
+      mesh_.triangles[n] = mesh_.triangles[t];
+      mesh_.faces[n++] = f;
+      mesh_.input_faces.push_back(input_faces[f.idx()]);
+      mesh_.regions.push_back(std::uint32_t(region_of_face_[f.idx()]));
+    }
+    mesh_.triangles.resize(n);
+    mesh_.faces.resize(n);
+  }
+
+  void find_points()
+  {
+    for (Vertex_index v : complex_.vertices()) {
+      mesh_.points_of_vertices.push_back(std::uint32_t(mesh_.points.size()));
+      if (map_.image(v) == v.idx())
+        mesh_.points.push_back(map_.points()[v.idx()]);
+      else
+        mesh_.merged_vertices.push_back(v);
+    }
+    for (Vertex_index v : mesh_.merged_vertices)
+      mesh_.points_of_vertices[v.idx()] = mesh_.points_of_vertices[map_.image(v)];
+    for (Triangle& triangle : mesh_.triangles)
+      for (std::uint32_t& v : triangle)
+        v = mesh_.points_of_vertices[v];
   }
 
   // For each intrinsic face.
@@ -95,17 +119,19 @@ private:
     for (Overlay::Face f : overlay_.faces()) {
       const Overlay::Halfedge first = overlay_.halfedge(f);
       const Point p = subdivision_.point(overlay_.target(first), points_);
-      Point q = p, sum{};
+      Point q = p, sum{}; // of the areas of the triangles at p, as a vector
       for (Overlay::Halfedge h = overlay_.next(first); h != first; h = overlay_.next(h)) {
         const Point r = subdivision_.point(overlay_.target(h), points_);
-        const Point part = cross_product(difference(q, p, 1), difference(r, p, 1));
-        for (std::size_t i = 0; i < 3; ++i)
-          sum[i] += part[i];
+        for (std::size_t i = 0; i < 3; ++i) {
+          const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+          sum[i] += (q[j] - p[j]) * (r[k] - p[k]) - (q[k] - p[k]) * (r[j] - p[j]);
+        }
         q = r;
       }
+      const double area = std::hypot(sum[0], sum[1], sum[2]);
       const std::size_t face = overlay_.intrinsic_face(f).idx();
-      if (length(sum) > largest[face]) {
-        largest[face] = length(sum);
+      if (area > largest[face]) {
+        largest[face] = area;
         result[face] = overlay_.input_face(f);
       } else if (!result[face].is_valid()) { // of a sum that is not a number
         result[face] = overlay_.input_face(f);
@@ -139,8 +165,6 @@ private:
         sets.unite(complex_.face(h).idx(), complex_.face(complex_.opposite(h)).idx());
     }
     mesh_.number_of_regions = std::uint32_t(sets.number(region_of_face_));
-    for (Face_index f : mesh_.faces)
-      mesh_.regions.push_back(std::uint32_t(region_of_face_[f.idx()]));
   }
 
   void find_lines()
@@ -150,12 +174,16 @@ private:
     std::vector<Regions> regions;
     for (Edge_index e : complex_.edges()) {
       const Halfedge_index h = complex_.halfedge(e);
-      if (!is_marked_[e.idx()] || is_loop(h))
+      if (!is_marked_[e.idx()])
         continue;
       const auto region_at = [&](Halfedge_index side) {
         return complex_.is_border(side) ? none : region_of_face_[complex_.face(side).idx()];
       };
-      mesh_.marked_edges.push_back({complex_.source(h).idx(), complex_.target(h).idx()});
+      const std::array<std::uint32_t, 2> ends = {mesh_.points_of_vertices[complex_.source(h).idx()],
+                                                 mesh_.points_of_vertices[complex_.target(h).idx()]};
+      if (ends[0] == ends[1])
+        continue;
+      mesh_.marked_edges.push_back(ends);
       regions.push_back(std::minmax(region_at(h), region_at(complex_.opposite(h))));
     }
     Disjoint_sets sets(regions.size());
@@ -168,54 +196,30 @@ private:
     mesh_.lines.assign(lines.begin(), lines.end());
   }
 
-  // At the crossings, as a vertex of the triangulation is a vertex of its triangles but for rounding.
-  //
-  // In units of u = 2^-53 and of the largest coordinate: both positions have relative errors of 2u, so (1 - t) p + t q
-  // has an error of 8u at most in each coordinate, and an inserted vertex as well. Their difference has one of 18u, and
-  // its norm one of 32u < 2^-48. The last factor covers the rounding of the norm.
-  void measure_deviation()
-  {
-    double largest = 0, farthest = 0;
-    for (const std::vector<Point>& points : {points_, mesh_.points})
-      for (const Point& p : points)
-        for (double x : p)
-          largest = (std::max)(largest, std::abs(x));
-    if (overlay_.number_of_vertices() > overlay_.number_of_input_vertices())
-      mesh_.deviation = 0x1p-48 * largest;
-    for (Overlay::Vertex v : overlay_.crossings()) {
-      const Halfedge_index h = complex_.halfedge(overlay_.intrinsic_edge(v));
-      const Point &p = mesh_.points[complex_.source(h).idx()], &q = mesh_.points[complex_.target(h).idx()];
-      const Point place = subdivision_.point(v, points_);
-      const double t = subdivision_.positions().on_intrinsic_edge(v);
-      const double distance = std::hypot(place[0] - ((1 - t) * p[0] + t * q[0]), place[1] - ((1 - t) * p[1] + t * q[1]),
-                                         place[2] - ((1 - t) * p[2] + t * q[2]));
-      if (distance > farthest) {
-        farthest = distance;
-        mesh_.deviation_place = place;
-      }
-    }
-    mesh_.deviation += farthest * (1 + 0x1p-50);
-  }
-
-  void measure_angles(double thin_angle)
+  void measure_angles(double thin_angle, double maximum_deviation)
   {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      Halfedge_index h = complex_.halfedge(mesh_.faces[t]), smallest = h; // from the corner
-      double of_triangle = 180;
-      for (std::size_t i = 0; i < 3; ++i, h = complex_.next(h)) {
-        const auto point = [&](std::size_t corner) { return mesh_.points[mesh_.triangles[t][corner % 3]]; };
-        const double at_corner = angle(point(i), point(i + 1), point(i + 2));
-        if (at_corner < of_triangle) {
-          of_triangle = at_corner;
-          smallest = h;
-        }
+      std::array<Point, 3> corners;
+      for (std::size_t i = 0; i < 3; ++i)
+        corners[i] = mesh_.points[mesh_.triangles[t][i]];
+      const double angle = smallest_angle(corners).first;
+      mesh_.minimum_angle = (std::min)(mesh_.minimum_angle, angle);
+      if (angle >= thin_angle)
+        continue;
+      mesh_.thin_triangles.push_back(t);
+      double shortest = (std::numeric_limits<double>::infinity)();
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Point &p = corners[i], &q = corners[(i + 1) % 3];
+        shortest = (std::min)(shortest, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
       }
-      mesh_.minimum_angle = (std::min)(mesh_.minimum_angle, of_triangle);
-      if (of_triangle < thin_angle) {
-        mesh_.thin_triangles.push_back(t);
-        mesh_.number_of_sharp_corners +=
-          is_marked_[complex_.edge(smallest).idx()] && is_marked_[complex_.edge(complex_.prev(smallest)).idx()];
-      }
+      const Halfedge_index h = complex_.halfedge(mesh_.faces[t]);
+      if (is_sharp_corner({map_.image(complex_.source(h)), map_.image(complex_.target(h)),
+                           map_.image(complex_.source(complex_.prev(h)))},
+                          mesh_.faces[t]))
+        ++mesh_.number_of_sharp_corners;
+      else
+        mesh_.sufficient_deviation =
+          (std::max)(mesh_.sufficient_deviation, 1.1 * (std::max)(shortest, maximum_deviation));
     }
   }
 
@@ -242,6 +246,7 @@ private:
   const Overlay& overlay_;
   const Delta_complex& complex_;
   const std::vector<Point>& points_;
+  Straight_map map_;
   std::vector<bool> is_marked_;
   std::vector<std::size_t> region_of_face_;
   Straight_mesh mesh_;
@@ -251,7 +256,7 @@ private:
 } // namespace internal
 
 Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::vector<std::array<double, 3>>& points,
-                            const std::vector<bool>& is_marked, double thin_angle)
+                            const std::vector<bool>& is_marked, double thin_angle, double maximum_deviation)
 {
   const auto check = [](std::size_t given, const char* what, std::size_t needed, const char* of_what) {
     if (given != needed)
@@ -261,11 +266,13 @@ Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::ve
   check(points.size(), "points", subdivision.input().number_of_vertices(), "vertices");
   if (!is_marked.empty())
     check(is_marked.size(), "marks", subdivision.input().number_of_edges(), "edges");
-  return internal::Straight_mesh_maker(subdivision, points).make(is_marked, thin_angle);
+  return internal::Straight_mesh_maker(subdivision, points).make(is_marked, thin_angle, maximum_deviation);
 }
 
 std::string message(const Straight_mesh& mesh)
 {
+  if (mesh.is_surface())
+    return {};
   std::ostringstream text;
   const auto begin = [&text] { return text.tellp() == 0 ? "" : "; "; };
   const auto edges = [&](const std::vector<Edge_index>& list, const char* one, const char* several) {
@@ -276,6 +283,10 @@ std::string message(const Straight_mesh& mesh)
   edges(mesh.loops, "edge ends where it begins, so its faces are left out",
         "edges end where they begin, so their faces are left out");
   edges(mesh.multiple_edges, "edge joins the same vertices as another one", "edges join the same vertices as others");
+  if (mesh.number_of_new_border_edges > 0)
+    text << begin() << mesh.number_of_new_border_edges
+         << (mesh.number_of_new_border_edges == 1 ? " edge is" : " edges are")
+         << " on the border, but not of the surface";
   for (const Finding& finding : mesh.surface.findings)
     if (finding.is_fatal || finding.defect == Invalid_surface_error::Defect::DUPLICATE_FACE) {
       text << begin() << message(finding, "");

@@ -10,7 +10,7 @@ from __future__ import annotations
 import copy
 import math
 import os
-from typing import Any, List, Mapping, NamedTuple, Optional, Tuple, Union
+from typing import Any, Dict, Mapping, NamedTuple, Optional, Tuple, Union
 
 import numpy
 import scipy.sparse
@@ -61,8 +61,10 @@ class RefinementReport(NamedTuple):
     """The number of flips."""
     unrefined: numpy.ndarray
     """The numbers of the faces that do not meet the criteria."""
-    reasons: List[str]
-    """The reason for each of them: "cone", "small_input_angle", "beside_small_input_angle", "unrepresentable", "too_small" or "budget"."""
+    reasons: numpy.ndarray
+    """(u,) array of int8: the reason for each of them, as its position among the keys of `number_by_reason`."""
+    number_by_reason: Dict[str, int]
+    """How many there are: "cone", "small_input_angle", "beside_small_input_angle", "unrepresentable", "too_small", "budget"."""
     minimum_size: float
     """The smallest size, given or chosen."""
 
@@ -71,7 +73,11 @@ class StraightMesh(NamedTuple):
     """The result of `Triangulation.straight_mesh`: another surface, of which nothing is known but what stands here."""
 
     points: numpy.ndarray
-    """(n, 3) array: the positions of all vertices of the triangulation."""
+    """(n, 3) array: the positions of the vertices."""
+    points_of_vertices: numpy.ndarray
+    """(v,) array of int64: the point of each vertex of the triangulation, the same in number unless vertices are merged."""
+    merged_vertices: numpy.ndarray
+    """The numbers of the vertices that have the point of another one."""
     triangles: numpy.ndarray
     """(t, 3) array of int64: the faces with three different corners, in order."""
     faces: numpy.ndarray
@@ -94,6 +100,8 @@ class StraightMesh(NamedTuple):
     """The numbers of the triangles with an angle below `thin_angle`."""
     sharp_corners: int
     """How many of them have it between two marked edges, where every mesh has that angle."""
+    sufficient_deviation: float
+    """A maximum deviation with which the other thin triangles might be merged; 0 if there are none."""
     loops: numpy.ndarray
     """The edges of the triangulation whose ends are the same: their faces are left out."""
     multiple_edges: numpy.ndarray
@@ -421,7 +429,7 @@ class Triangulation:
 
     def refine(self, minimum_angle: float = 25, maximum_circumradius: float = math.inf, maximum_edge_length: float = math.inf,
                constrained: Optional[ArrayLike] = None, max_insertions: Optional[int] = None, minimum_size: Optional[float] = None,
-               sharp_edge_angle: Optional[float] = None) -> RefinementReport:
+               sharp_edge_angle: Optional[float] = None, maximum_deviation: float = math.inf) -> RefinementReport:
         """Flip edges and insert vertices until no face is too thin or too large. The surface does not change.
 
         Parameters
@@ -440,6 +448,9 @@ class Triangulation:
         sharp_edge_angle : float, optional
             Edges of the input at which the directions of the faces differ by more than this angle in degrees are not
             flipped, either: the `sharp_edges` for the smallest size.
+        maximum_deviation : float
+            How far the triangles of `straight_mesh` may be from the surface, in the unit of the input. Folds are kept
+            that few triangles could follow otherwise.
 
         Returns
         -------
@@ -467,7 +478,8 @@ class Triangulation:
         maximum = None if max_insertions is None else _arrays.integer(max_insertions, "max_insertions")
         size = None if minimum_size is None else _arrays.number(minimum_size, "minimum_size")
         sharp = None if sharp_edge_angle is None else _arrays.number(sharp_edge_angle, "sharp_edge_angle")
-        return RefinementReport(*self._surface.refine(angle, circumradius, edge_length, self._constrained(constrained), maximum, size, sharp))
+        deviation = _arrays.number(maximum_deviation, "maximum_deviation")
+        return RefinementReport(*self._surface.refine(angle, circumradius, edge_length, self._constrained(constrained), maximum, deviation, size, sharp))
 
     def simplify(self, maximum_change: Optional[float] = None, number_of_vertices: int = 0, kept: Optional[ArrayLike] = None,
                  constrained: Optional[ArrayLike] = None, sharp_angle: float = 180) -> SimplifiedSurface:
@@ -642,10 +654,11 @@ class Triangulation:
         subdivision = self.common_subdivision() if self.number_of_vertices > len(self._points) else None
         return self._points.copy() if subdivision is None else subdivision.positions[:self.number_of_vertices]
 
-    def straight_mesh(self, marked: Optional[ArrayLike] = None, thin_angle: float = 10) -> StraightMesh:
+    def straight_mesh(self, marked: Optional[ArrayLike] = None, thin_angle: float = 10, maximum_deviation: float = 0) -> StraightMesh:
         """Return the faces as straight triangles in space, for programs that know no others.
 
-        That is another surface. Refine the triangulation to bring the two close to each other.
+        That is another surface. `refine` with `maximum_deviation` brings the two close to each other. With the same
+        distance, vertices are merged here where that makes thin triangles better or removes a sheet of no thickness.
 
         Parameters
         ----------
@@ -654,6 +667,8 @@ class Triangulation:
             `refine` has kept, for no other edge of the input stays an edge for sure.
         thin_angle : float
             Triangles with a smaller angle, in degrees, are listed.
+        maximum_deviation : float
+            The distance from the surface up to which vertices may be merged; 0 if none may.
 
         Returns
         -------
@@ -679,7 +694,8 @@ class Triangulation:
             raise ValueError("the surface is given by lengths: its triangles are not in space")
         subdivision = _core.subdivision(self._surface)
         marks = _arrays.marks(marked, "marked", subdivision.number_of_input_edges())
-        return StraightMesh(*subdivision.straight_mesh(self._points, marks, _arrays.number(thin_angle, "thin_angle")))
+        return StraightMesh(*subdivision.straight_mesh(self._points, marks, _arrays.number(thin_angle, "thin_angle"),
+                                                      _arrays.number(maximum_deviation, "maximum_deviation")))
 
     def conformal_map(self, cones: Optional[int] = None, cone_angles: Optional[Mapping[int, float]] = None,
                       boundary: str = "free") -> ConformalMap:

@@ -32,6 +32,7 @@ namespace Intrinsic_triangulations::internal {
   F(maximum_edge_length, MAXIMUM_EDGE_LENGTH)                                                                          \
   F(minimum_size, MINIMUM_SIZE)                                                                                        \
   F(sharp_edge_angle, SHARP_EDGE_ANGLE)                                                                                \
+  F(maximum_deviation, MAXIMUM_DEVIATION)                                                                              \
   F(splits_encroached_edges, SPLITS_ENCROACHED_EDGES)                                                                  \
   F(time_coefficient, TIME_COEFFICIENT)                                                                                \
   F(heat_boundary, HEAT_BOUNDARY)                                                                                      \
@@ -132,6 +133,8 @@ CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(maximum_edge_length, MAXIMUM_EDGE_LENGTH
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(minimum_size, MINIMUM_SIZE)
 /// \brief the angle between the directions of two faces beyond which their edge is not flipped, in degrees.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(sharp_edge_angle, SHARP_EDGE_ANGLE)
+/// \brief how far the straight triangles between the corners of faces may be from the surface, in the unit of the input.
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(maximum_deviation, MAXIMUM_DEVIATION)
 /// \brief whether edges that are not flipped are split until no angle opposite them is obtuse.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(splits_encroached_edges, SPLITS_ENCROACHED_EDGES)
 /// \brief the time for which heat spreads, in units of the squared mean length of the edges.

@@ -61,7 +61,8 @@ public:
       correspondence_(engine_.correspondence()), shapes_(engine_), visitor_(visitor), maximum_number_(maximum_number),
       trial_(trial), faces_(triangulation),
       segments_(complex_, correspondence_, shapes_, faces_, std::move(is_segment)), cones_(engine_, shapes_),
-      quality_(complex_, criteria, faces_, segments_, cones_), search_(complex_, faces_, segments_, quality_)
+      straight_(engine_, shapes_), quality_(complex_, criteria, faces_, segments_, cones_, straight_),
+      search_(complex_, faces_, segments_, quality_)
   {}
 
   Refinement_report operator()()
@@ -86,6 +87,8 @@ private:
   void refine_all()
   {
     faces_.measure_all();
+    for (Edge_index e : complex_.edges())
+      measure_deviation(e);
     fix_faces_without_area();
     find_cones();
     if (goes_on())
@@ -185,6 +188,12 @@ private:
         sum += area / (2 * s * s);
     }
     return static_cast<std::uint64_t>((std::min)(sum, 1e18));
+  }
+
+  void measure_deviation(Edge_index e)
+  {
+    if (std::isfinite(quality_.criteria().maximum_deviation))
+      straight_.measure(e);
   }
 
   void note(Face_index f)
@@ -409,8 +418,12 @@ private:
       return complex_.source(complex_.halfedge(e)) == v || complex_.target(complex_.halfedge(e)) == v;
     };
     flipped_.erase(std::remove_if(flipped_.begin(), flipped_.end(), is_at_v), flipped_.end());
-    for (Edge_index e : flipped_)
+    for (Edge_index e : flipped_) {
       faces_.measure(e);
+      measure_deviation(e);
+    }
+    for (Halfedge_index h : Halfedges_around(complex_, v))
+      measure_deviation(complex_.edge(h));
     const auto note_faces = [&](Halfedge_index h) {
       if (!complex_.is_border(h))
         note(complex_.face(h));
@@ -476,6 +489,7 @@ private:
   std::priority_queue<Candidate> bad_faces_;
   std::vector<Edge_index> segments_to_test_, stack_, flipped_;
   Small_cones cones_;
+  Straight_edges straight_;
   const Face_quality<Traits> quality_;
   Steiner_point_search<Traits> search_;
   std::unordered_map<Face_index, std::pair<double, Refinement_obstacle>> left_;

@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Measured_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Segments.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Small_cones.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/Straight_edges.h>
 #include <CGAL/Intrinsic_triangulations/reports.h>
 
 #include <CGAL/number_type_config.h>
@@ -33,6 +34,7 @@ struct Refinement_criteria
   double minimum_angle = 25;
   double maximum_circumradius = (std::numeric_limits<double>::infinity)();
   double maximum_edge_length = (std::numeric_limits<double>::infinity)();
+  double maximum_deviation = (std::numeric_limits<double>::infinity)();
   bool splits_encroached_edges = false;
   double minimum_size = 0;
 };
@@ -42,8 +44,8 @@ class Face_quality
 {
 public:
   Face_quality(const Delta_complex& complex, const Refinement_criteria& criteria, const Measured_faces<Traits>& faces,
-               const Segments<Traits>& segments, const Small_cones& cones)
-    : complex_(complex), criteria_(criteria), faces_(faces), segments_(segments), cones_(cones),
+               const Segments<Traits>& segments, const Small_cones& cones, const Straight_edges& straight)
+    : complex_(complex), criteria_(criteria), faces_(faces), segments_(segments), cones_(cones), straight_(straight),
       sine_of_minimum_angle_(std::sin(minimum_angle()))
   {}
 
@@ -54,7 +56,7 @@ public:
   bool is_below_smallest_size(Face_index f) const { return has_short_side(f) || is_too_low(f); }
   bool is_too_large(Face_index f) const
   {
-    return is_too_large(faces_.length(faces_.longest_side(f)), faces_.circumradius(f));
+    return is_too_large(faces_.length(faces_.longest_side(f)), faces_.circumradius(f)) || deviates(f);
   }
   bool has_small_angle(Face_index f) const
   {
@@ -74,7 +76,8 @@ public:
       return false;
     if (is_too_low(f)) // the circumcircle of a low face tells how low it is
       return faces_.length(faces_.longest_side(f)) >
-             (std::min)(criteria_.maximum_edge_length, std::sqrt(3.) * criteria_.maximum_circumradius);
+               (std::min)(criteria_.maximum_edge_length, std::sqrt(3.) * criteria_.maximum_circumradius) ||
+             deviates(f);
     if (is_too_large(f))
       return true;
     const Halfedge_index h = complex_.halfedge(f);
@@ -106,6 +109,11 @@ private:
   {
     return criteria_.minimum_size > 0 && faces_.smallest_height(f) < criteria_.minimum_size;
   }
+  bool deviates(Face_index f) const
+  {
+    return std::isfinite(criteria_.maximum_deviation) &&
+           straight_.deviates(f, criteria_.maximum_deviation, has_small_angle(f));
+  }
   bool is_too_large(double longest, double circumradius) const
   {
     return longest > criteria_.maximum_edge_length || circumradius > criteria_.maximum_circumradius;
@@ -121,6 +129,7 @@ private:
   const Measured_faces<Traits>& faces_;
   const Segments<Traits>& segments_;
   const Small_cones& cones_;
+  const Straight_edges& straight_;
   const double sine_of_minimum_angle_;
 };
 
