@@ -76,7 +76,7 @@ int sign_of_cotangents(const Five& f)
 TEST(Ptolemy_traits, identities_hold_in_rational_numbers)
 {
   std::mt19937 random(1);
-  int euclidean = 0, delaunay = 0;
+  int euclidean = 0, number_of_Delaunay = 0;
   for (int i = 0; i < 2000; ++i) {
     const auto length = [&] { return Exact(int(random() % 1000) + 1, int(random() % 16) + 16); };
     const Five f{length(), length(), length(), length(), length()};
@@ -97,12 +97,12 @@ TEST(Ptolemy_traits, identities_hold_in_rational_numbers)
     if (!is_triangle(g.ij, g.jk, g.ki) || !is_triangle(g.ij, g.il, g.lj))
       continue;
     ++euclidean;
-    delaunay += is_Delaunay<double>(g);
+    number_of_Delaunay += is_Delaunay<double>(g);
     EXPECT_EQ(is_Delaunay<double>(g), sign_of_cotangents(g) >= 0);
   }
   EXPECT_GT(euclidean, 300);
-  EXPECT_GT(delaunay, 100);
-  EXPECT_LT(delaunay, euclidean - 50);
+  EXPECT_GT(number_of_Delaunay, 100);
+  EXPECT_LT(number_of_Delaunay, euclidean - 50);
 }
 
 TEST(Ptolemy_traits, ties_and_near_ties_are_decided_exactly)
