@@ -64,10 +64,12 @@ public:
   /// A default-constructed value is never read.
   typedef unspecified_type Edge_data;
 
-  /// \brief the data stored for a face, with the requirements of `Edge_data`.
-  ///
-  /// If it is an empty class, any three positive lengths are those of a face; otherwise they obey the triangle inequality.
+  /// the data stored for a face, with the requirements of `Edge_data`
   typedef unspecified_type Face_data;
+
+  /// `CGAL::Tag_false` if any three positive lengths are those of a face. Optional: without it, lengths have to obey the
+  /// triangle inequality.
+  typedef unspecified_type Has_Euclidean_faces;
 
   /// `CGAL::Tag_true` if every decision is exact for the surface that the input defines, otherwise
   /// `CGAL::Tag_false`. With `CGAL::Tag_true`, `flip_to_Delaunay()` has no flip budget by default.

@@ -130,7 +130,7 @@ struct Distance_result
 void check(const Distance_options& options)
 {
   if (options.sources.vertices.empty() && !options.sources.has_files())
-    throw Usage_error("distances need a source: --source, --source-points, --source-edges or --source-curve");
+    throw Usage_error("--source is required, or --source-points, --source-edges or --source-curve");
   if (options.has_places() && (options.is_by_heat() || options.maximum_change))
     throw Usage_error(
       "--source-points, --source-edges, --source-curve and --labels follow straight ways on the surface "

@@ -89,7 +89,7 @@ void check(const Refine_options& options)
   if (criteria.sharp_edge_angle && !(*criteria.sharp_edge_angle >= 0 && *criteria.sharp_edge_angle <= 180))
     throw Usage_error("--constrain-angle: D is between 0 and 180 degrees");
   if (!options.maximum_deviation.empty() && !(length(options.maximum_deviation, 1) > 0))
-    throw Usage_error("--maximum-deviation: D is a length larger than 0, or a percentage such as 0.1%");
+    throw Usage_error("--maximum-deviation: D is larger than 0, a length or a percentage such as 0.1%");
   options.files.check_paths({options.input});
   std::vector<std::string> outputs = options.files.paths();
   outputs.insert(outputs.end(), {options.kept_edges, options.flattened});

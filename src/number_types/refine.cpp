@@ -167,8 +167,10 @@ void refine(Filtered_triangulation& triangulation, const Job& job, Outcome& outc
   } catch (const IT::Cancelled_error&) {
     summary.is_cancelled = true;
     summary.report.flips = visitor.flips();
-    if (options.criteria.sharp_edge_angle && visitor.is_flipping())
+    if (options.criteria.sharp_edge_angle && visitor.is_flipping()) {
+      outcome.are_flips_cancelled = true;
       outcome.report.status = IT::Flip_status::BUDGET_EXHAUSTED;
+    }
   } catch (const IT::Error& error) {
     // Vertices inserted before remain.
     outcome.failure = error.what();

@@ -162,7 +162,10 @@ std::string straight_text(const CGAL::Intrinsic_triangulations::Straight_mesh& m
 void write_changes(std::ostream& os, const Triangulation_result& result)
 {
   const Outcome& outcome = result.outcome;
-  line(os, "flips", with_separators(outcome.report.flips) + " in " + with_separators(outcome.report.tests) + " tests");
+  // With `--constrain-angle`, the refinement makes all flips.
+  if (outcome.report.tests > 0 || !outcome.refinement)
+    line(os, "flips",
+         with_separators(outcome.report.flips) + " in " + with_separators(outcome.report.tests) + " tests");
   if (outcome.refinement)
     write_refinement(os, result);
   if (outcome.shapes)

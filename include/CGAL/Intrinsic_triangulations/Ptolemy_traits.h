@@ -121,6 +121,8 @@ public:
   using Point_data = std::array<FT, 3>;
   /// whether decisions are exact
   using Has_exact_decisions = typename Numbers::Is_exact;
+  /// any three positive λ-lengths are those of a face
+  using Has_Euclidean_faces = Tag_false;
   /// no decision needs the input
   using Uses_exact_geometry = Tag_false;
 

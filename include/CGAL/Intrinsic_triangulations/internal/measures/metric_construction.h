@@ -56,6 +56,15 @@ struct Takes_two_faces<
   : std::true_type
 {};
 
+// Whether lengths have to obey the triangle inequality. They do, unless the traits say otherwise.
+template <class Traits, class = void>
+struct Has_Euclidean_faces : std::true_type
+{};
+template <class Traits>
+struct Has_Euclidean_faces<Traits, std::void_t<typename Traits::Has_Euclidean_faces>>
+  : std::bool_constant<Traits::Has_Euclidean_faces::value>
+{};
+
 // Bounds the corners of the face of h, given its sides from h on.
 template <class Traits>
 void bound_corners(const Traits& traits, Halfedge_index h, Halfedge_index next, Halfedge_index prev,
@@ -300,7 +309,7 @@ void construct_metric_from_lengths(const Delta_complex& complex, const Traits& t
     const Face_halfedges sides(complex, f);
     const FT &ij = lengths[complex.edge(sides.h).idx()], &jk = lengths[complex.edge(sides.next).idx()],
              &ki = lengths[complex.edge(sides.prev).idx()];
-    if constexpr (!std::is_empty<typename Traits::Face_data>::value) // without numbers, it is no Euclidean triangle
+    if constexpr (Has_Euclidean_faces<Traits>::value)
       if (violate_triangle_inequality(ij, jk, ki))
         offenders.add(f.idx());
     faces[f.idx()] = construct_face_data.from_lengths(ij, jk, ki);
