@@ -31,7 +31,7 @@ CLI::Option* add_repair_option(CLI::App& command, Repair_options& repair)
     "first turn a mesh that is not a surface into one: triangulate polygons, orient faces, cut where more than two "
     "faces or several fans meet, close seams, remove duplicate faces and unused vertices; everything is reported");
   add_option(command, "--stitch", repair.stitching_tolerance, "T",
-             "split border edges at the border vertices that lie within them, exactly or not farther than T from them, "
+             "split edges at the vertices where others end within them, exactly or not farther than T from them, "
              "and merge border vertices that are not farther than T apart")
     ->needs(result);
   return result;
