@@ -170,7 +170,7 @@ void add_compare_command(CLI::App& app, Selected_command& selected)
     command.add_flag("--count-decisions", options->counts_decisions, "count wrong tests for large surfaces too");
   command.add_flag("--no-count-decisions", options->leaves_decisions, "do not count wrong tests, whatever the size")
     ->excludes(count);
-  add_option(command, "--json", options->json_path, "F.json", "write the tables as a JSON object");
+  add_option(command, "--stats,--json", options->json_path, "F.json", "write the tables as a JSON object");
   command.callback([options, &selected] { selected = [options] { return run_compare(*options); }; });
 }
 

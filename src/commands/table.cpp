@@ -268,7 +268,7 @@ void add_table_command(CLI::App& app, Selected_command& selected)
   add_repair_option(command, options->repair);
   command.add_flag("--without-condition", options->without_condition,
                    "omit the condition numbers, which take longer than everything else");
-  add_option(command, "--json", options->json_path, "F.json", "write the rows as a JSON array of objects");
+  add_option(command, "--stats,--json", options->json_path, "F.json", "write the rows as a JSON array of objects");
   command.callback([options, &selected] { selected = [options] { return run_table(*options); }; });
 }
 
