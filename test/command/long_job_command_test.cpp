@@ -276,8 +276,15 @@ TEST_F(Command_long_job, can_be_interrupted_while_polygons_are_cut)
   out.close();
   // Reading takes a seventh of the time, and the steps after the repair a fourth.
   const double whole = time("triangulate crowns.off --repair --edges result.csv");
-  remove_results();
-  EXPECT_EQ(interrupt({"triangulate", "crowns.off", "--repair", "--edges", "result.csv"}, 0.4 * whole), 4);
+  // On a busy machine, a moment may be during reading, or after the repair.
+  int status = 0;
+  for (double part : {0.4, 0.5, 0.3, 0.6, 0.2}) {
+    remove_results();
+    status = interrupt({"triangulate", "crowns.off", "--repair", "--edges", "result.csv"}, part * whole);
+    if (contains(content(folder_ / ".err"), "while it was repaired"))
+      break;
+  }
+  EXPECT_EQ(status, 4);
   EXPECT_TRUE(contains(content(folder_ / ".err"), "crowns.off: cancelled while it was repaired"))
     << content(folder_ / ".err");
   EXPECT_EQ(files(), std::vector<std::string>{"crowns.off"});
