@@ -107,13 +107,15 @@ View view_of(const Conformal_map_options& options, const IT::Conformal_map& map,
     points.push_back(in_space(map, surface, v));
   View view = make_view(options.input, points, map.triangles);
   view.path_name = "the cuts";
+  std::vector<bool> is_cone(points.size(), false);
+  for (IT::Vertex_index v : map.metric.cones)
+    is_cone[v.idx()] = true;
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < map.triangles.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k) {
       const auto& [x, y] = map.uv[i][k];
       view.plane.corners.push_back({x, y, 0});
-      if (std::find(map.metric.cones.begin(), map.metric.cones.end(), IT::Vertex_index(map.triangles[i][k])) !=
-          map.metric.cones.end()) {
+      if (is_cone[map.triangles[i][k]]) {
         view.plane.marks.push_back({x, y, 0});
         view.plane.marks_on_surface.push_back(points[map.triangles[i][k]]);
       }
@@ -177,9 +179,13 @@ void write_report(std::ostream& os, const Conformal_map_options& options, const 
      << with_separators(map.triangles.size()) << ", of which " << with_separators(map.turned.size())
      << " turned over\n  input triangles   " << with_separators(map.turned_input.size())
      << " would turn over if the map were linear on them, " << with_separators(map.divided_input.size())
-     << " cut\n  locally injective " << (map.is_certified ? "yes, proven" : "no") << "\n  overlaps itself   "
-     << (map.overlaps ? "yes: cut it into parts, or allow more cones" : "no") << "\n  seams             within "
-     << in_short(map.seam) << "\n  time              " << seconds_text(seconds) << '\n';
+     << " cut\n  locally injective "
+     << (!map.is_certified    ? "no"
+         : map.turned.empty() ? "yes, proven"
+                              : "on the ideal Delaunay triangles only, proven")
+     << "\n  overlaps itself   " << (map.overlaps ? "yes: cut it into parts, or allow more cones" : "no")
+     << "\n  seams             within " << in_short(map.seam) << "\n  time              " << seconds_text(seconds)
+     << '\n';
 }
 
 void check(const Conformal_map_options& options)

@@ -66,6 +66,8 @@ private:
   IT::Vertex_index vertex(std::uint64_t number) const
   {
     const auto found = std::find(vertex_of_.begin(), vertex_of_.end(), representative(number));
+    if (found == vertex_of_.end())
+      throw Usage_error("vertex " + std::to_string(number) + " has no face");
     return IT::Vertex_index(IT::Vertex_index::size_type(found - vertex_of_.begin()));
   }
 
@@ -130,11 +132,12 @@ private:
     for (const auto& [v, w] : read_vertex_pairs(named_.edges_path)) {
       const std::pair<std::uint64_t, std::uint64_t> ends =
         std::minmax<std::uint64_t>(representative(v), representative(w));
-      const auto found = std::lower_bound(edges.begin(), edges.end(), std::make_pair(ends, IT::Edge_index(0)));
+      auto found = std::lower_bound(edges.begin(), edges.end(), std::make_pair(ends, IT::Edge_index(0)));
       if (found == edges.end() || found->first != ends)
         throw IT::Invalid_point_error(named_.edges_path + ": no edge joins vertex " + std::to_string(v) +
                                       " and vertex " + std::to_string(w));
-      source.parts.push_back(IT::source_at_edge(input_, found->second).parts.front());
+      for (; found != edges.end() && found->first == ends; ++found)
+        source.parts.push_back(IT::source_at_edge(input_, found->second).parts.front());
     }
     result_.sources.push_back(std::move(source));
   }

@@ -348,7 +348,7 @@ void add_parameterize_command(CLI::App& app, Selected_command& selected)
             {"harmonic", "circle-pattern", "conformal"})
     ->capture_default_str();
   add_option(command, "--cones", options->cones, "N",
-             "conformal: choose N cones; by default, so many that no length changes too much")
+             "conformal: choose N cones in each component; by default, so many that no length changes too much")
     ->transform(whole_number());
   add_option(command, "--cone-angles", options->cone_angles_path, "F.csv",
              "conformal: the sums of the angles at cones, in radians, as CSV: vertex,NAME");

@@ -20,6 +20,7 @@
 #include <CGAL/Intrinsic_triangulations/straight_mesh.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -53,10 +54,14 @@ struct Refine_options
 double extent_of(const Surface& surface)
 {
   double result = 0;
-  for (std::size_t axis = 0; axis < 3 && !surface.points.empty(); ++axis) {
-    const auto [low, high] = std::minmax_element(surface.points.begin(), surface.points.end(),
-                                                 [&](const auto& p, const auto& q) { return p[axis] < q[axis]; });
-    result = (std::max)(result, (*high)[axis] - (*low)[axis]);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (IT::Vertex_index v : surface.connectivity.vertices())
+      if (surface.connectivity.halfedge(v).is_valid()) { // as for the smallest size
+        low = (std::min)(low, surface.points[v.idx()][axis]);
+        high = (std::max)(high, surface.points[v.idx()][axis]);
+      }
+    result = (std::max)(result, high - low);
   }
   return result;
 }

@@ -177,6 +177,26 @@ TEST(Curve_distances, in_a_plane)
 }
 
 // The distance from the border of a region is that from its edges, also where vertices are far apart.
+// Fronts of a farther source cover nothing of a nearer one at the vertex where both begin.
+TEST(Curve_distances, from_two_curves_at_a_vertex_with_different_offsets)
+{
+  const Mesh mesh = shaken_plane(6, 6);
+  const Triangulation triangulation = mesh.Delaunay();
+  const Vertex_index v(24); // in the middle
+  const IT::Geodesic_source near = from({line(triangulation, v, 0.3, 1.5)}),
+                            far = from({line(triangulation, v, 2.5, 1.5)}, 1);
+  const auto exact = [&](const std::vector<IT::Geodesic_source>& sources) {
+    return IT::geodesic_distances_from(triangulation, sources, with_tolerance(0)).distances;
+  };
+  const std::vector<double> from_near = exact({near}), from_far = exact({far});
+  for (const auto& sources :
+       {std::vector<IT::Geodesic_source>{near, far}, std::vector<IT::Geodesic_source>{far, near}}) {
+    const std::vector<double> found = exact(sources);
+    for (std::size_t w = 0; w < found.size(); ++w)
+      EXPECT_NEAR(found[w], (std::min)(from_near[w], from_far[w]), 1e-12) << w;
+  }
+}
+
 TEST(Curve_distances, from_a_side_and_from_a_region)
 {
   const Mesh strip = grid(1, 4, [](double x, double y) -> Point { return {10 * x, y / 4, 0}; });

@@ -47,7 +47,7 @@ struct Conformal_map
   bool is_certified = false;
   /// the largest difference of the lengths of the two images of an edge of a cut, and of the length in `metric`
   double seam = 0;
-  bool overlaps = false; ///< whether two sides of the image's border cross or touch, exactly
+  bool overlaps = false; ///< whether two sides of the image's border have a common point that is no common end, exactly
   /// for each halfedge of the input, the image of its source in its face; (0, 0) if it has none
   std::vector<Point> input_uv;
   std::vector<Face_index> turned_input;  ///< the input triangles that turn over if the map is linear on them: exactly
@@ -58,6 +58,7 @@ struct Conformal_map
   ///   finite, negative, or all zero
   Point to_plane(const Surface_point& point) const;
   /// \brief returns a point of the input with a given image: if none has it, one whose image is near. O(number of triangles).
+  /// \exception Invalid_point_error if a coordinate is not finite, or the map has no triangle
   Surface_point to_surface(const Point& point) const;
 
   /// \cond SKIP_IN_MANUAL

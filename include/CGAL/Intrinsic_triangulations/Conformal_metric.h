@@ -34,7 +34,7 @@ struct Conformal_options
   /// border. All other vertices inside the surface get 2π
   std::vector<std::pair<Vertex_index, double>> angles{};
   Conformal_boundary boundary = Conformal_boundary::FREE; ///< what to do with the border
-  /// how many cones are chosen. By default, none if `angles` has vertices inside the surface; otherwise so many that u
+  /// how many cones are chosen in each component. By default, none if `angles` has vertices inside the surface; otherwise so many that u
   /// has a range of at most `largest_range`. Chosen cones keep their scale, u = 0, and their angles follow
   std::optional<std::size_t> number_of_cones{};
   double largest_range = 5;     ///< of u, in a linear estimate: e<sup>5</sup> is a ratio of 148 between lengths

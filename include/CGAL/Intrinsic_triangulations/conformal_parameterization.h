@@ -49,10 +49,11 @@ conformal_parameterization(const Intrinsic_triangulation<Filtered_edge_length_tr
       if (map.is_certified)
         return map;
       if (!can_choose)
-        throw Numerical_error("triangles of the conformal map turn over, first in face " +
-                              std::to_string(map.turned.empty() ? 0 : map.input_faces[map.turned.front()].idx()) +
-                              ", since u has a range of " + std::to_string(map.metric.range_of_u) +
-                              ": allow more cones");
+        throw Numerical_error(
+          "triangles of the conformal map turn over" +
+          (map.turned.empty() ? std::string()
+                              : ", first in face " + std::to_string(map.input_faces[map.turned.front()].idx())) +
+          ", since u has a range of " + std::to_string(map.metric.range_of_u) + ": allow more cones");
     } catch (const Numerical_error&) {
       if (!can_choose)
         throw;

@@ -81,8 +81,8 @@ Geodesic_distances distances_of_targets(const Search& search, Vertex_index sourc
 /// \ingroup PkgIntrinsicTriangulationsHeat
 /// \brief returns the length of the shortest path from each source to each target.
 ///
-/// The numbers are those of `geodesic_distances()` from each source. Only what is nearer than the farthest target is
-/// visited.
+/// The numbers are those of `geodesic_distances()` from each source. Straight ways are followed
+/// only as far as the farthest target; paths along edges, which bound the distances, over the whole surface.
 ///
 /// \tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` (with TBB) or `Parallel_if_available_tag`: the sources are
 ///   distributed among the threads; the result is the same

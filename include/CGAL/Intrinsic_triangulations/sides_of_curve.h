@@ -26,6 +26,7 @@ namespace CGAL::Intrinsic_triangulations {
 ///
 /// \param input the surface
 /// \param curve points of it, two consecutive ones in the face of the first. Its segments do not cross
+/// \exception Invalid_surface_error if two edges join the same vertices, which corners of triangles do not tell apart
 /// \exception Invalid_argument_error if the curve does not separate, so that the sides have no meaning
 /// \exception Invalid_point_error if a point does not lie on the surface, or two consecutive ones do not lie in the face
 ///   of the first, or segments cross

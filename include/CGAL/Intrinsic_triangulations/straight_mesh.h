@@ -91,7 +91,8 @@ struct Straight_mesh
 /// \param maximum_deviation the deviation up to which vertices may be merged, in the unit of the input; 0 if none may
 ///
 /// \return the triangles with regions, lines and defects
-/// \exception Invalid_argument_error if there are not as many points or marks as vertices or edges of the input
+/// \exception Invalid_argument_error if there are not as many points or marks as vertices or edges of the input, or a
+///   coordinate is not finite
 ///
 /// Complexity: linear in the size of the overlay, and O(n log n) for n edges, for vertices of bounded degree.
 Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::vector<std::array<double, 3>>& points,

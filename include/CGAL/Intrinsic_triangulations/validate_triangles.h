@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/measures/Length_range.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 
 #include <CGAL/number_utils.h>
 
@@ -326,8 +327,19 @@ bool is_clean(const Delta_complex& complex, const PointRange& points)
   }
   if (border.empty())
     return true;
+  // Within an edge of two faces, only vertices of other components hang.
+  internal::Disjoint_sets components(complex.number_of_faces());
+  for (Edge_index e : complex.edges()) {
+    const Halfedge_index h = complex.halfedge(e);
+    if (!complex.is_border(e))
+      components.unite(complex.face(h).idx(), complex.face(complex.opposite(h)).idx());
+  }
+  std::vector<std::size_t> component_of;
+  const bool is_connected = components.number(component_of) == 1;
   const internal::Border_gaps gaps(border);
   for (Edge_index e : complex.edges()) {
+    if (is_connected && !complex.is_border(e))
+      continue;
     const Halfedge_index h = complex.halfedge(e);
     if (gaps.are_within(place(complex.source(h)), place(complex.target(h))))
       return false;

@@ -400,8 +400,9 @@ private:
     for (std::size_t k = 0; k < i; ++k)
       at = Laid_out_faces::next(at);
     const double angle = plane::angle_between(along(first.side, faces_.halfedge(at)), first.direction);
-    at_row(faces_.side(at).row)
-      .at_row.segments.push_back({at, (std::min)((std::max)(angle, 0.), faces_.side(at).angle)});
+    Row_source& source = at_row(faces_.side(at).row).at_row;
+    if (source.offset == offset_) // the fronts of a farther source cover nothing of a nearer one
+      source.segments.push_back({at, (std::min)((std::max)(angle, 0.), faces_.side(at).angle)});
   }
 
   // Between two segments: ways into the wedge that no front covers.

@@ -14,6 +14,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <unordered_map>
 #include <unordered_set>
 #include <vector>
@@ -27,8 +28,13 @@ std::vector<Sign> sides_of_curve(const Delta_complex& input, const std::vector<S
   const auto key = [](std::uint32_t from, std::uint32_t to) { return (std::uint64_t(from) << 32) | to; };
   std::unordered_map<std::uint64_t, std::uint32_t> left_of; // the triangle to the left of a side
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i)
-      left_of.insert({key(triangles[t][i], triangles[t][(i + 1) % 3]), t});
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t from = triangles[t][i], to = triangles[t][(i + 1) % 3];
+      if (!left_of.insert({key(from, to), t}).second)
+        throw Invalid_surface_error(Invalid_surface_error::Defect::WRONG_TOPOLOGY, from, 1,
+                                    "two edges join vertex " + std::to_string(from) + " and vertex " +
+                                      std::to_string(to) + ": the corners of triangles do not tell them apart");
+    }
 
   std::vector<Sign> result(faces.number_of_vertices(), POSITIVE), of_triangle(triangles.size(), ZERO);
   std::unordered_set<std::uint64_t> seam;

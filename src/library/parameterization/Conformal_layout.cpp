@@ -7,15 +7,14 @@
 
 #include "Conformal_layout.h"
 #include "planar_predicates.h"
+#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 
 #include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -249,6 +248,8 @@ void Conformal_layout::merge_corners()
   for (std::uint32_t h = 0; h < corners_.size(); ++h) {
     const std::uint32_t root = sets.find(h);
     corners_[h] = {sums[root][0] / counts[root], sums[root][1] / counts[root]};
+    if (!std::isfinite(corners_[h][0]) || !std::isfinite(corners_[h][1]))
+      throw Numerical_error("coordinates of the conformal map leave the range of double");
   }
 }
 
@@ -281,7 +282,7 @@ bool Conformal_layout::is_certified() const
 
 double Conformal_layout::seam() const
 {
-  double result = 0;
+  double result = 0, longest = 0;
   const auto image = [&](Halfedge_index h) {
     const Point &p = corners_[h.idx()], &q = corners_[complex_.next(h).idx()];
     return std::hypot(q[0] - p[0], q[1] - p[1]);
@@ -289,10 +290,11 @@ double Conformal_layout::seam() const
   for (Edge_index e : complex_.edges())
     if (is_cut(e)) {
       const Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
+      longest = (std::max)({longest, length(h), image(h), image(g)});
       result = (std::max)(
         {result, std::abs(image(h) - image(g)), std::abs(image(h) - length(h)), std::abs(image(g) - length(h))});
     }
-  return result * (1 + 0x1p-40); // rounding included
+  return result + 0x1p-50 * longest; // rounding included
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

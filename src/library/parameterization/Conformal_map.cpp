@@ -21,7 +21,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <string>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -361,6 +360,8 @@ Conformal_map::Point Conformal_map::to_plane(const Surface_point& point) const
   if (point.coordinates == std::array<double, 3>{0, 0, 0})
     throw Invalid_point_error("the barycentric coordinates of a point are all zero");
   const Face_index f = input.face(point.halfedge);
+  if (first_of_face[f.idx()] == first_of_face[f.idx() + 1]) // all of it has one image, up to rounding
+    return input_uv[input.halfedge(f).idx()];
   const auto in_face = [&](const Surface_point& p) {
     const std::array<double, 3> x = coordinates_in_face(p, f);
     return Point{x[1], x[2]};
@@ -378,6 +379,8 @@ Conformal_map::Point Conformal_map::to_plane(const Surface_point& point) const
 
 Surface_point Conformal_map::to_surface(const Point& point) const
 {
+  if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || triangles.empty())
+    throw Invalid_point_error("a coordinate is not finite, or the map has no triangle");
   const auto [i, x] =
     best_triangle(0, triangles.size(), [&](std::size_t j) { return planar_coordinates(uv[j], point); });
   const Face_index f = input_faces[i];

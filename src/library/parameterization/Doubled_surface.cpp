@@ -66,7 +66,6 @@ void Doubled_surface::glue(const Triangulation& surface)
   Delta_complex complex = make_Delta_complex_from_gluing(2 * n, glued);
 
   const Input_metric& metric = surface.input_metric();
-  unit_exponent = metric.unit_exponent();
   Triangulation::Point_vector points(metric.points().empty() ? 0 : complex.number_of_vertices(), {0, 0, 0});
   std::vector<double> lengths(metric.points().empty() ? complex.number_of_edges() : 0);
   vertices.resize(complex.number_of_vertices());

@@ -6,6 +6,7 @@
 // Definitions of Triple_overlay.h.
 
 #include "Triple_overlay.h"
+#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/positions/overlay_layers.h>
 
 #include <algorithm>
@@ -128,6 +129,9 @@ void Triple_overlay::place_ideal_crossings(Edge_index e)
     crossing.position = (g.halfedge.idx() & 1) ? at_i / (at_i + at_j) : from_right;
     crossing.t = at_t / (at_s + at_t);
     crossing.weight = length(g.halfedge) / whole * (at_s + at_t) / (at_i + at_j);
+    if (!(crossing.position >= 0 && crossing.position <= 1 && crossing.t >= 0 && crossing.t <= 1 &&
+          crossing.weight > 0 && std::isfinite(crossing.weight)))
+      throw Numerical_error("lengths of the conformal map leave the range of double");
   }
 }
 
@@ -214,7 +218,7 @@ public:
   void run(const Progress_function& progress)
   {
     for (Face_index f : whole_.intrinsic_.faces()) {
-      if (f.idx() % 256 == 0)
+      if (f.idx() % 16 == 0)
         report_progress(progress, double(f.idx()) / whole_.intrinsic_.number_of_faces(),
                         "the overlay of three triangulations");
       collect_boundary(f);
@@ -232,6 +236,11 @@ private:
     std::uint32_t a, b;
     Overlay::Halfedge halfedge; // from a to b
     std::vector<std::uint32_t> inner;
+  };
+  // Between two nodes that follow each other on a chord.
+  struct Chord_part
+  {
+    std::uint32_t chord, position, from, to;
   };
   struct Local_corner
   {
@@ -309,6 +318,37 @@ private:
     }
     for (Chord& chord : chords_)
       sort(chord.a, chord.inner, [&](std::uint32_t x) { return crossing_chord_[x - boundary_]; });
+    parts_.clear();
+    parts_.resize(nodes_.size());
+    for (std::uint32_t c = 0; c < chords_.size(); ++c) {
+      const std::vector<std::uint32_t>& inner = chords_[c].inner;
+      std::uint32_t from = chords_[c].a;
+      for (std::uint32_t i = 0; i <= inner.size(); ++i) {
+        const std::uint32_t to = i == inner.size() ? chords_[c].b : inner[i];
+        parts_[from].push_back({c, i, from, to});
+        from = to;
+      }
+    }
+  }
+
+  // The parts of chords of A between corners of a piece of B and C, in the order of chords.
+  std::vector<Chord_part> parts_in(const Polygon& polygon) const
+  {
+    std::vector<Chord_part> result;
+    if (chords_.empty())
+      return result;
+    std::vector<std::uint32_t> corners;
+    for (const Local_corner& corner : polygon)
+      corners.push_back(corner.local);
+    std::sort(corners.begin(), corners.end());
+    for (std::uint32_t x : corners)
+      for (const Chord_part& part : parts_[x])
+        if (std::binary_search(corners.begin(), corners.end(), part.to))
+          result.push_back(part);
+    std::sort(result.begin(), result.end(), [](const Chord_part& p, const Chord_part& q) {
+      return std::make_pair(p.chord, p.position) < std::make_pair(q.chord, q.position);
+    });
+    return result;
   }
 
   // Counted around the boundary from a on.
@@ -415,14 +455,8 @@ private:
       h = ideal_overlay_.next(h);
     } while (before != first);
 
-    for (const Chord& chord : chords_) {
-      std::uint32_t from = chord.a;
-      for (std::size_t i = 0; i <= chord.inner.size(); ++i) {
-        const std::uint32_t to = i == chord.inner.size() ? chord.b : chord.inner[i];
-        split(polygons, inputs, from, to, chord.halfedge);
-        from = to;
-      }
-    }
+    for (const Chord_part& part : parts_in(polygon))
+      split(polygons, inputs, part.from, part.to, chords_[part.chord].halfedge);
     for (std::size_t i = 0; i < polygons.size(); ++i)
       add_piece(polygons[i], inputs[i], ideal_overlay_.intrinsic_face(face));
   }
@@ -561,6 +595,7 @@ private:
   std::vector<std::uint32_t> nodes_;          // of the whole
   std::vector<std::array<double, 3>> places_; // barycentric, of the nodes on the boundary
   std::vector<Chord> chords_;
+  std::vector<std::vector<Chord_part>> parts_;  // of the chords, by the node where they begin
   std::map<std::uint32_t, Chord> ideal_chords_; // by the even halfedge
   std::vector<std::pair<std::uint32_t, std::uint32_t>> crossed_,
     crossing_chord_;                 // the ends of the two chords at a crossing

@@ -111,7 +111,7 @@ private:
   {
     double least = largest_excess();
     const double first = (std::max)(least, 1.);
-    for (int idle = 0; least > sufficient_error; ++steps_) {
+    for (int idle = 0; !(least <= sufficient_error); ++steps_) {
       report_progress(options_.progress, fraction_of_digits(first, least, sufficient_error),
                       "the search for a conformal metric");
       if (idle == 2 && least <= tolerable_error)
@@ -202,7 +202,9 @@ private:
       if (!targets_.has_angle(w))
         continue;
       const double wanted = targets_.angle(w) * (copies[w] == 1 ? doubled_.factor() : 1);
-      result = (std::max)(result, std::abs(sums[v.idx()].value - wanted) + sums[v.idx()].error);
+      // The operations here are rounded, and so is π.
+      result =
+        (std::max)(result, (std::abs(sums[v.idx()].value - wanted) + sums[v.idx()].error) * (1 + 0x1p-50) + 0x1p-50);
     }
     return result;
   }

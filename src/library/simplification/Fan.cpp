@@ -8,6 +8,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
 
+#include <CGAL/number_type_config.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -18,8 +19,6 @@
 namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // The triangle of two spokes and their link edge.
 struct Flat_corner
@@ -47,7 +46,7 @@ public:
     y_ = is_past ? -y : y;
     half_turns_ += is_past;
   }
-  double operator()() const { return half_turns_ * pi + std::atan2(y_, x_); }
+  double operator()() const { return half_turns_ * CGAL_PI + std::atan2(y_, x_); }
 
 private:
   double x_ = 1, y_ = 0; // of a unit vector in the upper half plane
@@ -78,7 +77,7 @@ bool flatten_along(const Fan& fan, const Fan_array<double>& w, double largest, F
       slope +=
         (w[j] * first[j] / factors[j] * (c.s - c.t + c.c) + w[k] * first[k] / factors[k] * (c.t - c.s + c.c)) / c.sine;
     }
-    const double missing = sum() - (fan.is_closed ? 2 * pi : pi);
+    const double missing = sum() - (fan.is_closed ? 2 * CGAL_PI : CGAL_PI);
     if (std::abs(missing) < 1e-15)
       return true;
     const double step = missing / slope;

@@ -135,7 +135,6 @@ private:
   }
 
   double length(Halfedge_index h) const { return lengths_[complex_.edge(h).idx()]; }
-  double squared_length(Halfedge_index h) const { return length(h) * length(h); }
   std::array<double, 3> sides(Face_index f) const
   {
     const Halfedge_index h = complex_.halfedge(f);

@@ -72,7 +72,6 @@ public:
         largest_coordinate_ = (std::max)(largest_coordinate_, std::abs(x));
   }
 
-  const Delta_complex& complex() const { return complex_; }
   const std::vector<Point>& points() const { return points_; }
   std::uint32_t image(Vertex_index v) const { return images_[v.idx()]; }
   std::array<Point, 3> corners(const std::array<std::uint32_t, 3>& t) const

@@ -52,15 +52,19 @@ double Thin_part_merger::height(const Cancelled& triangle) const
                     std::hypot(b[0] - c[0], b[1] - c[1], b[2] - c[2]));
 }
 
-double Thin_part_merger::distance_of_cancelled() const
+Straight_map::Distance Thin_part_merger::distance_of_cancelled() const
 {
-  double result = 0;
+  Straight_map::Distance result;
   std::vector<double> heights(cancelled_.size()); // over a side that was not removed
   for (std::size_t i = cancelled_.size(); i-- > 0;) {
     const Cancelled& triangle = cancelled_[i];
     heights[i] = height(triangle) + (triangle.next ? heights[*triangle.next] : 0);
-    for (Face_index f : triangle.faces)
-      result = (std::max)(result, map_.distance_on(f).value + heights[i]);
+    for (Face_index f : triangle.faces) {
+      Straight_map::Distance distance = map_.distance_on(f);
+      distance.value += heights[i];
+      if (distance.value > result.value)
+        result = distance;
+    }
   }
   return result;
 }
@@ -149,7 +153,7 @@ bool Thin_part_merger::cancel_twin(std::uint32_t t)
         before.push_back(i);
       }
     cancelled_.push_back(*least);
-    if (map_.bound(distance_of_cancelled()) > maximum_deviation_) {
+    if (map_.bound(distance_of_cancelled().value) > maximum_deviation_) {
       cancelled_.pop_back();
       for (std::size_t i : before)
         cancelled_[i].next.reset();
@@ -241,7 +245,7 @@ bool Thin_part_merger::contract(std::uint32_t from, std::uint32_t to)
   if (!is_contractible(from, to) || !improves(from, to))
     return false;
   Straight_map::Undo undo = map_.merge(from, to);
-  if (map_.bound(map_.distance_around(to).value) > maximum_deviation_) {
+  if (map_.bound((std::max)(map_.distance_around(to).value, distance_of_cancelled().value)) > maximum_deviation_) {
     map_.undo(undo);
     return false;
   }

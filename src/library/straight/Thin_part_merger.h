@@ -36,7 +36,7 @@ public:
   void operator()();
 
   // How far the points of the surface are from the triangles whose images lie in twins that were removed, or 0.
-  double distance_of_cancelled() const;
+  Straight_map::Distance distance_of_cancelled() const;
 
 private:
   using Point = std::array<double, 3>;

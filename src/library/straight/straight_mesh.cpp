@@ -77,8 +77,10 @@ private:
     Thin_part_merger merger(map_, mesh_.triangles, mesh_.faces, is_sharp, thin_angle, maximum_deviation);
     if (maximum_deviation > 0)
       merger();
-    const Straight_map::Distance distance = map_.largest_distance();
-    mesh_.deviation = map_.bound((std::max)(distance.value, merger.distance_of_cancelled()));
+    Straight_map::Distance distance = map_.largest_distance();
+    if (const Straight_map::Distance cancelled = merger.distance_of_cancelled(); cancelled.value > distance.value)
+      distance = cancelled;
+    mesh_.deviation = map_.bound(distance.value);
     mesh_.deviation_place = distance.place;
     const std::vector<Face_index> input_faces = largest_input_faces();
     std::size_t n = 0;
@@ -266,6 +268,9 @@ Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::ve
   check(points.size(), "points", subdivision.input().number_of_vertices(), "vertices");
   if (!is_marked.empty())
     check(is_marked.size(), "marks", subdivision.input().number_of_edges(), "edges");
+  for (const std::array<double, 3>& p : points)
+    if (!(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])))
+      throw Invalid_argument_error("straight_mesh(): a coordinate of a point is not finite");
   return internal::Straight_mesh_maker(subdivision, points).make(is_marked, thin_angle, maximum_deviation);
 }
 

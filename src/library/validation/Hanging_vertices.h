@@ -11,6 +11,7 @@
 #include "Vertices_on_edges.h"
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -42,17 +43,26 @@ public:
         sheets_.unite(edges_.face(sides[0]), edges_.face(sides[1]));
     });
     edges_.for_each_edge([&](Index v, Index w, const Sides& sides) {
-      for (Index side : sides)
+      for (Index side : sides) {
+        const Index sheet = sheets_.find(edges_.face(side));
         for (Index x : {v, w})
-          if (Index& sheet = sheet_of_[x]; sheet != sheets_.find(edges_.face(side)))
-            sheet = sheet == none ? sheets_.find(edges_.face(side)) : several;
+          if (sheet_of_[x] != sheet)
+            sheet_of_[x] = sheet_of_[x] == none ? sheet : several;
+        if (sides.size() == 2)
+          break; // the other face is in the same sheet
+      }
+      if (sides.size() == 1)
+        ends_.insert(ends_.end(), {v, w});
     });
-    edges_.for_each_edge([&](Index v, Index w, const Sides& sides) {
-      if (sides.size() == 1 || sheet_of_[v] == several)
-        ends_.push_back(w);
-      if (sides.size() == 1 || sheet_of_[w] == several)
-        ends_.push_back(v);
-    });
+    if (std::find(sheet_of_.begin(), sheet_of_.end(), several) != sheet_of_.end())
+      edges_.for_each_edge([&](Index v, Index w, const Sides&) {
+        if (sheet_of_[v] == several)
+          ends_.push_back(w);
+        if (sheet_of_[w] == several)
+          ends_.push_back(v);
+      });
+    for (Index x : ends_)
+      only_sheet_ = only_sheet_ == none || only_sheet_ == sheet_of_[x] ? sheet_of_[x] : several;
   }
 
   // Calls visit(v, w, sides, vertex, distance, position) for the vertices that hang within each edge, within a tolerance
@@ -64,6 +74,8 @@ public:
     const Vertices_on_edges near(points_, ends_);
     edges_.for_each_edge([&](Index v, Index w, const std::vector<Index>& sides) {
       go_on();
+      if (sides.size() > 1 && sheets_.find(edges_.face(sides[0])) == only_sheet_)
+        return; // only vertices of other sheets hang there
       near.for_each_within_edge(points_[v], points_[w], length, part, [&](Index x, double distance, double position) {
         if (sides.size() > 1 && sheet_of_[x] == sheets_.find(edges_.face(sides[0])))
           return;
@@ -82,6 +94,7 @@ private:
   const Edges& edges_;
   Disjoint_sets sheets_;        // of faces
   std::vector<Index> sheet_of_; // of each vertex
+  Index only_sheet_ = none;     // of all ends, or `several`
   std::vector<Index> ends_;     // of edges that may end within others
 };
 

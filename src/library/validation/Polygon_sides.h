@@ -169,8 +169,9 @@ public:
     for (std::size_t v = 0; v < number_of_vertices_; ++v) {
       bucket.resize(bucket_begin(v + 1) - bucket_begin(v));
       std::iota(bucket.begin(), bucket.end(), bucket_begin_[v]);
-      std::stable_sort(bucket.begin(), bucket.end(),
-                       [this](Index s, Index t) { return sides_[s].other < sides_[t].other; });
+      std::sort(bucket.begin(), bucket.end(), [this](Index s, Index t) {
+        return std::make_pair(sides_[s].other, s) < std::make_pair(sides_[t].other, t);
+      });
       for (std::size_t i = 0; i < bucket.size(); i += sides.size()) {
         const Index w = sides_[bucket[i]].other;
         sides.clear();

@@ -63,8 +63,10 @@ public:
       const double size = norm(d), tolerance = std::isfinite(size) ? (std::max)(length, part * size) : length;
       const Place s = difference(p, r);
       const double along = (s[0] * (d[0] / size) + s[1] * (d[1] / size) + s[2] * (d[2] / size)) / size;
+      if (!(along > 0 && along < 1))
+        return;
       const double distance = norm({s[0] - along * d[0], s[1] - along * d[1], s[2] - along * d[2]});
-      if (along > 0 && along < 1 && distance <= tolerance && norm(s) > tolerance && norm(difference(q, r)) > tolerance)
+      if (distance <= tolerance && norm(s) > tolerance && norm(difference(q, r)) > tolerance)
         visit(v, distance, position);
     });
   }

@@ -3,7 +3,7 @@
 #
 # Conformal maps to the plane.
 
-"""Conformal maps of surfaces to the plane, which are proven to be locally injective."""
+"""Conformal maps of surfaces to the plane, with a proof of where they are locally injective."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class ConformalMap(NamedTuple):
     """
 
     uv: numpy.ndarray
-    """(k, 3, 2) array: the images of the corners of the triangles, counterclockwise."""
+    """(k, 3, 2) array: the images of the corners of the triangles, counterclockwise except for `turned`."""
     triangles: numpy.ndarray
     """(k, 3) array of int64: the vertices of the triangles. The first ones are the vertices of the surface."""
     place_faces: numpy.ndarray

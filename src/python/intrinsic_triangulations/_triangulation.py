@@ -706,7 +706,7 @@ class Triangulation:
         Parameters
         ----------
         cones : int, optional
-            How many cones are chosen; by default, so many that no length changes too much.
+            How many cones are chosen in each component; by default, so many that no length changes too much.
         cone_angles : mapping from vertices to float, optional
             The sums of the angles wanted at cones, and with the boundary "angles" on the border.
         boundary : {"free", "angles", "disk"}

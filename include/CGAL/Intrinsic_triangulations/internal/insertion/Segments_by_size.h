@@ -20,10 +20,9 @@ namespace CGAL::Intrinsic_triangulations::internal {
 class Segments_by_size
 {
 public:
-  // \param always the edges of the border and those that are given, of the
-  // current triangulation \param sharp_edge_angle in degrees, or none
-  // \exception Invalid_argument_error if the angle is out of range, or the
-  // surface has no points
+  // \param always the edges of the border and those that are given, of the current triangulation
+  // \param sharp_edge_angle in degrees, or none
+  // \exception Invalid_argument_error if the angle is out of range, or the surface has no points
   Segments_by_size(const Exact_engine& engine, std::vector<bool> always, const std::optional<double>& sharp_edge_angle);
 
   bool depend_on_size() const { return angle_.has_value(); }

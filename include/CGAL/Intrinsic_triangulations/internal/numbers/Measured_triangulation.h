@@ -418,19 +418,25 @@ private:
 
   bool recompute(Halfedge_index h, const Exact_engine::Corner& c)
   {
-    const Face_data face = traits_.construct_refined_data_object()(c.four_areas, c.s_first, c.s_second, c.s_opposite);
-    if (!(face.error < std::numeric_limits<double>::infinity()))
+    const Face_data face = refined_face(c);
+    if (!is_reliable(face))
       return false;
-    replace(h, c);
+    replace(h, c, face);
     return true;
   }
 
-  // Unreliable numbers are not stored for the sides, which other faces share.
-  void replace(Halfedge_index h, const Exact_engine::Corner& c)
+  Face_data refined_face(const Exact_engine::Corner& c) const
   {
-    const auto refined = traits_.construct_refined_data_object();
-    const Face_data face = refined(c.four_areas, c.s_first, c.s_second, c.s_opposite);
-    if (face.error < std::numeric_limits<double>::infinity()) {
+    return traits_.construct_refined_data_object()(c.four_areas, c.s_first, c.s_second, c.s_opposite);
+  }
+  static bool is_reliable(const Face_data& face) { return face.error < std::numeric_limits<double>::infinity(); }
+
+  void replace(Halfedge_index h, const Exact_engine::Corner& c) { replace(h, c, refined_face(c)); }
+  // Unreliable numbers are not stored for the sides, which other faces share.
+  void replace(Halfedge_index h, const Exact_engine::Corner& c, const Face_data& face)
+  {
+    if (is_reliable(face)) {
+      const auto refined = traits_.construct_refined_data_object();
       edges_[edge(connectivity().prev(h)).idx()] = refined(c.s_first);
       edges_[edge(connectivity().next(h)).idx()] = refined(c.s_second);
       edges_[edge(h).idx()] = refined(c.s_opposite);

@@ -33,7 +33,6 @@ struct Doubled_surface
 
   bool is_doubled;
   Triangulation triangulation;
-  int unit_exponent = 0;                 // one unit of length of `triangulation` is 2^k units of the surface
   std::vector<Vertex_index> vertices;    // for each vertex, that of the surface
   std::vector<Vertex_index> images;      // for each vertex of the surface, that in the first copy
   std::vector<Halfedge_index> halfedges; // for each halfedge of the surface's input with a face, that of the first copy
