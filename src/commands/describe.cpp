@@ -1,14 +1,16 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// `idt describe`: the command line as a manual page and as completion for bash, made from the declarations of the
+// `idt describe`: the command line as a manual page and as completion for shells, made from the declarations of the
 // subcommands. Run by the build, and not listed by --help.
 
 #include "commands/command_line.h"
 #include "commands/commands.h"
 
 #include <boost/algorithm/string/join.hpp>
+#include <boost/algorithm/string/replace.hpp>
 
+#include <map>
 #include <memory>
 
 namespace idt {
@@ -118,17 +120,93 @@ void write_bash_completion(std::ostream& os, const CLI::App& app)
      << "complete -o default -F _idt idt\n";
 }
 
+// A text as one word of zsh or fish. Zsh also ends the description of an option at a bracket, and its parts at colons.
+std::string quoted(std::string text)
+{
+  boost::replace_all(text, "'", "'\"'\"'");
+  return "'" + text + "'";
+}
+std::string described(std::string text)
+{
+  for (const char* const special : {"\\", "[", "]", ":"})
+    boost::replace_all(text, special, std::string("\\") + special);
+  return text;
+}
+
+// The value of an option or argument in zsh: a few words, or a file.
+std::string zsh_value(const CLI::Option& option)
+{
+  const std::string words = boost::join(words_of(option), " ");
+  return ':' + described(option.nonpositional() ? type_name(option) : option.get_name(true)) + ':' +
+         (words.empty() ? "_files" : '(' + words + ')');
+}
+
+void write_zsh_completion(std::ostream& os, const CLI::App& app)
+{
+  os << "#compdef idt\n_idt()\n{\n  local -a commands=(\n";
+  for (const CLI::App* command : subcommands(app))
+    os << "    " << quoted(command->get_name() + ':' + described(command->get_description())) << '\n';
+  os << "  )\n  if (( CURRENT == 2 )); then\n    _describe command commands\n    return\n  fi\n"
+     << "  local command=$words[2]\n  shift words\n  (( CURRENT-- ))\n  case $command in\n";
+  for (const CLI::App* command : subcommands(app)) {
+    os << "    " << command->get_name() << ") _arguments";
+    for (const CLI::Option* option : options(*command, false)) {
+      const std::string rest = '[' + described(option->get_description()) + ']' +
+                               (option->get_items_expected_max() > 0 ? zsh_value(*option) : std::string());
+      for (const std::string& name : option->get_snames())
+        os << " \\\n      " << quoted('-' + name + rest);
+      for (const std::string& name : option->get_lnames())
+        os << " \\\n      " << quoted("--" + name + rest);
+    }
+    for (const CLI::Option* option : options(*command, true))
+      os << " \\\n      " << quoted((option->get_items_expected_max() > 1 ? "*" : "") + zsh_value(*option));
+    os << " ;;\n";
+  }
+  os << "  esac\n}\n_idt \"$@\"\n";
+}
+
+void write_fish_completion(std::ostream& os, const CLI::App& app)
+{
+  for (const CLI::App* command : subcommands(app))
+    os << "complete -c idt -n __fish_use_subcommand -f -a " << command->get_name() << " -d "
+       << quoted(command->get_description()) << '\n';
+  for (const CLI::App* command : subcommands(app))
+    for (const CLI::Option* option : command->get_options()) {
+      const std::string words = boost::join(words_of(*option), " ");
+      if (!option->nonpositional() && words.empty())
+        continue; // files, which fish completes by itself
+      os << "complete -c idt -n '__fish_seen_subcommand_from " << command->get_name() << '\'';
+      for (const std::string& name : option->get_snames())
+        os << " -s " << name;
+      for (const std::string& name : option->get_lnames())
+        os << " -l " << name;
+      if (!words.empty())
+        os << (option->nonpositional() ? " -x" : " -f") << " -a " << quoted(words);
+      else if (option->get_items_expected_max() > 0)
+        os << " -r";
+      os << " -d " << quoted(option->get_description()) << '\n';
+    }
+}
+
 } // namespace
 
 void add_describe_command(CLI::App& app, Selected_command& selected)
 {
   const auto form = std::make_shared<std::string>();
+  const std::map<std::string, void (*)(std::ostream&, const CLI::App&)> writers{
+    {"bash-completion", &write_bash_completion},
+    {"fish-completion", &write_fish_completion},
+    {"manual-page", &write_manual_page},
+    {"zsh-completion", &write_zsh_completion}};
+  std::vector<std::string> forms;
+  for (const auto& writer : writers)
+    forms.push_back(writer.first);
   CLI::App& command = *app.add_subcommand("describe", "Describe the command line");
   command.group(""); // hidden
-  set_words(command.add_option("FORM", *form, "what as"), {"manual-page", "bash-completion"})->required();
-  command.callback([&app, &selected, form] {
-    selected = [&app, form] {
-      *form == "manual-page" ? write_manual_page(std::cout, app) : write_bash_completion(std::cout, app);
+  set_words(command.add_option("FORM", *form, "what as"), forms)->required();
+  command.callback([&app, &selected, form, writers] {
+    selected = [&app, form, writers] {
+      writers.at (*form)(std::cout, app);
       return Exit_status::DONE;
     };
   });

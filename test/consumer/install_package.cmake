@@ -15,7 +15,8 @@ foreach(file include/CGAL/Intrinsic_triangulations/errors.h
 endforeach()
 if(INSTALLED_COMMAND)
   foreach(file ${INSTALLED_COMMAND} ${PREFIX}/share/man/man1/idt.1
-      ${PREFIX}/share/bash-completion/completions/idt)
+      ${PREFIX}/share/bash-completion/completions/idt ${PREFIX}/share/zsh/site-functions/_idt
+      ${PREFIX}/share/fish/vendor_completions.d/idt.fish)
     if(NOT EXISTS ${file})
       message(FATAL_ERROR "${file} is not installed")
     endif()
