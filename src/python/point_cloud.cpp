@@ -17,7 +17,8 @@ py::tuple point_cloud_Laplacian(const Doubles& points, std::size_t number_of_nei
 {
   require(number_of_neighbors >= 2, "there have to be two neighbors or more");
   const Rows<double> rows(points);
-  IT::Tufted_Laplacian result = without_lock([&] { return IT::point_cloud_Laplacian(rows, number_of_neighbors); });
+  IT::Tufted_Laplacian result = without_lock(
+    [&] { return IT::point_cloud_Laplacian(rows, number_of_neighbors, CGAL::parameters::visitor(Signal_visitor())); });
   return py::make_tuple(to_sparse(std::move(result.stiffness)), to_sparse(std::move(result.mass)));
 }
 

@@ -266,9 +266,10 @@ py::tuple refine(Surface& surface, double minimum_angle, double maximum_circumra
                  double maximum_deviation, const std::optional<double>& minimum_size,
                  const std::optional<double>& sharp_edge_angle)
 {
-  require(!minimum_size || *minimum_size >= 0, "minimum_size is negative");
-  require(minimum_angle >= 0 && minimum_angle <= 30, "minimum_angle is not between 0 and 30 degrees");
-  require(maximum_circumradius > 0 && maximum_edge_length > 0 && maximum_deviation > 0, "a bound is not positive");
+  require(!minimum_size || *minimum_size >= 0, "minimum_size has to be at least 0");
+  require(minimum_angle >= 0 && minimum_angle <= 30, "minimum_angle has to be from 0 to 30 degrees");
+  require(maximum_circumradius > 0 && maximum_edge_length > 0 && maximum_deviation > 0,
+          "maximum_circumradius, maximum_edge_length and maximum_deviation have to be positive");
   const std::vector<bool> is_constrained = copied_marks(constrained);
   const IT::Refinement_report report = surface.use([&](Triangulation& t) {
     check_marks(t, is_constrained);
@@ -301,8 +302,8 @@ py::tuple refine(Surface& surface, double minimum_angle, double maximum_circumra
 
 py::array sharp_edges(Surface& surface, const Doubles& points, double degrees, double minimum_size)
 {
-  require(degrees >= 0 && degrees <= 180, "degrees is not between 0 and 180");
-  require(minimum_size >= 0, "minimum_size is negative");
+  require(degrees >= 0 && degrees <= 180, "degrees has to be from 0 to 180");
+  require(minimum_size >= 0, "minimum_size has to be at least 0");
   const std::vector<std::array<double, 3>> places = copied_rows(points);
   return to_array(surface.use([&](const Triangulation& t) {
     Numbers result;

@@ -140,5 +140,5 @@ def test_what_is_no_number(angle):
 @pytest.mark.parametrize("value", [numpy.nan, numpy.inf, -numpy.inf])
 def test_values_that_are_not_finite(value, sphere):
     for solver in (it.MeshHeatMethodDistanceSolver, it.MeshVectorHeatSolver):
-        with pytest.raises(ValueError, match=r"values\[1\] is not finite"):
+        with pytest.raises(ValueError, match=r"values\[1\] has to be finite, not"):
             solver(*sphere).extend_scalar([3, 4], [1, value])

@@ -16,7 +16,7 @@ import pytest
 import intrinsic_triangulations as it
 
 MANUAL = os.path.join(os.path.dirname(__file__), "..", "..", "doc", "python.md")
-MODULES = ("_files", "_geodesics", "_heat", "_laplacian", "_mesh", "_simplification", "_subdivision", "_triangulation", "_vectors")
+MODULES = ("_files", "_geodesics", "_heat", "_laplacian", "_mesh", "_simplification", "_subdivision", "_triangulation", "_vectors", "_writing")
 
 
 def test_the_examples_of_the_manual():

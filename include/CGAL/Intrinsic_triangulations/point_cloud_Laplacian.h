@@ -26,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -141,16 +142,19 @@ inline Eigen::SparseMatrix<double> with_rows(const Eigen::SparseMatrix<double>& 
 ///
 /// \param points the points; the first of several at the same place represents all, and the others have rows of zeros
 /// \param n_neighbors the number of neighbors
+/// \param np an optional sequence of named parameters, those of `tufted_Laplacian()`. A visitor is asked from the beginning
 ///
 /// \exception Invalid_surface_error if a coordinate is not finite, there are fewer than three different points, or all
 ///   triangles have zero area
+/// \exception Cancelled_error if the visitor asks for it
 /// \pre `n_neighbors` is at least 2
 ///
 /// Complexity: O(n log n) for n points in practice.
 ///
 /// Source: N. Sharp, K. Crane, "A Laplacian for nonmanifold triangle meshes", 2020, section 5.7.
-template <class PointRange>
-Tufted_Laplacian point_cloud_Laplacian(const PointRange& points, std::size_t n_neighbors = 30)
+template <class PointRange, class NamedParameters = parameters::Default_named_parameters>
+Tufted_Laplacian point_cloud_Laplacian(const PointRange& points, std::size_t n_neighbors = 30,
+                                       const NamedParameters& np = parameters::default_values())
 {
   CGAL_precondition(n_neighbors >= 2);
   using Defect = Invalid_surface_error::Defect;
@@ -175,13 +179,17 @@ Tufted_Laplacian point_cloud_Laplacian(const PointRange& points, std::size_t n_n
   std::vector<internal::Index_triangle> triangles;
   if (places.size() >= 3) {
     internal::Local_triangulations local(places);
-    for (std::uint32_t i = 0; i < places.size(); ++i)
+    const std::function<bool()> goes_on = internal::go_further_function_of(np);
+    for (std::uint32_t i = 0; i < places.size(); ++i) {
+      if (i % 64 == 0 && goes_on && !goes_on())
+        throw Cancelled_error("the Laplacian of points was cancelled");
       local.add_star(i, (std::min)(n_neighbors, places.size() - 1), triangles);
+    }
   }
   if (triangles.empty())
     throw Invalid_surface_error(Defect::EMPTY, 0, 1, "the points lie on a line: there is no triangle between them");
 
-  Tufted_Laplacian result = tufted_Laplacian(places, triangles);
+  Tufted_Laplacian result = tufted_Laplacian(places, triangles, np);
   result.stiffness = internal::with_rows(result.stiffness, first_of_place, representative.size(), 1. / 3);
   result.mass = internal::with_rows(result.mass, first_of_place, representative.size(), 1. / 3);
   result.minimum_weight /= 3;

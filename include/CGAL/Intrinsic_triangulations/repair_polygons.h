@@ -75,6 +75,9 @@ struct Repaired_polygons
 
 namespace internal {
 
+// As examine_polygons(), but only of the numbers of elements, of indices and coordinates.
+Surface_report examine_data(Polygon_copies polygons);
+
 Repaired_polygons repair(std::vector<std::array<double, 3>> points, std::vector<std::vector<std::size_t>> polygons,
                          const Progress_function& progress, const std::optional<double>& stitching_tolerance);
 
@@ -152,7 +155,7 @@ Repaired_polygons repair_polygons(const PointRange& points, const PolygonRange& 
     internal::value_of<internal::Parameter::STITCHING_TOLERANCE>(np, std::optional<double>());
   if (stitching_tolerance && !(*stitching_tolerance >= 0 && std::isfinite(*stitching_tolerance)))
     throw Invalid_argument_error("a stitching tolerance is at least 0 and finite");
-  const Surface_report report = examine_polygons(points, polygons);
+  const Surface_report report = internal::examine_data(internal::copy_polygons(points, polygons));
   if (const Finding* const first = report.first_fatal();
       first != nullptr && (first->defect <= Invalid_surface_error::Defect::NOT_FINITE || first->elements.empty()))
     throw_if_fatal(report);

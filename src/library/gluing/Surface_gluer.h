@@ -24,6 +24,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <type_traits>
@@ -60,13 +61,17 @@ class Surface_gluer
 public:
   static constexpr Index none = (std::numeric_limits<Index>::max)();
 
+  // \param ask is called between the steps, and may throw
   // \pre no triangle names a vertex twice
-  Surface_gluer(const Points& points, const std::vector<Index_triangle>& triangles)
+  Surface_gluer(
+    const Points& points, const std::vector<Index_triangle>& triangles, const std::function<void()>& ask = [] {})
     : points_(points), triangles_(triangles), sides_(points.size(), triangles), pieces_(sides_, triangles.size()),
       is_turned_(pieces_.is_turned), glued_to_(3 * triangles.size(), none), is_hanging_(pieces_.pieces.size(), false),
       turns_(2 * pieces_.pieces.size()), joined_(pieces_.pieces.size())
   {
+    ask();
     look_at_edges();
+    ask();
     find_hanging_pieces();
     for (const bool are_hanging : {false, true}) {
       turn_pieces(are_hanging);
@@ -75,6 +80,7 @@ public:
           if (entries_left(edge, are_hanging).size() % 2 == is_odd)
             glue(edge, are_hanging);
     }
+    ask();
     turn_triangles();
     separate_edges();
   }

@@ -151,18 +151,21 @@ public:
   Repaired_polygons run(const Progress_function& progress)
   {
     // Only the triangulation of polygons can take long: the other steps count for little.
-    ask(progress, 0);
-    merge_points();
+    merge_points(progress);
+    ask(progress, 0.08);
     remove_repeated_corners();
     triangulate(progress);
     ask(progress, 0.8);
     remove_flat_spikes();
+    ask(progress, 0.82);
     if (tolerance_)
       stitch(progress);
     remove_duplicates();
     ask(progress, 0.9);
-    glue();
+    glue(progress);
+    ask(progress, 0.95);
     collect();
+    ask(progress, 0.98);
     report();
     ask(progress, 1);
     return std::move(result_);
@@ -175,12 +178,15 @@ private:
   }
 
   // Inner vertices are no candidates: sheets that lie on each other would be glued together.
-  void merge_points()
+  void merge_points(const Progress_function& progress)
   {
+    const Loop_progress at_edges(progress, "the repair", 0, 0.03, polygons_.size()),
+      at_vertices(progress, "the repair", 0.04, 0.08, input_points_.size());
     std::vector<std::array<Index, 2>> edges;
     std::vector<bool> may_merge(input_points_.size(), false);
     representative_.assign(input_points_.size(), none);
-    for (const Polygon_part& polygon : polygons_)
+    for (const Polygon_part& polygon : polygons_) {
+      at_edges.at(polygon.input);
       for (Index i = 0; i < polygon.corners.size(); ++i) {
         const Index v = polygon.corners[i], w = polygon.corners[(i + 1) % polygon.corners.size()];
         representative_[v] = v;
@@ -188,15 +194,19 @@ private:
           may_merge[v] = may_merge[w] = true;
         edges.push_back({(std::min)(v, w), (std::max)(v, w)});
       }
+    }
+    ask(progress, 0.03);
     std::sort(edges.begin(), edges.end());
     for (Index i = 0; i < edges.size(); ++i)
       if ((i == 0 || edges[i] != edges[i - 1]) && (i + 1 == edges.size() || edges[i] != edges[i + 1]))
         may_merge[edges[i][0]] = may_merge[edges[i][1]] = true;
 
     std::map<std::array<double, 3>, Index> first_at;
-    for (Index v = 0; v < input_points_.size(); ++v)
+    for (Index v = 0; v < input_points_.size(); ++v) {
+      at_vertices.at(v);
       if (may_merge[v])
         representative_[v] = first_at.emplace(input_points_[v], v).first->second;
+    }
     if (tolerance_ && *tolerance_ > 0)
       merge_near(may_merge);
     for (Polygon_part& polygon : polygons_)
@@ -439,17 +449,18 @@ private:
   }
 
   // Turns triangles, and copies vertices for the fans that are left.
-  void glue()
+  void glue(const Progress_function& progress)
   {
     const Points points(input_points_.begin(), input_points_.end());
     const std::vector<Index_triangle> all = triangles();
-    const Surface_gluer gluer(points, all);
+    const Surface_gluer gluer(points, all, [&progress] { ask(progress, 0.92); });
 
     for (Index f = 0; f < all.size(); ++f)
       if (gluer.is_turned(f)) {
         is_reversed_[polygons_[f].input] = true;
         std::swap(polygons_[f].corners[0], polygons_[f].corners[2]);
       }
+    ask(progress, 0.94);
     find_opened_edges(gluer);
     copied_from_ = gluer.vertices();
     for (Index c = 0; c < 3 * all.size(); ++c)
@@ -567,11 +578,30 @@ private:
       result_.triangles.push_back({number[v[0]], number[v[1]], number[v[2]]});
       result_.input_faces.push_back(face);
     }
+    const Index before = number_of_components([this](Index v) { return copied_from_[v]; }),
+                after = number_of_components([](Index v) { return v; });
+    if (after > before)
+      new_components_ = " (" + std::to_string(before) + (before == 1 ? " component" : " components") + " became " +
+                        std::to_string(after) + ")";
     merged_with_.assign(input_points_.size(), none);
     for_each_corner([&](Index v, Index in_input) {
       if (input[v] != in_input)
         merged_with_[in_input] = input[v];
     });
+  }
+
+  // Of triangles that share vertices, which the function gives.
+  template <class Vertex>
+  Index number_of_components(const Vertex& vertex) const
+  {
+    Disjoint_sets sets(copied_from_.size());
+    for (const Polygon_part& triangle : polygons_)
+      for (Index i = 1; i < 3; ++i)
+        sets.unite(std::uint32_t(vertex(triangle.corners[0])), std::uint32_t(vertex(triangle.corners[i])));
+    std::set<std::uint32_t> roots;
+    for (const Polygon_part& triangle : polygons_)
+      roots.insert(sets.find(std::uint32_t(vertex(triangle.corners[0]))));
+    return roots.size();
   }
 
   // Calls function(vertex, vertex of the input) for each corner of the input face that a corner of the triangle may
@@ -663,7 +693,8 @@ private:
     });
     add(Repair_kind::REVERSED_FACE, reversed, [&](Index f) { return face(f) + " was turned over"; });
     add(Repair_kind::SPLIT_VERTEX, split, [&](Index v) {
-      return vertex(v) + " became " + std::to_string(vertex_count[v]) + " vertices, one for each fan of its faces";
+      return vertex(v) + " became " + std::to_string(vertex_count[v]) + " vertices, one for each fan of its faces" +
+             new_components_;
     });
     add(Repair_kind::OPENED_EDGE, opened_, [&](Index f) {
       const auto [v, w, n] = first_opened_edge_;
@@ -698,6 +729,7 @@ private:
   std::map<Index, Index> other_side_;       // of input faces that enclose nothing
   Element_collector fans_, stitched_, opened_;
   std::string first_fan_;                          // its description in messages
+  std::string new_components_;                     // how many became how many; empty if none came apart
   std::set<Index> tips_;                           // of flat spikes that were removed
   std::array<Index, 3> first_stitch_ = {};         // ends, and the vertex
   std::set<std::array<Index, 2>> new_sides_;       // parts of border edges that were split

@@ -84,6 +84,16 @@ public:
     : points_(std::move(polygons.points)), polygons_(std::move(polygons))
   {}
 
+  // What no repair can change: numbers and coordinates.
+  Surface_report examine_data()
+  {
+    report_.number_of_vertices = number_of_vertices_;
+    report_.number_of_faces = polygons_.number_of_faces();
+    if (examine_numbers())
+      examine_coordinates();
+    return std::move(report_);
+  }
+
   Surface_report examine(bool only_gaps)
   {
     report_.number_of_vertices = number_of_vertices_;
@@ -703,6 +713,8 @@ Surface_report examine(Polygon_copies polygons, bool only_gaps)
 {
   return Surface_examiner(std::move(polygons)).examine(only_gaps);
 }
+
+Surface_report examine_data(Polygon_copies polygons) { return Surface_examiner(std::move(polygons)).examine_data(); }
 
 // Each end of a border edge begins another one.
 inline std::vector<std::uint32_t> even_numbers_below(std::size_t n)

@@ -15,19 +15,20 @@ The package is under the LGPL, except for `point_cloud_laplacian` and `repair`, 
 
 from ._core import version as __version__
 from ._conformal import ConformalMap
-from ._errors import (CancelledError, Error, IntegerOverflowError, InvalidArgumentError, InvalidPointError, InvalidSurfaceError,
-                      NumericalError, UndecidedError)
-from ._files import Repair, RepairedMesh, orient, read_mesh, repair
+from ._errors import (CancelledError, Error, FileError, IntegerOverflowError, InvalidArgumentError, InvalidFileError, InvalidPointError,
+                      InvalidSurfaceError, NumericalError, UndecidedError)
+from ._files import Repair, RepairedMesh, TexturedMesh, orient, read_mesh, repair
 from ._geodesics import CutSurface, EdgeFlipGeodesicSolver, GeodesicPath, GeodesicTracer, cut_along_path, geodesic_path
 from ._heat import (MeshHeatMethodDistanceSolver, compute_distance, compute_distance_multisource, geodesic_distance_matrix,
                     geodesic_distances, geodesic_distances_from)
-from ._laplacian import laplacian, mesh_laplacian, point_cloud_laplacian
-from ._mesh import cotan_laplacian, face_areas, vertex_areas
+from ._laplacian import laplacian, mesh_laplacian, point_cloud_laplacian, solve_poisson
+from ._mesh import border_edges, border_vertices, component_labels, cotan_laplacian, face_areas, vertex_areas
 from ._simplification import DistanceIntervals, SimplifiedDistances, SimplifiedSurface
 from ._subdivision import CommonSubdivision
 from ._triangulation import FlipReport, RefinementReport, StraightMesh, Triangulation, VerificationReport
 from ._vectors import MeshVectorHeatSolver
 from ._view import Page, view
+from ._writing import write_mesh
 
 __all__ = [
     "CancelledError",
@@ -37,11 +38,13 @@ __all__ = [
     "DistanceIntervals",
     "EdgeFlipGeodesicSolver",
     "Error",
+    "FileError",
     "FlipReport",
     "GeodesicPath",
     "GeodesicTracer",
     "IntegerOverflowError",
     "InvalidArgumentError",
+    "InvalidFileError",
     "InvalidPointError",
     "InvalidSurfaceError",
     "MeshHeatMethodDistanceSolver",
@@ -54,9 +57,13 @@ __all__ = [
     "SimplifiedDistances",
     "SimplifiedSurface",
     "StraightMesh",
+    "TexturedMesh",
     "Triangulation",
     "UndecidedError",
     "VerificationReport",
+    "border_edges",
+    "border_vertices",
+    "component_labels",
     "compute_distance",
     "compute_distance_multisource",
     "cotan_laplacian",
@@ -72,6 +79,8 @@ __all__ = [
     "point_cloud_laplacian",
     "read_mesh",
     "repair",
+    "solve_poisson",
     "vertex_areas",
     "view",
+    "write_mesh",
 ]

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 import operator
 import warnings
-from typing import Any, Optional, Sequence, Tuple
+from typing import Any, Optional, Sequence, Tuple, get_args
 
 import numpy
 import scipy.sparse
@@ -24,11 +24,11 @@ LARGEST_INDEX = 2**32 - 2
 def as_array(value: Any, name: str, kinds: str, what: str) -> numpy.ndarray:
     """Returns the given array of numbers, unconverted. `kinds` are NumPy's letters for number types."""
     if numpy.ma.is_masked(value):
-        raise ValueError(f"{name} has masked entries: leave them out, or fill them")
+        raise ValueError(f"{name} has to have no masked entries: leave them out, or fill them")
     try:
         array = numpy.asarray(value)
     except Exception as error:
-        raise ValueError(f"{name} is not an array: {error}") from error
+        raise ValueError(f"{name} has to be an array: {error}") from error
     if array.dtype.kind not in kinds and not (array.size == 0 and array.dtype.kind == "f"):
         raise ValueError(f"{name} has to contain {what}, not {array.dtype}")
     return array
@@ -52,7 +52,7 @@ def finite(value: Any, name: str, shape: Sequence[Optional[int]]) -> numpy.ndarr
     array = doubles(value, name, shape)
     is_bad = ~numpy.isfinite(array)
     if is_bad.any():
-        raise ValueError(f"{name}[{int(numpy.argwhere(is_bad)[0][0])}] is not finite")
+        raise ValueError(f"{name}[{int(numpy.argwhere(is_bad)[0][0])}] has to be finite, not {array[is_bad][0]}")
     return array
 
 
@@ -94,7 +94,7 @@ def bad_index(name: str, row: int, of_what: str, bad: int, array: numpy.ndarray,
 def check_shape(array: numpy.ndarray, name: str, shape: Sequence[Optional[int]]) -> None:
     if array.ndim != len(shape) or any(n is not None and n != m for n, m in zip(shape, array.shape)):
         wanted = ", ".join("n" if n is None else str(n) for n in shape) + ("," if len(shape) == 1 else "")
-        raise ValueError(f"{name} should have shape ({wanted}), but has {array.shape}")
+        raise ValueError(f"{name} has to have shape ({wanted}), not {array.shape}")
 
 
 def points_and_faces(V: Any, F: Any) -> Tuple[numpy.ndarray, numpy.ndarray]:
@@ -176,7 +176,7 @@ def integer(value: Any, name: str, least: int = 0, largest: int = 2**64 - 1) -> 
     except TypeError:
         raise ValueError(f"{name} has to be an integer, not {type(value).__name__}") from None
     if not least <= result <= largest:
-        raise ValueError(f"{name} is {result}, but has to be from {least} to {largest}")
+        raise ValueError(f"{name} has to be from {least} to {largest}, not {result}")
     return result
 
 
@@ -203,7 +203,9 @@ def positive(value: Any, name: str) -> float:
     return result
 
 
-def choice(value: Any, name: str, choices: Sequence[str]) -> int:
+def choice(value: Any, name: str, literal: Any) -> int:
+    """Returns the number of a word among those of a `Literal` type."""
+    choices = get_args(literal)
     if not isinstance(value, str) or value not in choices:
         raise ValueError(f"{name} has to be one of {', '.join(map(repr, choices))}, not {value!r}")
     return choices.index(value)

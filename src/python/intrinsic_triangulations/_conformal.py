@@ -7,15 +7,17 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Optional
+from typing import Any, Literal, NamedTuple, Optional
 
 import numpy
 
 from . import _arrays, _core
+from ._documented import documented
 
-BOUNDARIES = ("free", "angles", "disk")
+Boundary = Literal["free", "angles", "disk"]
 
 
+@documented
 class ConformalMap(NamedTuple):
     """The result of `Triangulation.conformal_map`.
 
@@ -75,5 +77,5 @@ def conformal_map(surface: Any, number_of_vertices: int, cones: Optional[int], c
     if cones is not None:
         cones = _arrays.integer(cones, "cones")
     (place_faces, place_coordinates), triangles, uv, input_faces, is_cut, input_uv, *rest = _core.conformal_map(
-        surface, vertices, angles, cones, _arrays.choice(boundary, "boundary", BOUNDARIES))
+        surface, vertices, angles, cones, _arrays.choice(boundary, "boundary", Boundary))
     return ConformalMap(uv.reshape(-1, 3, 2), triangles, place_faces, place_coordinates, input_faces, is_cut, input_uv.reshape(-1, 3, 2), *rest)

@@ -7,6 +7,9 @@
 
 from __future__ import annotations
 
+import contextlib
+from typing import Any, Iterator, Optional
+
 
 class Error(Exception):
     """The base of all exceptions of the library. Each subclass is also a built-in one, such as `ValueError`."""
@@ -36,6 +39,68 @@ class InvalidSurfaceError(Error, ValueError):
 
     def __str__(self) -> str:
         return str(self.args[0])
+
+
+class FileError(Error, OSError):
+    """A file cannot be read or written. `filename` is its name, and `errno` the number of the system's error, if it was one."""
+
+    def __init__(self, message: str, filename: Any, errno: Optional[int] = None) -> None:
+        super().__init__(message, filename, errno)
+        self.filename, self.errno = filename, errno
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+class InvalidFileError(InvalidSurfaceError, FileError):
+    """A file cannot be read. If there is no such file, this is a `FileNotFoundError`, too, and so on."""
+
+    def __init__(self, message: str, defect: str, element: int, count: int, filename: Any = None, errno: Optional[int] = None) -> None:
+        Exception.__init__(self, message, defect, element, count, filename, errno)
+        self.defect, self.element, self.count = defect, element, count
+        self.filename, self.errno = filename, errno
+
+
+class MissingFileError(InvalidFileError, FileNotFoundError):
+    """There is no such file."""
+
+
+class DirectoryError(InvalidFileError, IsADirectoryError):
+    """The file is a directory."""
+
+
+class ForbiddenFileError(InvalidFileError, PermissionError):
+    """The file may not be read."""
+
+
+_BUILT_IN = {FileNotFoundError: MissingFileError, IsADirectoryError: DirectoryError, PermissionError: ForbiddenFileError}
+
+
+@contextlib.contextmanager
+def reading(path: Any) -> Iterator[None]:
+    """What the library finds wrong with a surface is wrong with this file."""
+    try:
+        yield
+    except InvalidSurfaceError as error:
+        found: Any = None
+        try:
+            with open(path, "rb"):
+                pass
+        except OSError as system:
+            found = system
+        cls = _BUILT_IN.get(type(found), InvalidFileError)
+        raise cls(*error.args, path, getattr(found, "errno", None)) from None
+
+
+@contextlib.contextmanager
+def writing(path: Any) -> Iterator[None]:
+    """An error of no other kind means that this file cannot be written."""
+    try:
+        yield
+    except Error as error:
+        if type(error) is not Error:  # pylint: disable=unidiomatic-typecheck
+            raise
+        raise FileError(str(error), path) from None
 
 
 class InvalidArgumentError(Error, ValueError):

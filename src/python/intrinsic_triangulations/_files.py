@@ -15,38 +15,56 @@ import numpy
 from numpy.typing import ArrayLike
 
 from . import _arrays, _core
-from ._errors import InvalidSurfaceError
+from ._documented import documented
+from ._errors import InvalidSurfaceError, reading
+from ._writing import texture_of_obj
 
 
+@documented
 class Repair(NamedTuple):
     """One kind of repair that `repair` or `orient` made."""
 
-    #: The kind of repair, as in the command's files: "reversed faces", "opened edges" and so on.
     kind: str
-    #: The number of faces, vertices or edges affected.
+    """The kind of repair, as in the command's files: "reversed faces", "opened edges" and so on."""
     count: int
-    #: The smallest of their input numbers, at most ten; for an edge, the number of its face.
+    """The number of faces, vertices or edges affected."""
     first: List[int]
-    #: A sentence about the first one.
+    """The smallest of their input numbers, at most ten; for an edge, the number of its face."""
     message: str
+    """A sentence about the first one."""
 
 
+@documented
 class RepairedMesh(NamedTuple):
     """The result of `repair`."""
 
-    #: (n, 3) array: the positions of the vertices.
     V: numpy.ndarray
-    #: (m, 3) array of int64: the corners of the triangles.
+    """(n, 3) array: the positions of the vertices."""
     F: numpy.ndarray
-    #: (n,) array of int64: the input vertex of each vertex.
+    """(m, 3) array of int64: the corners of the triangles."""
     vertices: numpy.ndarray
-    #: (m,) array of int64: the input face that each triangle is, or is part of.
+    """(n,) array of int64: the input vertex of each vertex."""
     faces: numpy.ndarray
-    #: The repairs; empty if none was necessary.
+    """(m,) array of int64: the input face that each triangle is, or is part of."""
     repairs: List[Repair]
+    """The repairs; empty if none was necessary."""
 
 
-def read_mesh(file_name: Union[str, "os.PathLike[str]"]) -> Tuple[numpy.ndarray, Any]:
+@documented
+class TexturedMesh(NamedTuple):
+    """The result of `read_mesh` with `texture=True`."""
+
+    V: numpy.ndarray
+    """(n, 3) array: the positions of the vertices."""
+    F: Any
+    """(m, 3) array of int64, or list of lists: the corners of the faces."""
+    uv: numpy.ndarray
+    """(t, 2) array: the texture coordinates."""
+    corners: Any
+    """As F: the number of the texture coordinates of each corner, or -1 for none. `uv[corners]` has those of all corners."""
+
+
+def read_mesh(file_name: Union[str, "os.PathLike[str]"], texture: bool = False) -> Any:
     """Read the points and faces of an OFF, OBJ, PLY, STL or TS file, as the command does.
 
     Nothing is merged, turned over or left out. But STL files have no vertices, so their corners are merged where they
@@ -56,6 +74,8 @@ def read_mesh(file_name: Union[str, "os.PathLike[str]"]) -> Tuple[numpy.ndarray,
     ----------
     file_name : str or path
         The extension determines the format.
+    texture : bool
+        Whether to return a `TexturedMesh`, which has the texture coordinates of an OBJ file, with its seams.
 
     Returns
     -------
@@ -66,20 +86,32 @@ def read_mesh(file_name: Union[str, "os.PathLike[str]"]) -> Tuple[numpy.ndarray,
 
     Raises
     ------
-    InvalidSurfaceError
-        If the file cannot be read. The message names the line or the element at fault.
+    InvalidFileError
+        If the file cannot be read. The message names the line or the element at fault. It is an `InvalidSurfaceError` and
+        an `OSError`; if there is no such file, it is a `FileNotFoundError`, too.
 
     Warns
     -----
     UserWarning
         If the file is readable but unusual, for example if its header has a wrong number of facets.
     """
-    V, corners, first, unusual = _core.read_mesh(os.fspath(file_name))
+    path = os.fspath(file_name)
+    if texture and not path.lower().endswith(".obj"):
+        raise ValueError("file_name has to end with .obj, the format whose texture coordinates are read")
+    with reading(path):
+        V, corners, first, unusual = _core.read_mesh(path)
     for text in unusual:
-        warnings.warn(f"{os.fspath(file_name)}: {text}", stacklevel=2)
-    if len(first) == 0:
-        return V, corners.reshape(-1, 3)
-    return V, [corners[begin:end].tolist() for begin, end in zip(first[:-1], first[1:])]
+        warnings.warn(f"{path}: {text}", stacklevel=2)
+
+    def by_face(numbers: numpy.ndarray) -> Any:
+        if len(first) == 0:
+            return numbers.reshape(-1, 3)
+        return [numbers[begin:end].tolist() for begin, end in zip(first[:-1], first[1:])]
+
+    if not texture:
+        return V, by_face(corners)
+    uv, numbers = texture_of_obj(path, len(corners))
+    return TexturedMesh(V, by_face(corners), uv, by_face(numbers))
 
 
 def orient(V: ArrayLike, F: ArrayLike) -> Tuple[numpy.ndarray, List[Repair]]:

@@ -13,11 +13,13 @@ import numpy
 from numpy.typing import ArrayLike
 
 from . import _arrays, _core
+from ._documented import documented
 from ._rebuilt import Rebuilt
 
 _NO_VERTEX = 2**32 - 1
 
 
+@documented
 class GeodesicPath(NamedTuple):
     """A line on a surface in space."""
 
@@ -47,6 +49,7 @@ def _path(parts: tuple) -> GeodesicPath:
     return GeodesicPath(positions, faces, coordinates, *others)
 
 
+@documented
 class CutSurface(NamedTuple):
     """A surface that was cut open."""
 
@@ -211,10 +214,10 @@ class EdgeFlipGeodesicSolver(_Lines):
             raise ValueError("max_relative_length_decrease has to be None or 0: paths are straightened completely")
         maximum = 2**64 - 1 if max_iterations is None else _arrays.integer(max_iterations, "max_iterations")
         if is_closed and is_shortest:
-            raise ValueError("is_shortest is for open paths")
+            raise ValueError("is_shortest has to be False for closed curves")
         vertices, points = self._stops(v_list)
         if len(vertices) < 2:
-            raise ValueError("a path needs two vertices")
+            raise ValueError("v_list has to name two vertices or more")
         return _path(self._surface.path(vertices, points, bool(is_closed), bool(is_shortest), maximum))
 
     def _stops(self, v_list: Any) -> Tuple[numpy.ndarray, numpy.ndarray]:

@@ -7,7 +7,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional, Sequence, Tuple
+from typing import Any, Literal, Optional, Sequence, Tuple
 
 import numpy
 from numpy.typing import ArrayLike
@@ -16,7 +16,7 @@ from . import _arrays, _core
 from ._rebuilt import Rebuilt
 from ._triangulation import Triangulation
 
-BOUNDARIES = ("neumann", "dirichlet", "averaged")
+Boundary = Literal["neumann", "dirichlet", "averaged"]
 
 
 class MeshHeatMethodDistanceSolver(Rebuilt):
@@ -51,7 +51,7 @@ class MeshHeatMethodDistanceSolver(Rebuilt):
         If a matrix cannot be factorized.
     """
 
-    def __init__(self, V: ArrayLike, F: ArrayLike, t_coef: float = 1.0, use_robust: bool = True, *, boundary: str = "neumann",
+    def __init__(self, V: ArrayLike, F: ArrayLike, t_coef: float = 1.0, use_robust: bool = True, *, boundary: Boundary = "neumann",
                  keeps_ridges: bool = True) -> None:
         points, faces = _arrays.points_and_faces(V, F)
         options = _options(t_coef, boundary, keeps_ridges)
@@ -64,7 +64,7 @@ class MeshHeatMethodDistanceSolver(Rebuilt):
             self._heat = _core.heat_on_surface(_core.Surface.from_points(points, faces), *options)
 
     @classmethod
-    def from_triangulation(cls, triangulation: Triangulation, t_coef: float = 1.0, *, boundary: str = "neumann",
+    def from_triangulation(cls, triangulation: Triangulation, t_coef: float = 1.0, *, boundary: Boundary = "neumann",
                            keeps_ridges: bool = True) -> "MeshHeatMethodDistanceSolver":
         """Make a solver for a triangulation as it is now: flipped, refined, or given by lengths.
 
@@ -86,7 +86,7 @@ class MeshHeatMethodDistanceSolver(Rebuilt):
         result._begin(triangulation.copy(), t_coef, boundary, keeps_ridges)
         return result
 
-    def _begin(self, triangulation: Triangulation, t_coef: float, boundary: str, keeps_ridges: bool) -> None:
+    def _begin(self, triangulation: Triangulation, t_coef: float, boundary: Boundary, keeps_ridges: bool) -> None:
         self._remember(MeshHeatMethodDistanceSolver._begin, triangulation, t_coef, boundary, keeps_ridges)
         self._number_of_vertices = triangulation.number_of_vertices
         self._heat = _core.heat_on_surface(triangulation._surface, *_options(t_coef, boundary, keeps_ridges))
@@ -253,7 +253,7 @@ def compute_distance_multisource(V: ArrayLike, F: ArrayLike, v_inds: ArrayLike) 
 
 def _tolerance(tolerance: Any) -> float:
     if not (isinstance(tolerance, (int, float, numpy.integer, numpy.floating)) and 0 <= tolerance < 1):
-        raise ValueError(f"tolerance has to be a number of at least 0 and below 1, not {tolerance!r}")
+        raise ValueError(f"tolerance has to be at least 0 and below 1, not {tolerance!r}")
     return float(tolerance)
 
 
@@ -264,13 +264,13 @@ def _places(source: Any, i: int, faces: numpy.ndarray, number_of_vertices: int) 
         ends = [_arrays.vertex(v, f"sources[{i}]", number_of_vertices) for v in array.reshape(-1).tolist()]
         triangles = numpy.nonzero(numpy.all([(faces == v).any(axis=1) for v in ends], axis=0))[0]
         if len(triangles) == 0:
-            raise ValueError(f"sources[{i}]: no triangle has the vertices {ends}")
+            raise ValueError(f"sources[{i}] has to name vertices of one triangle, and none has {ends}")
         return numpy.array([[triangles[0], *(faces[triangles[0]] == v)] for v in ends], dtype=float)
     rows = _arrays.finite(source, f"sources[{i}]", (4,) if array.ndim == 1 else (None, 4)).reshape(-1, 4)
     if not (rows[:, 0] == numpy.floor(rows[:, 0])).all():
-        raise ValueError(f"sources[{i}]: the number of a triangle is not whole")
+        raise ValueError(f"sources[{i}] has to begin with the number of a triangle, and this is not whole")
     return rows
 
 
 def _options(t_coef: Any, boundary: Any, keeps_ridges: Any) -> tuple:
-    return _arrays.positive(t_coef, "t_coef"), _arrays.choice(boundary, "boundary", BOUNDARIES), bool(keeps_ridges)
+    return _arrays.positive(t_coef, "t_coef"), _arrays.choice(boundary, "boundary", Boundary), bool(keeps_ridges)

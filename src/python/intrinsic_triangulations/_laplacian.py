@@ -8,16 +8,21 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Tuple
+from typing import Any, Literal, Tuple
 
 import numpy
 import scipy.sparse
+import scipy.sparse.csgraph
+import scipy.sparse.linalg
 from numpy.typing import ArrayLike
 
 from . import _arrays, _core
+from ._errors import NumericalError
+
+Mass = Literal["lumped", "galerkin"]
 
 
-def laplacian(V: ArrayLike, F: ArrayLike, mass: str = "lumped") -> Tuple[scipy.sparse.csc_matrix, scipy.sparse.csc_matrix]:
+def laplacian(V: ArrayLike, F: ArrayLike, mass: Mass = "lumped") -> Tuple[scipy.sparse.csc_matrix, scipy.sparse.csc_matrix]:
     """Return the Laplace-Beltrami operator of arbitrary triangles.
 
     It belongs to the intrinsic Delaunay triangulation of the tufted cover. The triangles may be non-manifold, not
@@ -64,7 +69,7 @@ def laplacian(V: ArrayLike, F: ArrayLike, mass: str = "lumped") -> Tuple[scipy.s
     >>> L.shape, round(float(M.sum()), 6)
     ((4, 4), 4.0)
     """
-    is_lumped = _arrays.choice(mass, "mass", ("lumped", "galerkin")) == 0
+    is_lumped = _arrays.choice(mass, "mass", Mass) == 0
     points, faces = _arrays.points_and_faces(V, F)
     _arrays.warn_of_gaps(points, faces)
     L, M = _core.laplacian(points, faces, 0.0, is_lumped)
@@ -133,6 +138,57 @@ def point_cloud_laplacian(points: ArrayLike, mollify_factor: float = 1e-5,
     neighbors = _arrays.integer(n_neighbors, "n_neighbors", 2, 2**31)
     L, M = _point_cloud.laplacian(_arrays.doubles(points, "points", (None, 3)), neighbors)
     return _with_unused_vertices(_arrays.sparse(L), _arrays.sparse(M))
+
+
+def solve_poisson(L: Any, M: Any, f: ArrayLike) -> numpy.ndarray:
+    """Solve `L u = M f` on a surface of any number of components, on each of which L is singular.
+
+    On each component, the mean of f is subtracted, without which there is no solution, and u has the mean zero. Vertices
+    without triangles get zero. One factorization; O(n log n) to O(n^1.5) in practice.
+
+    Parameters
+    ----------
+    L, M : (n, n) sparse matrices
+        As from `laplacian`, or from `Triangulation.laplacian`.
+    f : (n,) array of integers or floats
+        The values of f: `u` solves −Δu = f.
+
+    Returns
+    -------
+    (n,) array
+
+    Raises
+    ------
+    NumericalError
+        If a solution is not finite.
+
+    Examples
+    --------
+    >>> import numpy, intrinsic_triangulations as it
+    >>> L, M = it.laplacian([[0, 0, 0], [1, 0, 0], [0, 1, 0], [9, 0, 0], [10, 0, 0], [9, 1, 0]], [[0, 1, 2], [3, 4, 5]])
+    >>> it.solve_poisson(L, M, [1, 0, -1, 2, 1, 0]).round(6) + 0
+    array([ 0.111111,  0.111111, -0.222222,  0.111111,  0.111111, -0.222222])
+    """
+    L, M = scipy.sparse.csc_matrix(L), scipy.sparse.csc_matrix(M)
+    n = L.shape[0]
+    values = _arrays.finite(f, "f", (n,))
+    number, labels = scipy.sparse.csgraph.connected_components(L != 0, directed=False)
+    mass = numpy.bincount(labels, M @ numpy.ones(n), number)
+
+    def without_mean(u: numpy.ndarray) -> numpy.ndarray:
+        return u - numpy.divide(numpy.bincount(labels, M @ u, number), mass, out=numpy.zeros(number), where=mass > 0)[labels]
+
+    free = numpy.ones(n, dtype=bool)
+    free[numpy.unique(labels, return_index=True)[1]] = False  # one vertex of each component stays at zero
+    right = M @ without_mean(values)
+    u = numpy.zeros(n)
+    try:
+        u[free] = scipy.sparse.linalg.splu(L[free][:, free].tocsc()).solve(right[free])
+    except RuntimeError as error:
+        raise NumericalError(f"the Poisson problem cannot be solved: {error}") from None
+    if not numpy.isfinite(u).all():
+        raise NumericalError("the Poisson problem cannot be solved: its solution is not finite")
+    return numpy.where(mass[labels] > 0, without_mean(u), 0.0)
 
 
 def _nonnegative(value: Any, name: str) -> float:

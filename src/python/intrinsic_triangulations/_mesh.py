@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy
 import scipy.sparse
+import scipy.sparse.csgraph
 from numpy.typing import ArrayLike
 
 from . import _arrays
@@ -67,6 +68,95 @@ def cotan_laplacian(V: ArrayLike, F: ArrayLike, denom_eps: float = 0.0) -> scipy
     weights = scipy.sparse.coo_matrix((numpy.concatenate(halves), (faces[:, [1, 2, 0]].T.ravel(), faces[:, [2, 0, 1]].T.ravel())), shape=(n, n))
     weights = (weights + weights.T).tocsr()
     return (scipy.sparse.diags(numpy.asarray(weights.sum(axis=1)).ravel()) - weights).tocsr()
+
+
+def border_edges(V: ArrayLike, F: ArrayLike) -> numpy.ndarray:
+    """Return the edges that have one triangle.
+
+    Parameters
+    ----------
+    V : (n, 3) array of integers or floats
+        The positions of the vertices.
+    F : (m, 3) array of integers
+        The corners of the triangles, counted from 0.
+
+    Returns
+    -------
+    (k, 2) array of int64
+        Their ends, in the direction of the triangle.
+
+    Raises
+    ------
+    InvalidSurfaceError
+        If an index is out of range, or a coordinate is not finite.
+
+    Examples
+    --------
+    >>> import intrinsic_triangulations as it
+    >>> it.border_edges([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]]).tolist()
+    [[0, 1], [1, 2], [2, 3], [3, 0]]
+    """
+    faces = _arrays.finite_points_and_faces(V, F)[1].astype(numpy.int64)
+    sides = numpy.stack([faces, faces[:, [1, 2, 0]]], axis=2).reshape(-1, 2)
+    number, count = numpy.unique(numpy.sort(sides, axis=1), axis=0, return_inverse=True, return_counts=True)[1:]
+    return sides[count[number.ravel()] == 1]
+
+
+def border_vertices(V: ArrayLike, F: ArrayLike) -> numpy.ndarray:
+    """Return the vertices of the `border_edges`, each once.
+
+    Parameters
+    ----------
+    V, F
+        As for `border_edges`.
+
+    Returns
+    -------
+    (k,) array of int64
+
+    Raises
+    ------
+    InvalidSurfaceError
+        As `border_edges`.
+    """
+    return numpy.unique(border_edges(V, F))
+
+
+def component_labels(V: ArrayLike, F: ArrayLike) -> numpy.ndarray:
+    """Return which connected component each vertex belongs to.
+
+    Parameters
+    ----------
+    V, F
+        As for `border_edges`.
+
+    Returns
+    -------
+    (n,) array of int64
+        Components are counted from 0, in the order of their first vertices; −1 for a vertex without triangles. The
+        component of each triangle is `labels[F[:, 0]]`.
+
+    Raises
+    ------
+    InvalidSurfaceError
+        As `border_edges`.
+
+    Examples
+    --------
+    >>> import intrinsic_triangulations as it
+    >>> it.component_labels([[0, 0, 0]] * 7, [[3, 4, 6], [0, 1, 2]]).tolist()
+    [0, 0, 0, 1, 1, -1, 1]
+    """
+    points, faces = _arrays.finite_points_and_faces(V, F)
+    sides = faces[:, [0, 1]], faces[:, [1, 2]]
+    joined = scipy.sparse.coo_matrix((numpy.ones(2 * len(faces)), numpy.concatenate(sides).T), shape=(len(points), len(points)))
+    labels = scipy.sparse.csgraph.connected_components(joined, directed=False)[1]
+    is_used = numpy.zeros(len(points), dtype=bool)
+    is_used[faces.ravel()] = True
+    result = numpy.full(len(points), -1, dtype=numpy.int64)
+    first, number = numpy.unique(labels[is_used], return_index=True, return_inverse=True)[1:]
+    result[is_used] = numpy.argsort(numpy.argsort(first))[number.ravel()]
+    return result
 
 
 def face_areas(V: ArrayLike, F: ArrayLike) -> numpy.ndarray:

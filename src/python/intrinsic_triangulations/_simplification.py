@@ -14,12 +14,14 @@ import scipy.sparse
 from numpy.typing import ArrayLike
 
 from . import _arrays, _core
+from ._documented import documented
 from ._rebuilt import Rebuilt
 
 if TYPE_CHECKING:
     from ._triangulation import Triangulation
 
 
+@documented
 class SimplifiedSurface(NamedTuple):
     """The result of `Triangulation.simplify`: a surface with fewer vertices, and its relation to the given one.
 
@@ -42,6 +44,7 @@ class SimplifiedSurface(NamedTuple):
     """(n, c) matrix: carries values at its vertices to the given vertices, linearly. Rows sum to 1."""
 
 
+@documented
 class DistanceIntervals(NamedTuple):
     """The result of `SimplifiedDistances.distances`, in the unit of the input; infinite where no source is connected."""
 

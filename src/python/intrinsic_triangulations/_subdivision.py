@@ -173,7 +173,7 @@ class CommonSubdivision:
         """
         array = _arrays.as_array(values, "values", "iuf", "real numbers")
         if array.ndim not in (2, 3) or array.shape[1] != 3:
-            raise ValueError(f"values should have shape (m, 3) or (m, 3, k), but has {array.shape}")
+            raise ValueError(f"values has to have shape (m, 3) or (m, 3, k), not {array.shape}")
         array = _arrays.doubles(array, "values", array.shape)
         if array.ndim == 2:
             return self._subdivision.interpolate_corners(numpy.ascontiguousarray(array).reshape(-1))
@@ -284,7 +284,7 @@ def _surface_points(faces: ArrayLike, coordinates: ArrayLike) -> Tuple[numpy.nda
 def _values(values: ArrayLike, number: int) -> numpy.ndarray:
     array = _arrays.as_array(values, "values", "iuf", "real numbers")
     if array.ndim not in (1, 2) or array.shape[0] != number:
-        raise ValueError(f"values should have shape ({number},) or ({number}, k), but has {array.shape}")
+        raise ValueError(f"values has to have shape ({number},) or ({number}, k), not {array.shape}")
     return _arrays.doubles(array, "values", array.shape)
 
 

@@ -17,11 +17,15 @@ import scipy.sparse
 from numpy.typing import ArrayLike
 
 from . import _arrays, _core
-from ._conformal import ConformalMap, conformal_map
+from ._conformal import Boundary, ConformalMap, conformal_map
+from ._documented import documented
+from ._errors import reading, writing
+from ._laplacian import Mass
 from ._simplification import SimplifiedSurface
 from ._subdivision import CommonSubdivision
 
 
+@documented
 class FlipReport(NamedTuple):
     """The result of `Triangulation.flip_to_delaunay`."""
 
@@ -33,6 +37,7 @@ class FlipReport(NamedTuple):
     """The number of Delaunay tests."""
 
 
+@documented
 class VerificationReport(NamedTuple):
     """The result of `Triangulation.verify`."""
 
@@ -48,6 +53,7 @@ class VerificationReport(NamedTuple):
     """The numbers of the faces with the wrong orientation; always empty."""
 
 
+@documented
 class RefinementReport(NamedTuple):
     """The result of `Triangulation.refine`."""
 
@@ -69,6 +75,7 @@ class RefinementReport(NamedTuple):
     """The smallest size, given or chosen."""
 
 
+@documented
 class StraightMesh(NamedTuple):
     """The result of `Triangulation.straight_mesh`: another surface, of which nothing is known but what stands here."""
 
@@ -281,8 +288,8 @@ class Triangulation:
 
         Raises
         ------
-        Error
-            If the file cannot be written.
+        FileError
+            If the file cannot be written. It is an `OSError`.
         UndecidedError
             If an edge crosses more than 2**20 input edges.
 
@@ -297,7 +304,8 @@ class Triangulation:
         ...     it.Triangulation.load(os.path.join(folder, "kite.idt")).lengths.tolist() == t.lengths.tolist()
         True
         """
-        self._surface.save(os.fspath(path))
+        with writing(os.fspath(path)):
+            self._surface.save(os.fspath(path))
 
     @classmethod
     def load(cls, path: Union[str, os.PathLike]) -> "Triangulation":
@@ -313,10 +321,12 @@ class Triangulation:
 
         Raises
         ------
-        InvalidSurfaceError
-            If the file does not contain a triangulation. The message names the byte or element at fault.
+        InvalidFileError
+            If the file does not contain a triangulation. The message names the byte or element at fault. It is an
+            `OSError`, and a `FileNotFoundError` if there is no such file.
         """
-        surface = _core.Surface.load(os.fspath(path))
+        with reading(os.fspath(path)):
+            surface = _core.Surface.load(os.fspath(path))
         points = surface.input_points()
         if len(points) == 0:
             return cls._of(surface)
@@ -608,7 +618,7 @@ class Triangulation:
     def _constrained(self, constrained: Any) -> Optional[numpy.ndarray]:
         return _arrays.marks(constrained, "constrained", self.number_of_edges)
 
-    def laplacian(self, mass: str = "lumped") -> Tuple[scipy.sparse.csc_matrix, scipy.sparse.csc_matrix]:
+    def laplacian(self, mass: Mass = "lumped") -> Tuple[scipy.sparse.csc_matrix, scipy.sparse.csc_matrix]:
         """Return the Laplace-Beltrami operator of this triangulation, flipped or not.
 
         Parameters
@@ -627,7 +637,7 @@ class Triangulation:
         InvalidSurfaceError
             If a face has zero area.
         """
-        is_lumped = _arrays.choice(mass, "mass", ("lumped", "galerkin")) == 0
+        is_lumped = _arrays.choice(mass, "mass", Mass) == 0
         return _arrays.sparse(self._surface.stiffness()), _arrays.sparse(self._surface.mass(is_lumped))
 
     @property
@@ -698,7 +708,7 @@ class Triangulation:
                                                       _arrays.number(maximum_deviation, "maximum_deviation")))
 
     def conformal_map(self, cones: Optional[int] = None, cone_angles: Optional[Mapping[int, float]] = None,
-                      boundary: str = "free") -> ConformalMap:
+                      boundary: Boundary = "free") -> ConformalMap:
         """Return a conformal map of the surface to the plane, which is proven to be locally injective.
 
         The surface may have any topology: it is cut open between its cones. The triangulation does not change.

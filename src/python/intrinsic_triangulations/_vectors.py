@@ -7,7 +7,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional, Tuple
+from typing import Any, Literal, Optional, Tuple
 
 import numpy
 import scipy.sparse
@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from . import _arrays, _core
 from ._rebuilt import Rebuilt
 
-STRATEGIES = ("VectorHeat", "AffineLocal", "AffineAdaptive")
+Strategy = Literal["VectorHeat", "AffineLocal", "AffineAdaptive"]
 
 
 class MeshVectorHeatSolver(Rebuilt):
@@ -116,11 +116,11 @@ class MeshVectorHeatSolver(Rebuilt):
         """
         vertices = _arrays.indices(v_inds, "v_inds", (None,), len(self._points))
         if len(numpy.unique(vertices)) < len(vertices):
-            raise ValueError("v_inds names a vertex twice")
+            raise ValueError("v_inds has to name each vertex once")
         array = _arrays.doubles(vectors, "vectors", (len(vertices), 2))
         return self._heat.transport(vertices, array[:, 0], array[:, 1])
 
-    def compute_log_map(self, v_ind: int, strategy: str = "AffineLocal") -> numpy.ndarray:
+    def compute_log_map(self, v_ind: int, strategy: Strategy = "AffineLocal") -> numpy.ndarray:
         """Return the logarithmic map at a vertex: direction and distance of every other vertex.
 
         Parameters
@@ -136,7 +136,7 @@ class MeshVectorHeatSolver(Rebuilt):
             In the frame of the vertex, in the unit of the input: (0, 0) at the vertex, infinite where it is not
             connected.
         """
-        _arrays.choice(strategy, "strategy", STRATEGIES)
+        _arrays.choice(strategy, "strategy", Strategy)
         return self._heat.log_map(_arrays.vertex(v_ind, "v_ind", len(self._points)))
 
     def extend_scalar(self, v_inds: ArrayLike, values: ArrayLike) -> numpy.ndarray:
