@@ -38,7 +38,7 @@ def test_a_file_that_cannot_be_written(tmp_path):
             it.Triangulation(*KITE).save(tmp_path / "no_folder" / "kite.idt")
     assert str(pickle.loads(pickle.dumps(caught.value))) == str(caught.value)
     with pytest.raises(OSError):
-        it.write_mesh(tmp_path / "no_folder" / "kite.off", *KITE)
+        it.write_mesh(*KITE, tmp_path / "no_folder" / "kite.off")
 
 
 TUPLES = [thing for thing in vars(it).values() if inspect.isclass(thing) and hasattr(thing, "_fields")]
@@ -65,7 +65,7 @@ def test_options_are_literal_types():
     lambda: it.laplacian([[0, 0]], KITE[1]), lambda: it.laplacian("abc", KITE[1]), lambda: it.Triangulation(*KITE).refine(minimum_angle=40),
     lambda: it.Triangulation(*KITE).refine(minimum_size=-1), lambda: it.Triangulation(*KITE).sharp_edges(200),
     lambda: it.geodesic_distances(*KITE, 0, tolerance=2), lambda: it.Triangulation(*KITE).flip_to_delaunay(-1),
-    lambda: it.Triangulation(*KITE).common_subdivision().from_input([1]), lambda: it.write_mesh("kite.xyz", *KITE)])
+    lambda: it.Triangulation(*KITE).common_subdivision().from_input([1]), lambda: it.write_mesh(*KITE, "kite.xyz")])
 def test_wrong_arguments_have_one_wording(call):
     with pytest.raises(ValueError, match=r"^\w+ has to "):
         call()
@@ -103,22 +103,22 @@ def test_a_poisson_problem_on_several_components():
 def test_what_is_written_is_read(extension, tmp_path):
     V, F = icosphere(1)
     path = tmp_path / ("sphere" + extension)
-    it.write_mesh(path, V / 3, F)
+    it.write_mesh(V / 3, F, path)
     W, G = it.read_mesh(path)
     assert (W[G] == (V / 3)[F]).all() and len(W) == len(V)
     if extension != ".stl":
         assert (W == V / 3).all() and (G == F).all()
     with pytest.raises(it.InvalidSurfaceError):
-        it.write_mesh(path, V, F + 1)
+        it.write_mesh(V, F + 1, path)
 
 
 def test_values_and_textures_have_their_formats(tmp_path):
     V, F = KITE
-    it.write_mesh(tmp_path / "kite.ply", V, F, values={"heat": [1, 2, 3, 4.5]})
+    it.write_mesh(V, F, tmp_path / "kite.ply", values={"heat": [1, 2, 3, 4.5]})
     assert b"property double heat" in (tmp_path / "kite.ply").read_bytes()
     for name, options in [("kite.off", {"values": {"heat": [1, 2, 3, 4]}}), ("kite.ply", {"uv": numpy.zeros((2, 3, 2))})]:
         with pytest.raises(ValueError, match="file_name has to end with"):
-            it.write_mesh(tmp_path / name, V, F, **options)
+            it.write_mesh(V, F, tmp_path / name, **options)
 
 
 def test_a_model_keeps_its_seams_through_transfer(tmp_path):
@@ -134,7 +134,7 @@ def test_a_model_keeps_its_seams_through_transfer(tmp_path):
     s = t.common_subdivision()
     triangles, polygons = s.triangles()
     uv = s.from_input_corners(mesh.uv[mesh.corners])[triangles]
-    it.write_mesh(tmp_path / "finer.obj", s.positions, s.corners[triangles], uv=uv)
+    it.write_mesh(s.positions, s.corners[triangles], tmp_path / "finer.obj", uv=uv)
     finer = it.read_mesh(tmp_path / "finer.obj", texture=True)
     assert len(finer.F) == 4 and numpy.allclose(finer.uv[finer.corners], uv)
     middle = int(numpy.argmin(numpy.abs(finer.V - [2, 0, 0]).sum(axis=1)))

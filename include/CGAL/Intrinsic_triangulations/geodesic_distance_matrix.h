@@ -116,7 +116,7 @@ Geodesic_distance_matrix geodesic_distance_matrix(const Tufted_cover& cover, con
                                                   const std::vector<Vertex_index>& targets,
                                                   const NamedParameters& np = parameters::default_values())
 {
-  using Traits = decltype(cover.triangulation)::Traits;
+  using Traits = typename decltype(cover.triangulation)::Traits;
   const internal::Distance_search<Traits, internal::Row_of_cover_vertex> search(
     cover.triangulation, internal::Row_of_cover_vertex(cover), np);
   const std::vector<std::uint32_t> rows = search.rows(targets);

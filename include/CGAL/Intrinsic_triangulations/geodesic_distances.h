@@ -141,7 +141,7 @@ template <class NamedParameters = parameters::Default_named_parameters>
 Geodesic_distances geodesic_distances(const Tufted_cover& cover, const std::vector<Vertex_index>& sources,
                                       const NamedParameters& np = parameters::default_values())
 {
-  using Traits = decltype(cover.triangulation)::Traits;
+  using Traits = typename decltype(cover.triangulation)::Traits;
   const internal::Distance_search<Traits, internal::Row_of_cover_vertex> search(
     cover.triangulation, internal::Row_of_cover_vertex(cover), np);
   return internal::distances_over_cover(search, cover, sources);
@@ -181,7 +181,7 @@ template <class NamedParameters = parameters::Default_named_parameters>
 Geodesic_distances geodesic_distances_from(const Tufted_cover& cover, const std::vector<Geodesic_source>& sources,
                                            const NamedParameters& np = parameters::default_values())
 {
-  using Traits = decltype(cover.triangulation)::Traits;
+  using Traits = typename decltype(cover.triangulation)::Traits;
   const internal::Distance_search<Traits, internal::Row_of_cover_vertex> search(
     cover.triangulation, internal::Row_of_cover_vertex(cover), np);
   return internal::by_vertices(search, search.find(search.at_points(sources)));

@@ -19,7 +19,7 @@ from ._errors import InvalidFileError
 _FORMATS = (".off", ".obj", ".ply", ".stl")
 
 
-def write_mesh(file_name: Union[str, "os.PathLike[str]"], V: ArrayLike, F: ArrayLike, *, uv: Optional[ArrayLike] = None,
+def write_mesh(V: ArrayLike, F: ArrayLike, file_name: Union[str, "os.PathLike[str]"], *, uv: Optional[ArrayLike] = None,
                values: Optional[Dict[str, ArrayLike]] = None) -> None:
     """Write triangles to an OFF, OBJ, PLY or STL file, so that `read_mesh` returns the same numbers.
 
@@ -27,12 +27,12 @@ def write_mesh(file_name: Union[str, "os.PathLike[str]"], V: ArrayLike, F: Array
 
     Parameters
     ----------
-    file_name : str or path
-        The extension determines the format.
     V : (n, 3) array of integers or floats
         The positions of the vertices.
     F : (m, 3) array of integers
         The corners of the triangles, counted from 0.
+    file_name : str or path
+        The extension determines the format.
     uv : (m, 3, 2) array of integers or floats, optional
         The texture coordinates at the corners, in OBJ files; NaN where there are none. With seams, they differ at a vertex.
     values : dictionary of (n,) arrays, optional
@@ -50,7 +50,7 @@ def write_mesh(file_name: Union[str, "os.PathLike[str]"], V: ArrayLike, F: Array
     >>> import intrinsic_triangulations as it, os, tempfile
     >>> V, F = [[0, 0, 0], [1, 0, 0], [0, 1, 0.1]], [[0, 1, 2]]
     >>> with tempfile.TemporaryDirectory() as folder:
-    ...     it.write_mesh(os.path.join(folder, "triangle.ply"), V, F)
+    ...     it.write_mesh(V, F, os.path.join(folder, "triangle.ply"))
     ...     it.read_mesh(os.path.join(folder, "triangle.ply"))[0].tolist() == V
     True
     """
