@@ -472,6 +472,8 @@ TEST(Simplify_surface, what_cannot_be_done_is_an_error)
   EXPECT_THROW(IT::simplify_surface(fine, np::maximum_change(-1)), IT::Invalid_argument_error);
   EXPECT_THROW(IT::simplify_surface(fine, np::maximum_change(std::nan(""))), IT::Invalid_argument_error);
   Triangulation large = triangulation_of(samples::bumpy_sphere(60, 40, 0.1));
+  EXPECT_THROW(IT::simplify_surface(large, np::maximum_change(-1)), IT::Invalid_argument_error);
+  EXPECT_FALSE(IT::is_Delaunay(large)) << "flipped for an argument that is refused";
   EXPECT_THROW(IT::simplify_surface(large, np::visitor([] { return false; })), IT::Cancelled_error);
 }
 

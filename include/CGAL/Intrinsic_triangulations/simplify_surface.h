@@ -21,7 +21,6 @@
 #include <boost/property_map/function_property_map.hpp>
 
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -83,8 +82,10 @@ struct Simplification_options
   Progress_function progress;
 };
 
-// For each edge, whether it is one of the input, or a part of one, that is sharp.
-std::vector<bool> sharp_edges_of_input(const Exact_engine& engine, double degrees);
+// Checked options. Constrained are the edges of the input, and parts of them, that are sharp; no vertex is kept.
+Simplification_options simplification_options(const Exact_engine& engine, std::optional<double> maximum_change,
+                                              std::size_t number_of_vertices, double sharp_angle,
+                                              Progress_function progress);
 
 Simplified_surface simplify(const Exact_engine& engine, const Simplification_options& options);
 
@@ -154,19 +155,14 @@ Simplified_surface simplify_surface(Intrinsic_triangulation<Traits>& triangulati
   static_assert(Traits::Uses_exact_geometry::value, "simplify_surface(): needs traits that use exact geometry");
   using internal::Parameter;
   const Delta_complex& complex = triangulation.connectivity();
-  const std::size_t n = internal::value_of<Parameter::NUMBER_OF_VERTICES>(np, std::size_t(0));
-  const auto change = internal::value_of<Parameter::MAXIMUM_CHANGE>(np, std::optional<double>());
-  internal::Simplification_options options{
-    change.value_or(n == 0 ? 0.05 : std::numeric_limits<double>::infinity()),
-    n,
-    {},
-    internal::sharp_edges_of_input(internal::engine(triangulation),
-                                   internal::value_of<Parameter::SHARP_ANGLE>(np, 180.)),
-    internal::progress_function_of(np)};
+  internal::Simplification_options options = internal::simplification_options(
+    internal::engine(triangulation), internal::value_of<Parameter::MAXIMUM_CHANGE>(np, std::optional<double>()),
+    internal::value_of<Parameter::NUMBER_OF_VERTICES>(np, std::size_t(0)),
+    internal::value_of<Parameter::SHARP_ANGLE>(np, 180.), internal::progress_function_of(np));
   const auto is_kept = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_is_constrained),
                                                     Static_boolean_property_map<Vertex_index, false>());
   for (Vertex_index v : complex.vertices())
-    options.is_kept.push_back(get(is_kept, v));
+    options.is_kept[v.idx()] = get(is_kept, v);
   const auto is_given = internal::edge_constraints_of(np);
   for (Edge_index e : complex.edges())
     if (get(is_given, e))

@@ -164,7 +164,7 @@ private:
   {
     ++stamps_[vertex];
     double change = 0;
-    if (examine(Vertex_index(current_[vertex]), star_, change) != Obstacle::NONE)
+    if (examine(Vertex_index(current_[vertex]), change) != Obstacle::NONE)
       return;
     double size = 0;
     for (Halfedge_index h : star_.spokes)
@@ -174,15 +174,15 @@ private:
   }
 
   // Lays the faces around a vertex flat, and returns the squared change after that.
-  Obstacle examine(Vertex_index v, Vertex_star& star, double& change) const
+  Obstacle examine(Vertex_index v, double& change)
   {
-    const Obstacle obstacle = find_star(v, star);
+    const Obstacle obstacle = find_star(v);
     if (obstacle != Obstacle::NONE)
       return obstacle;
-    Vertex_star::Part &one = star.parts[0], &two = star.parts[1];
+    Vertex_star::Part &one = star_.parts[0], &two = star_.parts[1];
     if (!flatten(one.fan, largest_factor_, one.factors))
       return Obstacle::BOUND;
-    if (star.number_of_parts == 2) {
+    if (star_.number_of_parts == 2) {
       if (!flatten(two.fan, largest_factor_, two.factors))
         return Obstacle::BOUND;
       const double ends = std::sqrt(one.factors.front() * two.factors.front());
@@ -191,64 +191,64 @@ private:
         return Obstacle::BOUND;
     }
     change = largest_squared_change(one.fan, one.factors);
-    if (star.number_of_parts == 2)
+    if (star_.number_of_parts == 2)
       change = (std::max)(change, largest_squared_change(two.fan, two.factors));
     if (!one.fan.is_closed)
-      star.line = one.factors.front() * (one.fan.spokes.front() + one.fan.spokes.back());
+      star_.line = one.factors.front() * (one.fan.spokes.front() + one.fan.spokes.back());
     return change <= limit_ ? Obstacle::NONE : Obstacle::BOUND;
   }
 
-  Obstacle find_star(Vertex_index v, Vertex_star& star) const
+  Obstacle find_star(Vertex_index v)
   {
     if (!complex_.halfedge(v).is_valid())
       return Obstacle::NO_FACE;
     if (options_.is_kept[original_[v.idx()]])
       return Obstacle::REQUEST;
     const bool is_on_border = complex_.is_border(complex_.halfedge(v));
-    star.spokes.clear();
+    star_.spokes.clear();
     std::size_t line[2] = {0, 0}, number_of_lines = 0;
     Obstacle obstacle = Obstacle::NONE;
     for_each_halfedge_from(complex_, v, [&](Halfedge_index h) {
-      if (complex_.target(h) == v || star.spokes.size() == largest_degree)
+      if (complex_.target(h) == v || star_.spokes.size() == largest_degree)
         obstacle = Obstacle::GLUING;
       else if (!complex_.is_border(h) && faces_[complex_.face(h).idx()].is_thin && obstacle == Obstacle::NONE)
         obstacle = Obstacle::BOUND;
       if (is_constrained_[complex_.edge(h).idx()] && !complex_.is_border(complex_.edge(h)) && ++number_of_lines <= 2)
-        line[number_of_lines - 1] = star.spokes.size();
-      star.spokes.push_back(h);
+        line[number_of_lines - 1] = star_.spokes.size();
+      star_.spokes.push_back(h);
     });
     if (obstacle != Obstacle::NONE)
       return obstacle;
     if (number_of_lines != 0 && (number_of_lines != 2 || is_on_border))
       return Obstacle::REQUEST;
-    const std::size_t n = star.spokes.size();
+    const std::size_t n = star_.spokes.size();
     if (n < 3)
       return is_on_border ? Obstacle::CORNER : Obstacle::GLUING;
-    star.number_of_parts = number_of_lines == 0 ? 1 : 2;
+    star_.number_of_parts = number_of_lines == 0 ? 1 : 2;
     if (number_of_lines == 2) {
       if (line[1] - line[0] < 2 || n + line[0] - line[1] < 2)
         return Obstacle::CORNER;
-      add_fan(star, 0, line[0], line[1] - line[0] + 1, false);
-      add_fan(star, 1, line[1], n + line[0] - line[1] + 1, false);
+      add_fan(0, line[0], line[1] - line[0] + 1, false);
+      add_fan(1, line[1], n + line[0] - line[1] + 1, false);
     } else {
-      add_fan(star, 0, 0, n, !is_on_border);
+      add_fan(0, 0, n, !is_on_border);
     }
-    const bool is_open = !star.parts[0].fan.is_closed;
-    const Vertex_star::Part& one = star.parts[0];
-    if (is_open && complex_.target(star.spoke(one, 0)) == complex_.target(star.spoke(one, one.fan.size() - 1)))
+    const bool is_open = !star_.parts[0].fan.is_closed;
+    const Vertex_star::Part& one = star_.parts[0];
+    if (is_open && complex_.target(star_.spoke(one, 0)) == complex_.target(star_.spoke(one, one.fan.size() - 1)))
       return Obstacle::GLUING;
     return Obstacle::NONE;
   }
 
-  void add_fan(Vertex_star& star, std::size_t i, std::size_t first, std::size_t size, bool is_closed) const
+  void add_fan(std::size_t i, std::size_t first, std::size_t size, bool is_closed)
   {
-    Vertex_star::Part& part = star.parts[i];
+    Vertex_star::Part& part = star_.parts[i];
     part.first = first;
     Fan& fan = part.fan;
     fan.clear();
     fan.is_closed = is_closed;
     for (std::size_t j = 0; j < size; ++j) {
-      const Halfedge_index h = star.spoke(part, j);
+      const Halfedge_index h = star_.spoke(part, j);
       fan.spokes.push_back(length(h));
       if (j + 1 == size && !is_closed)
         break;
@@ -263,7 +263,7 @@ private:
   bool remove(Vertex_index v)
   {
     double change = 0;
-    if (examine(v, star_, change) != Obstacle::NONE)
+    if (examine(v, change) != Obstacle::NONE)
       return false;
     for (std::size_t i = 0; i < star_.number_of_parts; ++i) {
       Vertex_star::Part& part = star_.parts[i];
@@ -424,7 +424,7 @@ private:
   void count(Vertex_index v, Kept_vertices& reasons)
   {
     double change = 0;
-    switch (examine(v, star_, change)) {
+    switch (examine(v, change)) {
     case Obstacle::NONE:
       ++(number_of_vertices_ > options_.number_of_vertices ? reasons.by_bound : reasons.by_number);
       break;

@@ -20,7 +20,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -165,6 +167,8 @@ std::vector<std::size_t> numbers_of_components(const Delta_complex& complex)
   return result;
 }
 
+namespace {
+
 std::vector<bool> sharp_edges_of_input(const Exact_engine& engine, double degrees)
 {
   std::vector<bool> result(engine.connectivity().number_of_edges());
@@ -184,10 +188,22 @@ std::vector<bool> sharp_edges_of_input(const Exact_engine& engine, double degree
   return result;
 }
 
+} // namespace
+
+Simplification_options simplification_options(const Exact_engine& engine, std::optional<double> maximum_change,
+                                              std::size_t number_of_vertices, double sharp_angle,
+                                              Progress_function progress)
+{
+  const double change =
+    maximum_change.value_or(number_of_vertices == 0 ? 0.05 : std::numeric_limits<double>::infinity());
+  if (!(change >= 0))
+    throw Invalid_argument_error("the maximum change of a simplification has to be a number that is not negative");
+  return {change, number_of_vertices, std::vector<bool>(engine.connectivity().number_of_vertices()),
+          sharp_edges_of_input(engine, sharp_angle), std::move(progress)};
+}
+
 Simplified_surface simplify(const Exact_engine& engine, const Simplification_options& options)
 {
-  if (!(options.maximum_change >= 0))
-    throw Invalid_argument_error("the maximum change of a simplification has to be a number that is not negative");
   const Standard_arithmetic arithmetic;
   arithmetic.check();
   std::vector<double> lengths;
