@@ -3,7 +3,7 @@
 //
 // Intervals with MPFR end points: their products, for all signs of the ends.
 
-#include "library/arithmetic/Mpfr_interval.h"
+#include "library/arithmetic/Mpfr_disk.h"
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 
 #include <gtest/gtest.h>
@@ -24,10 +24,9 @@ constexpr long precision = 64;
 
 Mpfr_interval interval(double low, double high)
 {
-  Mpfr_interval half_width((Rational(high) - Rational(low)).backend().data(), precision);
-  half_width.make_symmetric();
   const Rational twice_the_center = Rational(high) + Rational(low);
-  return ldexp(Mpfr_interval(twice_the_center.backend().data(), precision) + half_width, -1);
+  return ldexp(Mpfr_interval(twice_the_center.backend().data(), precision) + Mpfr_interval::symmetric(high - low, 0),
+               -1);
 }
 
 TEST(Mpfr_interval, products_are_those_of_the_ends)
@@ -77,6 +76,42 @@ TEST(Mpfr_interval, without_an_end)
     EXPECT_FALSE(CGAL::is_certain((z.x() * interval(-2, 1)).sign()));
     EXPECT_FALSE(CGAL::is_certain((z.x() * interval(2, 3) + interval(5, 6)).sign()));
   }
+}
+
+// (3 + 4 i) / 5 is no root of unity, so neither do its powers repeat nor do their roundings.
+TEST(Mpfr_disk, contains_exact_powers)
+{
+  const Rational re(3, 5), im(4, 5);
+  const auto of = [](const Rational& x) { return Mpfr_interval(x.backend().data(), precision); };
+  const IT::internal::Mpfr_disk factor(of(re), of(im));
+  IT::internal::Mpfr_disk power = factor, back = factor;
+  Rational x = re, y = im;
+  const auto contains = [](const Mpfr_interval& i, const Rational& exact) {
+    return mpfr_cmp_q(i.lower(), exact.backend().data()) <= 0 && mpfr_cmp_q(i.upper(), exact.backend().data()) >= 0;
+  };
+  for (int n = 1; n < 200; ++n) {
+    ASSERT_TRUE(contains(power.x(), x) && contains(power.y(), y)) << n;
+    ASSERT_LT(power.x().width().upper_double(), n * 0x1p-60);
+    ASSERT_TRUE(contains(squared_norm(power), 1)) << n;
+    back = times_conjugate(power, factor);
+    ASSERT_TRUE(contains((power + back).x(), x + (x * re + y * im)) &&
+                contains((power - back).y(), y - (y * re - x * im)));
+    power = power * factor;
+    const Rational next = x * re - y * im;
+    y = x * im + y * re;
+    x = next;
+  }
+}
+
+TEST(Mpfr_disk, has_no_limits_of_double)
+{
+  IT::internal::Mpfr_disk small(ldexp(interval(1, 1.5), -900), ldexp(interval(2, 2.5), -900));
+  for (int i = 0; i < 4; ++i)
+    small = small * small;
+  EXPECT_TRUE(mpfr_regular_p(small.x().lower()));
+  EXPECT_LT(mpfr_get_exp(small.x().lower()), -14000);
+  EXPECT_GT(mpfr_get_exp(small.x().width().upper()), -14500);
+  EXPECT_EQ((small - small).x().width().sign(), CGAL::POSITIVE);
 }
 
 TEST(Mpfr_interval, can_be_assigned_to_after_a_move)

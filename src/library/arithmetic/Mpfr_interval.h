@@ -8,6 +8,8 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_MPFR_INTERVAL_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ARITHMETIC_MPFR_INTERVAL_H
 
+#include "Mpfr_pair.h"
+
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
 #include <CGAL/Uncertain.h>
@@ -18,7 +20,6 @@
 
 #include <algorithm>
 #include <tuple>
-#include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -37,70 +38,57 @@ inline long doubled(long precision)
 class Mpfr_interval
 {
 public:
-  explicit Mpfr_interval(mpfr_prec_t precision = MPFR_PREC_MIN)
+  explicit Mpfr_interval(mpfr_prec_t precision = MPFR_PREC_MIN) : ends_(precision) {}
+  explicit Mpfr_interval(mpfr_srcptr x) : Mpfr_interval(mpfr_get_prec(x))
   {
-    mpfr_init2(lower_, precision);
-    mpfr_init2(upper_, precision);
-    mpfr_set_zero(lower_, 1);
-    mpfr_set_zero(upper_, 1);
+    mpfr_set(ends_.first, x, MPFR_RNDD);
+    mpfr_set(ends_.second, x, MPFR_RNDU);
   }
   Mpfr_interval(mpq_srcptr x, mpfr_prec_t precision) : Mpfr_interval(precision)
   {
-    mpfr_set_q(lower_, x, MPFR_RNDD);
-    mpfr_set_q(upper_, x, MPFR_RNDU);
+    mpfr_set_q(ends_.first, x, MPFR_RNDD);
+    mpfr_set_q(ends_.second, x, MPFR_RNDU);
   }
   Mpfr_interval(double x, mpfr_prec_t precision) : Mpfr_interval(precision)
   {
-    mpfr_set_d(lower_, x, MPFR_RNDD);
-    mpfr_set_d(upper_, x, MPFR_RNDU);
+    mpfr_set_d(ends_.first, x, MPFR_RNDD);
+    mpfr_set_d(ends_.second, x, MPFR_RNDU);
   }
-  Mpfr_interval(const Mpfr_interval& other) : Mpfr_interval(other.precision())
+  // [-x 2^exponent, x 2^exponent]
+  static Mpfr_interval symmetric(double x, long exponent)
   {
-    mpfr_set(lower_, other.lower_, MPFR_RNDD);
-    mpfr_set(upper_, other.upper_, MPFR_RNDU);
-  }
-  Mpfr_interval(Mpfr_interval&& other) noexcept : lower_{*other.lower_}, upper_{*other.upper_}
-  {
-    other.lower_->_mpfr_d = nullptr; // it can only be destroyed or assigned to
-  }
-  Mpfr_interval& operator=(Mpfr_interval other) noexcept
-  {
-    swap(other);
-    return *this;
-  }
-  ~Mpfr_interval()
-  {
-    if (lower_->_mpfr_d) {
-      mpfr_clear(lower_);
-      mpfr_clear(upper_);
-    }
+    Mpfr_interval r(53);
+    mpfr_set_d(r.ends_.second, x, MPFR_RNDU);
+    mpfr_mul_2si(r.ends_.second, r.ends_.second, exponent, MPFR_RNDU);
+    mpfr_neg(r.ends_.first, r.ends_.second, MPFR_RNDD);
+    return r;
   }
 
-  mpfr_prec_t precision() const { return mpfr_get_prec(lower_); }
-  double lower_double() const { return mpfr_get_d(lower_, MPFR_RNDD); }
-  double upper_double() const { return mpfr_get_d(upper_, MPFR_RNDU); }
-  mpfr_srcptr lower() const { return lower_; }
-  mpfr_srcptr upper() const { return upper_; }
+  mpfr_prec_t precision() const { return ends_.precision(); }
+  double lower_double() const { return mpfr_get_d(ends_.first, MPFR_RNDD); }
+  double upper_double() const { return mpfr_get_d(ends_.second, MPFR_RNDU); }
+  mpfr_srcptr lower() const { return ends_.first; }
+  mpfr_srcptr upper() const { return ends_.second; }
 
   friend Mpfr_interval operator-(const Mpfr_interval& a)
   {
     Mpfr_interval r(a.precision());
-    mpfr_neg(r.lower_, a.upper_, MPFR_RNDD);
-    mpfr_neg(r.upper_, a.lower_, MPFR_RNDU);
+    mpfr_neg(r.ends_.first, a.ends_.second, MPFR_RNDD);
+    mpfr_neg(r.ends_.second, a.ends_.first, MPFR_RNDU);
     return r;
   }
   friend Mpfr_interval operator+(const Mpfr_interval& a, const Mpfr_interval& b)
   {
     Mpfr_interval r(common_precision(a, b));
-    mpfr_add(r.lower_, a.lower_, b.lower_, MPFR_RNDD);
-    mpfr_add(r.upper_, a.upper_, b.upper_, MPFR_RNDU);
+    mpfr_add(r.ends_.first, a.ends_.first, b.ends_.first, MPFR_RNDD);
+    mpfr_add(r.ends_.second, a.ends_.second, b.ends_.second, MPFR_RNDU);
     return r;
   }
   friend Mpfr_interval operator-(const Mpfr_interval& a, const Mpfr_interval& b)
   {
     Mpfr_interval r(common_precision(a, b));
-    mpfr_sub(r.lower_, a.lower_, b.upper_, MPFR_RNDD);
-    mpfr_sub(r.upper_, a.upper_, b.lower_, MPFR_RNDU);
+    mpfr_sub(r.ends_.first, a.ends_.first, b.ends_.second, MPFR_RNDD);
+    mpfr_sub(r.ends_.second, a.ends_.second, b.ends_.first, MPFR_RNDU);
     return r;
   }
   friend Mpfr_interval operator*(const Mpfr_interval& a, const Mpfr_interval& b)
@@ -109,75 +97,67 @@ public:
     // The signs tell which ends give the extreme products.
     if (a.has_both_signs() && b.has_both_signs()) {
       Mpfr_interval other(r.precision());
-      multiply(r.lower_, a.lower_, b.upper_, MPFR_RNDD);
-      multiply(other.lower_, a.upper_, b.lower_, MPFR_RNDD);
-      multiply(r.upper_, a.lower_, b.lower_, MPFR_RNDU);
-      multiply(other.upper_, a.upper_, b.upper_, MPFR_RNDU);
-      mpfr_min(r.lower_, r.lower_, other.lower_, MPFR_RNDD);
-      mpfr_max(r.upper_, r.upper_, other.upper_, MPFR_RNDU);
+      multiply(r.ends_.first, a.ends_.first, b.ends_.second, MPFR_RNDD);
+      multiply(other.ends_.first, a.ends_.second, b.ends_.first, MPFR_RNDD);
+      multiply(r.ends_.second, a.ends_.first, b.ends_.first, MPFR_RNDU);
+      multiply(other.ends_.second, a.ends_.second, b.ends_.second, MPFR_RNDU);
+      mpfr_min(r.ends_.first, r.ends_.first, other.ends_.first, MPFR_RNDD);
+      mpfr_max(r.ends_.second, r.ends_.second, other.ends_.second, MPFR_RNDU);
       return r;
     }
     const auto& [x, signed_one] = b.has_both_signs() ? std::tie(b, a) : std::tie(a, b);
-    const bool is_negative = mpfr_sgn(signed_one.lower_) < 0;
-    const mpfr_srcptr low = is_negative ? x.upper_ : x.lower_, high = is_negative ? x.lower_ : x.upper_;
-    multiply(r.lower_, low, mpfr_sgn(low) >= 0 ? signed_one.lower_ : signed_one.upper_, MPFR_RNDD);
-    multiply(r.upper_, high, mpfr_sgn(high) >= 0 ? signed_one.upper_ : signed_one.lower_, MPFR_RNDU);
+    const bool is_negative = mpfr_sgn(signed_one.ends_.first) < 0;
+    const mpfr_srcptr low = is_negative ? x.ends_.second : x.ends_.first,
+                      high = is_negative ? x.ends_.first : x.ends_.second;
+    multiply(r.ends_.first, low, mpfr_sgn(low) >= 0 ? signed_one.ends_.first : signed_one.ends_.second, MPFR_RNDD);
+    multiply(r.ends_.second, high, mpfr_sgn(high) >= 0 ? signed_one.ends_.second : signed_one.ends_.first, MPFR_RNDU);
     return r;
   }
   friend Mpfr_interval operator/(const Mpfr_interval& a, const Mpfr_interval& b)
   {
     Mpfr_interval inverse(common_precision(a, b));
-    if (mpfr_sgn(b.lower_) <= 0 && mpfr_sgn(b.upper_) >= 0) {
-      mpfr_set_inf(inverse.lower_, -1);
-      mpfr_set_inf(inverse.upper_, 1);
+    if (mpfr_sgn(b.ends_.first) <= 0 && mpfr_sgn(b.ends_.second) >= 0) {
+      mpfr_set_inf(inverse.ends_.first, -1);
+      mpfr_set_inf(inverse.ends_.second, 1);
       return inverse;
     }
-    mpfr_ui_div(inverse.lower_, 1, b.upper_, MPFR_RNDD);
-    mpfr_ui_div(inverse.upper_, 1, b.lower_, MPFR_RNDU);
+    mpfr_ui_div(inverse.ends_.first, 1, b.ends_.second, MPFR_RNDD);
+    mpfr_ui_div(inverse.ends_.second, 1, b.ends_.first, MPFR_RNDU);
     return a * inverse;
   }
   // The argument is known to be non-negative.
   friend Mpfr_interval sqrt(const Mpfr_interval& a)
   {
     Mpfr_interval r(a.precision());
-    if (mpfr_sgn(a.lower_) > 0)
-      mpfr_sqrt(r.lower_, a.lower_, MPFR_RNDD);
-    if (mpfr_sgn(a.upper_) > 0)
-      mpfr_sqrt(r.upper_, a.upper_, MPFR_RNDU);
+    if (mpfr_sgn(a.ends_.first) > 0)
+      mpfr_sqrt(r.ends_.first, a.ends_.first, MPFR_RNDD);
+    if (mpfr_sgn(a.ends_.second) > 0)
+      mpfr_sqrt(r.ends_.second, a.ends_.second, MPFR_RNDU);
     return r;
   }
 
   // a 2^exponent, without rounding
   friend Mpfr_interval ldexp(Mpfr_interval a, long exponent)
   {
-    mpfr_mul_2si(a.lower_, a.lower_, exponent, MPFR_RNDD);
-    mpfr_mul_2si(a.upper_, a.upper_, exponent, MPFR_RNDU);
+    mpfr_mul_2si(a.ends_.first, a.ends_.first, exponent, MPFR_RNDD);
+    mpfr_mul_2si(a.ends_.second, a.ends_.second, exponent, MPFR_RNDU);
     return a;
   }
 
-  // For types built on this one: sets the interval to [0, upper end of x], ...
-  void set_upper(const Mpfr_interval& x)
+  // From zero to the width of the interval.
+  Mpfr_interval width() const
   {
-    mpfr_set_zero(lower_, 1);
-    mpfr_set(upper_, x.upper_, MPFR_RNDU);
-  }
-  // ... to [−upper end, upper end], ...
-  void make_symmetric() { mpfr_neg(lower_, upper_, MPFR_RNDD); }
-  // ... or to its lower end; returns the part cut off, as [0, width].
-  Mpfr_interval collapse_to_lower()
-  {
-    Mpfr_interval width(precision());
-    mpfr_sub(width.upper_, upper_, lower_, MPFR_RNDU);
-    mpfr_set(upper_, lower_, MPFR_RNDU);
-    return width;
+    Mpfr_interval r(precision());
+    mpfr_sub(r.ends_.second, ends_.second, ends_.first, MPFR_RNDU);
+    return r;
   }
 
   // NaN, which the centre of a disk becomes if a divisor may be zero, gives no sign.
   Uncertain<Sign> sign() const
   {
-    if (mpfr_nan_p(lower_) || mpfr_nan_p(upper_))
+    if (mpfr_nan_p(ends_.first) || mpfr_nan_p(ends_.second))
       return Uncertain<Sign>::indeterminate();
-    const int low = mpfr_sgn(lower_), high = mpfr_sgn(upper_);
+    const int low = mpfr_sgn(ends_.first), high = mpfr_sgn(ends_.second);
     if (low > 0)
       return POSITIVE;
     if (high < 0)
@@ -196,88 +176,13 @@ private:
     else
       mpfr_mul(result, x, y, rounding);
   }
-  bool has_both_signs() const { return mpfr_sgn(lower_) < 0 && mpfr_sgn(upper_) > 0; }
+  bool has_both_signs() const { return mpfr_sgn(ends_.first) < 0 && mpfr_sgn(ends_.second) > 0; }
   static mpfr_prec_t common_precision(const Mpfr_interval& a, const Mpfr_interval& b)
   {
     return (std::max)(a.precision(), b.precision());
   }
-  void swap(Mpfr_interval& other) noexcept
-  {
-    mpfr_swap(lower_, other.lower_);
-    mpfr_swap(upper_, other.upper_);
-  }
 
-  mpfr_t lower_, upper_;
-};
-
-// A complex number known to lie within a disk (see Disk for why a disk). The
-// centre is a pair of intervals of one point each, so that the rounding of each operation
-// shows as their width, which goes into the radius.
-class Mpfr_disk
-{
-public:
-  using Real = Mpfr_interval;
-
-  Mpfr_disk(Real x, Real y) : Mpfr_disk(std::move(x), std::move(y), Real(radius_precision)) {}
-
-  Real x() const { return widened(x_); }
-  Real y() const { return widened(y_); }
-
-  friend Mpfr_disk operator+(const Mpfr_disk& a, const Mpfr_disk& b)
-  {
-    return Mpfr_disk(a.x_ + b.x_, a.y_ + b.y_, a.radius_ + b.radius_);
-  }
-  friend Mpfr_disk operator-(const Mpfr_disk& a, const Mpfr_disk& b)
-  {
-    return Mpfr_disk(a.x_ - b.x_, a.y_ - b.y_, a.radius_ + b.radius_);
-  }
-  friend Mpfr_disk operator*(const Mpfr_disk& a, const Mpfr_disk& b)
-  {
-    return Mpfr_disk(a.x_ * b.x_ - a.y_ * b.y_, a.x_ * b.y_ + a.y_ * b.x_, radius_of_product(a, b));
-  }
-  friend Mpfr_disk times_conjugate(const Mpfr_disk& a, const Mpfr_disk& b)
-  {
-    return Mpfr_disk(a.x_ * b.x_ + a.y_ * b.y_, a.y_ * b.x_ - a.x_ * b.y_, radius_of_product(a, b));
-  }
-  friend Real squared_norm(const Mpfr_disk& a)
-  {
-    // |a| <= |centre| + radius, and the same from below.
-    const Real error = (a.modulus() + a.modulus() + a.radius_) * a.radius_;
-    return widened(a.x_ * a.x_ + a.y_ * a.y_, error);
-  }
-
-private:
-  static constexpr mpfr_prec_t radius_precision = 64;
-
-  Mpfr_disk(Real x, Real y, Real radius) : x_(std::move(x)), y_(std::move(y)), radius_(std::move(radius)) { shrink(); }
-
-  // Nonnegative numbers are kept as intervals, of which only the upper end matters.
-  static Real rounded(const Real& x)
-  {
-    Real r(radius_precision);
-    r.set_upper(x);
-    return r;
-  }
-
-  Real modulus() const { return sqrt(rounded(x_ * x_ + y_ * y_)); }
-
-  static Real radius_of_product(const Mpfr_disk& a, const Mpfr_disk& b)
-  {
-    return a.modulus() * b.radius_ + (b.modulus() + b.radius_) * a.radius_;
-  }
-
-  // Moves the width of the coordinates into the radius.
-  void shrink() { radius_ = rounded(radius_ + rounded(x_.collapse_to_lower()) + rounded(y_.collapse_to_lower())); }
-
-  Real widened(const Real& x) const { return widened(x, radius_); }
-  static Real widened(const Real& x, const Real& error)
-  {
-    Real e = rounded(error);
-    e.make_symmetric();
-    return x + e;
-  }
-
-  Real x_, y_, radius_;
+  Mpfr_pair ends_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -68,7 +68,7 @@ private:
     Exact_fallback exact(complex_, correspondence_, *surface);
     for (long precision = bits + 64;; precision = doubled(precision)) {
       Mpfr_interval s = exact.squared_length(e, precision);
-      const Mpfr_interval relative_width = Mpfr_interval(s).collapse_to_lower() / s;
+      const Mpfr_interval relative_width = s.width() / s;
       if (relative_width.upper_double() < std::ldexp(1., int(-bits)))
         return s;
     }

@@ -15,7 +15,7 @@
 #include "Unfolding.h"
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include "../../arithmetic/Disk.h"
-#include "../../arithmetic/Mpfr_interval.h"
+#include "../../arithmetic/Mpfr_disk.h"
 #include "../../arithmetic/Multiquadratic.h"
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
 #include "../../arithmetic/Residues.h"
