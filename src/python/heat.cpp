@@ -21,13 +21,12 @@ namespace idt_python {
 
 namespace {
 
-auto heat_options(double time_coefficient, int boundary, bool keeps_ridges)
+auto heat_options(double time_coefficient, int boundary)
 {
   return CGAL::parameters::time_coefficient(time_coefficient)
     .heat_boundary(boundary == 0   ? IT::Heat_boundary::NEUMANN
                    : boundary == 1 ? IT::Heat_boundary::DIRICHLET
                                    : IT::Heat_boundary::AVERAGED)
-    .keeps_ridges(keeps_ridges)
     .visitor(&Signal_watch::goes_on);
 }
 
@@ -67,19 +66,19 @@ IT::Tufted_cover Delaunay_cover(const Rows<double>& points, const std::vector<st
 }
 
 std::unique_ptr<Heat> heat_on_any_triangles(const Doubles& points, const Indices& triangles, double time_coefficient,
-                                            int boundary, bool keeps_ridges)
+                                            int boundary)
 {
   const Rows<double> rows(points);
   const auto faces = copied_rows(triangles);
-  const auto options = heat_options(time_coefficient, boundary, keeps_ridges);
+  const auto options = heat_options(time_coefficient, boundary);
   return without_lock([&] {
     return std::make_unique<Heat>(IT::Heat_method<>(Delaunay_cover(rows, faces, IT::Surface_cover::TUFTED), options));
   });
 }
 
-std::unique_ptr<Heat> heat_on_surface(Surface& surface, double time_coefficient, int boundary, bool keeps_ridges)
+std::unique_ptr<Heat> heat_on_surface(Surface& surface, double time_coefficient, int boundary)
 {
-  const auto options = heat_options(time_coefficient, boundary, keeps_ridges);
+  const auto options = heat_options(time_coefficient, boundary);
   return surface.use([&](const Triangulation& t) { return std::make_unique<Heat>(IT::Heat_method<>(t, options)); });
 }
 
@@ -167,10 +166,8 @@ py::array extend(Heat& heat, const Indices& vertices, const Doubles& values, dou
 void add_heat(py::module_& module)
 {
   module.def("heat_on_any_triangles", &heat_on_any_triangles, py::arg("points").noconvert(),
-             py::arg("triangles").noconvert(), py::arg("time_coefficient"), py::arg("boundary"),
-             py::arg("keeps_ridges"));
-  module.def("heat_on_surface", &heat_on_surface, py::arg("surface"), py::arg("time_coefficient"), py::arg("boundary"),
-             py::arg("keeps_ridges"));
+             py::arg("triangles").noconvert(), py::arg("time_coefficient"), py::arg("boundary"));
+  module.def("heat_on_surface", &heat_on_surface, py::arg("surface"), py::arg("time_coefficient"), py::arg("boundary"));
   module.def("geodesic_distances", &geodesic_distances, py::arg("points").noconvert(), py::arg("triangles").noconvert(),
              py::arg("sources").noconvert(), py::arg("tolerance"));
   module.def("geodesic_distances_from", &geodesic_distances_from, py::arg("points").noconvert(),
