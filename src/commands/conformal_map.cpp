@@ -107,6 +107,7 @@ View view_of(const Conformal_map_options& options, const IT::Conformal_map& map,
     points.push_back(in_space(map, surface, v));
   View view = make_view(options.input, points, map.triangles);
   view.path_name = "the cuts";
+  view.marks_name = "the cones";
   std::vector<bool> is_cone(points.size(), false);
   for (IT::Vertex_index v : map.metric.cones)
     is_cone[v.idx()] = true;
@@ -117,7 +118,7 @@ View view_of(const Conformal_map_options& options, const IT::Conformal_map& map,
       view.plane.corners.push_back({x, y, 0});
       if (is_cone[map.triangles[i][k]]) {
         view.plane.marks.push_back({x, y, 0});
-        view.plane.marks_on_surface.push_back(points[map.triangles[i][k]]);
+        view.marks.push_back(points[map.triangles[i][k]]);
       }
       if (!map.is_cut[i][k])
         continue;

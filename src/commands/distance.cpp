@@ -92,8 +92,9 @@ struct Distance_result
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<double> distances; // infinite where no source is connected
   std::vector<std::uint32_t> nearest_sources;
-  double largest_snap = -1;          // of sources in space, if there are any
-  std::vector<Named_values> vectors; // other values at each vertex
+  std::vector<std::array<double, 3>> source_points, source_curves; // as those of Placed_sources
+  double largest_snap = -1;                                        // of sources in space, if there are any
+  std::vector<Named_values> vectors;                               // other values at each vertex
   std::uint64_t flips = 0;
   std::size_t number_of_inserted_vertices = 0;
   std::optional<double> mean_edge_length; // by heat
@@ -328,6 +329,8 @@ void follow_ways_from(const Place_sources& place_sources, const Distance_options
   progress.begin("placing the sources");
   const Placed_sources placed = place_sources();
   result.largest_snap = placed.largest_snap;
+  result.source_points = placed.points;
+  result.source_curves = placed.curves;
   follow_ways(options, surface, placed.sources, progress, result);
   if (options.is_signed)
     set_signs(surface, placed, result);
@@ -602,6 +605,13 @@ View view_of(const Distance_options& options, const Distance_result& result)
                          "in the unit of the input",
                          false,
                          {result.subdivision ? result.overlay_distances.values : result.distances}});
+  view.path = result.source_curves;
+  view.path_name = "lines with distance zero";
+  view.marks = result.source_points;
+  if (!options.has_places())
+    for (std::uint64_t v : options.sources.vertices)
+      view.marks.push_back(result.points[v]);
+  view.marks_name = counted(view.marks.size(), "point", "points") + " with distance zero";
   return view;
 }
 

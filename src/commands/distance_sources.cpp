@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <iterator>
 #include <utility>
 
@@ -51,10 +52,24 @@ public:
     if (!named_.curve_path.empty())
       for (const auto& places : read_places(named_.curve_path))
         add_curve(places);
+    if (!points_.empty())
+      for (const IT::Geodesic_source& source : result_.sources)
+        for (const std::vector<IT::Surface_point>& part : source.parts)
+          add_in_space(part);
     return std::move(result_);
   }
 
 private:
+  void add_in_space(const std::vector<IT::Surface_point>& part)
+  {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    auto& places = part.size() == 1 ? result_.points : result_.curves;
+    if (part.size() > 1)
+      places.push_back({none, none, none});
+    for (const IT::Surface_point& p : part)
+      places.push_back(IT::point_in_space(input_, points_, p));
+  }
+
   std::uint32_t representative(std::uint64_t number) const
   {
     if (number >= representative_.size())

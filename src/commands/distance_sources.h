@@ -34,6 +34,7 @@ struct Named_sources
 struct Placed_sources
 {
   std::vector<CGAL::Intrinsic_triangulations::Geodesic_source> sources;
+  std::vector<std::array<double, 3>> points, curves; // in space, if the surface is; the latter with NaN before each
   double largest_snap = -1; // the largest distance of a point in space from the surface; negative without such points
 };
 

@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <limits>
+#include <optional>
 
 namespace idt {
 namespace {
@@ -25,9 +26,8 @@ std::vector<std::string> cells_of(std::string line)
   return cells;
 }
 
-} // namespace
-
-std::vector<Named_values> read_vertex_values(const std::string& path, std::size_t number_of_vertices)
+Element_values read_values(const std::string& path, std::size_t number_of_vertices,
+                           std::optional<std::size_t> number_of_faces)
 {
   std::size_t line = 0;
   const auto fail = [&](const std::string& what) {
@@ -49,13 +49,17 @@ std::vector<Named_values> read_vertex_values(const std::string& path, std::size_
   ++line;
   std::getline(file, text);
   const std::vector<std::string> names = cells_of(text);
-  if (names[0] != "vertex" || names.size() < 2)
-    fail("the first line of such a table is vertex,NAME or has more names");
-  std::vector<Named_values> result;
+  const std::string& kind = names[0];
+  Element_values result;
+  result.is_of_faces = kind == "face" && number_of_faces;
+  if ((kind != "vertex" && !result.is_of_faces) || names.size() < 2)
+    fail(std::string("the first line of such a table is vertex,NAME") + (number_of_faces ? " or face,NAME" : "") +
+         " or has more names");
+  const std::size_t number_of_elements = result.is_of_faces ? *number_of_faces : number_of_vertices;
   for (std::size_t column = 1; column < names.size(); ++column)
-    result.push_back(
-      {names[column], std::vector<double>(number_of_vertices, std::numeric_limits<double>::quiet_NaN())});
-  std::vector<bool> has_line(number_of_vertices);
+    result.columns.push_back(
+      {names[column], std::vector<double>(number_of_elements, std::numeric_limits<double>::quiet_NaN())});
+  std::vector<bool> has_line(number_of_elements);
   while (std::getline(file, text)) {
     ++line;
     const std::vector<std::string> cells = cells_of(text);
@@ -64,19 +68,31 @@ std::vector<Named_values> read_vertex_values(const std::string& path, std::size_
     if (cells.size() != names.size())
       fail("there are " + std::to_string(names.size()) + " names and " + counted(cells.size(), "cell", "cells"));
     const double v = number(cells[0]);
-    if (!(v >= 0 && v < double(number_of_vertices)) || v != double(std::size_t(v)))
-      fail("there is no vertex " + cells[0] + ": the surface has " + std::to_string(number_of_vertices) +
+    if (!(v >= 0 && v < double(number_of_elements)) || v != double(std::size_t(v)))
+      fail("there is no " + kind + ' ' + cells[0] + ": the surface has " + std::to_string(number_of_elements) +
            ", counted from 0");
     if (has_line[std::size_t(v)])
-      fail("vertex " + cells[0] + " has a line already");
+      fail(kind + ' ' + cells[0] + " has a line already");
     has_line[std::size_t(v)] = true;
     for (std::size_t column = 1; column < cells.size(); ++column)
       if (!cells[column].empty())
-        result[column - 1].values[std::size_t(v)] = number(cells[column]);
+        result.columns[column - 1].values[std::size_t(v)] = number(cells[column]);
   }
   if (file.bad())
     fail("the file cannot be read");
   return result;
+}
+
+} // namespace
+
+Element_values read_element_values(const std::string& path, std::size_t number_of_vertices, std::size_t number_of_faces)
+{
+  return read_values(path, number_of_vertices, number_of_faces);
+}
+
+std::vector<Named_values> read_vertex_values(const std::string& path, std::size_t number_of_vertices)
+{
+  return read_values(path, number_of_vertices, {}).columns;
 }
 
 } // namespace idt

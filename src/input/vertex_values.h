@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Numbers at the vertices of a surface, from a table.
+// Numbers at the vertices or on the faces of a surface, from a table.
 
 #ifndef IDT_VERTEX_VALUES_H
 #define IDT_VERTEX_VALUES_H
@@ -14,9 +14,19 @@
 
 namespace idt {
 
-// Reads comma-separated values `vertex,NAME,...`, as `idt distance -o F.csv` writes them: a function for each column.
-// Missing rows and empty cells give NaN.
+struct Element_values
+{
+  bool is_of_faces = false;
+  std::vector<Named_values> columns;
+};
+
+// Reads comma-separated values `vertex,NAME,...` or `face,NAME,...`, as `idt distance -o F.csv` writes them: a function
+// for each column. Missing rows and empty cells give NaN.
 // \exception Invalid_surface_error if the file cannot be read; the message names the line
+Element_values read_element_values(const std::string& path, std::size_t number_of_vertices,
+                                   std::size_t number_of_faces);
+
+// The same of vertices alone.
 std::vector<Named_values> read_vertex_values(const std::string& path, std::size_t number_of_vertices);
 
 } // namespace idt

@@ -216,6 +216,9 @@ void check_view(const std::string& path, std::size_t number_of_triangles)
     throw Usage_error(path +
                       ": this command was built without three.js, which draws: install libjs-three, and build it "
                       "again");
+  const std::string type = std::filesystem::path(path).extension().string();
+  if (!type.empty() && type != ".html" && type != ".htm")
+    throw Usage_error(path + ": a page is an .html file");
   check_size(number_of_triangles);
 }
 

@@ -34,16 +34,16 @@ struct View_field
 {
   std::string name, unit;
   bool is_of_faces = false;
-  // One for each triangulation, or one for both: at the vertices of the view, or on the faces of the triangulation.
+  // One for each triangulation, or one for both: at the vertices of the view, or on the faces of the triangulation, the
+  // input if there is one.
   std::vector<std::vector<double>> numbers;
 };
 
 // An image of the surface in the plane, which is shown beside it. Its third coordinates are zero.
 struct View_plane
 {
-  std::vector<std::array<double, 3>> corners; // of each triangle
-  std::vector<std::array<double, 3>> path;    // the images of `View::path`
-  std::vector<std::array<double, 3>> marks, marks_on_surface;
+  std::vector<std::array<double, 3>> corners;     // of each triangle
+  std::vector<std::array<double, 3>> path, marks; // the images of `View::path` and `View::marks`
 };
 
 struct View
@@ -59,8 +59,10 @@ struct View
   std::vector<View_field> fields;
   std::vector<std::array<double, 3>> path; // lines, with NaN between them
   std::string path_name = "the line";
-  std::vector<double> path_numbers; // which colour the lines: for each point, or none
-  View_plane plane;                 // without corners if there is none
+  std::vector<double> path_numbers;         // which colour the lines: for each point, or none
+  std::vector<std::array<double, 3>> marks; // points
+  std::string marks_name;
+  View_plane plane; // without corners if there is none
 };
 
 // The view of an input and of its result.
@@ -80,7 +82,7 @@ View make_view(const std::string& title, const std::vector<std::array<double, 3>
 
 // Checks the size as far as possible before anything is computed, and whether pages can be written at all; does nothing
 // if `path` is empty.
-// \exception Usage_error as above, or if the command was built without three.js
+// \exception Usage_error as above, or if the command was built without three.js, or `path` is of another type
 void check_view(const std::string& path, std::size_t number_of_triangles = 0);
 
 // Writes the page; does nothing if `path` is empty.

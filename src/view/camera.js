@@ -5,19 +5,21 @@
 
 "use strict";
 
+// Degrees above the horizon, and from the front to the right.
+const views_of_camera = { oblique: [20, 30], front: [0, 0], right: [0, 90], back: [0, 180], left: [0, -90], top: [90, 0], bottom: [-90, 0] };
 const half_angle = 15 * Math.PI / 180; // of the smaller of width and height
 
 class Orbit_camera {
-  // \param on_change is called after each change
-  constructor(element, radius, on_change) {
+  // \param box of the surface; \param up an axis, as "z" or "−z"; \param on_change is called after each change
+  constructor(element, radius, box, up, on_change) {
     this.camera = new THREE.PerspectiveCamera();
     this.element = element;
+    this.box = new THREE.Vector3(...box.map(([low, high]) => high - low));
     this.radius = radius; // of the surface, around the origin
     this.on_change = on_change;
-    this.turn = new THREE.Quaternion().setFromEuler(new THREE.Euler(-0.35, 0.5, 0, "XYZ"));
     this.pointers = new Map();
     this.views = 1;
-    this.show_all();
+    this.set_up(up);
     element.addEventListener("pointerdown", event => this.begin(event));
     element.addEventListener("pointermove", event => this.drag(event));
     for (const name of ["pointerup", "pointercancel"])
@@ -28,6 +30,25 @@ class Orbit_camera {
       const lines = event.deltaMode === 1 ? 30 : 1;
       this.zoom(Math.exp(0.0015 * lines * event.deltaY), event.offsetX, event.offsetY);
     }, { passive: false });
+  }
+
+  set_up(name) {
+    const axis = "xyz".indexOf(name.slice(-1));
+    this.up = new THREE.Vector3().setComponent(axis, name.length > 1 ? -1 : 1);
+    this.look_from("oblique");
+  }
+
+  // \param name one of `views_of_camera`
+  look_from(name) {
+    let [pitch, yaw] = views_of_camera[name];
+    const front = new THREE.Quaternion().setFromUnitVectors(new THREE.Vector3(0, 1, 0), this.up);
+    if (name === "oblique") { // a long one from its side, a flat one from above
+      const [width, height, depth] = [0, 1, 2].map(i => Math.abs(new THREE.Vector3().setComponent(i, 1).applyQuaternion(front).dot(this.box)));
+      [pitch, yaw] = [height < 0.3 * Math.max(width, depth) && height > 0 ? 45 : pitch, depth > 1.5 * width ? 90 - yaw : yaw];
+    }
+    this.flight = null;
+    this.turn = front.multiply(new THREE.Quaternion().setFromEuler(new THREE.Euler(-pitch * Math.PI / 180, yaw * Math.PI / 180, 0, "YXZ")));
+    this.show_all();
   }
 
   show_all() {
@@ -88,10 +109,11 @@ class Orbit_camera {
     this.pointers.set(event.pointerId, [event.offsetX, event.offsetY]);
   }
 
-  // A drag over the height of the picture turns by a half.
+  // A drag over the height of the picture turns by a half. What is up stays so.
   rotate(dx, dy) {
     const angle = Math.PI / this.element.clientHeight;
-    this.turn.multiply(new THREE.Quaternion().setFromEuler(new THREE.Euler(-dy * angle, -dx * angle, 0, "XYZ"))).normalize();
+    this.turn.premultiply(new THREE.Quaternion().setFromAxisAngle(this.up, -dx * angle))
+      .multiply(new THREE.Quaternion().setFromAxisAngle(new THREE.Vector3(1, 0, 0), -dy * angle)).normalize();
     this.update();
   }
 
@@ -111,14 +133,19 @@ class Orbit_camera {
     this.update();
   }
 
-  // Turns to a place from its outside, in a third of a second.
-  fly(place, normal, size) {
-    const front = new THREE.Vector3(0, 0, 1).applyQuaternion(this.turn);
-    const turn = this.turn.clone().premultiply(new THREE.Quaternion().setFromUnitVectors(front, normal));
+  // The distance from which something of this size fills the picture.
+  distance_for(size) { return Math.max(2e-5 * this.radius, 1.1 * size / Math.sin(half_angle)); }
+
+  // Flies to a distance from a place, in a third of a second. \param direction from the place
+  fly(place, direction, distance) {
+    const right = new THREE.Vector3().crossVectors(this.up, direction);
+    if (right.length() < 1e-3) // from above or below
+      right.set(1, 0, 0).applyQuaternion(this.turn).projectOnPlane(direction);
+    const above = new THREE.Vector3().crossVectors(direction, right.normalize());
+    const turn = new THREE.Quaternion().setFromRotationMatrix(new THREE.Matrix4().makeBasis(right, above, direction));
     const flight = this.flight = {
       begin: performance.now(), center: this.center.clone(), turn: this.turn.clone(), distance: this.distance,
     };
-    const distance = Math.max(2e-5 * this.radius, 1.1 * size / Math.sin(half_angle));
     const step = () => {
       if (this.flight !== flight)
         return;

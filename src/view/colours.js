@@ -14,6 +14,8 @@ const face_colours = [[0.47, 0.60, 0.72], [0.72, 0.66, 0.50], [0.55, 0.72, 0.62]
 
 // From dark blue over green to yellow: brightness grows all the way, and everybody can tell blue from yellow.
 const scale_colours = [[0.16, 0.10, 0.40], [0.13, 0.34, 0.56], [0.12, 0.54, 0.55], [0.42, 0.74, 0.42], [0.97, 0.90, 0.33]];
+// From blue over white to red, for numbers with signs.
+const diverging_colours = [[0.10, 0.24, 0.58], [0.42, 0.62, 0.84], [0.93, 0.92, 0.90], [0.89, 0.55, 0.40], [0.62, 0.10, 0.14]];
 const no_number_colour = [0.5, 0.5, 0.5];
 
 function css(colour) { return "rgb(" + colour.map(x => Math.round(255 * x)).join(",") + ")"; }
@@ -36,38 +38,4 @@ function colour_faces(triangulation) {
     colours[f] = colour;
   }
   return colours;
-}
-
-// A step of one, two or five units of some decimal place, so that there are 8 to 20 in the range.
-function nice_step(range) {
-  const unit = 10 ** Math.floor(Math.log10(range / 20));
-  return unit * [1, 2, 5, 10].find(x => x * unit >= range / 20 * 0.999);
-}
-
-// The functions that can colour the surface: each has numbers for both triangulations, of the vertices of `surface` or of faces.
-function find_fields() {
-  const fields = page.fields.map((field, i) => {
-    const numbers = field.of.map((_, t) => read_floats("field-" + i + "-" + t));
-    return { name: field.name, unit: field.unit, of_faces: field.of[0] === "faces", numbers: triangulations.map((_, t) => numbers[t] || numbers[0]) };
-  });
-  const angles = triangulations.map(t => {
-    const numbers = new Float32Array(t.number_of_faces);
-    for (let f = 0; f < numbers.length; ++f)
-      numbers[f] = t.smallest_angle(f);
-    return numbers;
-  });
-  fields.push({ name: "smallest angle of the face", unit: "degrees", of_faces: true, numbers: angles });
-  for (const field of fields) {
-    field.lowest = Infinity;
-    field.highest = -Infinity;
-    for (const numbers of field.numbers)
-      for (let i = 0; i < numbers.length; ++i) {
-        const x = numbers[i];
-        if (x < field.lowest && x > -Infinity)
-          field.lowest = x;
-        if (x > field.highest && x < Infinity)
-          field.highest = x;
-      }
-  }
-  return fields.filter(field => field.lowest <= field.highest);
 }

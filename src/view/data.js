@@ -51,6 +51,7 @@ function read_integers(name) {
 }
 
 function read_floats(name) { return new Float32Array(read_words(name).buffer); }
+function read_places(name) { return read_floats(name).map((x, i) => x * page.stretch[i % 3]); }
 
 // Differences from the bits of the same number of the input.
 function read_words_like_input(name, index) {
@@ -139,13 +140,17 @@ function next(s) { return s % 3 === 2 ? s - 2 : s + 1; }
 let surface = null, result = null;
 const triangulations = [];
 function read_surface() {
+  page.stretch = find_stretch(read_floats("places"));
   surface = {
-    places: read_floats("places"),
+    places: read_places("places"),
     corners: read_integers("corners"),
     sides: read_bytes("sides"),
     faces: page.vertices.map((_, t) => read_integers("faces-" + t)), // of each triangulation, for each triangle
     plane: page.has_plane ? read_floats("plane") : null, // of the corners of the triangles
   };
+  surface.box = box_of(surface.places);
+  if (page.stretch.some(x => x !== 1))
+    page.radius = Math.hypot(...surface.box.map(([low, high]) => (high - low) / 2));
   page.vertices.forEach((_, t) => triangulations.push(new Triangulation(t)));
   result = triangulations[triangulations.length - 1];
 }
@@ -180,4 +185,4 @@ function segments_of(t, e, which = 0) {
 
 // Places in the page are moved and scaled, so that single precision suffices.
 function place(v) { return new THREE.Vector3().fromArray(surface.places, 3 * v); }
-function original_place(v) { return [0, 1, 2].map(i => page.center[i] + page.scale * surface.places[3 * v + i]); }
+function original_place(v) { return [0, 1, 2].map(i => page.center[i] + page.scale * surface.places[3 * v + i] / page.stretch[i]); }

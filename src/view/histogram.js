@@ -21,7 +21,7 @@ function count_intervals(numbers, low, high, n) {
 
 // \param all numbers of each triangulation
 function draw_histogram(element, all, low, high, n, ticks) {
-  const parts = all.map(numbers => count_intervals(numbers, low, high, n)), top = Math.max(...parts.flat());
+  const parts = all.map(numbers => count_intervals(numbers, low, high, n)), top = Math.max(...parts.flat()) || 1;
   const w = 288, h = 102, above = 12, x = i => (i * w) / n, y = part => above + (h - above) * (1 - part / top);
   const bars = parts[0].map((part, i) => `<rect class="before" x="${x(i)}" y="${y(part)}" width="${w / n - 0.5}" height="${h - y(part)}"/>`);
   const outline = parts.length < 2 ? "" :

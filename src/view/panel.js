@@ -7,8 +7,7 @@
 
 function by_id(id) { return document.getElementById(id); }
 
-async function start_page() {
-  const picture = new Picture(by_id("canvas")), fields = find_fields();
+function write_head() {
   const counts = t => [["vertices", t.number_of_vertices], ["edges", t.number_of_edges], ["faces", t.number_of_faces]]
     .map(([name, n]) => n.toLocaleString("en") + " " + name).join(", ");
   const paragraph = text => by_id("counts").appendChild(document.createElement("p")).append(text);
@@ -18,37 +17,34 @@ async function start_page() {
     paragraph(page.result + ": " + counts(result));
   for (const element of document.querySelectorAll(".result"))
     element.hidden = triangulations.length < 2;
+}
 
-  // Colours and their legend.
-  const select = by_id("colours");
-  [...(page.has_plane ? [["checkerboard", "checkerboard"]] : []), ["each face apart", "faces"], ["one colour", "plain"], ...fields.map((field, i) => [field.name, i])]
-    .forEach(([name, value]) => select.add(new Option(name, value)));
-  by_id("scale").style.background = "linear-gradient(to right, " + scale_colours.map(css).join(", ") + ")";
-  const set_colours = () => {
-    const field = fields[select.value] || select.value, has_numbers = field.numbers !== undefined;
-    by_id("legend").hidden = !has_numbers;
-    if (has_numbers) {
-      field.step = field.highest > field.lowest ? nice_step(field.highest - field.lowest) : 0;
-      by_id("lowest").textContent = text_of(field.lowest);
-      by_id("highest").textContent = text_of(field.highest);
-      by_id("unit").textContent = field.unit;
-      by_id("isolines").parentElement.hidden = field.of_faces || !field.step;
-      by_id("step").textContent = "isolines, one each " + text_of(field.step);
-    }
-    picture.set_colours(field, by_id("isolines").checked);
+// Whether most edges are shorter than so many pixels when all of the surface is seen.
+function are_edges_short(picture, limit) {
+  const lengths = result.lengths.filter((_, e) => e % Math.ceil(result.number_of_edges / 10000) === 0).sort();
+  return lengths[lengths.length >> 1] / page.scale < limit * picture.control.pixel;
+}
+
+function start_edges(picture) {
+  const boxes = [1, 2, 3].map(label => by_id("edges-" + label));
+  const show = () => {
+    boxes.forEach((box, i) => (picture.shown[i] = box.checked ? 1 : 0));
+    picture.request();
   };
-  select.value = page.has_plane ? "checkerboard" : page.fields.length > 0 && fields.length > 1 ? "0" : "faces";
-  select.addEventListener("change", set_colours);
-  by_id("isolines").addEventListener("change", set_colours);
-  set_colours();
+  let is_switched = false; // by the user
+  boxes.forEach(box => box.addEventListener("change", () => {
+    is_switched = true;
+    show();
+  }));
+  // By themselves they do not cover numbers.
+  return has_numbers => {
+    if (!is_switched)
+      boxes.forEach(box => (box.checked = !page.has_plane && !(has_numbers && are_edges_short(picture, 24))));
+    show();
+  };
+}
 
-  // A large surface appears before it is counted.
-  if (picture.is_slow) {
-    picture.request(true);
-    await new Promise(done => requestAnimationFrame(() => setTimeout(done)));
-  }
-
-  // Edges, points and lines, each with its number.
+function count_edges() {
   const numbers = [0, 0, 0, 0], is_met = triangulations.map(t => new Uint8Array(t.number_of_edges));
   for (let s = 0; s < surface.sides.length; ++s) {
     const label = label_of_side(s), t = label & 2 ? 1 : 0;
@@ -59,27 +55,27 @@ async function start_page() {
     }
   }
   const kinds = triangulations.length < 2 ? ["", "edges"] : ["", "input alone", "triangulation alone", "both"];
-  for (let label = 1; label <= 3; ++label) {
-    const box = by_id("edges-" + label);
-    box.parentElement.lastElementChild.textContent = " " + kinds[label] + ": " + numbers[label].toLocaleString("en");
-    box.addEventListener("change", () => {
-      picture.shown[label - 1] = box.checked ? 1 : 0;
-      picture.request();
-    });
-  }
-  const number_of_points = result.number_of_vertices - page.vertices[0];
-  by_id("points-label").hidden = number_of_points === 0;
-  by_id("points-label").lastElementChild.textContent = " inserted vertices: " + number_of_points.toLocaleString("en");
-  by_id("points").addEventListener("change", event => {
-    picture.show_points = event.target.checked;
+  for (let label = 1; label <= 3; ++label)
+    by_id("edges-" + label).parentElement.lastElementChild.textContent = " " + kinds[label] + ": " + numbers[label].toLocaleString("en");
+}
+
+// A switch of something that the picture has; it is not there without a text.
+function start_switch(picture, name, text, is_on = true) {
+  const box = by_id(name);
+  box.parentElement.hidden = !text;
+  box.parentElement.lastElementChild.textContent = " " + text;
+  box.checked = picture["show_" + name] = is_on;
+  box.addEventListener("change", () => {
+    picture["show_" + name] = box.checked;
     picture.request();
   });
-  by_id("path-label").hidden = !picture.path;
-  by_id("path-label").lastElementChild.textContent = " " + page.path;
-  by_id("path").addEventListener("change", event => {
-    picture.show_path = event.target.checked;
-    picture.request();
-  });
+}
+
+function start_switches(picture) {
+  const inserted = result.number_of_vertices - page.vertices[0], is_line = picture.path && page.arrays.path[1] > 0 && !isNaN(read_floats("path")[0]);
+  start_switch(picture, "points", inserted > 0 && "inserted vertices: " + inserted.toLocaleString("en"), inserted <= 1000);
+  start_switch(picture, "path", picture.path && page.path + (is_line ? ", from the white point to the orange one" : ""));
+  start_switch(picture, "marks", picture.places && page.marks);
   const split = is_split => {
     picture.is_split = is_split;
     by_id("left").hidden = by_id("right").hidden = !is_split;
@@ -91,16 +87,15 @@ async function start_page() {
   if (page.has_plane) {
     by_id("split").parentElement.hidden = false;
     by_id("split").nextSibling.textContent = " surface and plane side by side";
-    by_id("split").checked = true;
-    for (const label of [1, 2, 3])
-      by_id("edges-" + label).checked = picture.shown[label - 1] = 0;
-    split(true);
+    split(by_id("split").checked = true);
   }
+}
 
-  // Pointing at elements and looking for them.
+// Pointing at elements and looking for them.
+function start_pointing(picture, legend) {
   let found = null, waiting = null, timer = 0;
   const show = element => {
-    by_id("info").textContent = describe(element);
+    by_id("info").textContent = describe(element, legend.field);
     mark_element(picture, element);
   };
   const canvas = by_id("canvas");
@@ -140,6 +135,21 @@ async function start_page() {
       by_id("not-found").textContent = error.message;
     }
   });
+}
+
+async function start_page() {
+  write_head();
+  const picture = new Picture(by_id("canvas")), show_edges = start_edges(picture);
+  const legend = new Legend(picture, show_edges);
+  start_camera_panel(picture);
+  start_switches(picture);
+  by_id("save").addEventListener("click", () => save_picture(picture, legend));
+  if (picture.is_slow) { // it appears before it is counted
+    picture.request(true);
+    await new Promise(done => requestAnimationFrame(() => setTimeout(done)));
+  }
+  count_edges();
+  start_pointing(picture, legend);
   draw_histograms(by_id("angles"), by_id("weights"));
   return picture;
 }

@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The element that is pointed at or searched for, and its numbers in words.
+// The element that is pointed at, and its numbers in words.
 
 "use strict";
 
@@ -15,23 +15,24 @@ function distance_to_segment(x, y, [ax, ay], [bx, by]) {
 }
 
 // The vertex, the edge or the face at a place of the canvas: { vertex } or { edges } or { faces }, the latter with a number in each
-// triangulation, or -1; null beside the surface.
+// triangulation, or -1; null beside the surface. `triangle`, `weights` and `layer` are the place on the surface.
 function element_at(picture, x, y) {
   const { view, triangle } = picture.triangle_at(x, y);
   if (triangle < 0)
     return null;
+  const at = { triangle, weights: picture.weights_at(x, y, view, triangle), layer: view.layer };
   const sides = [3 * triangle, 3 * triangle + 1, 3 * triangle + 2], corners = sides.map(s => surface.corners[s]);
-  const pixels = corners.map(v => picture.pixel_of(place(v), view));
+  const pixels = corners.map((_, i) => picture.pixel_of(picture.place_of_corner(sides[i], view), view));
   const near = corners.map((v, i) => [Math.hypot(x - pixels[i][0], y - pixels[i][1]), v])
     .filter(([d, v]) => d < 7 && v < result.number_of_vertices).sort((a, b) => a[0] - b[0]);
   if (near.length > 0)
-    return { vertex: near[0][1] };
+    return { vertex: near[0][1], ...at, weights: corners.map(v => (v === near[0][1] ? 1 : 0)) };
   const is_seen = s => label_of_side(s) !== 0 && picture.shown[label_of_side(s) - 1] && !(picture.is_split && label_of_side(s) === 2 - view.layer);
   const near_sides = sides.map((s, i) => [distance_to_segment(x, y, pixels[i], pixels[(i + 1) % 3]), s])
     .filter(([d, s]) => d < 5 && is_seen(s)).sort((a, b) => a[0] - b[0]);
   if (near_sides.length > 0)
-    return { edges: triangulations.map((_, t) => edge_of_side(t, near_sides[0][1])) };
-  return { faces: surface.faces.map(faces => faces[triangle]) };
+    return { edges: triangulations.map((_, t) => edge_of_side(t, near_sides[0][1])), ...at };
+  return { faces: surface.faces.map(faces => faces[triangle]), ...at };
 }
 
 function describe_vertex(v) {
@@ -58,13 +59,15 @@ function describe_face(t, f) {
     sides.map(s => text_of(t.angle_at(s), "°")).join(", ") + "\n  edges " + sides.map(s => t.sides[s] + " (" + text_of(t.lengths[t.sides[s]]) + ")").join(", ");
 }
 
-function describe(element) {
+// \param field that colours the surface, whose number comes first
+function describe(element, field) {
   if (!element)
     return "";
+  const first = field.numbers && element.weights ? describe_number(field, element.layer, element) + "\n" : "";
   if (element.vertex !== undefined)
-    return describe_vertex(element.vertex);
+    return first + describe_vertex(element.vertex);
   const [numbers, describe_one] = element.edges ? [element.edges, describe_edge] : [element.faces, describe_face];
-  return numbers.map((number, t) => (number < 0 ? "" : describe_one(triangulations[t], number))).filter(text => text).join("\n");
+  return first + numbers.map((number, t) => (number < 0 ? "" : describe_one(triangulations[t], number))).filter(text => text).join("\n");
 }
 
 function mark_element(picture, element) {
@@ -77,48 +80,4 @@ function mark_element(picture, element) {
       segments.push(...segments_of(t, triangulations[t].sides[s]));
   }
   picture.mark(segments, element && element.vertex !== undefined ? [element.vertex] : []);
-}
-
-// The element that a text names, as element_at() does: "v 12", "e 5", "f 3", the latter two of the input with "input" in front.
-// \exception Error that names the mistake
-function find_element(text) {
-  const words = /^\s*(input\s+|i)?(v|vertex|e|edge|f|face)\s*(\d+)\s*$/i.exec(text);
-  if (!words)
-    throw new Error("Write v, e or f and a number, such as e 5, or input e 5.");
-  const t = words[1] ? 0 : triangulations.length - 1, kind = words[2][0].toLowerCase(), number = Number(words[3]), triangulation = triangulations[t];
-  const [name, count] = { v: ["vertices", triangulation.number_of_vertices], e: ["edges", triangulation.number_of_edges], f: ["faces", triangulation.number_of_faces] }[kind];
-  if (number >= count)
-    throw new Error("The " + triangulation.name + " has " + count + " " + name + ", counted from 0.");
-  const numbers = triangulations.map((_, i) => (i === t ? number : -1));
-  return kind === "v" ? { vertex: number } : kind === "e" ? { edges: numbers } : { faces: numbers };
-}
-
-// Turns the camera to an element.
-function fly_to(picture, element) {
-  let t = triangulations.length - 1, triangles = [];
-  const numbers = element.edges || element.faces;
-  if (numbers)
-    t = numbers.findIndex(number => number >= 0);
-  if (element.faces)
-    triangles = triangles_of(t, numbers[t]);
-  else if (element.edges)
-    triangles = [0, 1].flatMap(which => segments_of(t, numbers[t], which)).map(s => Math.floor(s / 3));
-  else
-    for (let c = surface.corners.indexOf(element.vertex); c >= 0; c = surface.corners.indexOf(element.vertex, c + 1))
-      triangles.push(Math.floor(c / 3));
-  if (triangles.length === 0)
-    throw new Error("It belongs to no face.");
-  const box = new THREE.Box3(), normal = new THREE.Vector3(), normals = picture.surface.geometry.getAttribute("direction").array;
-  for (const triangle of triangles)
-    normal.add(new THREE.Vector3().fromArray(normals, 9 * triangle));
-  // The largest part is in the middle of the picture: its ends, or its corners.
-  const parts = element.edges ? segments_of(t, numbers[t]).map(s => [s, next(s)]) : triangles.map(i => [3 * i, 3 * i + 1, 3 * i + 2]);
-  const places = parts.map(part => part.map(c => place(surface.corners[c])));
-  places.flat().forEach(p => box.expandByPoint(p));
-  const size_of = ([p, q, r]) => (r ? q.clone().sub(p).cross(r.clone().sub(p)).length() : p.distanceTo(q));
-  const largest = places.reduce((best, part) => (size_of(part) > size_of(best) ? part : best));
-  const center = element.vertex !== undefined ? place(element.vertex)
-    : largest.reduce((sum, p) => sum.add(p), new THREE.Vector3()).divideScalar(largest.length);
-  const size = Math.max(box.getSize(new THREE.Vector3()).length(), 1e-4 * page.radius);
-  picture.control.fly(center, normal.length() > 0 ? normal.normalize() : new THREE.Vector3(0, 0, 1), size);
 }

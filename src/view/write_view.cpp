@@ -182,9 +182,9 @@ struct Box
 
 Json description(const View& view, const Box& box)
 {
-  Json json = {{"title", view.title},     {"result", view.result}, {"center", box.center},
-               {"scale", box.scale},      {"radius", box.radius},  {"vertices", Json::array()},
-               {"fields", Json::array()}, {"path", view.path_name}};
+  Json json = {{"title", view.title},     {"result", view.result},  {"center", box.center},
+               {"scale", box.scale},      {"radius", box.radius},   {"vertices", Json::array()},
+               {"fields", Json::array()}, {"path", view.path_name}, {"marks", view.marks_name}};
   for (const View_triangulation& t : view.triangulations)
     json["vertices"].push_back(t.number_of_vertices);
   for (const View_field& field : view.fields)
@@ -213,12 +213,12 @@ void write_page(std::ostream& os, const View& view)
   arrays.add("sides", view.sides);
   arrays.add_words("path", words_of(box.inside(view.path)));
   arrays.add_words("path-numbers", words_of(view.path_numbers));
+  arrays.add_words("marks", words_of(box.inside(view.marks)));
   if (!view.plane.corners.empty()) {
     const Box plane(view.plane.corners);
     arrays.add_words("plane", words_of(plane.inside(view.plane.corners)));
     arrays.add_words("plane-path", words_of(plane.inside(view.plane.path)));
     arrays.add_words("plane-marks", words_of(plane.inside(view.plane.marks)));
-    arrays.add_words("marks", words_of(box.inside(view.plane.marks_on_surface)));
   }
   Words input_lengths, input_cotangents;
   for (std::size_t t = 0; t < view.triangulations.size(); ++t) {

@@ -252,7 +252,8 @@ class Triangulation:
         Parameters
         ----------
         values : (n,) array, or a dictionary of named ones, or None
-            Numbers at the input vertices, which color the surface.
+            Numbers at the input vertices, which color the surface; or on the input faces, unless vertices were inserted. What is NaN or
+            masked is gray.
 
         Returns
         -------

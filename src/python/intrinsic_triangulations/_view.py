@@ -14,7 +14,7 @@ import shutil
 import subprocess
 import tempfile
 import webbrowser
-from typing import Dict, Optional, Union
+from typing import Callable, Dict, Iterator, Optional, Union
 
 import numpy
 from numpy.typing import ArrayLike
@@ -52,15 +52,18 @@ class Page:
         return f"<Page: {len(self.text)} characters>"
 
 
-def view(V: ArrayLike, F: ArrayLike, values: Union[ArrayLike, Dict[str, ArrayLike], None] = None) -> Page:
-    """Return a page that shows a surface and its intrinsic Delaunay triangulation.
+Values = Union[ArrayLike, Dict[str, ArrayLike], None]
+
+
+def view(V: ArrayLike, F: ArrayLike, values: Values = None) -> Page:
+    """Return a page that shows triangles, and their intrinsic Delaunay triangulation if they are a surface.
 
     Parameters
     ----------
     V, F
-        As for `Triangulation`.
+        As for `Triangulation`, or any triangles.
     values : (n,) array, or a dictionary of named ones, or None
-        Numbers at the vertices, which color the surface.
+        Numbers at the vertices or on the faces, which color the surface. What is NaN or masked is gray.
 
     Returns
     -------
@@ -69,7 +72,7 @@ def view(V: ArrayLike, F: ArrayLike, values: Union[ArrayLike, Dict[str, ArrayLik
     Raises
     ------
     InvalidSurfaceError
-        As `Triangulation`.
+        If a face names no vertex, or a coordinate is not finite.
     Error
         If the command `idt`, which writes the page, is not found; the environment variable IDT_COMMAND can name it.
 
@@ -80,9 +83,14 @@ def view(V: ArrayLike, F: ArrayLike, values: Union[ArrayLike, Dict[str, ArrayLik
     >>> page = it.view(V, F, [0, 1, 2, 3])  # doctest: +SKIP
     >>> page.save("kite.html")  # doctest: +SKIP
     """
-    triangulation = Triangulation(V, F)
-    triangulation.flip_to_delaunay()
-    return page_of(triangulation, values)
+    points, faces = _arrays.finite_points_and_faces(V, F)
+
+    def write(path: str) -> None:
+        with open(path, "w", encoding="ascii") as file:
+            file.write(f"OFF\n{len(points)} {len(faces)} 0\n")
+            numpy.savetxt(file, points, "%.17g")
+            numpy.savetxt(file, faces, "3 %d %d %d")
+    return _write_page("surface.off", write, values, len(points), len(faces))
 
 
 def find_command() -> Optional[str]:
@@ -90,28 +98,43 @@ def find_command() -> Optional[str]:
     return os.environ.get("IDT_COMMAND") or shutil.which("idt", path=os.path.dirname(__file__)) or shutil.which("idt")
 
 
-def page_of(triangulation: Triangulation, values: Union[ArrayLike, Dict[str, ArrayLike], None]) -> Page:
+def page_of(triangulation: Triangulation, values: Values) -> Page:
     """Returns the page of a triangulation."""
     if triangulation._points is None:
         raise ValueError("the surface is given by lengths: it has no picture")
+    number = len(triangulation._points)
+    # Flips keep the number of faces.
+    faces = triangulation.number_of_faces if triangulation.number_of_vertices == number else None
+    return _write_page("surface.idt", triangulation.save, values, number, faces)
+
+
+def _write_page(name: str, write: Callable[[str], None], values: Values, vertices: int, faces: Optional[int]) -> Page:
+    """Writes the surface to a file of this name, and lets the command make its page."""
     command = find_command()
     if command is None:
         raise Error("there is no command idt, which writes pages: wheels contain it, and scripts/demo in a checkout builds it as "
                     "build/command/bin/idt; put it into PATH, or name it by the environment variable IDT_COMMAND")
-    number = len(triangulation._points)
-    columns = {} if values is None else values if isinstance(values, dict) else {"values": values}
     with tempfile.TemporaryDirectory() as folder:
-        surface, page, table = (os.path.join(folder, name) for name in ("surface.idt", "page.html", "values.csv"))
-        triangulation.save(surface)
-        call = [command, "view", surface, "-o", page]
-        if any(set(name) & set(',"\r\n') for name in columns):
-            raise ValueError("names of values have no commas, quotes or line breaks")
-        if columns:
-            arrays = [_arrays.finite(column, name, (number,)) for name, column in columns.items()]
-            rows = numpy.column_stack([numpy.arange(number), *arrays])
-            numpy.savetxt(table, rows, "%.17g", ",", header=",".join(["vertex", *columns]), comments="")
-            call += ["--values", table]
+        surface, page = (os.path.join(folder, part) for part in (name, "page.html"))
+        call = [command, "view", surface, "-o", page, *_tables(values, vertices, faces, folder)]
+        write(surface)
         run = subprocess.run(call, capture_output=True, text=True, errors="replace", check=False)
         if run.returncode != 0:
             raise Error(f"{command}: {run.stderr.strip()}")
         return Page(pathlib.Path(page).read_text(encoding="utf-8"))
+
+
+def _tables(values: Values, vertices: int, faces: Optional[int], folder: str) -> Iterator[str]:
+    """Writes the values to tables, and yields the options that name them."""
+    columns = {} if values is None else values if isinstance(values, dict) else {"values": values}
+    for i, (name, column) in enumerate(columns.items()):
+        if set(name) & set(',"\r\n'):
+            raise ValueError("names of values have no commas, quotes or line breaks")
+        if numpy.ma.is_masked(column):
+            column = numpy.ma.filled(column.astype(float), numpy.nan)
+        is_of_faces = numpy.shape(column) == (faces,) and faces != vertices
+        array = _arrays.doubles(column, name, (faces if is_of_faces else vertices,))
+        path = os.path.join(folder, f"values-{i}.csv")
+        numpy.savetxt(path, numpy.column_stack([numpy.arange(len(array)), array]), "%.17g", ",",
+                      header=f"{'face' if is_of_faces else 'vertex'},{name}", comments="")
+        yield from ("--values", path)
