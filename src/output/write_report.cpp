@@ -152,6 +152,8 @@ std::string straight_text(const CGAL::Intrinsic_triangulations::Straight_mesh& m
   if (!mesh.merged_vertices.empty())
     text += ", " + counted(mesh.merged_vertices.size(), "vertex", "vertices") + " merged, the first at " +
             in_short(mesh.points[mesh.points_of_vertices[mesh.merged_vertices.front().idx()]]);
+  if (mesh.number_of_removed_pieces > 0)
+    text += ", " + counted(mesh.number_of_removed_pieces, "piece", "pieces") + " along others left out";
   if (!mesh.thin_triangles.empty())
     text += ", below 10 in " + counted(mesh.thin_triangles.size(), "triangle", "triangles") + ", " +
             with_separators(mesh.number_of_sharp_corners) + " of them at corners of kept edges";
@@ -195,7 +197,12 @@ void write_report(std::ostream& os, const Triangulation_result& result, bool is_
   if (outcome.weights_before)
     line(os, "weights before", weights_text(*outcome.weights_before));
   if (outcome.weights_after)
-    line(os, "weights after", weights_text(*outcome.weights_after));
+    line(os, "weights after",
+         weights_text(*outcome.weights_after) +
+           (outcome.refinement && outcome.report.status == CGAL::Intrinsic_triangulations::Flip_status::DELAUNAY &&
+                outcome.weights_after->negative > 0
+              ? ", at kept edges, which are not flipped"
+              : ""));
   if (outcome.verification)
     line(os, "verification", describe_verification(outcome));
 

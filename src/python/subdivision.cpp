@@ -178,15 +178,19 @@ Numbers numbers_of(const Range& elements)
 }
 
 py::tuple straight_mesh(const Subdivision& s, const Doubles& points, const std::optional<Booleans>& marked,
-                        double thin_angle, double maximum_deviation)
+                        double thin_angle, double maximum_deviation, const std::optional<Booleans>& fixed)
 {
   const std::vector<std::array<double, 3>> places = copied_rows(points);
-  std::vector<bool> is_marked;
-  if (marked)
-    for (py::ssize_t i = 0; i < marked->shape(0); ++i)
-      is_marked.push_back(marked->at(i));
-  IT::Straight_mesh mesh =
-    without_lock([&] { return IT::straight_mesh(s.get(), places, is_marked, thin_angle, maximum_deviation); });
+  const auto copied_marks = [](const std::optional<Booleans>& marks) {
+    std::vector<bool> result;
+    if (marks)
+      for (py::ssize_t i = 0; i < marks->shape(0); ++i)
+        result.push_back(marks->at(i));
+    return result;
+  };
+  const std::vector<bool> is_marked = copied_marks(marked), is_fixed = copied_marks(fixed);
+  IT::Straight_mesh mesh = without_lock(
+    [&] { return IT::straight_mesh(s.get(), places, is_marked, thin_angle, maximum_deviation, is_fixed); });
   std::vector<std::array<std::int64_t, 2>> edges;
   for (const auto& [a, b] : mesh.marked_edges)
     edges.push_back({a, b});
@@ -199,7 +203,8 @@ py::tuple straight_mesh(const Subdivision& s, const Doubles& points, const std::
                         to_array(std::vector<double>(mesh.deviation_place.begin(), mesh.deviation_place.end())),
                         mesh.minimum_angle, to_array(numbers_of(mesh.thin_triangles)), mesh.number_of_sharp_corners,
                         mesh.sufficient_deviation, to_array(numbers_of(mesh.loops)),
-                        to_array(numbers_of(mesh.multiple_edges)), mesh.is_surface(), defects);
+                        to_array(numbers_of(mesh.multiple_edges)), mesh.is_surface(), defects,
+                        mesh.number_of_removed_pieces);
 }
 
 // ------------------------------------------------------------------- points
@@ -274,7 +279,7 @@ void add_subdivision(py::module_& module)
     .def("mass_matrices", &mass_matrices)
     .def("number_of_input_edges", [](const Subdivision& s) { return s.overlay().number_of_input_edges(); })
     .def("straight_mesh", &straight_mesh, py::arg("points").noconvert(), py::arg("marked"), py::arg("thin_angle"),
-         py::arg("maximum_deviation"))
+         py::arg("maximum_deviation"), py::arg("fixed"))
     .def("to_intrinsic", &to_intrinsic, py::arg("faces").noconvert(), py::arg("coordinates").noconvert())
     .def("to_input", &to_input, py::arg("faces").noconvert(), py::arg("coordinates").noconvert());
 }

@@ -348,6 +348,72 @@ TEST(Straight_mesh, merges_what_is_thinner_than_the_deviation)
   EXPECT_LE(farthest_sample(after.points, after.triangles, plate.points, plate.triangles), after.deviation);
 }
 
+// A corner of a triangle just beside its longest side, inside or on the border.
+TEST(Straight_mesh, bends_long_sides_to_corners_near_them)
+{
+  const Model caps{{{0, 0, 0}, {1, 0, 0}, {0.5, 1e-5, 0}, {0.5, -1, 0}, {0.5, 1, 0}},
+                   {{0, 1, 2}, {1, 0, 3}, {1, 4, 2}, {4, 0, 2}}};
+  const Model border{caps.points, {{0, 1, 2}, {1, 4, 2}, {4, 0, 2}}};
+  for (const Model& model : {caps, border}) {
+    const Triangulation t = model.triangulation();
+    const IT::Common_subdivision subdivision(t);
+    std::vector<bool> is_marked; // the longest side
+    for (IT::Edge_index e : t.input().edges())
+      is_marked.push_back(t.length(e) == 1);
+    const IT::Straight_mesh mesh = IT::straight_mesh(subdivision, model.points, is_marked, 10, 1e-4);
+    EXPECT_TRUE(mesh.is_surface()) << message(mesh);
+    EXPECT_GT(mesh.minimum_angle, 20);
+    EXPECT_EQ(mesh.triangles.size(), model.triangles.size() == 4 ? 4u : 2u);
+    EXPECT_GE(mesh.deviation, 1e-5 * (1 - 1e-9));
+    EXPECT_LE(mesh.deviation, 1e-4);
+    EXPECT_LE(farthest_sample(model.points, model.triangles, mesh.points, mesh.triangles), mesh.deviation);
+    const auto has = [&](std::uint32_t v, std::uint32_t w) {
+      return std::count(mesh.marked_edges.begin(), mesh.marked_edges.end(), std::array<std::uint32_t, 2>{v, w}) == 1;
+    };
+    EXPECT_TRUE(has(0, 2) && has(1, 2) && !has(0, 1));
+    std::vector<bool> is_fixed(5);
+    is_fixed[0] = is_fixed[1] = true;
+    EXPECT_EQ(IT::straight_mesh(subdivision, model.points, {}, 10, 1e-4, is_fixed).thin_triangles.size(), 1u);
+  }
+}
+
+// A kite of two sides that coincide after a flip, and a needle: above a cube, or on it.
+TEST(Straight_mesh, leaves_out_pieces_along_others)
+{
+  for (double height : {1e-6, 0.5}) {
+    Model cube = box(1, 1);
+    const double z = 1 + height;
+    cube.points.insert(cube.points.end(), {{0.3, 0.5, z}, {0.5, 0.4, z}, {0.7, 0.5, z}, {0.5, 0.6, z}});
+    cube.triangles.insert(cube.triangles.end(), {{8, 9, 11}, {9, 10, 11}, {8, 10, 9}, {8, 11, 10}});
+    cube.points.insert(cube.points.end(), {{0.2, 0.1, z}, {0.8, 0.1, z}, {0.2, 0.1 + 1e-6, z}, {0.2, 0.1, z + 1e-6}});
+    cube.triangles.insert(cube.triangles.end(), {{12, 14, 13}, {12, 13, 15}, {13, 14, 15}, {14, 12, 15}});
+    Triangulation t = cube.triangulation();
+    IT::flip_to_Delaunay(t);
+    const IT::Common_subdivision subdivision(t);
+    const IT::Straight_mesh before = IT::straight_mesh(subdivision, cube.points);
+    EXPECT_EQ(before.multiple_edges.size(), 1u);
+    EXPECT_FALSE(before.is_surface());
+    const IT::Straight_mesh mesh = IT::straight_mesh(subdivision, cube.points, {}, 10, 0.02);
+    if (height < 0.1) {
+      EXPECT_TRUE(mesh.is_surface()) << message(mesh);
+      EXPECT_EQ(mesh.number_of_removed_pieces, 3u);
+      EXPECT_EQ(mesh.triangles.size(), 12u);
+      EXPECT_EQ(mesh.points.size(), 8u);
+      EXPECT_EQ(mesh.merged_vertices.size(), 8u);
+      EXPECT_GE(mesh.deviation, 1e-6);
+      EXPECT_LE(mesh.deviation, 0.02);
+      EXPECT_LE(farthest_sample(cube.points, cube.triangles, mesh.points, mesh.triangles), mesh.deviation);
+    } else {
+      EXPECT_EQ(mesh.number_of_removed_pieces, 0u);
+      EXPECT_GE(mesh.sufficient_deviation, 0.5);
+      EXPECT_LE(mesh.sufficient_deviation, 1);
+      const IT::Straight_mesh again =
+        IT::straight_mesh(subdivision, cube.points, {}, 10, mesh.sufficient_deviation * 1.001);
+      EXPECT_TRUE(again.is_surface()) << message(again);
+    }
+  }
+}
+
 TEST(Straight_mesh, refuses_senseless_deviations)
 {
   Triangulation t = box(1, 1).triangulation();

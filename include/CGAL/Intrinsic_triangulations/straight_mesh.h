@@ -30,9 +30,10 @@ struct Straight_mesh
   /// for each vertex of the triangulation, its point. They are the same in number and order unless vertices are merged
   std::vector<std::uint32_t> points_of_vertices;
   std::vector<Vertex_index> merged_vertices; ///< those that have the point of another one
+  std::size_t number_of_removed_pieces = 0;  ///< how many connected pieces were left out that lie along others
   /// the faces with three different corners, in order
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<Face_index> faces;       ///< for each triangle, the face of the triangulation that it is
+  std::vector<Face_index> faces; ///< for each triangle, the face of the triangulation that it is, or where it belongs
   std::vector<Face_index> input_faces; ///< for each triangle, the face of the input that covers most of it
   /// for each triangle, the number of its region. Marked edges separate regions
   std::vector<std::uint32_t> regions;
@@ -80,8 +81,10 @@ struct Straight_mesh
 /// attained at a vertex of the overlay: x − φ(x) is linear on each of its faces, as these lie in a plane of the input.
 ///
 /// CAD models have edges and gaps that are shorter than any useful triangle. With `maximum_deviation`, vertices are
-/// merged where that makes thin triangles better, or removes a sheet of no thickness: the triangulation and the surface
-/// stay as they are. The triangles stay a manifold of the same kind, and the deviation stays within that bound.
+/// merged where that makes thin triangles better, and the longest sides of others are bent to their third corners. Thin
+/// tubes, where four triangles would meet at an edge, are cut there and closed, and pieces without any thickness that lie
+/// along others are left out. The triangulation and the surface stay as they are, the triangles stay closed where the
+/// surface is, and the deviation stays within that bound.
 ///
 /// \param subdivision the common subdivision of the triangulation and its input
 /// \param points the positions of the vertices of the input
@@ -89,15 +92,18 @@ struct Straight_mesh
 ///   empty if none is. Mark those that refinement has kept, for no other edge of the input stays an edge for sure
 /// \param thin_angle triangles with a smaller angle, in degrees, are listed
 /// \param maximum_deviation the deviation up to which vertices may be merged, in the unit of the input; 0 if none may
+/// \param is_fixed for each vertex of the input, whether it must not be merged with another one, such as the ends of edges
+///   that stay whole; empty if all may
 ///
 /// \return the triangles with regions, lines and defects
 /// \exception Invalid_argument_error if there are not as many points or marks as vertices or edges of the input, or a
 ///   coordinate is not finite
 ///
-/// Complexity: linear in the size of the overlay, and O(n log n) for n edges, for vertices of bounded degree.
+/// Complexity: linear in the size of the overlay, and O(n log n) for n edges, for vertices of bounded degree; O(n) for
+/// each piece that is left out.
 Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::vector<std::array<double, 3>>& points,
                             const std::vector<bool>& is_marked = {}, double thin_angle = 10,
-                            double maximum_deviation = 0);
+                            double maximum_deviation = 0, const std::vector<bool>& is_fixed = {});
 
 /// \ingroup PkgIntrinsicTriangulationsOverlay
 /// \brief returns a sentence about what makes straight triangles no surface, with the numbers and the first places.

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -77,6 +78,14 @@ public:
   std::array<Point, 3> corners(const std::array<std::uint32_t, 3>& t) const
   {
     return {points_[t[0]], points_[t[1]], points_[t[2]]};
+  }
+
+  // \return another vertex at the place of v. No vertex of the triangulation has it as its image
+  std::uint32_t add_copy(std::uint32_t v)
+  {
+    points_.push_back(Point(points_[v]));
+    merged_.emplace_back();
+    return std::uint32_t(points_.size()) - 1;
   }
 
   struct Undo
@@ -171,10 +180,10 @@ private:
   const Overlay& overlay_;
   const Delta_complex& complex_;
   const std::vector<Point>& input_points_;
-  std::vector<Point> points_;
+  std::vector<Point> points_; // of the vertices, and of copies
   double largest_coordinate_ = 0;
   std::vector<std::uint32_t> images_;
-  std::vector<std::vector<std::uint32_t>> merged_; // the vertices with each image
+  std::vector<std::vector<std::uint32_t>> merged_; // the vertices of the triangulation with each image
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

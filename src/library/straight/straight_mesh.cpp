@@ -12,6 +12,7 @@
 #include "Thin_part_merger.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -29,23 +30,23 @@ using Point = std::array<double, 3>;
 class Straight_mesh_maker
 {
 public:
-  Straight_mesh_maker(const Common_subdivision& subdivision, const std::vector<Point>& points)
+  Straight_mesh_maker(const Common_subdivision& subdivision, const std::vector<Point>& points,
+                      const std::vector<bool>& is_fixed)
     : subdivision_(subdivision), overlay_(subdivision.overlay()), complex_(subdivision.intrinsic()), points_(points),
-      map_(subdivision, points)
+      map_(subdivision, points), is_fixed_(is_fixed)
   {}
 
   Straight_mesh make(const std::vector<bool>& is_marked, double thin_angle, double maximum_deviation)
   {
     find_regions(is_marked);
     find_triangles(thin_angle, maximum_deviation);
-    find_points();
-    find_lines();
     measure_angles(thin_angle, maximum_deviation);
     find_multiple_edges();
     mesh_.surface = examine_polygons(mesh_.points, mesh_.triangles);
     const auto edges = complex_.edges();
     const auto is_border = [this](Edge_index e) { return complex_.is_border(e); };
-    const std::size_t number = std::size_t(std::count_if(edges.begin(), edges.end(), is_border));
+    const std::size_t number =
+      std::size_t(std::count_if(edges.begin(), edges.end(), is_border)) + number_of_bent_border_edges_;
     mesh_.number_of_new_border_edges = (std::max)(mesh_.surface.number_of_border_edges, number) - number;
     return std::move(mesh_);
   }
@@ -65,52 +66,66 @@ private:
 
   void find_triangles(double thin_angle, double maximum_deviation)
   {
-    std::vector<bool> is_sharp;
+    Straight_triangles triangles;
     for (Face_index f : complex_.faces()) {
       const Halfedge_index h = complex_.halfedge(f), i = complex_.next(h), j = complex_.prev(h);
       if (is_loop(h) || is_loop(i) || is_loop(j))
         continue;
-      mesh_.triangles.push_back({complex_.source(h).idx(), complex_.source(i).idx(), complex_.source(j).idx()});
-      mesh_.faces.push_back(f);
-      is_sharp.push_back(is_sharp_corner(mesh_.triangles.back(), f));
+      triangles.triangles.push_back({complex_.source(h).idx(), complex_.source(i).idx(), complex_.source(j).idx()});
+      triangles.faces.push_back(f);
+      triangles.is_kept.push_back(is_sharp_corner(triangles.triangles.back(), f));
     }
-    Thin_part_merger merger(map_, mesh_.triangles, mesh_.faces, is_sharp, thin_angle, maximum_deviation);
-    if (maximum_deviation > 0)
-      merger();
-    Straight_map::Distance distance = map_.largest_distance();
-    if (const Straight_map::Distance cancelled = merger.distance_of_cancelled(); cancelled.value > distance.value)
-      distance = cancelled;
+    for (Edge_index e : complex_.edges())
+      if (const Halfedge_index h = complex_.halfedge(e); is_marked_[e.idx()] && !is_loop(h))
+        triangles.marked_edges.push_back({complex_.source(h).idx(), complex_.target(h).idx()});
+    triangles.is_fixed = is_fixed_;
+    Straight_map::Distance distance;
+    if (maximum_deviation > 0) {
+      Thin_part_merger merger(map_, triangles, thin_angle, maximum_deviation);
+      distance = merger();
+      mesh_.number_of_removed_pieces = merger.number_of_removed_pieces();
+      mesh_.sufficient_deviation = merger.sufficient_deviation();
+      number_of_bent_border_edges_ = merger.number_of_bent_border_edges();
+    } else {
+      distance = map_.largest_distance();
+    }
     mesh_.deviation = map_.bound(distance.value);
     mesh_.deviation_place = distance.place;
     const std::vector<Face_index> input_faces = largest_input_faces();
-    std::size_t n = 0;
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-      if (mesh_.triangles[t][0] == mesh_.triangles[t][1])
-        continue;
-      const Face_index f = mesh_.faces[t];
-      mesh_.triangles[n] = mesh_.triangles[t];
-      mesh_.faces[n++] = f;
-      mesh_.input_faces.push_back(input_faces[f.idx()]);
-      mesh_.regions.push_back(std::uint32_t(region_of_face_[f.idx()]));
-    }
-    mesh_.triangles.resize(n);
-    mesh_.faces.resize(n);
+    for (std::size_t t = 0; t < triangles.triangles.size(); ++t)
+      if (const Triangle& corners = triangles.triangles[t]; corners[0] != corners[1]) {
+        const Face_index f = triangles.faces[t];
+        mesh_.triangles.push_back(corners);
+        mesh_.faces.push_back(f);
+        mesh_.input_faces.push_back(input_faces[f.idx()]);
+        mesh_.regions.push_back(std::uint32_t(region_of_face_[f.idx()]));
+      }
+    find_points();
+    find_lines(triangles.marked_edges);
   }
 
+  // Numbers them: vertices of the triangulation first, then copies that triangles have.
   void find_points()
   {
+    std::vector<bool> is_used(map_.points().size());
+    for (const Triangle& triangle : mesh_.triangles)
+      for (std::uint32_t v : triangle)
+        is_used[v] = true;
     for (Vertex_index v : complex_.vertices()) {
-      mesh_.points_of_vertices.push_back(std::uint32_t(mesh_.points.size()));
-      if (map_.image(v) == v.idx())
-        mesh_.points.push_back(map_.points()[v.idx()]);
-      else
+      is_used[v.idx()] = is_used[v.idx()] || map_.image(v) == v.idx();
+      if (map_.image(v) != v.idx())
         mesh_.merged_vertices.push_back(v);
     }
-    for (Vertex_index v : mesh_.merged_vertices)
-      mesh_.points_of_vertices[v.idx()] = mesh_.points_of_vertices[map_.image(v)];
+    for (std::uint32_t v = 0; v < is_used.size(); ++v) {
+      numbers_.push_back(std::uint32_t(mesh_.points.size()));
+      if (is_used[v])
+        mesh_.points.push_back(map_.points()[v]);
+    }
+    for (Vertex_index v : complex_.vertices())
+      mesh_.points_of_vertices.push_back(numbers_[map_.image(v)]);
     for (Triangle& triangle : mesh_.triangles)
       for (std::uint32_t& v : triangle)
-        v = mesh_.points_of_vertices[v];
+        v = numbers_[v];
   }
 
   // For each intrinsic face.
@@ -169,30 +184,27 @@ private:
     mesh_.number_of_regions = std::uint32_t(sets.number(region_of_face_));
   }
 
-  void find_lines()
+  void find_lines(const std::vector<std::array<std::uint32_t, 2>>& marked_edges)
   {
-    constexpr std::size_t none = (std::numeric_limits<std::size_t>::max)();
-    using Regions = std::pair<std::size_t, std::size_t>;
-    std::vector<Regions> regions;
-    for (Edge_index e : complex_.edges()) {
-      const Halfedge_index h = complex_.halfedge(e);
-      if (!is_marked_[e.idx()])
-        continue;
-      const auto region_at = [&](Halfedge_index side) {
-        return complex_.is_border(side) ? none : region_of_face_[complex_.face(side).idx()];
-      };
-      const std::array<std::uint32_t, 2> ends = {mesh_.points_of_vertices[complex_.source(h).idx()],
-                                                 mesh_.points_of_vertices[complex_.target(h).idx()]};
-      if (ends[0] == ends[1])
-        continue;
-      mesh_.marked_edges.push_back(ends);
-      regions.push_back(std::minmax(region_at(h), region_at(complex_.opposite(h))));
+    std::map<std::array<std::uint32_t, 2>, std::vector<std::uint32_t>> regions; // beside marked edges
+    for (const auto& [v, w] : marked_edges)
+      regions[{(std::min)(numbers_[v], numbers_[w]), (std::max)(numbers_[v], numbers_[w])}];
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto [v, w] = std::minmax(mesh_.triangles[t][i], mesh_.triangles[t][(i + 1) % 3]);
+        if (const auto edge = regions.find({v, w}); edge != regions.end())
+          edge->second.push_back(mesh_.regions[t]);
+      }
+    for (auto& [ends, beside] : regions) {
+      std::sort(beside.begin(), beside.end());
+      if (!beside.empty())
+        mesh_.marked_edges.push_back(ends);
     }
-    Disjoint_sets sets(regions.size());
-    std::map<std::pair<std::uint32_t, Regions>, std::uint32_t> edge_at; // a marked edge at each end, by its regions
-    for (std::uint32_t i = 0; i < regions.size(); ++i)
+    Disjoint_sets sets(mesh_.marked_edges.size());
+    std::map<std::pair<std::uint32_t, std::vector<std::uint32_t>>, std::uint32_t> edge_at; // each end, by the regions
+    for (std::uint32_t i = 0; i < mesh_.marked_edges.size(); ++i)
       for (std::uint32_t v : mesh_.marked_edges[i])
-        sets.unite(edge_at.try_emplace({v, regions[i]}, i).first->second, i);
+        sets.unite(edge_at.try_emplace({v, regions[mesh_.marked_edges[i]]}, i).first->second, i);
     std::vector<std::size_t> lines;
     mesh_.number_of_lines = std::uint32_t(sets.number(lines));
     mesh_.lines.assign(lines.begin(), lines.end());
@@ -209,19 +221,24 @@ private:
       if (angle >= thin_angle)
         continue;
       mesh_.thin_triangles.push_back(t);
-      double shortest = (std::numeric_limits<double>::infinity)();
+      std::array<double, 3> sides{};
       for (std::size_t i = 0; i < 3; ++i) {
         const Point &p = corners[i], &q = corners[(i + 1) % 3];
-        shortest = (std::min)(shortest, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
+        sides[i] = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
       }
-      const Halfedge_index h = complex_.halfedge(mesh_.faces[t]);
-      if (is_sharp_corner({map_.image(complex_.source(h)), map_.image(complex_.target(h)),
-                           map_.image(complex_.source(complex_.prev(h)))},
-                          mesh_.faces[t]))
+      std::sort(sides.begin(), sides.end());
+      const double height = sides[1] * std::sin(angle * CGAL_PI / 180); // over the longest side
+      const std::size_t at = smallest_angle(corners).second;
+      const auto is_marked = [&](std::size_t side) { // which are in order
+        const auto [v, w] = std::minmax(mesh_.triangles[t][side % 3], mesh_.triangles[t][(side + 1) % 3]);
+        return std::binary_search(mesh_.marked_edges.begin(), mesh_.marked_edges.end(),
+                                  std::array<std::uint32_t, 2>{v, w});
+      };
+      if (is_marked(at) && is_marked(at + 2))
         ++mesh_.number_of_sharp_corners;
       else
         mesh_.sufficient_deviation =
-          (std::max)(mesh_.sufficient_deviation, 1.1 * (std::max)(shortest, maximum_deviation));
+          (std::max)(mesh_.sufficient_deviation, 1.1 * (std::max)((std::min)(sides[0], height), maximum_deviation));
     }
   }
 
@@ -251,6 +268,9 @@ private:
   Straight_map map_;
   std::vector<bool> is_marked_;
   std::vector<std::size_t> region_of_face_;
+  const std::vector<bool>& is_fixed_; // the vertices that must not be merged
+  std::size_t number_of_bent_border_edges_ = 0;
+  std::vector<std::uint32_t> numbers_; // of the points of vertices and their copies
   Straight_mesh mesh_;
 };
 
@@ -258,7 +278,8 @@ private:
 } // namespace internal
 
 Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::vector<std::array<double, 3>>& points,
-                            const std::vector<bool>& is_marked, double thin_angle, double maximum_deviation)
+                            const std::vector<bool>& is_marked, double thin_angle, double maximum_deviation,
+                            const std::vector<bool>& is_fixed)
 {
   const auto check = [](std::size_t given, const char* what, std::size_t needed, const char* of_what) {
     if (given != needed)
@@ -271,7 +292,9 @@ Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::ve
   for (const std::array<double, 3>& p : points)
     if (!(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])))
       throw Invalid_argument_error("straight_mesh(): a coordinate of a point is not finite");
-  return internal::Straight_mesh_maker(subdivision, points).make(is_marked, thin_angle, maximum_deviation);
+  if (!is_fixed.empty())
+    check(is_fixed.size(), "marks of fixed vertices", subdivision.input().number_of_vertices(), "vertices");
+  return internal::Straight_mesh_maker(subdivision, points, is_fixed).make(is_marked, thin_angle, maximum_deviation);
 }
 
 std::string message(const Straight_mesh& mesh)
