@@ -11,6 +11,7 @@
 #include "input/flat_vertices.h"
 #include "input/saved_triangulation.h"
 #include "input/standard_input.h"
+#include "input/vertex_values.h"
 #include "output/Output_file.h"
 #include "output/write_straight_mesh.h"
 #include "system/Progress.h"
@@ -43,7 +44,7 @@ struct Refine_options
   std::string input;
   Refinement_options refinement;
   std::optional<double> flat_tolerance;
-  std::string constraints, kept_edges, flattened, maximum_deviation;
+  std::string constraints, whole, sizes, kept_edges, flattened, maximum_deviation;
   Repair_options repair;
   bool removes_flat_vertices = false;
   bool is_verified = false;
@@ -100,7 +101,13 @@ void check(const Refine_options& options)
   outputs.insert(outputs.end(), {options.kept_edges, options.flattened});
   if (!options.flattened.empty() && !is_straight_mesh_name(options.flattened))
     throw Usage_error("--flatten: " + options.flattened + " does not end in " + straight_mesh_extensions());
-  check_output_paths(outputs, {options.input, options.constraints});
+  if (criteria.normal_angle && !(*criteria.normal_angle > 0))
+    throw Usage_error("--maximum-normal-angle: A is larger than 0");
+  if (!(criteria.gradation > 0 && std::isfinite(criteria.gradation)))
+    throw Usage_error("--size-gradation: G is larger than 0");
+  if (options.removes_flat_vertices && !options.whole.empty() && options.whole != "border")
+    throw Usage_error("--keep-whole: --remove-flat-vertices renumbers the vertices that a file names");
+  check_output_paths(outputs, {options.input, options.constraints, options.whole, options.sizes});
 }
 
 // Writes once to the standard error that the budget will not suffice, as soon as two estimates in a row say so: the
@@ -141,6 +148,60 @@ std::uint64_t budget(const Surface& surface, const Refine_options& options)
     10 * std::uint64_t(surface.connectivity.number_of_vertices()) + 1000000);
 }
 
+// For each edge of the surface.
+std::vector<bool> read_edges(const std::string& path, const std::string& option, Surface& surface)
+{
+  const std::size_t number_of_points = surface.points.size();
+  std::vector<bool> result = read_constraints(path, surface);
+  if (surface.points.size() != number_of_points && (surface.saved || option != "--constraints"))
+    throw Usage_error(option + ": " + path +
+                      " has lines through faces, which need new vertices in the input: refine the mesh instead");
+  return result;
+}
+
+// Those of the border are no constraints.
+void add_whole_edges(const std::string& name, Surface& surface, Refinement_options& refinement)
+{
+  const IT::Delta_complex& complex = surface.connectivity;
+  std::vector<bool> result(complex.number_of_edges());
+  if (name == "border")
+    for (IT::Edge_index e : complex.edges())
+      result[e.idx()] = complex.is_border(e);
+  else
+    result = read_edges(name, "--keep-whole", surface);
+  refinement.is_constrained.resize(result.size());
+  for (IT::Edge_index e : complex.edges())
+    if (result[e.idx()] && !complex.is_border(e))
+      refinement.is_constrained[e.idx()] = true;
+  refinement.is_whole = std::move(result);
+}
+
+// Whether a vertex is an end of a flagged edge.
+std::vector<bool> ends(const std::vector<bool>& edges, const IT::Delta_complex& complex)
+{
+  std::vector<bool> result(edges.empty() ? 0 : complex.number_of_vertices());
+  for (IT::Halfedge_index h : complex.halfedges())
+    if (!edges.empty() && edges[complex.edge(h).idx()])
+      result[complex.source(h).idx()] = true;
+  return result;
+}
+
+// A size for each vertex; infinite where the table has none.
+std::vector<double> read_sizes(const std::string& path, const Surface& surface)
+{
+  std::vector<Named_values> columns = read_vertex_values(path, surface.connectivity.number_of_vertices());
+  if (columns.size() != 1)
+    throw Usage_error("--size-map: " + path + " has more columns than vertex,size");
+  std::vector<double> result = std::move(columns.front().values);
+  for (std::size_t v = 0; v < result.size(); ++v) {
+    if (std::isnan(result[v]))
+      result[v] = std::numeric_limits<double>::infinity();
+    if (!(result[v] > 0))
+      throw Usage_error("--size-map: " + path + ": the size at vertex " + std::to_string(v) + " is not positive");
+  }
+  return result;
+}
+
 Triangulation_result refine_surface(Surface surface, Run_options run_options, const Refine_options& options)
 {
   Budget_warning warning(surface.path, budget(surface, options));
@@ -149,14 +210,14 @@ Triangulation_result refine_surface(Surface surface, Run_options run_options, co
   if (surface.saved)
     is_constrained = surface.saved->is_constrained;
   if (!options.constraints.empty()) {
-    const std::size_t number_of_points = surface.points.size();
-    const std::vector<bool> read = read_constraints(options.constraints, surface);
-    if (surface.saved && surface.points.size() != number_of_points)
-      throw Usage_error("--constraints: " + options.constraints +
-                        " has lines through faces, which need new vertices in the input: refine the mesh instead");
+    const std::vector<bool> read = read_edges(options.constraints, "--constraints", surface);
     is_constrained.resize(read.size());
     std::transform(read.begin(), read.end(), is_constrained.begin(), is_constrained.begin(), std::logical_or<>());
   }
+  if (!options.whole.empty())
+    add_whole_edges(options.whole, surface, refinement);
+  if (!options.sizes.empty())
+    refinement.sizes = read_sizes(options.sizes, surface);
   refinement.look = [&](const IT::Refinement_progress& progress, const std::function<Short_side()>& where) {
     if (!progress.is_on_trial)
       warning.look(progress, where);
@@ -201,7 +262,8 @@ Exit_status refine_file(const std::string& path, const Refine_options& options)
     const double maximum = result.options.refinement->criteria.maximum_deviation;
     result.straight =
       IT::straight_mesh(*result.outcome.subdivision, result.surface.points, result.options.refinement->is_constrained,
-                        Triangulation_result::thin_angle, std::isfinite(maximum) ? maximum : 0);
+                        Triangulation_result::thin_angle, std::isfinite(maximum) ? maximum : 0,
+                        ends(result.options.refinement->is_whole, result.surface.connectivity));
     write_file(options.flattened,
                [&](std::ostream& os) { write_straight_mesh(os, *result.straight, options.flattened); });
   }
@@ -231,6 +293,7 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
                  "cone, a vertex with a small angle sum; small input angle, between edges that stay;\n"
                  "beside small input angle, across from two points at the same distance from such a corner;\n"
                  "unrepresentable, doubles are too coarse for the point; too small, below --minimum-size;\n"
+                 "whole edge, beside one of --keep-whole;\n"
                  "budget, time or the number of points ran out. The status is 4 only for the last of these.\n");
   command.add_option("INPUT", options->input, "as for `idt triangulate`")->required();
   add_option(command, "--minimum-angle", options->refinement.criteria.minimum_angle, "A",
@@ -240,6 +303,16 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
              "the largest circumradius allowed (default: unlimited)");
   add_option(command, "--maximum-edge-length", options->refinement.criteria.maximum_edge_length, "L",
              "the largest edge length allowed (default: unlimited)");
+  CLI::Option* const sizes =
+    add_option(command, "--size-map", options->sizes, "F.csv",
+               "how long edges may be at each vertex of the input: a table vertex,size. An edge may be as long as the "
+               "mean of the sizes at its ends, which are linear on the faces of the input");
+  add_option(command, "--maximum-normal-angle", options->refinement.criteria.normal_angle, "A",
+             "edges may be as long as the way on which the normal of the surface turns by A degrees; edges sharper "
+             "than --constrain-angle do not count (default: unlimited)");
+  add_option(command, "--size-gradation", options->refinement.criteria.gradation, "G",
+             "by which part of a length these sizes may grow along it; larger ones are lowered")
+    ->capture_default_str();
   add_option(
     command, "--maximum-deviation", options->maximum_deviation, "D[%]",
     "the largest distance allowed between the surface and the straight triangles of --flatten: a length, or a "
@@ -251,7 +324,8 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
              "irrelevantly thin sheets and slivers (default: 0, or up to 2^-14 of the box if smaller faces need many "
              "vertices)");
   add_option(command, "--maximum-points", options->refinement.maximum_number_of_points, "N",
-             "give up after this many new vertices (default: 1,000,000 and 10 for each vertex)")
+             "give up after this many new vertices (default: 1,000,000 and 10 for each vertex; then nothing is "
+             "done if lengths of edges need more, judged by areas)")
     ->transform(whole_number());
   add_option(command, "--constrain-angle", options->refinement.criteria.sharp_edge_angle, "D",
              "keep the edges whose two faces have normals that differ by more than D degrees: they may be split, "
@@ -260,6 +334,9 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
     add_option(command, "--constraints", options->constraints, "F.csv",
                "also keep these edges: pairs of vertices, one pair per line, or a CSV file of `idt geodesic` with a "
                "line on the surface, along which faces are cut first");
+  add_option(
+    command, "--keep-whole", options->whole, "F.csv|border",
+    "neither flip nor split these edges, or those of the border; a face that would need a vertex there is left");
   add_option(command, "--kept-edges", options->kept_edges, "F.(csv|vtp)",
              "write the edges of --constrain-angle and --constraints: pairs of vertices, which --constraints reads, "
              "or lines in space");
@@ -288,6 +365,7 @@ void add_refine_command(CLI::App& app, Selected_command& selected)
   options->files.add_options(command, repair);
   command.get_option("--repair-map")->excludes(flat);
   constraints->excludes(flat);
+  sizes->excludes(flat);
   command.callback([options, &selected] { selected = [options] { return run_refine(*options); }; });
 }
 

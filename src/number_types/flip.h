@@ -106,7 +106,8 @@ IT::Flip_report flip_with(IT::Intrinsic_triangulation<Traits>& triangulation, co
     if (job.options.refinement) {
       if (job.options.refinement->criteria.sharp_edge_angle)
         return {}; // it determines which edges are flipped before it, too
-      const std::vector<bool> is_constrained = first_constraints(triangulation, job);
+      const std::vector<bool> is_constrained =
+        first_constraints(triangulation, job, job.options.refinement->is_constrained);
       return IT::flip_to_Delaunay(triangulation, parameters.edge_is_constrained_map(edge_flags(is_constrained)));
     }
   return IT::flip_to_Delaunay(triangulation, parameters);

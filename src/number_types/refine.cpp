@@ -4,6 +4,7 @@
 #include "number_types/refine.h"
 
 #include "system/Stopwatch.h"
+#include "system/text.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -146,22 +148,31 @@ void refine(Filtered_triangulation& triangulation, const Job& job, Outcome& outc
   const Stopwatch stopwatch;
   outcome.refinement.emplace();
   Refinement_summary& summary = *outcome.refinement;
-  const std::vector<bool> is_constrained = first_constraints(triangulation, job);
+  const std::vector<bool> is_constrained = first_constraints(triangulation, job, options.is_constrained);
+  const std::vector<bool> is_whole = first_constraints(triangulation, job, options.is_whole);
+  const auto sizes = boost::make_function_property_map<IT::Vertex_index, double>([&](IT::Vertex_index v) {
+    return options.sizes.empty() ? std::numeric_limits<double>::infinity() : options.sizes[v.idx()];
+  });
   const auto parameters = CGAL::parameters::minimum_angle(options.criteria.minimum_angle)
                             .maximum_circumradius(options.criteria.maximum_circumradius)
                             .maximum_edge_length(options.criteria.maximum_edge_length)
                             .maximum_deviation(options.criteria.maximum_deviation)
                             .minimum_size(options.criteria.minimum_size)
                             .sharp_edge_angle(options.criteria.sharp_edge_angle)
+                            .maximum_normal_angle(options.criteria.normal_angle)
+                            .size_gradation(options.criteria.gradation)
                             .edge_is_constrained_map(edge_flags(is_constrained))
+                            .whole_edges_map(edge_flags(is_whole))
+                            .maximum_number(options.maximum_number_of_points)
+                            .size_map(sizes)
                             .visitor(std::ref(visitor));
   try {
-    summary.report =
-      options.maximum_number_of_points
-        ? IT::refine_Delaunay(triangulation, parameters.maximum_number(*options.maximum_number_of_points))
-        : IT::refine_Delaunay(triangulation, parameters);
+    summary.report = IT::refine_Delaunay(triangulation, parameters);
   } catch (const IT::Invalid_surface_error&) {
     throw;
+  } catch (const IT::Too_many_vertices_error& error) {
+    throw IT::Error("edges of these lengths need about " + with_separators(error.number()) +
+                    " new vertices: allow longer ones, or set --maximum-points N");
   } catch (const IT::Invalid_argument_error& error) {
     throw IT::Invalid_argument_error(job.surface.path + ": " + error.what());
   } catch (const IT::Cancelled_error&) {
@@ -208,9 +219,9 @@ std::vector<bool> constrained_parts(const Filtered_triangulation& triangulation,
   return result;
 }
 
-std::vector<bool> first_constraints(const Filtered_triangulation& triangulation, const Job& job)
+std::vector<bool> first_constraints(const Filtered_triangulation& triangulation, const Job& job,
+                                    const std::vector<bool>& is_constrained)
 {
-  const std::vector<bool>& is_constrained = job.options.refinement->is_constrained;
   if (!job.surface.saved || is_constrained.empty())
     return is_constrained;
   const IT::Delta_complex &input = triangulation.input(), &complex = triangulation.connectivity();

@@ -39,7 +39,8 @@ std::vector<bool> constrained_parts(const Filtered_triangulation& triangulation,
 
 // The same before the refinement, when the triangulation is its input except for flips, or was saved.
 // \exception Invalid_surface_error if one of these edges was flipped before the triangulation was saved
-std::vector<bool> first_constraints(const Filtered_triangulation& triangulation, const Job& job);
+std::vector<bool> first_constraints(const Filtered_triangulation& triangulation, const Job& job,
+                                    const std::vector<bool>& is_constrained);
 
 } // namespace idt
 

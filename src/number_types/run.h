@@ -68,6 +68,8 @@ struct Refinement_criteria
   double maximum_deviation = std::numeric_limits<double>::infinity();
   std::optional<double> minimum_size;     // the library chooses it otherwise
   std::optional<double> sharp_edge_angle; // in degrees
+  std::optional<double> normal_angle;     // likewise
+  double gradation = 0.3;                 // of sizes
 };
 
 // The task of Delaunay refinement after the flips.
@@ -76,6 +78,8 @@ struct Refinement_options
   Refinement_criteria criteria;
   std::optional<std::uint64_t> maximum_number_of_points;
   std::vector<bool> is_constrained; // for each input edge: whether no flip may remove it
+  std::vector<bool> is_whole;       // for each input edge: whether it must not be split, either
+  std::vector<double> sizes;        // at each vertex of the input: how long edges may be
   // Called before each face is refined, and may ask where that face is.
   std::function<void(const CGAL::Intrinsic_triangulations::Refinement_progress&, const std::function<Short_side()>&)>
     look;

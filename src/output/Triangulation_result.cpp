@@ -25,9 +25,20 @@ std::string first_of(const std::vector<IT::Edge_index>& edges, const IT::Delta_c
   return text;
 }
 
-// The text before "Delaunay", which holds at every moment of a refinement.
-std::string describe_refinement(const Outcome& outcome)
+// Whether the straight triangles are a surface, and are as good as was requested.
+bool are_straight_triangles_good(const Triangulation_result& result)
 {
+  if (!result.straight)
+    return true;
+  const double maximum = result.options.refinement->criteria.maximum_deviation;
+  return result.straight->is_surface() && result.straight->deviation <= maximum &&
+         (std::isinf(maximum) || result.straight->has_good_angles());
+}
+
+// The text before "Delaunay", which holds at every moment of a refinement.
+std::string describe_refinement(const Triangulation_result& result)
+{
+  const Outcome& outcome = result.outcome;
   if (!outcome.refinement)
     return {};
   const IT::Refinement_report& report = outcome.refinement->report;
@@ -35,6 +46,8 @@ std::string describe_refinement(const Outcome& outcome)
     return "not refined: cancelled; ";
   switch (report.status) {
   case IT::Refinement_status::REFINED:
+    if (!are_straight_triangles_good(result))
+      return {}; // whatever the intrinsic faces are
     return report.unrefined.empty() ? "refined, "
                                     : "refined but for " + counted(report.unrefined.size(), "face", "faces") + ", ";
   case IT::Refinement_status::BUDGET_EXHAUSTED:
@@ -50,23 +63,13 @@ std::string describe_refinement(const Outcome& outcome)
   return {};
 }
 
-// Whether the straight triangles are a surface, and are as good as was requested.
-bool are_straight_triangles_good(const Triangulation_result& result)
-{
-  if (!result.straight)
-    return true;
-  const double maximum = result.options.refinement->criteria.maximum_deviation;
-  return result.straight->is_surface() && result.straight->deviation <= maximum &&
-         (std::isinf(maximum) || result.straight->has_good_angles());
-}
-
 std::string describe_straight_triangles(const Triangulation_result& result)
 {
   if (are_straight_triangles_good(result))
     return {};
   const IT::Straight_mesh& mesh = *result.straight;
   const double maximum = result.options.refinement->criteria.maximum_deviation;
-  std::string text = "; but the straight triangles ";
+  std::string text = "the straight triangles ";
   if (!mesh.is_surface())
     text += "are no surface: " + message(mesh);
   else if (!(mesh.deviation <= maximum))
@@ -79,7 +82,8 @@ std::string describe_straight_triangles(const Triangulation_result& result)
          (std::isinf(maximum) ? "try --maximum-deviation 0.1%"
           : mesh.sufficient_deviation > 0
             ? "try --maximum-deviation " + in_short(mesh.sufficient_deviation) + ", or a larger --minimum-size"
-            : "try a larger --minimum-size");
+            : "try a larger --minimum-size") +
+         "; only the intrinsic triangulation is ";
 }
 
 } // namespace
@@ -97,6 +101,8 @@ const char* name(IT::Refinement_obstacle reason)
     return "unrepresentable";
   case IT::Refinement_obstacle::TOO_SMALL:
     return "too small";
+  case IT::Refinement_obstacle::WHOLE_EDGE:
+    return "whole edge";
   case IT::Refinement_obstacle::BUDGET:
     return "budget";
   }
@@ -198,8 +204,8 @@ std::string describe_status(const Triangulation_result& result)
     return "not Delaunay: " + describe_verification(outcome);
   switch (report.status) {
   case IT::Flip_status::DELAUNAY:
-    return describe_refinement(outcome) + (outcome.verification ? "Delaunay, verified" : "Delaunay") +
-           describe_straight_triangles(result);
+    return describe_refinement(result) + describe_straight_triangles(result) +
+           (outcome.verification ? "Delaunay, verified" : "Delaunay");
   case IT::Flip_status::INCONSISTENT:
     // Either diagonal of a tie is right, whatever rounding does.
     return std::string(outcome.verification ? "verified Delaunay, but only by chance: " : "not Delaunay: ") +

@@ -258,32 +258,41 @@ const char* name_of(IT::Refinement_obstacle obstacle)
          : obstacle == Obstacle::BESIDE_SMALL_INPUT_ANGLE ? "beside_small_input_angle"
          : obstacle == Obstacle::UNREPRESENTABLE          ? "unrepresentable"
          : obstacle == Obstacle::TOO_SMALL                ? "too_small"
+         : obstacle == Obstacle::WHOLE_EDGE               ? "whole_edge"
                                                           : "budget";
 }
 
 py::tuple refine(Surface& surface, double minimum_angle, double maximum_circumradius, double maximum_edge_length,
                  const std::optional<Booleans>& constrained, const std::optional<std::uint64_t>& maximum_number,
                  double maximum_deviation, const std::optional<double>& minimum_size,
-                 const std::optional<double>& sharp_edge_angle)
+                 const std::optional<double>& sharp_edge_angle, const std::optional<Booleans>& whole,
+                 const std::optional<Doubles>& given_sizes, const std::optional<double>& normal_angle, double gradation)
 {
   require(!minimum_size || *minimum_size >= 0, "minimum_size has to be at least 0");
   require(minimum_angle >= 0 && minimum_angle <= 30, "minimum_angle has to be from 0 to 30 degrees");
   require(maximum_circumradius > 0 && maximum_edge_length > 0 && maximum_deviation > 0,
           "maximum_circumradius, maximum_edge_length and maximum_deviation have to be positive");
-  const std::vector<bool> is_constrained = copied_marks(constrained);
+  const std::vector<bool> is_constrained = copied_marks(constrained), is_whole = copied_marks(whole);
+  const std::vector<double> sizes = given_sizes ? copied(*given_sizes) : std::vector<double>();
   const IT::Refinement_report report = surface.use([&](Triangulation& t) {
     check_marks(t, is_constrained);
-    return IT::refine_Delaunay(
-      t, parameters::minimum_angle(minimum_angle)
-           .maximum_circumradius(maximum_circumradius)
-           .maximum_edge_length(maximum_edge_length)
-           .maximum_deviation(maximum_deviation)
-           .minimum_size(minimum_size)
-           .sharp_edge_angle(sharp_edge_angle)
-           .edge_is_constrained_map(constrained_edges(is_constrained))
-           .visitor(Signal_visitor())
-           .maximum_number(maximum_number ? *maximum_number
-                                          : 10 * std::uint64_t(t.connectivity().number_of_vertices()) + 1000000));
+    check_marks(t, is_whole);
+    const std::size_t n = t.input().number_of_vertices();
+    require(sizes.empty() || sizes.size() == n, "there is not one size for each vertex of the input");
+    const auto size = [&](IT::Vertex_index v) { return sizes.empty() ? HUGE_VAL : sizes[v.idx()]; };
+    return IT::refine_Delaunay(t, parameters::minimum_angle(minimum_angle)
+                                    .maximum_circumradius(maximum_circumradius)
+                                    .maximum_edge_length(maximum_edge_length)
+                                    .maximum_deviation(maximum_deviation)
+                                    .minimum_size(minimum_size)
+                                    .sharp_edge_angle(sharp_edge_angle)
+                                    .maximum_normal_angle(normal_angle)
+                                    .size_gradation(gradation)
+                                    .size_map(boost::make_function_property_map<IT::Vertex_index, double>(size))
+                                    .edge_is_constrained_map(constrained_edges(is_constrained))
+                                    .whole_edges_map(constrained_edges(is_whole))
+                                    .visitor(Signal_visitor())
+                                    .maximum_number(maximum_number));
   });
   Numbers unrefined;
   py::dict number_of_faces;
@@ -295,9 +304,9 @@ py::tuple refine(Surface& surface, double minimum_angle, double maximum_circumra
   const auto numbers = report.numbers_by_reason();
   for (std::size_t reason = 0; reason < numbers.size(); ++reason)
     number_of_faces[name_of(IT::Refinement_obstacle(reason))] = numbers[reason];
-  return py::make_tuple(report.status == IT::Refinement_status::REFINED, report.insertions, report.segment_splits,
-                        report.flips, to_array(std::move(unrefined)), to_array(std::move(reasons)), number_of_faces,
-                        report.minimum_size);
+  return py::make_tuple(report.is_refined(), report.insertions, report.segment_splits, report.flips,
+                        to_array(std::move(unrefined)), to_array(std::move(reasons)), number_of_faces,
+                        report.minimum_size, report.status == IT::Refinement_status::REFINED);
 }
 
 py::array sharp_edges(Surface& surface, const Doubles& points, double degrees, double minimum_size)
@@ -384,7 +393,8 @@ void add_triangulation(py::module_& module)
     .def("verify", &verify, py::arg("constrained").noconvert())
     .def("refine", &refine, py::arg("minimum_angle"), py::arg("maximum_circumradius"), py::arg("maximum_edge_length"),
          py::arg("constrained").noconvert(), py::arg("maximum_number"), py::arg("maximum_deviation"),
-         py::arg("minimum_size"), py::arg("sharp_edge_angle"))
+         py::arg("minimum_size"), py::arg("sharp_edge_angle"), py::arg("whole").noconvert(),
+         py::arg("sizes").noconvert(), py::arg("normal_angle"), py::arg("gradation"))
     .def("sharp_edges", &sharp_edges, py::arg("points").noconvert(), py::arg("degrees"), py::arg("minimum_size"))
     .def("stiffness",
          [](Surface& surface) {

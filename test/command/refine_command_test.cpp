@@ -14,6 +14,7 @@
 #include <map>
 #include <sstream>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -435,7 +436,8 @@ TEST_F(Refine_command, flattens)
                    "3 1 3 7\n3 1 7 5\n");
   run = idt("refine box.off --flatten f.off --stats s.json");
   EXPECT_EQ(run.status, 4);
-  EXPECT_TRUE(contains(run.err, "but the straight triangles are no surface: ")) << run.err;
+  EXPECT_TRUE(contains(run.err, "the straight triangles are no surface: ")) << run.err;
+  EXPECT_FALSE(contains(run.out + run.err, "refined")) << run.out;
   EXPECT_EQ(stats()["status"], "no surface");
   std::istringstream box(content(folder_ / "f.off").substr(4));
   box >> vertices >> faces;
@@ -509,13 +511,108 @@ TEST_F(Refine_command, refines_surfaces_that_have_lengths_alone)
   EXPECT_TRUE(contains(run.err, "--constrain-angle needs a surface in space"));
 }
 
+// A square of n² unit squares in the plane.
+std::string sheet(int n)
+{
+  std::ostringstream off;
+  off << "OFF\n" << (n + 1) * (n + 1) << ' ' << 2 * n * n << " 0\n";
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j)
+      off << i << ' ' << j << " 0\n";
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const int v = i * (n + 1) + j, w = v + n + 1;
+      off << "3 " << v << ' ' << w << ' ' << w + 1 << "\n3 " << v << ' ' << w + 1 << ' ' << v + 1 << '\n';
+    }
+  return off.str();
+}
+
+TEST_F(Refine_command, keeps_edges_whole)
+{
+  write("sheet.off", sheet(4));
+  Command_run run = idt("refine sheet.off --maximum-edge-length 0.4 --keep-whole border --verify --stats s.json "
+                        "--points p.csv --flatten f.off --maximum-deviation 1e-3");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(stats()["segment_splits"], 0);
+  EXPECT_GT(stats()["inserted"], 20);
+  for (const std::vector<double>& row : rows("p.csv"))
+    EXPECT_TRUE(row[5] > 0 && row[5] < 4 && row[6] > 0 && row[6] < 4);
+  for (const auto& [reason, number] : stats()["unrefined"].items())
+    EXPECT_EQ(reason, "whole edge");
+  EXPECT_TRUE(contains(run.out, "faces: whole edge")) << run.out;
+  // Two edges inside, one of which is split otherwise.
+  write("w.csv", "6,7\n12,7\n");
+  const std::string options = "refine sheet.off --maximum-edge-length 0.4 --edges e.csv --stats s.json ";
+  const auto has_edge = [&] {
+    const auto edges = rows("e.csv");
+    return std::any_of(edges.begin(), edges.end(), [](const std::vector<double>& row) {
+      return std::minmax(row[0], row[1]) == std::minmax(6., 7.);
+    });
+  };
+  ASSERT_EQ(idt(options + "--keep-whole w.csv").status, 0);
+  EXPECT_TRUE(has_edge());
+  EXPECT_EQ(stats()["kept_edges"], 2);
+  EXPECT_GT(stats()["segment_splits"], 0);
+  ASSERT_EQ(idt(options + "--constraints w.csv").status, 0);
+  EXPECT_FALSE(has_edge());
+  write("bad.csv", "0,24\n");
+  run = idt(options + "--keep-whole bad.csv");
+  EXPECT_EQ(run.status, 3);
+  EXPECT_TRUE(contains(run.err, "bad.csv, line 1: no edge joins vertex 0 and vertex 24")) << run.err;
+  EXPECT_EQ(idt(options + "--keep-whole w.csv --remove-flat-vertices").status, 2);
+  EXPECT_EQ(idt(options + "--keep-whole border --remove-flat-vertices").status, 0);
+}
+
+TEST_F(Refine_command, takes_sizes_from_a_table)
+{
+  write("sheet.off", sheet(4));
+  write("sizes.csv", "vertex,size\n0,0.05\n");
+  ASSERT_EQ(idt("refine sheet.off --size-map sizes.csv --edges e.csv --stats s.json").status, 0);
+  const int vertices = stats()["vertices"];
+  EXPECT_GT(vertices, 60);
+  double at_corner = 0;
+  for (const std::vector<double>& row : rows("e.csv"))
+    if (row[0] == 0 || row[1] == 0)
+      at_corner = (std::max)(at_corner, row[2]);
+  EXPECT_LT(at_corner, 0.06);
+  ASSERT_EQ(idt("refine sheet.off --size-map sizes.csv --size-gradation 1 --stats s.json").status, 0);
+  EXPECT_LT(stats()["vertices"], vertices);
+  for (const auto& [table, status, message] :
+       {std::tuple("vertex,size\n3,0\n", 2, "the size at vertex 3 is not positive"),
+        std::tuple("vertex,size\n25,1\n", 3, "there is no vertex 25"),
+        std::tuple("vertex,size,other\n2,1,1\n", 2, "more columns than vertex,size")}) {
+    write("bad.csv", table);
+    const Command_run run = idt("refine sheet.off --size-map bad.csv");
+    EXPECT_EQ(run.status, status) << table;
+    EXPECT_TRUE(contains(run.err, message)) << run.err;
+  }
+  ASSERT_EQ(idt("sample bumpy-sphere -o b.off").status, 0);
+  ASSERT_EQ(idt("refine b.off --maximum-normal-angle 3 --stats s.json").status, 0);
+  const int fine = stats()["vertices"];
+  ASSERT_EQ(idt("refine b.off --maximum-normal-angle 6 --stats s.json").status, 0);
+  EXPECT_LT(stats()["vertices"], fine / 2);
+}
+
+// At once, rather than after a million vertices.
+TEST_F(Refine_command, estimates_the_vertices_first)
+{
+  write("sheet.off", sheet(1));
+  const Command_run run = idt("refine sheet.off --maximum-edge-length 0.0001 --stats s.json");
+  EXPECT_EQ(run.status, 4);
+  EXPECT_TRUE(contains(run.err, "need about 2")) << run.err;
+  EXPECT_TRUE(contains(run.err, "new vertices: allow longer ones, or set --maximum-points N")) << run.err;
+  EXPECT_EQ(idt("refine sheet.off --maximum-edge-length 0.0001 --maximum-points 50 --stats s.json").status, 4);
+  EXPECT_EQ(stats()["inserted"], 50);
+}
+
 TEST_F(Refine_command, refuses_senseless_bounds)
 {
   write_kite("kite.off");
   for (const char* const options :
        {"--minimum-angle 30.1", "--minimum-angle -1", "--minimum-angle nan", "--maximum-circumradius 0",
         "--maximum-circumradius nan", "--maximum-edge-length -2", "--constrain-angle 181", "--constrain-angle nan",
-        "--maximum-points -1", "--points kite.off"}) {
+        "--maximum-points -1", "--points kite.off", "--size-gradation 0", "--size-gradation inf",
+        "--maximum-normal-angle 0"}) {
     const Command_run run = idt(std::string("refine kite.off ") + options);
     EXPECT_EQ(run.status, 2) << options;
     EXPECT_NE(run.err, "") << options;

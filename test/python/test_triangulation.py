@@ -142,7 +142,7 @@ def test_refinement(thin):
 def test_smallest_size_of_refinement():
     t = it.Triangulation([[0, 0, 0], [1, 0, 0], [1, 1e-9, 0], [0, 1e-9, 0]], [[0, 1, 2], [0, 2, 3]])
     report = t.refine(minimum_size=0.001)
-    assert report.is_refined and report.insertions + report.segment_splits == 0
+    assert report.is_finished and not report.is_refined and report.insertions + report.segment_splits == 0
     assert list(report.unrefined) == [0, 1] and list(report.reasons) == [4, 4] and report.number_by_reason["too_small"] == 2
     assert report.minimum_size == 0.001
     for bad in (-1, "1"):
@@ -165,8 +165,8 @@ def test_bounds_of_refinement():
     assert t.lengths.max() <= 0.3
     t = it.Triangulation(V, F)
     report = t.refine(25, maximum_circumradius=0.05, max_insertions=5)
-    assert not report.is_refined and report.insertions + report.segment_splits == 5
-    assert set(report.reasons) == {5} and report.number_by_reason["budget"] == len(report.unrefined) > 0
+    assert not report.is_finished and not report.is_refined and report.insertions + report.segment_splits == 5
+    assert set(report.reasons) == {6} and report.number_by_reason["budget"] == len(report.unrefined) > 0
     for bad in (31, -1, numpy.nan, "25", None):
         with pytest.raises(ValueError):
             t.refine(bad)
@@ -201,12 +201,12 @@ def test_sharp_edges_are_kept():
     assert numpy.array_equal(t.edges_between(ridge[:, ::-1]), sharp)
     u, s = it.Triangulation(V, F), it.Triangulation(V, F)
     report = u.refine(sharp_edge_angle=30)
-    assert report.is_refined and report.minimum_size > 1e-6
+    assert report.is_finished and report.minimum_size > 1e-6
     again = s.refine(constrained=s.sharp_edges(30, report.minimum_size), minimum_size=report.minimum_size)
     assert numpy.array_equal(u.edges, s.edges) and again.flips == report.flips
     with pytest.raises(ValueError, match="between 0 and 180"):
         it.Triangulation(V, F).refine(sharp_edge_angle=200)
-    assert t.refine(constrained=sharp, minimum_size=1e-3).is_refined
+    assert t.refine(constrained=sharp, minimum_size=1e-3).is_finished
     for bad in (-1, 181, numpy.nan, "30"):
         with pytest.raises(ValueError):
             t.sharp_edges(bad)
@@ -218,6 +218,54 @@ def test_sharp_edges_are_kept():
         t.edges_between([[0, 800]])
     with pytest.raises(ValueError):
         it.Triangulation.from_lengths([[0, 1, 2]], [[1, 1, 1]]).sharp_edges(30)
+
+
+def test_whole_edges():
+    V, F = grid(4)
+    t = it.Triangulation(V, F)
+    border = numpy.bincount(t.edges_of_faces.ravel()) == 1
+    report = t.refine(maximum_edge_length=0.4, whole="border")
+    assert report.is_finished and report.segment_splits == 0 and report.insertions > 20
+    assert set(report.reasons) <= {list(report.number_by_reason).index("whole_edge")}
+    assert numpy.allclose(t.lengths[:len(border)][border], 1)
+    again = it.Triangulation(V, F)
+    assert again.refine(maximum_edge_length=0.4, whole=border).insertions == report.insertions
+    assert numpy.array_equal(again.edges, t.edges)
+    for bad in ("inside", border[:5], numpy.ones(len(border))):
+        with pytest.raises(ValueError):
+            it.Triangulation(V, F).refine(whole=bad)
+
+
+def test_sizes():
+    V, F = grid(4)
+    sizes = numpy.full(len(V), numpy.inf)
+    sizes[0] = 0.02
+    t = it.Triangulation(V, F)
+    assert t.refine(sizes=sizes).is_refined
+    ends = t.positions[t.edges]
+    assert (t.lengths <= 0.021 + 0.3 * 1.42 * numpy.linalg.norm(ends - V[0], axis=2).mean(axis=1)).all()
+    assert 50 < t.number_of_vertices < 3000
+    steep = it.Triangulation(V, F)
+    steep.refine(sizes=sizes, size_gradation=1)
+    assert steep.number_of_vertices < t.number_of_vertices
+    with pytest.raises(ValueError, match="vertex 3 is not positive"):
+        it.Triangulation(V, F).refine(sizes=numpy.where(numpy.arange(len(V)) == 3, 0., 1.))
+    for bad in (dict(sizes=sizes[1:]), dict(size_gradation=0), dict(maximum_normal_angle=-1)):
+        with pytest.raises(ValueError):
+            it.Triangulation(V, F).refine(**bad)
+    V, F = icosphere(1)
+    t, fine = it.Triangulation(V, F), it.Triangulation(V, F)
+    t.refine(maximum_normal_angle=20)
+    fine.refine(maximum_normal_angle=5)
+    assert fine.number_of_vertices > 6 * t.number_of_vertices
+
+
+def test_far_too_many_vertices():
+    t = it.Triangulation(*grid(3))
+    with pytest.raises(ValueError, match="about [0-9]+ new vertices"):
+        t.refine(maximum_edge_length=1e-5)
+    assert t.number_of_vertices == len(grid(3)[0])
+    assert not t.refine(maximum_edge_length=1e-5, max_insertions=10).is_finished
 
 
 def test_large_and_small_units():

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Index.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 
@@ -80,6 +81,25 @@ class Invalid_argument_error : public Error
 {
 public:
   using Error::Error;
+};
+
+/// \brief is thrown if a refinement would need more new vertices than its default maximum.
+class Too_many_vertices_error : public Invalid_argument_error
+{
+public:
+  /// constructs the error from the estimated number and the maximum, which the message contains.
+  Too_many_vertices_error(std::uint64_t number, std::uint64_t maximum)
+    : Invalid_argument_error("edges of these lengths need about " + std::to_string(number) +
+                             " new vertices, more than the default maximum of " + std::to_string(maximum) +
+                             ": allow longer edges, or set the maximum number of vertices"),
+      number_(number)
+  {}
+
+  /// returns the estimated number.
+  std::uint64_t number() const { return number_; }
+
+private:
+  std::uint64_t number_;
 };
 
 /// \brief is thrown if a point does not lie on the surface; the message says why.

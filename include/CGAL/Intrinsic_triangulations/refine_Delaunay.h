@@ -68,6 +68,8 @@ struct Refinement_run
   const Segments_by_size& segments;
   Observer& observer;
   const std::uint64_t maximum_number;
+  const std::vector<bool>& is_whole;
+  const std::uint64_t most_estimated; // vertices
   std::vector<bool> is_segment = {};
   std::uint64_t flips_before = 0;
 
@@ -85,11 +87,13 @@ struct Refinement_run
 
   Result operator()(const Refinement_trial& trial)
   {
-    Delaunay_refiner<Traits, Observer> refiner(triangulation, criteria, is_segment, observer, maximum_number, trial);
+    Delaunay_refiner<Traits, Observer> refiner(triangulation, criteria, is_segment, is_whole, observer, maximum_number,
+                                               trial);
     std::optional<Interruption_scope<Intrinsic_triangulation<Traits>>> scope;
     if constexpr (!Observer::Is_silent::value)
       scope.emplace(triangulation, [&refiner] { return refiner.asks_further(); });
-    Result result{refiner(), refiner.number_of_close_vertices(), (std::numeric_limits<double>::infinity)()};
+    Result result{refiner(most_estimated), refiner.number_of_close_vertices(),
+                  (std::numeric_limits<double>::infinity)()};
     Refinement_report& report = result.report;
     report.flips += flips_before;
     if (!refiner.is_given_up() && report.status == Refinement_status::REFINED)
@@ -118,8 +122,13 @@ Refinement_report refine_by_trial(Refinement_run<Traits, Observer>& run,
   Triangulation& triangulation = run.triangulation;
   const double unit = extent(engine(triangulation));
   std::vector<int> levels = {-21, -20, -17, -14};
-  // Triangles that follow a curve may be that small.
-  while (!levels.empty() && std::ldexp(unit, levels.back()) > run.criteria.maximum_deviation / 16)
+  // Triangles that follow a curve, or are wanted, may be that small.
+  const auto& criteria = run.criteria;
+  double smallest =
+    (std::min)({criteria.maximum_deviation, criteria.maximum_edge_length, criteria.maximum_circumradius});
+  for (double size : criteria.sizes)
+    smallest = (std::min)(smallest, size);
+  while (!levels.empty() && std::ldexp(unit, levels.back()) > smallest / 16)
     levels.pop_back();
   if (levels.empty())
     return run({}).report;
@@ -226,6 +235,34 @@ Refinement_report refine_by_trial(Refinement_run<Traits, Observer>& run,
 ///     \cgalParamType{`double`}
 ///     \cgalParamDefault{infinity}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{whole_edges_map}
+///     \cgalParamDescription{which edges must neither be flipped nor split, of the border or inside. Vertices may come
+///       closer to them than to others, but not so close that a triangle there gets a smaller angle than `minimum_angle`
+///       and than before. Faces that would need a vertex on such an edge are listed}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `Edge_index` as key type and `bool` as value type, which
+///       is read only at the beginning}
+///     \cgalParamDefault{no such edges}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{size_map}
+///     \cgalParamDescription{how long edges may be at each vertex of the input, in its unit. Sizes are linear on the faces
+///       of the input, and an edge may be as long as the mean of those at its ends}
+///     \cgalParamType{a class model of `ReadablePropertyMap` with `Vertex_index` as key type and `double` as value type;
+///       positive, or infinite}
+///     \cgalParamDefault{infinity}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_normal_angle}
+///     \cgalParamDescription{edges may be as long as the way on which the normal of the surface turns by this angle in
+///       degrees, but 2^-12 of the extent at least. This adds to `size_map`. Edges say how much the surface is bent
+///       unless they are not flipped, or sharper than `sharp_edge_angle`. The surface has to have points}
+///     \cgalParamType{`double`, positive, or `std::optional<double>`}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{size_gradation}
+///     \cgalParamDescription{by how much sizes may grow along edges of the input, as a part of their lengths; larger ones
+///       are lowered}
+///     \cgalParamType{`double`, positive}
+///     \cgalParamDefault{0.3}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{splits_encroached_edges}
 ///     \cgalParamDescription{whether to first split edges that are not flipped until no angle opposite to them is
 ///       obtuse, even if no face needs it. Then no cotangent weight of the border is negative}
@@ -245,14 +282,16 @@ Refinement_report refine_by_trial(Refinement_run<Traits, Observer>& run,
 ///   \cgalParamNBegin{maximum_number}
 ///     \cgalParamDescription{the maximum number of new vertices}
 ///     \cgalParamType{`std::uint64_t`}
-///     \cgalParamDefault{ten for each vertex, and a million}
+///     \cgalParamDefault{ten for each vertex, and a million. Then refinement does not begin if lengths of edges need more,
+///       judged by areas}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return the report. The triangulation is Delaunay
 /// \exception Invalid_argument_error if the minimum angle is more than 30 degrees, the minimum size is negative, or the
 ///   angle of sharp edges is out of range, the surface has no points for them, or one was flipped before; or if the
-///   maximum deviation is not positive, or the surface has no points for it
+///   maximum deviation, a size or a gradation is not positive, or the surface has no points for it
+/// \exception Too_many_vertices_error as the default of `maximum_number` says
 /// \exception Cancelled_error if the visitor asks for it, or as `insert_vertex()`
 /// \exception Integer_overflow_error, Undecided_error as `insert_vertex()`. The triangulation is valid after any
 ///   exception, and another call continues
@@ -281,11 +320,27 @@ Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation
     throw Invalid_argument_error("the minimum angle of a refinement has to be at most 30 degrees, the minimum size at "
                                  "least 0, and the maximum deviation larger than 0");
   const auto is_constrained = internal::edge_constraints_of(np);
+  const auto is_whole_edge = internal::marked_edges_of(np, internal::Parameter_tag<Parameter::WHOLE_EDGES_MAP>());
   const internal::Standard_arithmetic arithmetic;
   const Delta_complex& complex = triangulation.connectivity();
   std::vector<bool> is_segment(complex.number_of_edges());
-  for (Edge_index e : complex.edges())
-    is_segment[e.idx()] = complex.is_border(e) || get(is_constrained, e);
+  std::vector<bool> is_whole(complex.number_of_edges());
+  for (Edge_index e : complex.edges()) {
+    is_whole[e.idx()] = get(is_whole_edge, e);
+    is_segment[e.idx()] = complex.is_border(e) || is_whole[e.idx()] || get(is_constrained, e);
+  }
+  internal::Wanted_sizes sizes;
+  if constexpr (!parameters::is_default_parameter<NamedParameters,
+                                                  internal::Parameter_tag<Parameter::SIZE_MAP>>::value) {
+    const auto size_map = get_parameter(np, internal::Parameter_tag<Parameter::SIZE_MAP>());
+    for (Vertex_index v : triangulation.input().vertices())
+      sizes.given.push_back(get(size_map, v));
+  }
+  sizes.normal_angle = value_of<Parameter::MAXIMUM_NORMAL_ANGLE>(np, sizes.normal_angle);
+  sizes.gradation = value_of<Parameter::SIZE_GRADATION>(np, sizes.gradation);
+  sizes.sharp_edge_angle =
+    value_of<Parameter::SHARP_EDGE_ANGLE>(np, std::optional<double>()).value_or(sizes.sharp_edge_angle);
+  criteria.sizes = internal::sizes_of_input(internal::engine(triangulation), std::move(sizes), is_segment);
   auto observer = internal::observer_of(np);
   const std::uint32_t number_of_given_vertices = complex.number_of_vertices();
   if (std::isfinite(criteria.maximum_deviation))
@@ -293,11 +348,19 @@ Refinement_report refine_Delaunay(Intrinsic_triangulation<Traits>& triangulation
   for (std::uint32_t v = number_of_given_vertices; v < complex.number_of_vertices(); ++v)
     observer.after_insertion(Vertex_index(v));
   const std::uint32_t number_of_vertices_on_folds = complex.number_of_vertices() - number_of_given_vertices;
-  const std::uint64_t maximum_number = choose_parameter(get_parameter(np, internal_np::maximum_number),
-                                                        10 * std::uint64_t(complex.number_of_vertices()) + 1000000);
+  const auto given_maximum = std::optional<std::uint64_t>(
+    choose_parameter(get_parameter(np, internal_np::maximum_number), std::optional<std::uint64_t>()));
+  const std::uint64_t default_maximum = 10 * std::uint64_t(number_of_given_vertices) + 1000000;
   const internal::Segments_by_size segments(internal::engine(triangulation), std::move(is_segment),
                                             value_of<Parameter::SHARP_EDGE_ANGLE>(np, std::optional<double>()));
-  internal::Refinement_run<Traits, decltype(observer)> run{triangulation, criteria, segments, observer, maximum_number};
+  internal::Refinement_run<Traits, decltype(observer)> run{triangulation,
+                                                           criteria,
+                                                           segments,
+                                                           observer,
+                                                           given_maximum.value_or(default_maximum),
+                                                           is_whole,
+                                                           given_maximum ? (std::numeric_limits<std::uint64_t>::max)()
+                                                                         : default_maximum};
   std::optional<Intrinsic_triangulation<Traits>> start;
   if (segments.depend_on_size() && !minimum_size)
     start = triangulation;

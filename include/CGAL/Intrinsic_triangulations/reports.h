@@ -56,12 +56,13 @@ enum class Refinement_obstacle {
   BESIDE_SMALL_INPUT_ANGLE, ///< its shortest side joins points on two such edges, at the same distance from their corner
   UNREPRESENTABLE,          ///< doubles are too coarse for the point that the face needs
   TOO_SMALL,                ///< a side or a height is shorter than the smallest size
+  WHOLE_EDGE,               ///< an edge that must not be split is in the way
   BUDGET                    ///< the budget did not suffice
 };
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
 /// \brief the number of these reasons.
-constexpr std::size_t number_of_refinement_obstacles = 6;
+constexpr std::size_t number_of_refinement_obstacles = 7;
 
 /// \ingroup PkgIntrinsicTriangulationsInsertion
 /// \brief a face that does not meet the criteria.
@@ -106,6 +107,9 @@ struct Refinement_report
   std::uint64_t flips = 0;                               ///< the number of flips, also before the first vertex
   std::vector<Unrefined_face> unrefined;                 ///< the faces that do not meet the criteria, in order
   double minimum_size = 0; ///< the smallest size, given or chosen, in the unit of the input
+
+  /// returns whether all faces meet the criteria. Complexity: constant.
+  bool is_refined() const { return status == Refinement_status::REFINED && unrefined.empty(); }
 
   /// returns how many faces were left for each reason, by `Refinement_obstacle`. O(number of these faces).
   std::array<std::size_t, number_of_refinement_obstacles> numbers_by_reason() const

@@ -58,7 +58,7 @@ class RefinementReport(NamedTuple):
     """The result of `Triangulation.refine`."""
 
     is_refined: bool
-    """Whether all faces except those in `unrefined` meet the criteria; False if `max_insertions` did not suffice."""
+    """Whether all faces meet the criteria."""
     insertions: int
     """The number of vertices inserted into faces."""
     segment_splits: int
@@ -70,9 +70,12 @@ class RefinementReport(NamedTuple):
     reasons: numpy.ndarray
     """(u,) array of int8: the reason for each of them, as its position among the keys of `number_by_reason`."""
     number_by_reason: Dict[str, int]
-    """How many there are: "cone", "small_input_angle", "beside_small_input_angle", "unrepresentable", "too_small", "budget"."""
+    """How many there are: "cone", "small_input_angle", "beside_small_input_angle", "unrepresentable", "too_small",
+    "whole_edge", "budget"."""
     minimum_size: float
     """The smallest size, given or chosen."""
+    is_finished: bool
+    """Whether no more vertices would help; False if `max_insertions` did not suffice."""
 
 
 @documented
@@ -117,6 +120,8 @@ class StraightMesh(NamedTuple):
     """Whether the triangles are a manifold, without other holes than the surface has and without doubled triangles."""
     message: str
     """What makes them no surface, in words."""
+    removed_pieces: int
+    """How many connected pieces were left out that lie along others."""
 
 
 class Triangulation:
@@ -440,7 +445,9 @@ class Triangulation:
 
     def refine(self, minimum_angle: float = 25, maximum_circumradius: float = math.inf, maximum_edge_length: float = math.inf,
                constrained: Optional[ArrayLike] = None, max_insertions: Optional[int] = None, minimum_size: Optional[float] = None,
-               sharp_edge_angle: Optional[float] = None, maximum_deviation: float = math.inf) -> RefinementReport:
+               sharp_edge_angle: Optional[float] = None, maximum_deviation: float = math.inf,
+               whole: Union[None, str, ArrayLike] = None, sizes: Optional[ArrayLike] = None,
+               maximum_normal_angle: Optional[float] = None, size_gradation: float = 0.3) -> RefinementReport:
         """Flip edges and insert vertices until no face is too thin or too large. The surface does not change.
 
         Parameters
@@ -452,7 +459,8 @@ class Triangulation:
         constrained : (k,) array of bool, optional
             Edges that must not be flipped, but may be split. They must be input edges that were not flipped.
         max_insertions : int, optional
-            The maximum number of new vertices. Default: ten for each vertex, and a million.
+            The maximum number of new vertices. Default: ten for each vertex, and a million; then refinement does not
+            begin if lengths of edges need more, judged by areas.
         minimum_size : float, optional
             No vertex is inserted for a face with a side or a height shorter than this, in the unit of the input.
             Default: 0, or up to 2**-14 of the bounding box if smaller faces need many vertices; the report has it.
@@ -462,6 +470,17 @@ class Triangulation:
         maximum_deviation : float
             How far the triangles of `straight_mesh` may be from the surface, in the unit of the input. Folds are kept
             that few triangles could follow otherwise.
+        whole : (k,) array of bool, or "border", optional
+            Edges that must neither be flipped nor split, or those of the border. Faces that would need a vertex there
+            are listed.
+        sizes : (n,) array, optional
+            How long edges may be at each vertex of the input, or infinity. An edge may be as long as the mean of the sizes
+            at its ends, which are linear on the faces of the input.
+        maximum_normal_angle : float, optional
+            Edges may be as long as the way on which the normal of the surface turns by this angle in degrees. Edges that
+            are not flipped, or sharper than `sharp_edge_angle`, do not count.
+        size_gradation : float
+            By which part of a length these sizes may grow along it; larger ones are lowered.
 
         Returns
         -------
@@ -470,7 +489,7 @@ class Triangulation:
         Raises
         ------
         ValueError
-            If a criterion is out of range.
+            If a criterion is out of range, or far too many vertices would be needed.
         UndecidedError
             As `flip_to_delaunay`.
 
@@ -490,7 +509,11 @@ class Triangulation:
         size = None if minimum_size is None else _arrays.number(minimum_size, "minimum_size")
         sharp = None if sharp_edge_angle is None else _arrays.number(sharp_edge_angle, "sharp_edge_angle")
         deviation = _arrays.number(maximum_deviation, "maximum_deviation")
-        return RefinementReport(*self._surface.refine(angle, circumradius, edge_length, self._constrained(constrained), maximum, deviation, size, sharp))
+        marks = _arrays.marks(self._border() if isinstance(whole, str) and whole == "border" else whole, "whole", self.number_of_edges)
+        given = None if sizes is None else _arrays.doubles(sizes, "sizes", (None,))
+        normal = None if maximum_normal_angle is None else _arrays.number(maximum_normal_angle, "maximum_normal_angle")
+        return RefinementReport(*self._surface.refine(angle, circumradius, edge_length, self._constrained(constrained), maximum, deviation, size, sharp,
+                                                      marks, given, normal, _arrays.number(size_gradation, "size_gradation")))
 
     def simplify(self, maximum_change: Optional[float] = None, number_of_vertices: int = 0, kept: Optional[ArrayLike] = None,
                  constrained: Optional[ArrayLike] = None, sharp_angle: float = 180) -> SimplifiedSurface:
@@ -616,6 +639,9 @@ class Triangulation:
                              (f", nor {len(missing) - 1} more pairs" if len(missing) > 1 else ""))
         return numpy.array([edge in wanted for edge in ends], dtype=bool)
 
+    def _border(self) -> numpy.ndarray:
+        return numpy.bincount(self._surface.edges_of_faces().ravel(), minlength=self.number_of_edges) == 1
+
     def _constrained(self, constrained: Any) -> Optional[numpy.ndarray]:
         return _arrays.marks(constrained, "constrained", self.number_of_edges)
 
@@ -665,7 +691,8 @@ class Triangulation:
         subdivision = self.common_subdivision() if self.number_of_vertices > len(self._points) else None
         return self._points.copy() if subdivision is None else subdivision.positions[:self.number_of_vertices]
 
-    def straight_mesh(self, marked: Optional[ArrayLike] = None, thin_angle: float = 10, maximum_deviation: float = 0) -> StraightMesh:
+    def straight_mesh(self, marked: Optional[ArrayLike] = None, thin_angle: float = 10, maximum_deviation: float = 0,
+                      fixed: Optional[ArrayLike] = None) -> StraightMesh:
         """Return the faces as straight triangles in space, for programs that know no others.
 
         That is another surface. `refine` with `maximum_deviation` brings the two close to each other. With the same
@@ -680,6 +707,8 @@ class Triangulation:
             Triangles with a smaller angle, in degrees, are listed.
         maximum_deviation : float
             The distance from the surface up to which vertices may be merged; 0 if none may.
+        fixed : (n,) array of bool, optional
+            The vertices of the input that must not be merged with others, such as the ends of edges that stay whole.
 
         Returns
         -------
@@ -706,7 +735,8 @@ class Triangulation:
         subdivision = _core.subdivision(self._surface)
         marks = _arrays.marks(marked, "marked", subdivision.number_of_input_edges())
         return StraightMesh(*subdivision.straight_mesh(self._points, marks, _arrays.number(thin_angle, "thin_angle"),
-                                                      _arrays.number(maximum_deviation, "maximum_deviation")))
+                                                      _arrays.number(maximum_deviation, "maximum_deviation"),
+                                                      _arrays.marks(fixed, "fixed", len(self._points))))
 
     def conformal_map(self, cones: Optional[int] = None, cone_angles: Optional[Mapping[int, float]] = None,
                       boundary: Boundary = "free") -> ConformalMap:

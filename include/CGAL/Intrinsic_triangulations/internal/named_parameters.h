@@ -33,6 +33,10 @@ namespace Intrinsic_triangulations::internal {
   F(minimum_size, MINIMUM_SIZE)                                                                                        \
   F(sharp_edge_angle, SHARP_EDGE_ANGLE)                                                                                \
   F(maximum_deviation, MAXIMUM_DEVIATION)                                                                              \
+  F(whole_edges_map, WHOLE_EDGES_MAP)                                                                                  \
+  F(size_map, SIZE_MAP)                                                                                                \
+  F(size_gradation, SIZE_GRADATION)                                                                                    \
+  F(maximum_normal_angle, MAXIMUM_NORMAL_ANGLE)                                                                        \
   F(splits_encroached_edges, SPLITS_ENCROACHED_EDGES)                                                                  \
   F(time_coefficient, TIME_COEFFICIENT)                                                                                \
   F(heat_boundary, HEAT_BOUNDARY)                                                                                      \
@@ -134,6 +138,14 @@ CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(minimum_size, MINIMUM_SIZE)
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(sharp_edge_angle, SHARP_EDGE_ANGLE)
 /// \brief how far the straight triangles between the corners of faces may be from the surface, in the unit of the input.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(maximum_deviation, MAXIMUM_DEVIATION)
+/// \brief which edges must neither be flipped nor split.
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(whole_edges_map, WHOLE_EDGES_MAP)
+/// \brief how long edges may be at each vertex of the input, in the unit of the input.
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(size_map, SIZE_MAP)
+/// \brief by how much the length of edges may grow over a distance, as a part of it.
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(size_gradation, SIZE_GRADATION)
+/// \brief the angle by which the normal may turn along an edge, in degrees.
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(maximum_normal_angle, MAXIMUM_NORMAL_ANGLE)
 /// \brief whether edges that are not flipped are split until no angle opposite them is obtuse.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(splits_encroached_edges, SPLITS_ENCROACHED_EDGES)
 /// \brief the time for which heat spreads, in units of the squared mean length of the edges.
@@ -186,16 +198,23 @@ std::uint64_t maximum_number_of(const NamedParameters& np)
                                       (std::numeric_limits<std::uint64_t>::max)());
 }
 
+// A map of edges that are marked, or one that marks none.
+template <class NamedParameters, class Tag>
+auto marked_edges_of(const NamedParameters& np, Tag tag)
+{
+  const auto result =
+    parameters::choose_parameter(parameters::get_parameter(np, tag), Static_boolean_property_map<Edge_index, false>());
+  static_assert(
+    std::is_convertible<Edge_index, typename boost::property_traits<std::decay_t<decltype(result)>>::key_type>::value,
+    "the keys of a map of edges have to be those of the triangulation, of type Edge_index");
+  return result;
+}
+
 // The map of the edges that must not be flipped, or one without constraints.
 template <class NamedParameters>
 auto edge_constraints_of(const NamedParameters& np)
 {
-  const auto result = parameters::choose_parameter(parameters::get_parameter(np, internal_np::edge_is_constrained),
-                                                   Static_boolean_property_map<Edge_index, false>());
-  static_assert(
-    std::is_convertible<Edge_index, typename boost::property_traits<std::decay_t<decltype(result)>>::key_type>::value,
-    "edge_is_constrained_map: its keys have to be the edges of the triangulation, of type Edge_index");
-  return result;
+  return marked_edges_of(np, internal_np::edge_is_constrained);
 }
 
 } // namespace Intrinsic_triangulations::internal

@@ -48,7 +48,7 @@ struct Refinement_trial
   std::uint64_t maximum_number = (std::numeric_limits<std::uint64_t>::max)(); // of them
 };
 
-// Segments are the edges that are not flipped: on the border, or constrained.
+// Segments are the edges that are not flipped: on the border, constrained, or whole.
 template <class Traits, class Visitor>
 class Delaunay_refiner
 {
@@ -56,20 +56,47 @@ public:
   using Triangulation = Intrinsic_triangulation<Traits>;
 
   Delaunay_refiner(Triangulation& triangulation, const Refinement_criteria& criteria, std::vector<bool> is_segment,
-                   Visitor& visitor, std::uint64_t maximum_number, const Refinement_trial& trial)
+                   const std::vector<bool>& is_whole, Visitor& visitor, std::uint64_t maximum_number,
+                   const Refinement_trial& trial)
     : triangulation_(triangulation), complex_(triangulation.connectivity()), engine_(engine(triangulation)),
       correspondence_(engine_.correspondence()), shapes_(engine_), visitor_(visitor), maximum_number_(maximum_number),
       trial_(trial), faces_(triangulation),
-      segments_(complex_, correspondence_, shapes_, faces_, std::move(is_segment)), cones_(engine_, shapes_),
-      straight_(engine_, shapes_), quality_(complex_, criteria, faces_, segments_, cones_, straight_),
+      segments_(complex_, correspondence_, shapes_, faces_, std::move(is_segment), is_whole), cones_(engine_, shapes_),
+      straight_(engine_, shapes_), sizes_(engine_, criteria.sizes, criteria.maximum_edge_length),
+      quality_(complex_, criteria, faces_, segments_, cones_, straight_, sizes_),
       search_(complex_, faces_, segments_, quality_)
   {}
 
-  Refinement_report operator()()
+  // \exception Too_many_vertices_error if about that many are needed, and more than these
+  Refinement_report operator()(std::uint64_t most_vertices)
   {
     report_.minimum_size = quality_.criteria().minimum_size;
+    faces_.measure_all();
+    for (Edge_index e : complex_.edges())
+      measure_deviation(e);
+    if (const double number = number_for_sizes(); number > double(most_vertices))
+      throw Too_many_vertices_error(std::uint64_t((std::min)(number, 1e18)), most_vertices);
     refine_all();
     return std::move(report_);
+  }
+
+  // About how many vertices faces need that are too large, by their areas and longest sides. Before refinement, they must
+  // have been measured.
+  double number_for_sizes() const
+  {
+    double sum = 0;
+    for (Face_index f : complex_.faces()) {
+      if (!quality_.is_too_large(f) || left_.count(f) != 0)
+        continue;
+      const Halfedge_index h = faces_.longest_side(f);
+      const Vertex_index a = complex_.source(h), b = complex_.target(h);
+      const double r = quality_.criteria().maximum_circumradius;
+      const double inside = (std::max)(sizes_.number_of_vertices({a, b, complex_.target(complex_.next(h))}, area(f)),
+                                       Edge_sizes::number_of_vertices(area(f), std::sqrt(3.) * r));
+      // Each face has half a vertex, and each edge belongs to two faces.
+      sum += (std::max)({0., inside - 0.5, (faces_.length(h) / sizes_.longest_between(a, b) - 1) / 2});
+    }
+    return sum;
   }
 
   // The number of new vertices that had an edge shorter than the size of the trial when inserted.
@@ -86,9 +113,6 @@ public:
 private:
   void refine_all()
   {
-    faces_.measure_all();
-    for (Edge_index e : complex_.edges())
-      measure_deviation(e);
     fix_faces_without_area();
     find_cones();
     if (goes_on())
@@ -170,24 +194,20 @@ private:
     }
     visitor_.before_step(progress_);
   }
-  // Estimates from areas: of faces that are too large, and of thin ones with sides of the present size.
+  // With thin faces that have sides of the present size.
   std::uint64_t estimated_points() const
   {
-    const double largest_edge =
-      (std::min)(quality_.criteria().maximum_edge_length, std::sqrt(3.) * quality_.criteria().maximum_circumradius);
-    double sum = 0;
-    for (Face_index f : complex_.faces()) {
-      if (!quality_.is_bad(f) || left_.count(f) != 0)
-        continue;
-      const Halfedge_index longest = faces_.longest_side(f);
-      const double l = faces_.length(longest), area = l * l * faces_.apex(longest).imag() / 2,
-                   s = faces_.length(faces_.shortest_side(f));
-      if (quality_.is_too_large(f))
-        sum += area / (largest_edge * largest_edge) / 0.45;
-      else if (s < 2 * progress_.size)
-        sum += area / (2 * s * s);
-    }
+    double sum = number_for_sizes();
+    for (Face_index f : complex_.faces())
+      if (const double s = faces_.length(faces_.shortest_side(f));
+          s < 2 * progress_.size && quality_.is_bad(f) && left_.count(f) == 0 && !quality_.is_too_large(f))
+        sum += area(f) / (2 * s * s);
     return static_cast<std::uint64_t>((std::min)(sum, 1e18));
+  }
+  double area(Face_index f) const
+  {
+    const Halfedge_index h = faces_.longest_side(f);
+    return faces_.length(h) * faces_.length(h) * faces_.apex(h).imag() / 2;
   }
 
   void measure_deviation(Edge_index e)
@@ -313,7 +333,7 @@ private:
   {
     if (end.barrier.is_valid())
       return split(f, complex_.edge(end.barrier));
-    if (const std::optional<Edge_index> e = segments_.encroached_by(end))
+    if (const std::optional<Edge_index> e = segments_.encroached_by(end, std::tan(quality_.minimum_angle())))
       return split(f, *e);
     const auto place =
       point_on_input(engine_, shapes_, end.halfedge, end.weights, [&](Halfedge_index g) { return faces_.apex(g); });
@@ -327,6 +347,8 @@ private:
   }
   std::optional<Refinement_obstacle> split(Face_index f, Edge_index e)
   {
+    if (segments_.is_whole(e))
+      return Refinement_obstacle::WHOLE_EDGE;
     if (complex_.is_self_glued(e))
       return insert_at_centroid(complex_.face(complex_.halfedge(e)));
     if (!split_segment(e))
@@ -372,7 +394,7 @@ private:
   bool split_segment(Edge_index e)
   {
     const Delta_complex& input = correspondence_.input();
-    if (!correspondence_.coordinates().is_original(e) || complex_.is_self_glued(e) ||
+    if (segments_.is_whole(e) || !correspondence_.coordinates().is_original(e) || complex_.is_self_glued(e) ||
         side_without_area(triangulation_, e))
       return false;
     Halfedge_index h = complex_.halfedge(e), along = correspondence_.input_halfedge(h);
@@ -413,6 +435,7 @@ private:
     });
     if (trial_.size == 0)
       visitor_.after_insertion(v);
+    sizes_.add_vertices();
     faces_.measure_star(v);
     const auto is_at_v = [&](Edge_index e) {
       return complex_.source(complex_.halfedge(e)) == v || complex_.target(complex_.halfedge(e)) == v;
@@ -466,6 +489,9 @@ private:
         reason = left->second.second;
       if (!reason && quality_.is_below_smallest_size(f))
         reason = Refinement_obstacle::TOO_SMALL;
+      for (Halfedge_index side : {h, complex_.next(h), complex_.prev(h)})
+        if (!reason && segments_.is_whole(complex_.edge(side)))
+          reason = Refinement_obstacle::WHOLE_EDGE;
       report_.unrefined.push_back(
         {f, reason.value_or(report_.status == Refinement_status::REFINED ? Refinement_obstacle::UNREPRESENTABLE
                                                                          : Refinement_obstacle::BUDGET)});
@@ -490,6 +516,7 @@ private:
   std::vector<Edge_index> segments_to_test_, stack_, flipped_;
   Small_cones cones_;
   Straight_edges straight_;
+  Edge_sizes sizes_;
   const Face_quality<Traits> quality_;
   Steiner_point_search<Traits> search_;
   std::unordered_map<Face_index, std::pair<double, Refinement_obstacle>> left_;

@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/Edge_sizes.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Measured_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Segments.h>
 #include <CGAL/Intrinsic_triangulations/internal/insertion/Small_cones.h>
@@ -37,6 +38,7 @@ struct Refinement_criteria
   double maximum_deviation = (std::numeric_limits<double>::infinity)();
   bool splits_encroached_edges = false;
   double minimum_size = 0;
+  std::vector<double> sizes = {}; // of the vertices of the input, or none
 };
 
 template <class Traits>
@@ -44,9 +46,10 @@ class Face_quality
 {
 public:
   Face_quality(const Delta_complex& complex, const Refinement_criteria& criteria, const Measured_faces<Traits>& faces,
-               const Segments<Traits>& segments, const Small_cones& cones, const Straight_edges& straight)
+               const Segments<Traits>& segments, const Small_cones& cones, const Straight_edges& straight,
+               const Edge_sizes& sizes)
     : complex_(complex), criteria_(criteria), faces_(faces), segments_(segments), cones_(cones), straight_(straight),
-      sine_of_minimum_angle_(std::sin(minimum_angle()))
+      sizes_(sizes), sine_of_minimum_angle_(std::sin(minimum_angle()))
   {}
 
   const Refinement_criteria& criteria() const { return criteria_; }
@@ -56,7 +59,7 @@ public:
   bool is_below_smallest_size(Face_index f) const { return has_short_side(f) || is_too_low(f); }
   bool is_too_large(Face_index f) const
   {
-    return is_too_large(faces_.length(faces_.longest_side(f)), faces_.circumradius(f)) || deviates(f);
+    return has_long_side(f) || faces_.circumradius(f) > criteria_.maximum_circumradius || deviates(f);
   }
   bool has_small_angle(Face_index f) const
   {
@@ -75,9 +78,8 @@ public:
     if (has_short_side(f))
       return false;
     if (is_too_low(f)) // the circumcircle of a low face tells how low it is
-      return faces_.length(faces_.longest_side(f)) >
-               (std::min)(criteria_.maximum_edge_length, std::sqrt(3.) * criteria_.maximum_circumradius) ||
-             deviates(f);
+      return has_long_side(f) ||
+             faces_.length(faces_.longest_side(f)) > std::sqrt(3.) * criteria_.maximum_circumradius || deviates(f);
     if (is_too_large(f))
       return true;
     const Halfedge_index h = complex_.halfedge(f);
@@ -104,6 +106,16 @@ public:
   }
 
 private:
+  // Whole edges do not count.
+  bool has_long_side(Face_index f) const
+  {
+    const Halfedge_index h = complex_.halfedge(f);
+    for (Halfedge_index side : {h, complex_.next(h), complex_.prev(h)})
+      if (faces_.length(side) > sizes_.longest_between(complex_.source(side), complex_.target(side)) &&
+          !segments_.is_whole(complex_.edge(side)))
+        return true;
+    return false;
+  }
   bool has_short_side(Face_index f) const { return faces_.length(faces_.shortest_side(f)) < criteria_.minimum_size; }
   bool is_too_low(Face_index f) const
   {
@@ -130,6 +142,7 @@ private:
   const Segments<Traits>& segments_;
   const Small_cones& cones_;
   const Straight_edges& straight_;
+  const Edge_sizes& sizes_;
   const double sine_of_minimum_angle_;
 };
 

@@ -3,7 +3,7 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The edges that refinement splits but does not flip: border edges and constrained ones.
+// The edges that refinement splits but does not flip: border edges and constrained ones. Whole ones it does not split.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_SEGMENTS_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_INSERTION_SEGMENTS_H
@@ -33,15 +33,16 @@ class Segments
 {
 public:
   Segments(const Delta_complex& complex, const Correspondence& correspondence, Input_shapes& shapes,
-           const Measured_faces<Traits>& faces, std::vector<bool> is_segment)
+           const Measured_faces<Traits>& faces, std::vector<bool> is_segment, const std::vector<bool>& is_whole)
     : complex_(complex), correspondence_(correspondence), shapes_(shapes), faces_(faces),
-      is_segment_(std::move(is_segment)),
+      is_segment_(std::move(is_segment)), is_whole_(is_whole),
       is_empty_(std::find(is_segment_.begin(), is_segment_.end(), true) == is_segment_.end())
   {}
 
   bool is_empty() const { return is_empty_; }
   bool contains(Edge_index e) const { return is_segment_[e.idx()]; }
   bool contains(Halfedge_index h) const { return contains(complex_.edge(h)); }
+  bool is_whole(Edge_index e) const { return e.idx() < is_whole_.size() && is_whole_[e.idx()]; }
   void add(Edge_index e)
   {
     is_segment_[e.idx()] = true;
@@ -110,8 +111,8 @@ public:
   }
 
   // A segment that a vertex at this point would encroach on, among those that bound the triangles with the point in
-  // their circumcircles.
-  std::optional<Edge_index> encroached_by(const Walk_end& end) const
+  // their circumcircles. A whole one is only in the way of a triangle whose slope over it is too small.
+  std::optional<Edge_index> encroached_by(const Walk_end& end, double smallest_slope) const
   {
     if (is_empty())
       return std::nullopt;
@@ -129,8 +130,10 @@ public:
     for (std::size_t i = 0; i < sides.size() && i < 300; ++i) {
       const Side s = sides[i];
       if (contains(s.halfedge)) {
-        if (std::real(s.point * std::conj(s.point - 1.)) < 0)
-          return complex_.edge(s.halfedge);
+        const Edge_index e = complex_.edge(s.halfedge);
+        if (std::real(s.point * std::conj(s.point - 1.)) < 0 &&
+            !(is_whole(e) && slope(s.point) >= (std::min)(smallest_slope, slope(faces_.apex(s.halfedge)))))
+          return e;
         continue;
       }
       const Side behind{complex_.opposite(s.halfedge), 1. - s.point};
@@ -158,6 +161,9 @@ public:
   }
 
 private:
+  // The tangent of the smaller angle at 0 and 1 of a triangle whose third corner is above them.
+  static double slope(Plane_point apex) { return apex.imag() / (std::max)(apex.real(), 1 - apex.real()); }
+
   // Whether two segments meet at v at less than 60 degrees.
   bool has_small_corner(Vertex_index v) const
   {
@@ -182,6 +188,7 @@ private:
   Input_shapes& shapes_;
   const Measured_faces<Traits>& faces_;
   std::vector<bool> is_segment_;
+  const std::vector<bool>& is_whole_; // of the first edges
   bool is_empty_;
   std::unordered_set<Vertex_index> small_corners_;
 };

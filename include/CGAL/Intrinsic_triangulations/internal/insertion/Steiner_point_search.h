@@ -87,7 +87,7 @@ private:
     std::array<int, 3>
       neighbors; // beyond the sides from each corner to the next one; the search came through the first
   };
-  static constexpr int unknown = -1, none = -2, segment = -3;
+  static constexpr int unknown = -1, none = -2, segment = -3, whole_segment = -4;
 
   struct Outcome
   {
@@ -118,7 +118,9 @@ private:
       for (std::size_t i = 0; i < side; ++i)
         h = complex_.next(h);
       const Plane_point a = triangles_[t].corners[side], b = triangles_[t].corners[(side + 1) % 3];
-      const int n = segments_.contains(h) ? segment : lay_out(complex_.opposite(h), b, a);
+      const int n = !segments_.contains(h)                 ? lay_out(complex_.opposite(h), b, a)
+                    : segments_.is_whole(complex_.edge(h)) ? whole_segment
+                                                           : segment;
       triangles_[t].neighbors[side] = n;
     }
     return triangles_[t].neighbors[side];
