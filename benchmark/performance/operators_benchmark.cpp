@@ -8,8 +8,8 @@
 //   operators_benchmark [MESH...]
 //
 // Without MESH, table1/horse.off from the folder in the environment variable IDT_DATA_DIR, or from
-// shared/data beside the checkout, is taken, and the sample bumpy sphere. Each round runs every
-// method once. The output is the median of the rounds in nanoseconds an edge, and the
+// shared/data beside the checkout, is taken, the sample bumpy sphere, and a grid whose triangles are
+// stretched by 50, so that edges are flipped many times. Each round runs every method once. The output is the median of the rounds in nanoseconds an edge, and the
 // ratio to Heat_method_3, the number to use on a busy machine.
 
 #include "benchmark_meshes.h"
@@ -23,11 +23,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -84,6 +88,29 @@ void measure(const std::string& name, const Mesh& mesh)
   }
 }
 
+// A grid of stretched and slightly bent squares with random corners, cut into triangles.
+Mesh stretched_grid(std::size_t n, double stretch)
+{
+  samples::Indexed_triangles grid;
+  std::mt19937_64 random(1);
+  const auto moved = [&](std::size_t i) {
+    return i == 0 || i == n - 1 ? double(i) : double(i) + 0.5 * (double(random() >> 11) * 0x1p-53 - 0.5);
+  };
+  const double size = double(n);
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = 0; i < n; ++i) {
+      const double x = moved(i), y = moved(j);
+      grid.points.push_back({stretch * x, y, 0.1 * size * std::sin(6 * x / size) * std::cos(6 * y / size)});
+    }
+  for (std::size_t j = 0; j + 1 < n; ++j)
+    for (std::size_t i = 0; i + 1 < n; ++i) {
+      const auto a = std::uint32_t(j * n + i), c = std::uint32_t(a + n);
+      grid.triangles.push_back({a, a + 1, c + 1});
+      grid.triangles.push_back({a, c + 1, c});
+    }
+  return mesh_of(grid);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -96,4 +123,5 @@ int main(int argc, char** argv)
   if (const std::optional<Mesh> horse = read_horse())
     measure("horse", *horse);
   measure("bumpy_sphere_700x351", mesh_of(samples::bumpy_sphere(700, 351)));
+  measure("stretched_grid_317x317", stretched_grid(317, 50));
 }

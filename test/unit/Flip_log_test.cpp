@@ -71,9 +71,33 @@ TEST(Flip_log, has_what_one_reader_has_not_read)
   EXPECT_EQ(unread(copy, Flip_log::INTEGERS), numbers(0, 10));
 }
 
-TEST(Flip_log, is_empty_as_soon_as_both_readers_follow)
+TEST(Flip_log, has_all_flips_for_numbers_until_they_follow)
 {
   Flip_log log;
+  note(log, 0, 2500);
+  log.follow(Flip_log::INTEGERS);
+  log.follow(Flip_log::FACES);
+  EXPECT_FALSE(log.is_followed_by_all());
+  note(log, 2500, 2600);
+  log.begin();
+  note(log, 2600, 2700);
+  EXPECT_EQ(unread(log, Flip_log::NUMBERS), numbers(0, 2700));
+  EXPECT_EQ(unread(log, Flip_log::FACES), numbers(2600, 2700));
+  log.follow(Flip_log::FACES);
+  Flip_log copy;
+  copy = log;
+  EXPECT_EQ(unread(copy, Flip_log::NUMBERS), numbers(0, 2700));
+  log.follow(Flip_log::NUMBERS);
+  EXPECT_EQ(unread(log, Flip_log::INTEGERS), numbers(2600, 2700));
+  log.follow(Flip_log::INTEGERS);
+  EXPECT_TRUE(log.is_followed_by_all());
+  EXPECT_EQ(log.size(), 0u);
+}
+
+TEST(Flip_log, is_empty_as_soon_as_all_readers_follow)
+{
+  Flip_log log;
+  log.follow(Flip_log::NUMBERS);
   for (int i = 0; i < 2; ++i) {
     note(log, 0, 3000);
     log.follow(Flip_log::INTEGERS);

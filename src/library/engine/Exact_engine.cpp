@@ -125,8 +125,10 @@ std::unique_ptr<Input_surface> Exact_engine::new_surface() const
 
 void Exact_engine::begin_log()
 {
-  if (memory_)
-    memory_->log.begin();
+  if (!memory_)
+    return;
+  memory_->log.begin();
+  memory_->forget_repeated_flips();
 }
 
 const Flip_log& Exact_engine::log() const { return memory_->log; }
@@ -169,15 +171,11 @@ void Exact_engine::find_straight_faces() const
     Straight_faces straight_faces = memory.straight_faces
                                       ? *memory.straight_faces
                                       : Straight_faces(connectivity_.number_of_faces(), metric_.points().size());
-    if (!metric_.points().empty() && number_of_flips != 0) {
-      Delta_complex copy = connectivity_;
-      memory.log.for_each_unread_backwards(Flip_log::FACES,
-                                           [&](const Hinge_halfedges& around) { copy.flip_back(around); });
-      memory.log.for_each_unread(Flip_log::FACES, [&](const Hinge_halfedges& around) {
-        straight_faces.flip(copy, positions(), copy.edge(around.ij));
-        copy.flip(around);
-      });
-    }
+    if (!metric_.points().empty() && number_of_flips != 0)
+      memory.log.repeat_unread(Flip_log::FACES, connectivity_,
+                               [&](const Delta_complex& complex, const Hinge_halfedges& around) {
+                                 straight_faces.flip(complex, positions(), complex.edge(around.ij));
+                               });
     // A face that a flip has changed has an edge that was flipped.
     memory.log.for_each_unread(
       Flip_log::FACES, [&](const Hinge_halfedges& around) { memory.forget_developed_faces(connectivity_, around); });
@@ -190,8 +188,10 @@ void Exact_engine::find_straight_faces() const
 
 bool Exact_engine::log_or_follow(const Hinge_halfedges& around)
 {
+  memory_->forget_repeated_flips();
   Flip_log& log = memory_->log;
   if (log.size() >= longest_log * std::size_t(connectivity_.number_of_edges())) {
+    log.follow(Flip_log::NUMBERS);
     find_straight_faces();
     prepare();
   }
@@ -201,23 +201,21 @@ bool Exact_engine::log_or_follow(const Hinge_halfedges& around)
   return false;
 }
 
-// For the readers that follow; the others find the flip in the log.
+// For the readers that follow; others find the flip in the log.
 bool Exact_engine::follow(const Hinge_halfedges& around)
 {
   Memory& memory = *memory_;
   const bool has_integers = memory.log.is_followed_by(Flip_log::INTEGERS),
              has_faces = memory.log.is_followed_by(Flip_log::FACES);
   // Except for developed faces, knowledge of faces remains true without the flip. The integers come last.
-  const bool are_straight = has_faces && follow_faces(around);
-  if (!has_faces)
+  const bool are_straight = has_faces && follow_faces(around), is_logged = !memory.log.is_followed_by_all();
+  if (is_logged)
     memory.log.push_back(around);
   try {
     if (has_integers)
       memory.correspondence.flip(connectivity_, around);
-    else
-      memory.log.push_back(around);
   } catch (...) {
-    if (!has_faces)
+    if (is_logged)
       memory.log.pop_back();
     memory.forget_developed_faces(connectivity_, around);
     throw;
@@ -243,9 +241,10 @@ void Exact_engine::flip_back(const Hinge_halfedges& around, const Forgotten& for
     CGAL_precondition(memory.log.is_followed_by(Flip_log::FACES));
     memory.forget_developed_faces(connectivity_, around);
     memory.straight_faces->put_back(connectivity_.face(around.ij), connectivity_.face(around.ji), forgotten.planes);
+    memory.forget_repeated_flips();
     if (is_prepared())
       memory.correspondence.flip_back(connectivity_, around);
-    else
+    if (!memory.log.is_followed_by_all())
       memory.log.pop_back();
   }
   connectivity_.flip_back(around);
@@ -305,6 +304,8 @@ void Exact_engine::prepare_insertion()
 {
   find_straight_faces();
   prepare();
+  memory_->log.follow(Flip_log::NUMBERS);
+  memory_->forget_repeated_flips();
   if (correspondence().number_of_inserted_vertices() == 0 || correspondence().kept_crossings().is_empty())
     keep_crossings();
 }

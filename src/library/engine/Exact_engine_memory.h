@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 #include "history/Flip_log.h"
+#include "Repeated_flips.h"
 #include "layout/Developed_faces.h"
 #include "layout/Straight_faces.h"
 #include "layout/Vertex_positions.h"
@@ -19,6 +20,7 @@
 #include "../system/Scratch_pool.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <memory>
 #include <mutex>
@@ -67,6 +69,46 @@ struct Exact_engine::Memory
     spare_layouts = (std::min)(spare_layouts + layouts_for_question, number_of_edges);
   }
 
+  // Whether repeating all flips takes less time than laying out most faces: if there are many flips, unless most faces
+  // are known to be straight. Queries may find that out, and threads must agree: decided before, once for each change.
+  bool may_repeat_flips(const Delta_complex& complex)
+  {
+    Answer answer = repeats_flips.load(std::memory_order_acquire);
+    if (answer != Answer::UNKNOWN)
+      return answer == Answer::YES;
+    bool is_yes = 4 * log.number_of_unread(Flip_log::NUMBERS) >= 5 * std::size_t(complex.number_of_edges());
+    if (is_yes && log.is_followed_by(Flip_log::FACES)) {
+      const auto faces = complex.faces();
+      is_yes = 2 * std::count_if(faces.begin(), faces.end(), [&](Face_index f) { return (*straight_faces)(f); }) <
+               std::ptrdiff_t(complex.number_of_faces());
+    }
+    const Answer found = is_yes ? Answer::YES : Answer::NO;
+    return (repeats_flips.compare_exchange_strong(answer, found) ? found : answer) == Answer::YES;
+  }
+  // The corner opposite to `halfedge(f)` by these flips, with at most this relative error.
+  std::optional<Corner> corner_by_flips(const Delta_complex& complex, const Input_metric& metric, Face_index f,
+                                        double relative_error)
+  {
+    if (!may_repeat_flips(complex))
+      return std::nullopt;
+    const Repeated_flips* repeated = repeated_flips.load(std::memory_order_acquire);
+    if (!repeated) {
+      const std::lock_guard<std::mutex> lock(mutex);
+      if (!own_repeated_flips)
+        own_repeated_flips = std::make_unique<Repeated_flips>(complex, log, metric, decisions.interruption);
+      repeated_flips.store(repeated = own_repeated_flips.get(), std::memory_order_release);
+    }
+    return repeated->corner(complex, complex.halfedge(f), relative_error);
+  }
+  void forget_repeated_flips()
+  {
+    if (repeats_flips.load(std::memory_order_relaxed) == Answer::UNKNOWN)
+      return;
+    repeats_flips = Answer::UNKNOWN;
+    repeated_flips = nullptr;
+    own_repeated_flips.reset();
+  }
+
   void forget_developed_faces(const Delta_complex& complex, const Hinge_halfedges& around)
   {
     developed_faces.forget(complex, around.ij);
@@ -85,6 +127,15 @@ struct Exact_engine::Memory
   std::size_t spare_layouts = 0;                    // the number of flips that may lay out faces
 
   std::unique_ptr<Carried_images> images; // of the developed faces, from the first tie on
+
+  enum class Answer {
+    UNKNOWN,
+    NO,
+    YES
+  };
+  std::atomic<Answer> repeats_flips = Answer::UNKNOWN; // since the last change, as the others
+  std::atomic<const Repeated_flips*> repeated_flips = nullptr;
+  std::unique_ptr<const Repeated_flips> own_repeated_flips;
 
   std::unique_ptr<Input_properties> input_properties; // made by the first thread that takes a surface
   std::mutex mutex;

@@ -224,7 +224,8 @@ void Engine_restorer::operator()(Saved_triangulation& saved, const Block_runner&
   complex_ = std::move(saved.connectivity);
   memory.straight_faces =
     Straight_faces(number_of_input_faces, number_of_points, std::vector<Face_index>(complex_.number_of_faces()));
-  memory.log.follow(Flip_log::FACES);
+  for (Flip_log::Reader reader : {Flip_log::FACES, Flip_log::NUMBERS})
+    memory.log.follow(reader);
 
   Correspondence_check check(complex_, correspondence_, engine_.decisions().interruption);
   check.check_locations();

@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_ENGINE_SIDE_AND_CORNER_H
 
 #include <CGAL/Intrinsic_triangulations/internal/engine/Engine_numbers.h>
+#include "Exact_engine_memory.h"
 #include <CGAL/Intrinsic_triangulations/internal/engine/Exact_engine.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/history/Correspondence.h>
 
@@ -52,6 +53,8 @@ Engine_numbers::quickest_corner(Face_index f, const Unfolding_& unfolding) const
 {
   if (engine_.is_straight(f))
     return {complex_.halfedge(f), engine_.straight_corner(complex_.halfedge(f))};
+  if (const auto c = engine_.memory_->corner_by_flips(complex_, metric_, f, 0x1p-70))
+    return {complex_.halfedge(f), *c};
   const Halfedge_index h = correspondence_.coordinates().side_with_most_crossings(complex_, f);
   return {h, unfolding.opposite_corner(h)};
 }

@@ -22,12 +22,13 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// One log of flips with two cursors: the integers (Correspondence) and the knowledge of faces (Straight_faces,
-// Developed_faces) are brought up to date independently of each other.
+// One log of flips with three cursors: the integers (Correspondence) and the knowledge of faces (Straight_faces,
+// Developed_faces) are brought up to date independently of each other; numbers (Repeated_flips) begin at the first flip.
 //
 // A reader either follows each flip at once, or has a cursor: the first flip that it has not read. A query makes the
 // reader that it needs read the rest and follow. `begin()` makes both stop, so that a run of flips without queries only
-// appends to the log. As soon as both follow, the log is empty.
+// appends to the log. Numbers follow from where other changes, or too many flips, end what they can repeat. As soon as
+// all follow, the log is empty.
 //
 // Each flip is noted as the halfedges around the edge before it. The log consists of parts, so that it grows without
 // copying and can adopt the logs of threads.
@@ -38,7 +39,8 @@ class Flip_log
 public:
   enum Reader {
     INTEGERS,
-    FACES
+    FACES,
+    NUMBERS
   };
 
   Flip_log() = default;
@@ -46,16 +48,20 @@ public:
   {
     parts_ = other.parts_;
     size_of_full_parts_ = other.size_of_full_parts_;
-    for (Reader reader : {INTEGERS, FACES})
+    for (Reader reader : {INTEGERS, FACES, NUMBERS})
       cursors_[reader] = other.cursors_[reader].load();
     return *this;
   }
 
   bool is_followed_by(Reader reader) const { return cursors_[reader].load(std::memory_order_acquire) == at_end; }
-  // By any reader.
+  // By a reader that stops when it begins.
   bool is_followed() const { return is_followed_by(INTEGERS) || is_followed_by(FACES); }
+  bool is_followed_by_all() const
+  {
+    return is_followed_by(INTEGERS) && is_followed_by(FACES) && is_followed_by(NUMBERS);
+  }
 
-  // No reader follows from now on.
+  // Integers and faces do not follow from now on.
   void begin()
   {
     for (Reader reader : {INTEGERS, FACES})
@@ -63,7 +69,7 @@ public:
         cursors_[reader] = size();
   }
 
-  // Notes a flip for the readers that do not follow. \pre there is one
+  // Notes a flip for the readers that do not follow. \pre not `is_followed_by_all()`
   void push_back(const Hinge_halfedges& flip)
   {
     if (parts_.empty() || parts_.back().size() == parts_.back().capacity())
@@ -112,6 +118,16 @@ public:
       for (auto flip = part->rbegin(); flip != part->rend() && unread != 0; ++flip, --unread)
         f(*flip);
   }
+  // f(complex, flip) for each, with the triangulation before it. \param complex the triangulation now
+  template <class Function>
+  void repeat_unread(Reader reader, Delta_complex complex, const Function& f) const
+  {
+    for_each_unread_backwards(reader, [&](const Hinge_halfedges& flip) { complex.flip_back(flip); });
+    for_each_unread(reader, [&](const Hinge_halfedges& flip) {
+      f(std::as_const(complex), flip);
+      complex.flip(flip);
+    });
+  }
   std::size_t number_of_unread(Reader reader) const
   {
     return is_followed_by(reader) ? 0 : size() - cursors_[reader].load(std::memory_order_relaxed);
@@ -119,11 +135,11 @@ public:
   // The reader has read everything, and follows each flip from now on.
   void follow(Reader reader)
   {
-    if (is_followed_by(reader == INTEGERS ? FACES : INTEGERS)) {
+    cursors_[reader].store(at_end, std::memory_order_release);
+    if (is_followed_by_all()) {
       parts_ = {};
       size_of_full_parts_ = 0;
     }
-    cursors_[reader].store(at_end, std::memory_order_release);
   }
 
 private:
@@ -140,7 +156,7 @@ private:
 
   std::vector<std::vector<Hinge_halfedges>> parts_;
   std::size_t size_of_full_parts_ = 0; // of all parts except the last
-  std::array<std::atomic<std::size_t>, 2> cursors_{};
+  std::array<std::atomic<std::size_t>, 3> cursors_{};
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal
