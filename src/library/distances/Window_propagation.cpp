@@ -36,11 +36,13 @@ namespace {
 class Window_propagation
 {
 public:
-  // \param surface, points must outlive this
-  Window_propagation(const Laid_out_faces& surface, double tolerance, const Laid_out_points* points = nullptr)
+  // \param surface, points, rests must outlive this
+  // \param rests see Waiting_windows
+  Window_propagation(const Laid_out_faces& surface, double tolerance, const Laid_out_points* points = nullptr,
+                     const std::vector<double>* rests = nullptr)
     : surface_(surface), points_(points), tolerance_(tolerance), distances_(surface.number_of_rows(), infinity),
       arrivals_(surface.number_of_rows()), origins_(surface.number_of_rows(), 0), splits_(surface.sides().size()),
-      waiting_(surface, tolerance), at_narrow_edges_(surface.number_of_narrow_edges())
+      waiting_(surface, tolerance, rests), at_narrow_edges_(surface.number_of_narrow_edges())
   {
     // Of two ways to a corner, the longer one ends what lies beyond the other, because they have crossed in the face
     // before. If they may come from different faces, nothing is known.
@@ -61,15 +63,15 @@ public:
         return false;
       if (number_of_steps_ % 4096 == 0)
         interruption.check();
-      const auto [distance, window] = waiting_.pop();
-      while (!goals.empty() && distance - farther > distances_[goals.back()])
+      const auto [least, window] = waiting_.pop();
+      while (!goals.empty() && least - farther > distances_[goals.back()])
         goals.pop_back();
       if (has_goals && goals.empty())
         break;
       if (window.kind == Window::WAY_TO_VERTEX)
-        send_from(window.side, window.x, distance);
+        send_from(window.side, window.x, window.sigma);
       else if (window.kind == Window::SOURCE)
-        send_from_source(sources.rows[window.source], distance);
+        send_from_source(sources.rows[window.source], window.sigma);
       else if (tolerance_ == 0 && window.next != Window::taken)
         send_on(window);
       else if (tolerance_ > 0)
@@ -490,6 +492,15 @@ Window_distances propagate_windows(const Laid_out_faces& surface, double toleran
 {
   Window_propagation windows(surface, tolerance);
   const bool is_complete = windows.run(sources, most, interruption, goals);
+  return windows.result(is_complete);
+}
+
+Window_distances propagate_windows_to(const Laid_out_faces& surface, std::uint32_t source, std::uint32_t goal,
+                                      const std::vector<double>& rests, std::uint64_t most,
+                                      const Interruption& interruption)
+{
+  Window_propagation windows(surface, 0, nullptr, &rests);
+  const bool is_complete = windows.run({{{source, 0, 0, {}}}, {}}, most, interruption, {goal});
   return windows.result(is_complete);
 }
 

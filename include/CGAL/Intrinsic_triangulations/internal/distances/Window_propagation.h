@@ -42,6 +42,12 @@ Window_distances propagate_windows(const Laid_out_faces& surface, double toleran
                                    std::uint64_t most, const Interruption& interruption,
                                    const std::vector<std::uint32_t>& goals = {});
 
+// The distance of one row from another, and of those on the way, without a tolerance.
+// \param rests lower bounds of the distances of rows from the goal, where it is zero; the larger, the fewer windows
+Window_distances propagate_windows_to(const Laid_out_faces& surface, std::uint32_t source, std::uint32_t goal,
+                                      const std::vector<double>& rests, std::uint64_t most,
+                                      const Interruption& interruption);
+
 // The distances of points from the nearest of some of them, without a tolerance, in the unit of the faces.
 // \param points on the faces
 // \param sources numbers of points
