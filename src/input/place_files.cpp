@@ -45,6 +45,9 @@ public:
   std::size_t line() const { return line_; }
   const std::vector<std::string>& cells() const { return cells_; }
 
+  // Whether the first line is no number, but the name of a column.
+  bool has_names() const { return line_ == 1 && cells_[0].find_first_not_of("0123456789 ") != std::string::npos; }
+
   double number(std::size_t i) const
   {
     if (i >= cells_.size())
@@ -112,9 +115,20 @@ std::vector<std::pair<std::uint64_t, std::uint64_t>> read_vertex_pairs(const std
   for (Table table(path); table.next();) {
     if (table.cells().size() != 2)
       table.fail("expected are two vertices");
-    if (result.empty() && table.line() == 1 && table.cells()[0].find_first_not_of("0123456789 ") != std::string::npos)
-      continue; // the names of the columns
-    result.emplace_back(table.whole(0), table.whole(1));
+    if (!table.has_names())
+      result.emplace_back(table.whole(0), table.whole(1));
+  }
+  return result;
+}
+
+std::vector<std::uint64_t> read_vertices(const std::string& path)
+{
+  std::vector<std::uint64_t> result;
+  for (Table table(path); table.next();) {
+    if (table.cells().size() != 1)
+      table.fail("expected is one vertex");
+    if (!table.has_names())
+      result.push_back(table.whole(0));
   }
   return result;
 }

@@ -39,6 +39,10 @@ std::vector<std::vector<Place>> read_places(const std::string& path);
 // \exception Invalid_surface_error likewise
 std::vector<std::pair<std::uint64_t, std::uint64_t>> read_vertex_pairs(const std::string& path);
 
+// Reads vertices, one a line.
+// \exception Invalid_surface_error likewise
+std::vector<std::uint64_t> read_vertices(const std::string& path);
+
 } // namespace idt
 
 #endif // IDT_PLACE_FILES_H

@@ -239,6 +239,70 @@ TEST_F(Distance_command, has_a_sign_beside_a_curve_that_cuts_something_off)
   EXPECT_EQ(idt("distance strip.off --cover none --signed --source 0").status, 2);
 }
 
+TEST_F(Distance_command, writes_a_matrix_between_two_sets)
+{
+  write("two.off", "OFF\n7 3 0\n0 0 0\n1 0 0\n0 1 0\n5 0 0\n6 0 0\n5 1 0\n1 1 0\n3 0 1 2\n3 3 4 5\n3 1 6 2\n");
+  write("from.csv", "vertex\n3\n0\n");
+  write("to.csv", "6\n5\n");
+  for (const std::string options : {"", " --cover none", " --method exact"}) {
+    const Command_run run = idt("distance two.off --source 2 --source-vertices from.csv --target 1 --target-vertices "
+                                "to.csv --matrix m.csv --stats s.json" +
+                                options);
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_TRUE(contains(run.out, "unreachable       4 pairs")) << run.out;
+    const std::vector<std::string> rows = lines(content(folder_ / "m.csv"));
+    ASSERT_EQ(rows.size(), 4u);
+    EXPECT_EQ(rows[0], "source,1,6,5");
+    EXPECT_EQ(rows[1].substr(0, 9), "2,1.41421");
+    EXPECT_EQ(rows[2], "3,inf,inf,1");
+    EXPECT_EQ(rows[3].substr(0, 11), "0,1,1.41421");
+    const json stats = json::parse(content(folder_ / "s.json"));
+    EXPECT_EQ(stats["sources"], json({2, 3, 0}));
+    EXPECT_EQ(stats["targets"], json({1, 6, 5}));
+  }
+  ASSERT_EQ(idt("distance two.off --source 3,0 --target 4,1,0 --matrix m.mtx").status, 0);
+  EXPECT_EQ(content(folder_ / "m.mtx"), "%%MatrixMarket matrix array real general\n% lengths of shortest paths\n2 3\n"
+                                        "1\ninf\ninf\n1\ninf\n0\n");
+  for (const std::string options : {"--matrix m.csv", "--target 1", "--target 1 --matrix m.off",
+                                    "--target 1 --matrix m.csv -o d.csv", "--target 1 --matrix m.csv --method heat",
+                                    "--target 1 --matrix m.csv --source-edges to.csv", "--target 7 --matrix m.csv"})
+    EXPECT_EQ(idt("distance two.off --source 0 " + options).status, 2) << options;
+  write("bad.csv", "1\n2,3\n");
+  EXPECT_TRUE(
+    contains(idt("distance two.off --source-vertices bad.csv").err, "bad.csv, line 2: expected is one vertex"));
+}
+
+// A wall across most of a strip of squares.
+TEST_F(Distance_command, walks_around_barriers)
+{
+  write("strip.off", "OFF\n6 4 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n3 0 1 4\n3 0 4 3\n3 1 2 5\n3 1 5 4\n");
+  write("wall.csv", "x,y,z\n0.75,0,0\n0.75,0.5,0\n");
+  write("edge.csv", "1,4\n");
+  const double around = std::hypot(0.75, 0.5) + std::hypot(1.25, 0.5);
+  for (const std::string options : {"", " --method exact"}) {
+    const Command_run run = idt("distance strip.off --source 0 --barrier wall.csv -o d.csv --stats s.json" + options);
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_NEAR(distances("d.csv")[2], around, 1e-12);
+    EXPECT_NEAR(distances("d.csv")[3], 1, 1e-12);
+    EXPECT_EQ(json::parse(content(folder_ / "s.json"))["barriers"], json({"wall.csv", ""}));
+    ASSERT_EQ(idt("distance strip.off --source 0,5 --barrier-edges edge.csv --labels l.csv -o d.csv" + options).status,
+              0);
+    EXPECT_EQ(distances("d.csv")[1], 1);
+    EXPECT_EQ(content(folder_ / "l.csv"), "vertex,source\n0,0\n1,0\n2,1\n3,0\n4,1\n5,1\n");
+  }
+  ASSERT_EQ(idt("distance strip.off --source 0 --barrier-edges edge.csv -o d.csv").status, 0);
+  EXPECT_EQ(distances("d.csv")[2], std::numeric_limits<double>::infinity());
+  ASSERT_EQ(idt("distance strip.off --source 1 --barrier-edges edge.csv -o d.csv --method heat").status, 0);
+  EXPECT_EQ(distances("d.csv")[1], 0);
+  EXPECT_TRUE(std::isfinite(distances("d.csv")[2]) && std::isfinite(distances("d.csv")[0]));
+  for (const std::string options : {"--matrix m.csv --target 1", "--refine", "--overlay o.ply", "--vectors -o v.csv"})
+    EXPECT_EQ(idt("distance strip.off --source 0 --barrier wall.csv " + options).status, 2) << options;
+  write("cross.csv", "x,y,z\n0.5,0.25,0\n1,0.25,0\n\nx,y,z\n0.75,0,0\n0.75,1,0\n");
+  EXPECT_TRUE(contains(idt("distance strip.off --source 0 --barrier cross.csv").err, "cross"));
+  write("bad.csv", "0,5\n");
+  EXPECT_TRUE(contains(idt("distance strip.off --source 0 --barrier-edges bad.csv").err, "no edge joins"));
+}
+
 TEST_F(Distance_command, is_infinite_where_no_source_is_connected)
 {
   write("two.off", "OFF\n7 2 0\n0 0 0\n1 0 0\n0 1 0\n5 0 0\n6 0 0\n5 1 0\n9 9 9\n3 0 1 2\n3 3 4 5\n");

@@ -7,6 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/distances/Curve_sources.h>
 
+#include "../gluing/Cut_faces.h"
 #include "plane_vectors.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
@@ -37,35 +38,9 @@ using Coordinates = std::array<double, 3>;
 // Relative to the halfedge.
 Coordinates coordinates_in_face_of(const Delta_complex& complex, Halfedge_index h, const Surface_point& p)
 {
-  if (complex.face(p.halfedge) == complex.face(h)) {
-    Surface_point turned_point = p;
-    while (turned_point.halfedge != h)
-      turned_point = {complex.next(turned_point.halfedge),
-                      coordinates_from(complex, turned_point, complex.next(turned_point.halfedge))};
-    return turned_point.coordinates;
-  }
-  const std::array<Halfedge_index, 3> sides{h, complex.next(h), complex.prev(h)};
-  if (p.dimension() == 0) {
-    const std::size_t corner =
-      std::size_t(std::max_element(p.coordinates.begin(), p.coordinates.end()) - p.coordinates.begin());
-    Halfedge_index at = p.halfedge;
-    for (std::size_t i = 0; i < corner; ++i)
-      at = complex.next(at);
-    for (std::size_t i = 0; i < 3; ++i)
-      if (complex.source(sides[i]) == complex.source(at)) {
-        Coordinates result{0, 0, 0};
-        result[i] = 1;
-        return result;
-      }
-  } else if (p.dimension() == 1) {
-    const Halfedge_index beyond = complex.opposite(side_of(complex, p));
-    for (std::size_t i = 0; i < 3; ++i)
-      if (sides[i] == beyond) {
-        Coordinates result{0, 0, 0};
-        std::tie(result[i], result[(i + 1) % 3]) = coordinates_on_edge(complex, p, beyond);
-        return result;
-      }
-  }
+  Coordinates result;
+  if (Cut_faces::find_coordinates(complex, h, p, result))
+    return result;
   throw Invalid_point_error("two consecutive points of a curve do not lie in the face of the first, face " +
                             std::to_string(complex.face(h).idx()));
 }
@@ -181,21 +156,13 @@ private:
     if (p.dimension() != q.dimension())
       return false;
     if (p.dimension() == 0)
-      return vertex_at(input_, p) == vertex_at(input_, q);
+      return Cut_faces::vertex_at(input_, p) == Cut_faces::vertex_at(input_, q);
     try {
       const Coordinates c = coordinates_in_face_of(input_, p.halfedge, q);
       return c == p.coordinates;
     } catch (const Invalid_point_error&) {
       return false;
     }
-  }
-
-  static Vertex_index vertex_at(const Delta_complex& complex, const Surface_point& p)
-  {
-    const Halfedge_index h = p.halfedge;
-    return p.coordinates[0] > 0   ? complex.source(h)
-           : p.coordinates[1] > 0 ? complex.target(h)
-                                  : complex.target(complex.next(h));
   }
 
   // The corners of an input face in the plane, from the source of the halfedge on.
@@ -341,7 +308,7 @@ private:
   void add_point(const Surface_point& p)
   {
     if (p.dimension() == 0) {
-      at_row(row_of_[vertex_at(input_, p).idx()]).is_isolated = true;
+      at_row(row_of_[Cut_faces::vertex_at(input_, p).idx()]).is_isolated = true;
       return;
     }
     // Traced nowhere, toward a corner.
@@ -354,7 +321,7 @@ private:
   void add_place(const Surface_point& located, const std::vector<Vector>& limits)
   {
     if (located.dimension() == 0) {
-      at_row(row_of_[vertex_at(complex_, located).idx()]).is_isolated = true;
+      at_row(row_of_[Cut_faces::vertex_at(complex_, located).idx()]).is_isolated = true;
       return;
     }
     Face_source source = piece({located}, 0);

@@ -23,7 +23,7 @@ namespace CGAL::Intrinsic_triangulations {
 
 std::vector<Sign> sides_of_curve(const Delta_complex& input, const std::vector<Surface_point>& curve)
 {
-  const internal::Cut_faces faces(input, curve);
+  const internal::Cut_faces faces(input, {curve});
   const std::vector<std::array<std::uint32_t, 3>>& triangles = faces.triangles();
   const auto key = [](std::uint32_t from, std::uint32_t to) { return (std::uint64_t(from) << 32) | to; };
   std::unordered_map<std::uint64_t, std::uint32_t> left_of; // the triangle to the left of a side
