@@ -32,9 +32,9 @@ class Picture {
       shown: { value: [1, 1, 1] }, flattened: { value: 0 }, least_strength: { value: [0, 0, 0] }, radius: { value: page.radius },
       face_colours: { value: face_colours.map(c => new THREE.Vector3(...c)) }, scale: { value: scale_colours.map(c => new THREE.Vector3(...c)) },
     };
-    const normals = make_face_normals(), colours = triangulations.map(colour_faces);
+    const normals = make_face_normals(), colours = triangulations.map(colour_faces), sizes = triangulations.map(sizes_of_edges);
     const material = make_material(surface_vertex_shader, surface_fragment_shader, this.uniforms);
-    const make_part = part => Object.assign(make_mesh(make_surface_arrays(part, normals, colours), material), { part });
+    const make_part = part => Object.assign(make_mesh(make_surface_arrays(part, normals, colours, sizes), material), { part });
     this.surface = make_part(surface);
     this.parts = [this.surface];
     this.number_material = make_material(number_vertex_shader, number_fragment_shader, { flattened: this.uniforms.flattened });
