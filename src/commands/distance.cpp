@@ -5,6 +5,7 @@
 
 #include "commands/command_line.h"
 #include "commands/commands.h"
+#include "commands/distance_lines.h"
 #include "commands/distance_sources.h"
 #include "input/Surface.h"
 #include "input/Triangle_soup.h"
@@ -32,6 +33,7 @@
 #include <CGAL/Intrinsic_triangulations/Vector_heat_method.h>
 #include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/farthest_vertices.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distance_matrix.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
@@ -73,14 +75,20 @@ struct Distance_options
   Named_sources sources, barriers;
   std::vector<std::uint64_t> targets;
   std::string source_vertices_path, target_vertices_path, matrix_path;
-  std::string output_path, overlay_path, labels_path, stats_path, view_path;
+  Line_options lines;
+  std::string output_path, overlay_path, labels_path, samples_path, stats_path, view_path;
+  std::uint64_t number_of_samples = 0;
   std::string cover = "tufted", boundary, format = "csv", method;
   std::optional<double> time_coefficient, maximum_change;
   Repair_options repair;
   bool is_refined = false, has_vectors = false, is_compared = false, is_signed = false;
 
   // Whether ways begin elsewhere than at vertices, or their origin matters.
-  bool has_places() const { return sources.has_files() || !labels_path.empty(); }
+  bool has_places() const
+  {
+    return sources.has_files() || !labels_path.empty() || !samples_path.empty() || lines.are_wanted();
+  }
+  double tolerance() const { return method == "exact" ? 0 : 0.001; }
   bool is_by_heat() const { return method == "heat" || (method.empty() && (!boundary.empty() || time_coefficient)); }
 
   std::optional<Mesh_format> overlay_format() const
@@ -96,6 +104,8 @@ struct Distance_result
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<double> distances; // infinite where no source is connected; for a matrix, row after row
   std::vector<std::uint32_t> nearest_sources;
+  std::vector<IT::Farthest_vertex> samples;
+  Distance_lines lines;
   std::vector<std::array<double, 3>> source_points, source_curves; // as those of Placed_sources
   double largest_snap = -1;                                        // of sources in space, if there are any
   std::vector<Named_values> vectors;                               // other values at each vertex
@@ -165,16 +175,19 @@ void check(const Distance_options& options)
   if (options.sources.vertices.empty() && !options.sources.has_files())
     throw Usage_error("--source is required, or --source-vertices, --source-points, --source-edges or --source-curve");
   if (options.has_places() && (options.is_by_heat() || options.maximum_change))
-    throw Usage_error(
-      "--source-points, --source-edges, --source-curve and --labels follow straight ways on the surface "
-      "itself: omit heat and --maximum-change");
+    throw Usage_error("--source-points, --source-edges, --source-curve, --labels, --farthest and lines follow straight "
+                      "ways on the surface "
+                      "itself: omit heat and --maximum-change");
   if (options.is_signed && (options.sources.curve_path.empty() || !options.sources.vertices.empty() ||
                             !options.sources.points_path.empty() || !options.sources.edges_path.empty()))
     throw Usage_error("--signed needs --source-curve, and no other source");
   if (options.is_signed && (options.cover == "tufted" || options.is_refined))
     throw Usage_error("--signed needs --cover none, and no --refine");
   if (options.has_places() && options.has_vectors)
-    throw Usage_error("--vectors needs vertices as sources, and no --labels");
+    throw Usage_error("--vectors needs vertices as sources, and no --labels, --farthest or lines");
+  if (options.samples_path.empty() != (options.number_of_samples == 0))
+    throw Usage_error("--farthest N needs --samples, and a number above 0; and --samples needs --farthest");
+  options.lines.check(options.is_signed, !options.view_path.empty());
   if (!options.is_by_heat() && !options.boundary.empty())
     throw Usage_error("--boundary needs --method heat");
   if (!options.is_by_heat() && options.time_coefficient)
@@ -208,7 +221,8 @@ void check(const Distance_options& options)
     throw Usage_error(path + ": distances are written as a file whose name ends in .csv, .ply or .vtp");
   check_matrix(options);
   check_output_paths(
-    {path, options.overlay_path, options.labels_path, options.matrix_path, options.stats_path, options.view_path},
+    {path, options.overlay_path, options.labels_path, options.samples_path, options.matrix_path, options.stats_path,
+     options.view_path, options.lines.lines_path, options.lines.borders_path},
     {options.input, options.sources.points_path, options.sources.edges_path, options.sources.curve_path,
      options.source_vertices_path, options.target_vertices_path});
   check_view(options.view_path);
@@ -292,6 +306,11 @@ void find_by_heat(const Distance_options& options, const Any_surface& surface,
   result.number_of_bounded_distances = heat.number_of_bounded_distances();
 }
 
+auto geodesic_options(double tolerance)
+{
+  return CGAL::parameters::tolerance(tolerance).visitor([] { return !is_interrupted(); });
+}
+
 template <class Any_surface, class Options>
 IT::Geodesic_distances distances_from(const Any_surface& surface, const std::vector<IT::Vertex_index>& sources,
                                       const Options& options)
@@ -312,13 +331,9 @@ template <class Any_surface, class Sources>
 void follow_ways(const Distance_options& options, const Any_surface& surface, const Sources& sources,
                  Progress& progress, Distance_result& result)
 {
-  const auto geodesic_options = [](double tolerance) {
-    return CGAL::parameters::tolerance(tolerance).visitor([] { return !is_interrupted(); });
-  };
   if (!options.is_by_heat() && !options.maximum_change) {
     progress.begin("following straight ways");
-    IT::Geodesic_distances found =
-      distances_from(surface, sources, geodesic_options(options.method == "exact" ? 0 : 0.001));
+    IT::Geodesic_distances found = distances_from(surface, sources, geodesic_options(options.tolerance()));
     result.is_complete = found.is_complete;
     result.distances = std::move(found.distances);
     result.nearest_sources = std::move(found.nearest_sources);
@@ -376,6 +391,16 @@ void find_matrix(const Distance_options& options, const Any_surface& surface, Pr
     result.distances.insert(result.distances.end(), row.begin(), row.end());
 }
 
+void add_lines(const Distance_options& options, const Triangulation& triangulation, const Placed_sources& placed,
+               Progress& progress, Distance_result& result)
+{
+  progress.begin("following lines");
+  result.lines = find_lines(options.lines, triangulation, placed.sources, options.is_signed, options.tolerance(),
+                            result.largest_distance());
+}
+void add_lines(const Distance_options&, const IT::Tufted_cover&, const Placed_sources&, Progress&, Distance_result&) {
+} // they imply a surface
+
 // \param place_sources places the sources if they are not only vertices
 template <class Any_surface, class Place_sources>
 void follow_ways_from(const Place_sources& place_sources, const Distance_options& options, const Any_surface& surface,
@@ -393,6 +418,12 @@ void follow_ways_from(const Place_sources& place_sources, const Distance_options
   follow_ways(options, surface, placed.sources, progress, result);
   if (options.is_signed)
     set_signs(surface, placed, result);
+  if (options.lines.are_wanted())
+    add_lines(options, surface, placed, progress, result);
+  progress.begin("choosing vertices");
+  if (!options.samples_path.empty())
+    result.samples =
+      IT::farthest_vertices(surface, placed.sources, options.number_of_samples, geodesic_options(options.tolerance()));
 }
 
 // The first axis of the tangent plane of each source, transported to the vertices nearest to it; and for a single
@@ -623,6 +654,9 @@ Json statistics(const Distance_options& options, const Distance_result& result)
     json["targets"] = options.targets;
   if (result.largest_snap >= 0)
     json["largest_snap"] = result.largest_snap;
+  for (const auto& [name, found] : {std::pair("isolines", &result.lines.isolines), {"borders", &result.lines.borders}})
+    if (*found)
+      json[name] = {{"lines", (*found)->lines.size()}, {"chord_tolerance", (*found)->maximum_deviation}};
   if (result.errors)
     json["error"] = {{"mean", (*result.errors)[0]}, {"largest", (*result.errors)[1]}};
   return json;
@@ -664,6 +698,8 @@ void write_report(std::ostream& os, const Distance_options& options, const Dista
      << in_short(result.largest_distance()) << "\n  accuracy          " << accuracy(options, result) << result.cuts;
   if (result.largest_snap >= 0)
     os << "\n  snap              points in space were up to " << in_short(result.largest_snap) << " from the surface";
+  if (options.lines.are_wanted())
+    os << "\n  lines             " << result.lines.text();
   if (const std::size_t n = result.number_of_unreachable_vertices())
     os << "\n  unreachable       "
        << (options.matrix_path.empty() ? counted(n, "vertex", "vertices") : counted(n, "pair", "pairs"));
@@ -695,6 +731,14 @@ void write_labels(std::ostream& os, const Distance_result& result)
   });
 }
 
+// A row `vertex,distance` for each chosen vertex, in their order.
+void write_samples(std::ostream& os, const Distance_result& result)
+{
+  os << "vertex,distance\n";
+  for (const IT::Farthest_vertex& sample : result.samples)
+    os << sample.vertex.idx() << ',' << in_full(sample.distance) << '\n';
+}
+
 View view_of(const Distance_options& options, const Distance_result& result)
 {
   View view =
@@ -713,6 +757,8 @@ View view_of(const Distance_options& options, const Distance_result& result)
     for (std::uint64_t v : options.sources.vertices)
       view.marks.push_back(result.points[v]);
   view.marks_name = counted(view.marks.size(), "point", "points") + " with distance zero";
+  if (options.lines.are_wanted())
+    result.lines.show(view, result.points);
   return view;
 }
 
@@ -729,7 +775,7 @@ void read_vertex_files(Distance_options& options)
 
 Exit_status run_distance(Distance_options options)
 {
-  if (options.maximum_change || options.barriers.has_files())
+  if (options.maximum_change || options.lines.are_wanted() || options.barriers.has_files())
     options.cover = "none";
   read_vertex_files(options);
   check(options);
@@ -776,6 +822,8 @@ Exit_status run_distance(Distance_options options)
          ? write_distance_table
          : write_distance_matrix)(os, options.sources.vertices, options.targets, result.distances);
     });
+    write_file(options.samples_path, [&](std::ostream& os) { write_samples(os, result); });
+    result.lines.write(options.lines, result.points);
     if (!options.view_path.empty())
       write_view(options.view_path, view_of(options, result));
     write_json(options.stats_path, statistics(options, result));
@@ -838,6 +886,12 @@ void add_distance_command(CLI::App& app, Selected_command& selected)
     ->allow_extra_args(false)
     ->transform(whole_number());
   add_option(command, "--target-vertices", options->target_vertices_path, "F.csv", "more of them, one in each line");
+  options->lines.add_options(command);
+  add_option(command, "--farthest", options->number_of_samples, "N",
+             "choose N vertices, each as far as possible from the sources and from those before")
+    ->transform(whole_number());
+  add_option(command, "--samples", options->samples_path, "F.csv",
+             "write the vertices of --farthest in their order, with their distances");
   set_words(command.add_option("--format", options->format, "the format of -o - and the like on the standard output"),
             {"csv", "ply", "vtp", "mtx"})
     ->type_name("EXT")

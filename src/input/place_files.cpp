@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <utility>
 
 namespace idt {
 namespace {
@@ -86,17 +87,23 @@ std::vector<std::vector<Place>> read_places(const std::string& path)
 {
   std::vector<std::vector<Place>> result;
   Place::Kind kind = Place::IN_SPACE;
+  std::string last_line; // its number
+  std::size_t begin = 0;
   for (Table table(path); table.next();) {
     const std::string& first = table.cells()[0];
-    if (first == "x" || first == "input_face" || first == "face") {
-      kind = first == "x" ? Place::IN_SPACE : first == "face" ? Place::BETWEEN_VERTICES : Place::IN_FACE;
+    if (first == "x" || first == "input_face" || first == "face" || first == "line") {
+      kind = first == "x" ? Place::IN_SPACE : first == "input_face" ? Place::IN_FACE : Place::BETWEEN_VERTICES;
+      begin = first == "line" ? 1 : 0;
+      last_line.clear();
       result.emplace_back();
       continue;
     }
+    if (begin == 1 && std::exchange(last_line, first) != first && !result.empty() && !result.back().empty())
+      result.emplace_back();
     if (result.empty())
       table.fail("the first line of such a table is x,y,z or input_face,b0,b1,b2, or that of `idt geodesic`");
     Place place{kind, {}, 0, {}, table.line()};
-    std::size_t at = 0;
+    std::size_t at = begin;
     if (kind != Place::IN_SPACE)
       place.face = table.whole(at++);
     if (kind == Place::BETWEEN_VERTICES)

@@ -10,11 +10,13 @@
 #include <CGAL/Intrinsic_triangulations/Heat_method.h>
 #include <CGAL/Intrinsic_triangulations/Surface_with_barriers.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
+#include <CGAL/Intrinsic_triangulations/farthest_vertices.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distance_matrix.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
 #include <mutex>
@@ -163,6 +165,35 @@ std::pair<py::array, py::array> geodesic_distances_from(const Doubles& points, c
   return {to_array(std::move(found.distances)), to_array(std::move(found.nearest_sources))};
 }
 
+// The vertices, and their distances. \param sources vertices
+std::pair<py::array, py::array> farthest_vertices(const Doubles& points, const Indices& triangles,
+                                                  const Indices& sources, std::uint32_t number, double tolerance)
+{
+  const Rows<double> rows(points);
+  const auto faces = copied_rows(triangles);
+  const auto starts = copied(sources);
+  const auto options = CGAL::parameters::tolerance(tolerance).visitor(&Signal_watch::goes_on);
+  std::vector<std::int64_t> vertices;
+  std::vector<double> distances;
+  without_lock([&] {
+    const IT::Tufted_cover cover = Delaunay_cover(rows, faces, IT::Surface_cover::SHEETS);
+    std::vector<IT::Geodesic_source> from;
+    for (std::uint32_t v : starts) {
+      const auto at = std::find(cover.vertex_of.begin(), cover.vertex_of.end(), cover.representative[v]);
+      if (at == cover.vertex_of.end())
+        throw IT::Invalid_argument_error("vertex " + std::to_string(v) + " has no face with area");
+      from.push_back(IT::source_at_vertex(cover.triangulation.input(),
+                                          IT::Vertex_index(std::uint32_t(at - cover.vertex_of.begin()))));
+    }
+    for (const IT::Farthest_vertex& v : IT::farthest_vertices(cover, from, number, options)) {
+      vertices.push_back(v.vertex.idx());
+      distances.push_back(v.distance);
+    }
+    return 0;
+  });
+  return {to_array(std::move(vertices)), to_array(std::move(distances))};
+}
+
 py::array geodesic_distance_matrix(const Doubles& points, const Indices& triangles, const Indices& sources,
                                    const Indices& targets, double tolerance)
 {
@@ -208,6 +239,8 @@ void add_heat(py::module_& module)
              py::arg("triangles").noconvert(), py::arg("numbers").noconvert(), py::arg("coordinates").noconvert(),
              py::arg("first").noconvert(), py::arg("offsets").noconvert(), py::arg("tolerance"),
              py::arg("number_of_barriers"));
+  module.def("farthest_vertices", &farthest_vertices, py::arg("points").noconvert(), py::arg("triangles").noconvert(),
+             py::arg("sources").noconvert(), py::arg("number"), py::arg("tolerance"));
   module.def("geodesic_distance_matrix", &geodesic_distance_matrix, py::arg("points").noconvert(),
              py::arg("triangles").noconvert(), py::arg("sources").noconvert(), py::arg("targets").noconvert(),
              py::arg("tolerance"));

@@ -221,7 +221,8 @@ private:
     const std::array<Vector, 3> c = corners(start.halfedge);
     result.direction = plane::unit(plane::difference(position(c, end.coordinates), position(c, start.coordinates)));
     const Surface_direction onward = direction(start, end.coordinates);
-    // Up to the end of the first face, because the direction of a short piece would be rounded.
+    // Up to the end of the first face, because the direction of a short piece would be rounded; if that is near, the
+    // longest piece tells it.
     const double whole = length(start, end), long_way = std::ldexp(1, 30) * whole;
     const std::vector<Surface_point> into = trace_in_triangulation(engine_, onward, long_way, 1).points;
     result.located = into.front();
@@ -234,17 +235,32 @@ private:
     }
     const std::vector<Surface_point> points =
       trace_in_triangulation(engine_, onward, whole, (std::numeric_limits<std::size_t>::max)()).points;
+    std::size_t longest = 0;
+    double most = first.length;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       result.pieces.push_back(piece(points, i));
-      if (i > 0 && points[i].dimension() == 1) { // the line goes straight on over the side
-        const Halfedge_index on = side_of(complex_, points[i]);
-        const Face_source &last = result.pieces[i - 1], &next = result.pieces[i];
-        result.pieces[i].direction =
-          plane::turned(last.direction,
-                        plane::angle_between(along(last.side, complex_.opposite(on)), along(next.side, on)) - CGAL_PI);
+      if (result.pieces.back().length > most) {
+        most = result.pieces.back().length;
+        longest = i;
       }
     }
+    if (longest == 0)
+      result.pieces.front().direction = first.direction;
+    // The line goes straight on over sides.
+    for (std::size_t i = longest + 1; i < result.pieces.size(); ++i)
+      if (points[i].dimension() == 1)
+        result.pieces[i].direction = plane::turned(result.pieces[i - 1].direction, turn(result.pieces, points, i));
+    for (std::size_t i = longest; i > 0; --i)
+      if (points[i].dimension() == 1)
+        result.pieces[i - 1].direction = plane::turned(result.pieces[i].direction, -turn(result.pieces, points, i));
     return result;
+  }
+
+  // From the piece before a point on a side to the one behind it, as each sees its own face.
+  double turn(const std::vector<Face_source>& pieces, const std::vector<Surface_point>& points, std::size_t i) const
+  {
+    const Halfedge_index on = side_of(complex_, points[i]);
+    return plane::angle_between(along(pieces[i - 1].side, complex_.opposite(on)), along(pieces[i].side, on)) - CGAL_PI;
   }
 
   // A side of a face relative to another one.
@@ -317,9 +333,12 @@ private:
     add_place(trace_in_triangulation(engine_, direction(p, corner), 0, 1).points.front(), {});
   }
 
-  // Ways from a point that is no vertex, or from an inserted one.
-  void add_place(const Surface_point& located, const std::vector<Vector>& limits)
+  // Ways from a point that is no vertex, or from an inserted one. As near to a side as rounding is, it lies on the side:
+  // the directions in which ways leave through there would be lost.
+  void add_place(Surface_point located, const std::vector<Vector>& limits)
   {
+    for (double& x : located.coordinates)
+      x = x < 0x1p-45 ? 0 : x;
     if (located.dimension() == 0) {
       at_row(row_of_[Cut_faces::vertex_at(complex_, located).idx()]).is_isolated = true;
       return;

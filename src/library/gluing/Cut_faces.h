@@ -82,6 +82,13 @@ public:
       return new_points_[v - complex_.number_of_vertices()];
     return {complex_.opposite(complex_.halfedge(Vertex_index(v))), {1, 0, 0}}; // its halfedge may be one of the border
   }
+  // Of a vertex in the face of a halfedge, relative to that.
+  Coordinates coordinates(Halfedge_index first, Node v) const
+  {
+    Coordinates result;
+    find_coordinates(complex_, first, location(v), result);
+    return result;
+  }
 
 private:
   // A convex part of a face: its corners, counterclockwise.
@@ -243,13 +250,6 @@ private:
     pieces.erase(pieces.begin() + std::ptrdiff_t(best));
     for (std::size_t k = 0; k < around.size(); ++k)
       pieces.push_back({around[k], around[(k + 1) % around.size()], v});
-  }
-
-  Coordinates coordinates(Halfedge_index first, Node v) const
-  {
-    Coordinates result;
-    find_coordinates(complex_, first, location(v), result);
-    return result;
   }
 
   // As a part of the face.

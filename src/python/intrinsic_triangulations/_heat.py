@@ -204,15 +204,36 @@ def geodesic_distances_from(V: ArrayLike, F: ArrayLike, sources: Sequence[Any], 
         If a source does not lie on the surface, an offset is negative, or barriers cross.
     """
     points, faces = _arrays.points_and_faces(V, F)
-    places = [_places(source, f"sources[{i}]", faces, len(points)) for i, source in enumerate(sources)]
-    starts = numpy.zeros(len(places)) if offsets is None else _arrays.finite(offsets, "offsets", (len(places),))
-    places += [_places(barrier, f"barriers[{i}]", faces, len(points)) for i, barrier in enumerate(barriers)]
+    placed = _placed(points, faces, sources, offsets, barriers)
     _arrays.warn_of_gaps(points, faces)
-    rows = numpy.concatenate(places) if places else numpy.empty((0, 4))
-    first = numpy.cumsum([0] + [len(p) for p in places]).astype(numpy.uint32)
-    numbers = _arrays.indices(rows[:, 0].astype(numpy.int64), "triangles of sources", (None,), len(faces))
-    return _core.geodesic_distances_from(points, faces, numbers, numpy.ascontiguousarray(rows[:, 1:]), first, starts,
-                                         _tolerance(tolerance), len(places) - len(starts))
+    return _core.geodesic_distances_from(points, faces, *placed, _tolerance(tolerance), len(barriers))
+
+
+def farthest_vertices(V: ArrayLike, F: ArrayLike, number: int, v_inds: ArrayLike = (),
+                      tolerance: float = 0.001) -> Tuple[numpy.ndarray, numpy.ndarray]:
+    """Return vertices, each of which is as far as possible from the sources and from the ones before.
+
+    Parameters
+    ----------
+    V, F, tolerance
+        As for `geodesic_distances`.
+    number : int
+        How many vertices are wanted; there are fewer if all others have the distance 0.
+    v_inds : (k,) array of integers
+        The sources; none to begin with the first vertex.
+
+    Returns
+    -------
+    vertices : (number,) array of integers
+    distances : (number,) array
+        From the sources and the vertices before; infinite if no path leads there.
+    """
+    points, faces = _arrays.points_and_faces(V, F)
+    sources = _arrays.indices(v_inds, "v_inds", (None,), len(points))
+    if not (isinstance(number, (int, numpy.integer)) and 0 <= number < 2**32):
+        raise ValueError(f"number has to be a whole number that is not negative, not {number!r}")
+    _arrays.warn_of_gaps(points, faces)
+    return _core.farthest_vertices(points, faces, sources, int(number), _tolerance(tolerance))
 
 
 def geodesic_distance_matrix(V: ArrayLike, F: ArrayLike, sources: ArrayLike, targets: ArrayLike,
@@ -255,6 +276,18 @@ def _tolerance(tolerance: Any) -> float:
     if not (isinstance(tolerance, (int, float, numpy.integer, numpy.floating)) and 0 <= tolerance < 1):
         raise ValueError(f"tolerance has to be at least 0 and below 1, not {tolerance!r}")
     return float(tolerance)
+
+
+def _placed(points: numpy.ndarray, faces: numpy.ndarray, sources: Sequence[Any], offsets: Optional[ArrayLike],
+            barriers: Sequence[Any] = ()) -> tuple:
+    """Return the triangles and coordinates of all points of sources and barriers, where each begins, and the offsets."""
+    places = [_places(source, f"sources[{i}]", faces, len(points)) for i, source in enumerate(sources)]
+    starts = numpy.zeros(len(places)) if offsets is None else _arrays.finite(offsets, "offsets", (len(places),))
+    places += [_places(barrier, f"barriers[{i}]", faces, len(points)) for i, barrier in enumerate(barriers)]
+    rows = numpy.concatenate(places) if places else numpy.empty((0, 4))
+    first = numpy.cumsum([0] + [len(p) for p in places]).astype(numpy.uint32)
+    numbers = _arrays.indices(rows[:, 0].astype(numpy.int64), "triangles of sources", (None,), len(faces))
+    return numbers, numpy.ascontiguousarray(rows[:, 1:]), first, starts
 
 
 def _places(source: Any, name: str, faces: numpy.ndarray, number_of_vertices: int) -> numpy.ndarray:
