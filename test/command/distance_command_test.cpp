@@ -303,6 +303,84 @@ TEST_F(Distance_command, walks_around_barriers)
   EXPECT_TRUE(contains(idt("distance strip.off --source 0 --barrier-edges bad.csv").err, "no edge joins"));
 }
 
+// A strip of 10 by 1, cut in two.
+TEST_F(Distance_command, writes_lines_at_distances_and_between_cells)
+{
+  write("strip.off", "OFF\n4 2 0\n0 0 0\n10 0 0\n10 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n");
+  write("edges.csv", "1,0\n");
+  const std::string edges = "distance strip.off --source-edges edges.csv --method exact ";
+  const Command_run run = idt(edges + "--isolines 0.5,0.25 --lines l.csv --stats s.json");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "lines             2 isolines")) << run.out;
+  EXPECT_EQ(json::parse(content(folder_ / "s.json"))["isolines"]["lines"], 2);
+  std::vector<std::string> rows = lines(content(folder_ / "l.csv"));
+  EXPECT_EQ(rows.at(0), "line,face,vertex_0,vertex_1,vertex_2,coordinate_0,coordinate_1,coordinate_2,x,y,z,distance");
+  ASSERT_GE(rows.size(), 5u);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    std::vector<double> cells;
+    std::istringstream row(rows[i]);
+    for (std::string cell; std::getline(row, cell, ',');)
+      cells.push_back(std::stod(cell));
+    ASSERT_EQ(cells.size(), 12u);
+    EXPECT_EQ(cells[11], cells[0] == 0 ? 0.25 : 0.5);
+    EXPECT_NEAR(cells[9], cells[11], 1e-14);
+  }
+  // Each line of the table is a curve, from which distances can be measured.
+  ASSERT_EQ(idt("distance strip.off --source-curve l.csv --labels n.csv -o d.csv --method exact").status, 0);
+  EXPECT_EQ(content(folder_ / "n.csv"), "vertex,source\n0,0\n1,0\n2,1\n3,1\n");
+  EXPECT_NEAR(distances("d.csv")[0], 0.25, 1e-14);
+  EXPECT_NEAR(distances("d.csv")[2], 0.5, 1e-14);
+  // On either side of a curve.
+  write("up.csv", "x,y,z\n4,0,0\n4,1,0\n");
+  ASSERT_EQ(idt("distance strip.off --signed --source-curve up.csv --isolines -2,1 --lines l.obj").status, 0);
+  const std::string obj = content(folder_ / "l.obj");
+  EXPECT_TRUE(contains(obj, "g distance_-2\nv 6 ")) << obj;
+  EXPECT_TRUE(contains(obj, "g distance_1\nv 3 ")) << obj;
+  ASSERT_EQ(idt("distance strip.off --signed --source-curve up.csv --isoline-step 2 --lines l.csv").status, 0);
+  EXPECT_TRUE(contains(content(folder_ / "l.csv"), ",-6\n"));
+  EXPECT_FALSE(contains(content(folder_ / "l.csv"), ",-8\n"));
+  // Between cells.
+  ASSERT_EQ(idt("distance strip.off --source 0,1 --borders b.csv --method exact").status, 0);
+  rows = lines(content(folder_ / "b.csv"));
+  EXPECT_EQ(rows.at(0).substr(rows[0].size() - 24), ",x,y,z,source_0,source_1");
+  EXPECT_TRUE(contains(rows.at(1), ",5,")) << rows[1];
+  EXPECT_EQ(rows[1].substr(rows[1].size() - 4), ",0,1");
+  ASSERT_EQ(idt("distance strip.off --source 0,1 --borders b.vtp --isolines 1 --view page.html").status, 0);
+  EXPECT_TRUE(contains(content(folder_ / "b.vtp"), "Name=\"source_1\""));
+  EXPECT_TRUE(contains(content(folder_ / "page.html"), "the isolines and borders"));
+  // Bad input.
+  const auto message = [&](const std::string& options, int status) {
+    const Command_run bad = idt(edges + options);
+    EXPECT_EQ(bad.status, status) << options;
+    return bad.err;
+  };
+  EXPECT_TRUE(contains(message("--isolines 0.5", 2), "--isolines needs --lines or --view"));
+  EXPECT_TRUE(contains(message("--isolines 0 --lines l.csv", 2), "0 is the distance of the sources themselves"));
+  EXPECT_TRUE(contains(message("--isolines nan --lines l.csv", 2), "nan is no finite distance"));
+  EXPECT_TRUE(contains(message("--isolines=-1 --lines l.csv", 2), "the right side of a curve needs --signed"));
+  EXPECT_TRUE(contains(message("--isolines 7 --lines l.csv", 2), "no point has the distance 7"));
+  EXPECT_TRUE(contains(message("--isolines 0.5 --lines l.stl", 2), "ends in .csv, .vtp or .obj"));
+  EXPECT_TRUE(contains(message("--isoline-step 0 --lines l.csv", 2), "S is a positive number"));
+  EXPECT_TRUE(
+    contains(message("--isoline-step 1e-9 --lines l.csv", 2), "give a larger one, 10,000 steps are the most"));
+  EXPECT_TRUE(contains(message("--isolines 0.5 --lines l.csv --chord-tolerance 0", 2), "T is a positive number"));
+  EXPECT_TRUE(contains(message("--isolines 0.5 --lines l.csv --method heat", 2), "omit heat"));
+  EXPECT_TRUE(contains(message("--isolines 0.5 --lines l.csv -o l.csv", 2), "l.csv"));
+}
+
+TEST_F(Distance_command, chooses_vertices_far_from_each_other)
+{
+  write("strip.off", "OFF\n4 2 0\n0 0 0\n10 0 0\n10 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n");
+  for (const std::string cover : {"", " --cover none"}) {
+    const Command_run run = idt("distance strip.off --source 3 --farthest 9 --samples s.csv" + cover);
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_TRUE(contains(content(folder_ / "s.csv"), "vertex,distance\n1,10.0498756")) << content(folder_ / "s.csv");
+    EXPECT_TRUE(contains(content(folder_ / "s.csv"), "\n0,1\n2,1\n"));
+  }
+  EXPECT_EQ(idt("distance strip.off --source 3 --farthest 9").status, 2);
+  EXPECT_EQ(idt("distance strip.off --source 3 --farthest 0 --samples s.csv").status, 2);
+}
+
 TEST_F(Distance_command, is_infinite_where_no_source_is_connected)
 {
   write("two.off", "OFF\n7 2 0\n0 0 0\n1 0 0\n0 1 0\n5 0 0\n6 0 0\n5 1 0\n9 9 9\n3 0 1 2\n3 3 4 5\n");
