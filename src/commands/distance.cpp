@@ -220,11 +220,10 @@ void check(const Distance_options& options)
   if (!path.empty() && type != ".csv" && type != ".ply" && type != ".vtp")
     throw Usage_error(path + ": distances are written as a file whose name ends in .csv, .ply or .vtp");
   check_matrix(options);
-  check_output_paths(
-    {path, options.overlay_path, options.labels_path, options.samples_path, options.matrix_path, options.stats_path,
-     options.view_path, options.lines.lines_path, options.lines.borders_path},
-    {options.input, options.sources.points_path, options.sources.edges_path, options.sources.curve_path,
-     options.source_vertices_path, options.target_vertices_path});
+  check_output_paths({path, options.overlay_path, options.labels_path, options.samples_path, options.matrix_path,
+                      options.stats_path, options.view_path, options.lines.lines_path, options.lines.borders_path},
+                     {options.input, options.sources.points_path, options.sources.edges_path,
+                      options.sources.curve_path, options.source_vertices_path, options.target_vertices_path});
   check_view(options.view_path);
 }
 

@@ -504,7 +504,7 @@ Window_distances propagate_windows_to(const Laid_out_faces& surface, std::uint32
                                       const std::vector<double>& rests, std::uint64_t most,
                                       const Interruption& interruption)
 {
-  Window_propagation windows(surface, 0, nullptr, &rests);
+  Window_propagation windows(surface, 0, nullptr, nullptr, &rests);
   const bool is_complete = windows.run({{{source, 0, 0, {}}}, {}}, most, interruption, {goal});
   return windows.result(is_complete);
 }

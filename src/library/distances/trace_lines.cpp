@@ -84,8 +84,8 @@ public:
     const Intrinsic_layer intrinsic(subdivision_);
     for (Overlay::Face f : subdivision_.overlay().faces())
       divide(input, intrinsic, f);
-    while (conform()) {
-    }
+    while (conform())
+      ;
     for (const Triangle& t : fine_)
       add_pieces(t);
     return pieces_.join();
@@ -235,19 +235,19 @@ private:
   // Divides triangles with a divided side. \return whether there were any
   bool conform()
   {
-    std::vector<Triangle> triangles;
-    triangles.swap(fine_);
     bool result = false;
-    for (const Triangle& t : triangles) {
-      const bool is_divided = middles_.count(edge(t.corners[0], t.corners[1])) +
-                                middles_.count(edge(t.corners[1], t.corners[2])) +
-                                middles_.count(edge(t.corners[2], t.corners[0])) >
-                              0;
-      result = result || is_divided;
-      if (is_divided)
-        bisect(t, waves_in(t.face));
-      else
-        fine_.push_back(t);
+    for (std::size_t i = 0; i < fine_.size();) {
+      const Triangle t = fine_[i];
+      if (middles_.count(edge(t.corners[0], t.corners[1])) + middles_.count(edge(t.corners[1], t.corners[2])) +
+            middles_.count(edge(t.corners[2], t.corners[0])) ==
+          0) {
+        ++i;
+        continue;
+      }
+      result = true;
+      fine_[i] = fine_.back();
+      fine_.pop_back();
+      bisect(t, waves_in(t.face));
     }
     return result;
   }
@@ -262,14 +262,19 @@ private:
     return result;
   }
 
-  // Whether no line can be in a triangle or on its sides.
+  // Whether no line can be in a triangle or on its sides, wherever these will be divided. With a tolerance of the search,
+  // the next face may see a side in another way.
   bool is_far(const Triangle& t, const Seen& seen) const
   {
+    const std::array<std::uint32_t, 3> ranks = ranks_of(t);
+    if (ranks[0] != ranks[1] || ranks[1] != ranks[2])
+      return false;
     if (!has_levels())
-      return std::all_of(seen.begin(), seen.end(),
-                         [&](const Wave_in_triangle& w) { return w.wave->source == seen.front().wave->source; });
+      return wanted_.search_tolerance == 0 && std::all_of(seen.begin(), seen.end(), [&](const Wave_in_triangle& w) {
+               return w.wave->source == ranks[0];
+             });
     const auto [lowest, highest] = range(seen);
-    const double margin = slack(t) + 10 * rounding * highest;
+    const double margin = 10 * slack(t) + 10 * rounding * highest;
     const auto level = std::lower_bound(wanted_.levels.begin(), wanted_.levels.end(), lowest - margin);
     return level == wanted_.levels.end() || *level > highest + margin;
   }
