@@ -203,7 +203,7 @@ void check(const Distance_options& options)
   if (options.cover == "tufted" && !options.overlay_path.empty())
     throw Usage_error("--overlay needs --cover none: the tufted cover is not a triangulation of the input");
   if (options.maximum_change && !(*options.maximum_change >= 0))
-    throw Usage_error("--maximum-change: C is not negative");
+    throw Usage_error("--maximum-change: C has to be a number that is not negative");
   if (options.maximum_change && (options.is_by_heat() || !options.method.empty() || options.is_refined))
     throw Usage_error("--maximum-change follows all straight ways on a simplified surface: omit --method, --refine and "
                       "the options of heat");

@@ -89,9 +89,9 @@ void check(const Refine_options& options)
   if (!(criteria.maximum_edge_length > 0))
     throw Usage_error("--maximum-edge-length: L is larger than 0");
   if (criteria.minimum_size && !(*criteria.minimum_size >= 0))
-    throw Usage_error("--minimum-size: S is not negative");
+    throw Usage_error("--minimum-size: S has to be a number that is not negative");
   if (options.flat_tolerance && !(*options.flat_tolerance >= 0))
-    throw Usage_error("--flat-tolerance: D is not negative");
+    throw Usage_error("--flat-tolerance: D has to be a number that is not negative");
   if (criteria.sharp_edge_angle && !(*criteria.sharp_edge_angle >= 0 && *criteria.sharp_edge_angle <= 180))
     throw Usage_error("--constrain-angle: D is between 0 and 180 degrees");
   if (!options.maximum_deviation.empty() && !(length(options.maximum_deviation, 1) > 0))

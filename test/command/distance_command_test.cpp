@@ -215,6 +215,15 @@ TEST_F(Distance_command, begins_at_points_edges_and_curves)
   EXPECT_TRUE(contains(idt("distance strip.off --source-points bad.csv").err, "there is no triangle 7"));
   EXPECT_TRUE(contains(idt("distance strip.off --cover none --source-points bad.csv").err, "there is no face 7"));
   EXPECT_NE(idt("distance strip.off --source-points missing.csv").status, 0);
+  write("bad.csv", "x,y,z\n1,2,3,4\n");
+  EXPECT_TRUE(contains(idt("distance strip.off --source-points bad.csv").err, "line 2: there are 3 names and 4 cells"));
+  for (const char* text : {"", "x,y,z\n", "x,y,z\n1,0,0\nx,y,z\n"}) {
+    write("bad.csv", text);
+    EXPECT_NE(idt("distance strip.off --source-points bad.csv").status, 0) << text;
+    EXPECT_NE(idt("distance strip.off --source-curve bad.csv").status, 0) << text;
+  }
+  write("bad.csv", "vertex,vertex\n");
+  EXPECT_TRUE(contains(idt("distance strip.off --source-edges bad.csv").err, "no pair of vertices"));
 }
 
 TEST_F(Distance_command, has_a_sign_beside_a_curve_that_cuts_something_off)

@@ -71,6 +71,12 @@ TEST_F(Simplify_command, keeps_what_it_is_told_to_keep)
   for (const std::vector<double>& row : rows("v.csv"))
     found += row[1] == 5 || row[1] == 7;
   EXPECT_EQ(found, 2u);
+  for (const char* table : {"vertex,keep\n5,nan\n", "vertex,keep,also\n5,1,1\n", "vertex,keep\n", ""}) {
+    write("k.csv", table);
+    const Command_run run = idt("simplify m.off --keep k.csv");
+    EXPECT_NE(run.status, 0) << table;
+    EXPECT_TRUE(contains(run.err, "k.csv, line ")) << run.err;
+  }
 }
 
 TEST_F(Simplify_command, refuses_triangles_in_space)
