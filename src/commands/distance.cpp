@@ -671,7 +671,7 @@ std::string accuracy(const Distance_options& options, const Distance_result& res
               ? "without exact distances there are fewer"
               : "--method heat needs none, and idt refine makes faces that need fewer");
   if (result.change && !result.errors)
-    return "proven: at most " + in_short(100 * (1 - result.change->shrink)) + " % too short and " +
+    return "proven up to rounding: at most " + in_short(100 * (1 - result.change->shrink)) + " % too short and " +
            in_short(100 * (result.change->stretch - 1)) + " % too long, found on " +
            counted(result.number_of_simplified_vertices, "vertex", "vertices");
   if (result.errors)
