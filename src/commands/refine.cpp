@@ -189,15 +189,12 @@ std::vector<bool> ends(const std::vector<bool>& edges, const IT::Delta_complex& 
 // A size for each vertex; infinite where the table has none.
 std::vector<double> read_sizes(const std::string& path, const Surface& surface)
 {
-  std::vector<Named_values> columns = read_vertex_values(path, surface.connectivity.number_of_vertices());
-  if (columns.size() != 1)
-    throw Usage_error("--size-map: " + path + " has more columns than vertex,size");
-  std::vector<double> result = std::move(columns.front().values);
-  for (std::size_t v = 0; v < result.size(); ++v) {
-    if (std::isnan(result[v]))
-      result[v] = std::numeric_limits<double>::infinity();
-    if (!(result[v] > 0))
+  const std::size_t n = surface.connectivity.number_of_vertices();
+  std::vector<double> result(n, std::numeric_limits<double>::infinity());
+  for (const auto& [v, size] : read_numbers_of_vertices(path, n)) {
+    if (!(size > 0))
       throw Usage_error("--size-map: " + path + ": the size at vertex " + std::to_string(v) + " is not positive");
+    result[v] = size;
   }
   return result;
 }
