@@ -30,6 +30,8 @@
 #include <iostream>
 #include <limits>
 #include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace idt {
@@ -39,22 +41,24 @@ namespace IT = CGAL::Intrinsic_triangulations;
 using Json = nlohmann::ordered_json;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 
-IT::Conformal_options wanted(const Conformal_map_options& options, const Surface& surface)
+// Of the vertices that a file names; none without a file.
+std::vector<std::pair<IT::Vertex_index, double>> read_angles(const std::string& path, const Surface& surface)
 {
-  IT::Conformal_options result;
-  result.boundary = options.boundary == "disk"     ? IT::Conformal_boundary::DISK
-                    : options.boundary == "angles" ? IT::Conformal_boundary::ANGLES
-                                                   : IT::Conformal_boundary::FREE;
-  if (options.cones)
-    result.number_of_cones = std::size_t(*options.cones);
-  if (!options.cone_angles.empty()) {
-    const std::vector<double> angles =
-      read_vertex_values(options.cone_angles, surface.connectivity.number_of_vertices()).front().values;
-    for (std::size_t v = 0; v < angles.size(); ++v)
-      if (!std::isnan(angles[v]))
-        result.angles.emplace_back(IT::Vertex_index(std::uint32_t(v)), angles[v]);
-  }
+  std::vector<std::pair<IT::Vertex_index, double>> result;
+  if (path.empty())
+    return result;
+  const std::vector<double> angles = read_vertex_values(path, surface.connectivity.number_of_vertices()).front().values;
+  for (std::size_t v = 0; v < angles.size(); ++v)
+    if (!std::isnan(angles[v]))
+      result.emplace_back(IT::Vertex_index(std::uint32_t(v)), angles[v]);
   return result;
+}
+
+IT::Conformal_boundary boundary(const Conformal_map_options& options)
+{
+  return options.boundary == "disk"     ? IT::Conformal_boundary::DISK
+         : options.boundary == "angles" ? IT::Conformal_boundary::ANGLES
+                                        : IT::Conformal_boundary::FREE;
 }
 
 std::array<double, 3> in_space(const IT::Conformal_map& map, const Surface& surface, std::uint32_t v)
@@ -193,6 +197,8 @@ void check(const Conformal_map_options& options)
 {
   if (options.cones && !options.cone_angles.empty())
     throw Usage_error("--cones and --cone-angles: cones are either chosen or given; omit one of them");
+  if (options.boundary != "angles" && !options.boundary_angles.empty())
+    throw Usage_error("--boundary-angles: the boundary is " + options.boundary + "; omit one of them");
   if (options.boundary == "natural")
     throw Usage_error("--boundary natural: a conformal map has the boundary free, angles or disk");
 }
@@ -209,10 +215,13 @@ Exit_status run_conformal_map(const Conformal_map_options& options)
     const Stopwatch stopwatch;
     Triangulation triangulation = make_triangulation<IT::Filtered_edge_length_traits>(surface);
     triangulation.set_interruption([] { return !is_interrupted(); });
-    IT::Conformal_options how = wanted(options, surface);
     Progress progress(path, "solving");
-    how.progress = std::ref(progress);
-    const IT::Conformal_map map = IT::conformal_parameterization(triangulation, how);
+    const IT::Conformal_map map = IT::conformal_parameterization(
+      triangulation, CGAL::parameters::cone_angles(read_angles(options.cone_angles, surface))
+                       .boundary_angles(read_angles(options.boundary_angles, surface))
+                       .conformal_boundary(boundary(options))
+                       .number_of_cones(options.cones)
+                       .visitor(std::ref(progress)));
     const double seconds = stopwatch.seconds();
     if (!options.uv.empty())
       write_textured_mesh(options.uv, mesh_of(map, surface));

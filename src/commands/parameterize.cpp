@@ -50,7 +50,7 @@ struct Parameterize_options
   std::string distortion_path;
   std::string json_path;
   std::string view_path;
-  std::string cone_angles_path;
+  std::string cone_angles_path, boundary_angles_path;
   std::optional<std::uint64_t> cones;
   Repair_options repair;
 };
@@ -79,14 +79,17 @@ void check(Parameterize_options& options)
       throw Usage_error("--boundary disk: the boundary of a circle pattern is free: omit it");
     options.boundary = "natural";
   } else if (options.boundary.empty()) {
-    options.boundary = options.method == "conformal" ? "free" : "disk";
+    options.boundary = options.method != "conformal"          ? "disk"
+                       : options.boundary_angles_path.empty() ? "free"
+                                                              : "angles";
   }
   if (options.method == "conformal") {
     if (!options.distortion_path.empty() || options.Laplacian == "extrinsic")
       throw Usage_error("--distortion and --laplacian: a conformal map has neither; omit them");
   } else {
-    if (options.cones || !options.cone_angles_path.empty())
-      throw Usage_error("--cones and --cone-angles: only a conformal map has cones: add --method conformal");
+    if (options.cones || !options.cone_angles_path.empty() || !options.boundary_angles_path.empty())
+      throw Usage_error(
+        "--cones, --cone-angles and --boundary-angles: only for a conformal map: add --method conformal");
     if (options.boundary == "free" || options.boundary == "angles")
       throw Usage_error("--boundary " + options.boundary + ": only for --method conformal");
   }
@@ -99,7 +102,7 @@ void check(Parameterize_options& options)
     else if (!obj_path.empty())
       for (const std::string& path : textured_mesh_paths(obj_path))
         outputs.push_back(path);
-  check_output_paths(outputs, {options.input, options.cone_angles_path});
+  check_output_paths(outputs, {options.input, options.cone_angles_path, options.boundary_angles_path});
   check_view(options.view_path);
 }
 
@@ -282,9 +285,9 @@ Exit_status run_parameterize(Parameterize_options options)
 {
   check(options);
   if (options.method == "conformal")
-    return run_conformal_map({options.input, options.boundary, options.cone_angles_path, options.uv_path,
-                              options.uv_input_path, options.view_path, options.json_path, options.cones,
-                              options.repair});
+    return run_conformal_map({options.input, options.boundary, options.cone_angles_path, options.boundary_angles_path,
+                              options.uv_path, options.uv_input_path, options.view_path, options.json_path,
+                              options.cones, options.repair});
   Result result;
   Run_options run_options;
   run_options.wanted.weights = run_options.wanted.numbers = run_options.wanted.input_numbers = true;
@@ -340,7 +343,7 @@ void add_parameterize_command(CLI::App& app, Selected_command& selected)
   set_words(command.add_option("--boundary", options->boundary,
                                "disk: spread over the unit circle by arc length (default), or, conformal, a polygon "
                                "with such angles; natural: where it distorts least; conformal: free, with its scale "
-                               "(default), or angles, straight where --cone-angles has none"),
+                               "(default), or angles, straight where --boundary-angles has none"),
             {"disk", "natural", "free", "angles"});
   set_words(command.add_option("--method", options->method,
                                "harmonic; circle-pattern: discrete conformal, boundary natural; conformal: for any "
@@ -352,6 +355,8 @@ void add_parameterize_command(CLI::App& app, Selected_command& selected)
     ->transform(whole_number());
   add_option(command, "--cone-angles", options->cone_angles_path, "F.csv",
              "conformal: the sums of the angles at cones, in radians, as CSV: vertex,NAME");
+  add_option(command, "--boundary-angles", options->boundary_angles_path, "F.csv",
+             "conformal: the angles of vertices on the boundary, likewise; implies --boundary angles");
   add_option(command, "--uv", options->uv_path, "F.obj",
              "write the surface, as the overlay, with texture coordinates that are linear on the intrinsic "
              "triangles; and F.mtl and F.png with a checkerboard");

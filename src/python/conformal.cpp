@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace idt_python {
@@ -28,15 +29,20 @@ std::array<double, 6> flattened(const std::array<IT::Conformal_map::Point, 3>& t
 }
 
 // \param boundary the number of a value of `Conformal_boundary`
-py::tuple conformal_map(Surface& surface, const Indices& vertices, const Doubles& angles,
-                        std::optional<std::size_t> number_of_cones, int boundary)
+py::tuple conformal_map(Surface& surface, const Indices& cones, const Doubles& cone_angles, const Indices& border,
+                        const Doubles& border_angles, std::optional<std::size_t> number_of_cones, int boundary)
 {
-  IT::Conformal_options options;
-  for (const auto& [v, angle] : values_at(vertices, angles))
-    options.angles.emplace_back(v, angle);
-  options.number_of_cones = number_of_cones;
-  options.boundary = IT::Conformal_boundary(boundary);
-  options.progress = [](double) { return Signal_watch::goes_on(); };
+  const auto angles = [](const Indices& vertices, const Doubles& values) {
+    std::vector<std::pair<IT::Vertex_index, double>> result;
+    for (const auto& [v, angle] : values_at(vertices, values))
+      result.emplace_back(v, angle);
+    return result;
+  };
+  const auto options = CGAL::parameters::cone_angles(angles(cones, cone_angles))
+                         .boundary_angles(angles(border, border_angles))
+                         .number_of_cones(number_of_cones)
+                         .conformal_boundary(IT::Conformal_boundary(boundary))
+                         .visitor([](double) { return Signal_watch::goes_on(); });
   IT::Conformal_map map =
     surface.use([&](const Triangulation& t) { return IT::conformal_parameterization(t, options); });
 
@@ -61,7 +67,7 @@ py::tuple conformal_map(Surface& surface, const Indices& vertices, const Doubles
   std::vector<std::array<bool, 3>> is_cut = std::move(map.is_cut);
   return py::make_tuple(places.to_arrays(), to_numbers(map.triangles), to_array(std::move(uv)),
                         numbers(map.input_faces), to_array(std::move(is_cut)), to_array(std::move(input_uv)),
-                        to_array(std::move(map.metric.u)), numbers(map.metric.cones),
+                        to_array(std::move(map.weights)), to_array(std::move(map.metric.u)), numbers(map.metric.cones),
                         to_array(std::move(map.metric.cone_angles)), map.metric.residual, map.metric.range_of_u,
                         map.metric.steps, map.seam, map.is_certified, map.overlaps, to_numbers(map.turned),
                         numbers(map.turned_input), numbers(map.divided_input));
@@ -71,8 +77,9 @@ py::tuple conformal_map(Surface& surface, const Indices& vertices, const Doubles
 
 void add_conformal_maps(py::module_& module)
 {
-  module.def("conformal_map", &conformal_map, py::arg("surface"), py::arg("vertices").noconvert(),
-             py::arg("angles").noconvert(), py::arg("number_of_cones"), py::arg("boundary"));
+  module.def("conformal_map", &conformal_map, py::arg("surface"), py::arg("cones").noconvert(),
+             py::arg("cone_angles").noconvert(), py::arg("border").noconvert(), py::arg("border_angles").noconvert(),
+             py::arg("number_of_cones"), py::arg("boundary"));
 }
 
 } // namespace idt_python

@@ -182,6 +182,14 @@ TEST_F(Parameterize_command, ConformalMapsAreCertifiedAndWritten)
     }
     EXPECT_EQ(read_obj(content(folder_ / "in.obj")).faces.size(), std::size_t(json["faces"]));
   }
+  std::ofstream(folder_ / "corners.csv") << "vertex,angle\n409,1.5707963267948966\n415,1.5707963267948966\n"
+                                            "421,1.5707963267948966\n427,1.5707963267948966\n";
+  const Json square = run("--method conformal --boundary-angles corners.csv");
+  EXPECT_EQ(square["boundary"], "angles");
+  EXPECT_EQ(square["certified"], true);
+  EXPECT_EQ(square["cones"].size(), 0u) << "the angles of a square need no cone";
+  EXPECT_NE(idt("parameterize disk.off --method conformal --cone-angles corners.csv").err.find("is on the border"),
+            std::string::npos);
   EXPECT_EQ(idt("sample bumpy-sphere -o sphere.off").status, 0);
   std::ofstream(folder_ / "cones.csv")
     << "vertex,angle\n3,3.141592653589793\n40,3.141592653589793\n900,3.141592653589793\n"
@@ -194,7 +202,8 @@ TEST_F(Parameterize_command, ConformalMapsAreCertifiedAndWritten)
   EXPECT_NE(refused.err.find("Gauss and Bonnet"), std::string::npos) << refused.err;
   for (const char* wrong :
        {"--cones 3", "--method conformal --cones 3 --cone-angles cones.csv", "--method conformal --distortion d.csv",
-        "--boundary free", "--method conformal --boundary natural"})
+        "--boundary free", "--method conformal --boundary natural", "--boundary-angles corners.csv",
+        "--method conformal --boundary disk --boundary-angles corners.csv"})
     EXPECT_EQ(idt("parameterize sphere.off " + std::string(wrong)).status, 2) << wrong;
 }
 

@@ -155,17 +155,19 @@ TEST(Conformal_map, moves_points_there_and_back)
   EXPECT_THROW(map.to_plane({IT::Halfedge_index(), {1, 1, 1}}), IT::Invalid_point_error);
 }
 
-// A spherical cap of 90 degrees around the pole, with n rings.
-Indexed_triangles cap_of_sphere(std::uint32_t n)
+// Around an axis, with n rings: `profile` gives the distance from the axis, and the height, for 0 at the axis to 1.
+template <class Profile>
+Indexed_triangles rings(std::uint32_t n, const Profile& profile)
 {
   Indexed_triangles result;
-  result.points.push_back({0, 0, 1});
+  result.points.push_back({0, 0, profile(0).second});
   std::vector<std::uint32_t> first{0};
   for (std::uint32_t r = 1; r <= n; ++r) {
     first.push_back(std::uint32_t(result.points.size()));
     for (std::uint32_t i = 0; i < 6 * r; ++i) {
-      const double polar = CGAL_PI / 2 * r / n, angle = 2 * CGAL_PI * (i + 0.2 * (r % 3)) / (6 * r);
-      result.points.push_back({std::sin(polar) * std::cos(angle), std::sin(polar) * std::sin(angle), std::cos(polar)});
+      const double angle = 2 * CGAL_PI * (i + 0.2 * (r % 3)) / (6 * r);
+      const auto [radius, height] = profile(double(r) / n);
+      result.points.push_back({radius * std::cos(angle), radius * std::sin(angle), height});
     }
   }
   for (std::uint32_t r = 0; r < n; ++r) {
@@ -185,40 +187,46 @@ Indexed_triangles cap_of_sphere(std::uint32_t n)
   return result;
 }
 
+// The largest distance of images of vertices from known ones, after the similarity that fits best.
+template <class Known>
+double distance_from(const Conformal_map& map, const Indexed_triangles& surface, const Known& known)
+{
+  using C = std::complex<double>;
+  std::vector<C> z, w;
+  for (std::size_t v = 0; v < surface.points.size(); ++v) {
+    z.push_back(known(surface.points[v]));
+    const Conformal_map::Point x = map.to_plane(map.places[v]);
+    w.emplace_back(x[0], x[1]);
+  }
+  C mean_z = 0, mean_w = 0, product = 0;
+  double squares = 0, result = 0;
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    mean_z += z[i] / double(z.size());
+    mean_w += w[i] / double(z.size());
+  }
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    product += (z[i] - mean_z) * std::conj(w[i] - mean_w);
+    squares += std::norm(w[i] - mean_w);
+  }
+  for (std::size_t i = 0; i < z.size(); ++i)
+    result = (std::max)(result, std::abs(product / squares * (w[i] - mean_w) - (z[i] - mean_z)));
+  return result;
+}
+
 TEST(Conformal_map, of_a_hemisphere_tends_to_stereographic_projection)
 {
   std::vector<double> errors;
   for (std::uint32_t n : {4u, 8u, 16u, 32u}) {
-    const Indexed_triangles cap = cap_of_sphere(n);
+    const Indexed_triangles cap =
+      rings(n, [](double t) { return std::make_pair(std::sin(CGAL_PI / 2 * t), std::cos(CGAL_PI / 2 * t)); });
     const Triangulation t = triangulation_of(cap);
-    IT::Conformal_options options;
-    options.boundary = IT::Conformal_boundary::DISK;
-    const Conformal_map map = IT::conformal_parameterization(t, options);
+    const Conformal_map map =
+      IT::conformal_parameterization(t, CGAL::parameters::conformal_boundary(IT::Conformal_boundary::DISK));
     EXPECT_EQ(defect(map, t), "");
     EXPECT_FALSE(map.overlaps);
-    // The similarity that fits best, by complex least squares.
-    using C = std::complex<double>;
-    std::vector<C> z, w;
-    for (Vertex_index v : t.input().vertices()) {
-      const auto& p = cap.points[v.idx()];
-      z.emplace_back(p[0] / (1 + p[2]), p[1] / (1 + p[2]));
-      const Conformal_map::Point x = map.to_plane(map.places[v.idx()]);
-      w.emplace_back(x[0], x[1]);
-    }
-    C mean_z = 0, mean_w = 0, product = 0;
-    double squares = 0;
-    for (std::size_t i = 0; i < z.size(); ++i) {
-      mean_z += z[i] / double(z.size());
-      mean_w += w[i] / double(z.size());
-    }
-    for (std::size_t i = 0; i < z.size(); ++i) {
-      product += (z[i] - mean_z) * std::conj(w[i] - mean_w);
-      squares += std::norm(w[i] - mean_w);
-    }
-    double error = 0;
-    for (std::size_t i = 0; i < z.size(); ++i)
-      error = (std::max)(error, std::abs(product / squares * (w[i] - mean_w) - (z[i] - mean_z)));
-    errors.push_back(error);
+    errors.push_back(distance_from(map, cap, [](const std::array<double, 3>& p) {
+      return std::complex<double>(p[0] / (1 + p[2]), p[1] / (1 + p[2]));
+    }));
   }
   for (std::size_t i = 1; i < errors.size(); ++i) {
     EXPECT_GT(std::log2(errors[i - 1] / errors[i]), 1.4) << errors[i - 1] << " then " << errors[i];
@@ -226,24 +234,93 @@ TEST(Conformal_map, of_a_hemisphere_tends_to_stereographic_projection)
   }
 }
 
+TEST(Conformal_map, flattens_a_cone_by_a_power)
+{
+  // A cone with the angle 2 pi / a becomes a disk by z^a. With r from its apex, lengths are multiplied by r^(a - 1), if
+  // the border keeps its scale.
+  const double a = 1.25, slope = std::sqrt(a * a - 1);
+  std::vector<double> errors, errors_of_u;
+  for (std::uint32_t n : {10u, 20u, 40u}) {
+    const Indexed_triangles cone = rings(n, [&](double t) { return std::make_pair(t / a, -slope * t / a); });
+    const Triangulation t = triangulation_of(cone);
+    const Conformal_map map = IT::conformal_parameterization(t, CGAL::parameters::number_of_cones(0));
+    EXPECT_EQ(defect(map, t), "");
+    const auto from_apex = [&](const std::array<double, 3>& p) { return std::hypot(p[0], p[1], p[2]); };
+    errors.push_back(distance_from(map, cone, [&](const std::array<double, 3>& p) {
+      return std::polar(std::pow(from_apex(p), a), std::atan2(p[1], p[0]));
+    }));
+    errors_of_u.push_back(0);
+    for (std::size_t v = 0; v < cone.points.size(); ++v)
+      if (const double r = from_apex(cone.points[v]); r > 0.3)
+        errors_of_u.back() = (std::max)(errors_of_u.back(), std::abs(map.metric.u[v] - (a - 1) * std::log(r)));
+  }
+  for (std::size_t i = 1; i < errors.size(); ++i) {
+    EXPECT_LT(errors[i], errors[i - 1] / 2) << "after " << i;
+    EXPECT_LT(errors_of_u[i], errors_of_u[i - 1] / 3) << "after " << i;
+  }
+  EXPECT_LT(errors.back(), 2e-3);
+  EXPECT_LT(errors_of_u.back(), 2e-3);
+}
+
+// A piece with four corners is two triangles: one projective map, which is known from three corners. Neighbors on both sides
+// of a line of the ideal triangulation have different ones.
+TEST(Conformal_map, is_projective_in_homogeneous_coordinates)
+{
+  const Triangulation t = triangulation_of(samples::bumpy_dome(24, 20, 0.6));
+  const Conformal_map map = IT::conformal_parameterization(t, CGAL::parameters::number_of_cones(0));
+  ASSERT_EQ(map.weights.size(), map.places.size());
+  int projective = 0, linear = 0;
+  for (std::size_t i = 0; i + 1 < map.triangles.size(); ++i)
+    for (std::size_t j = i + 1; j < map.triangles.size() && map.input_faces[j] == map.input_faces[i]; ++j) {
+      const auto &first = map.triangles[i], &second = map.triangles[j];
+      const auto is_common = [&](std::uint32_t v) { return std::find(first.begin(), first.end(), v) != first.end(); };
+      const auto other = std::find_if_not(second.begin(), second.end(), is_common);
+      if (std::count_if(second.begin(), second.end(), is_common) != 2)
+        continue;
+      const auto place = [&](std::uint32_t v) { return map.coordinates_in_face(map.places[v], map.input_faces[i]); };
+      const auto determinant = [](const auto& a, const auto& b, const auto& c) {
+        return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+               a[2] * (b[0] * c[1] - b[1] * c[0]);
+      };
+      const auto p = place(first[0]), q = place(first[1]), r = place(first[2]), x = place(*other);
+      const double all = determinant(p, q, r);
+      const std::array<double, 3> at{determinant(x, q, r) / all, determinant(p, x, r) / all,
+                                     determinant(p, q, x) / all};
+      const Conformal_map::Point& expected = map.uv[j][std::size_t(other - second.begin())];
+      const auto error = [&](const std::array<double, 3>& weights, double weight) {
+        double sum = 0, u = 0, v = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+          sum += at[k] * weights[k];
+          u += at[k] * weights[k] * map.uv[i][k][0];
+          v += at[k] * weights[k] * map.uv[i][k][1];
+        }
+        return (std::max)(std::abs(sum / weight - 1), std::hypot(u / sum - expected[0], v / sum - expected[1]));
+      };
+      projective +=
+        error({map.weights[first[0]], map.weights[first[1]], map.weights[first[2]]}, map.weights[*other]) < 1e-10;
+      linear += error({1, 1, 1}, 1) < 1e-10;
+    }
+  EXPECT_GT(projective, 400);
+  EXPECT_LT(linear, projective / 10);
+}
+
 TEST(Conformal_map, can_be_interrupted)
 {
   const Triangulation t = triangulation_of(samples::bumpy_sphere(20, 15, 0.3));
   int calls = 0;
-  IT::Conformal_options options;
   double last = 0;
-  options.progress = [&](double fraction) {
-    EXPECT_TRUE(fraction >= 0 && fraction <= 1);
-    last = fraction;
-    return ++calls > 0;
-  };
-  IT::conformal_parameterization(t, options);
+  IT::conformal_parameterization(t, CGAL::parameters::visitor([&](double fraction) {
+                                   EXPECT_TRUE(fraction >= 0 && fraction <= 1);
+                                   last = fraction;
+                                   return ++calls > 0;
+                                 }));
   EXPECT_GT(last, 0.7);
   const int all = calls;
   for (const int last_call : {1, all / 2, all - 1}) {
     calls = 0;
-    options.progress = [&](double) { return ++calls <= last_call; };
-    EXPECT_THROW(IT::conformal_parameterization(t, options), IT::Cancelled_error);
+    EXPECT_THROW(
+      IT::conformal_parameterization(t, CGAL::parameters::visitor([&](double) { return ++calls <= last_call; })),
+      IT::Cancelled_error);
   }
 }
 

@@ -18,9 +18,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ctime>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -28,7 +31,6 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 using IT::Conformal_boundary;
-using IT::Conformal_options;
 using IT::Discrete_conformal_metric;
 using IT::Vertex_index;
 using samples::Indexed_triangles;
@@ -38,9 +40,26 @@ Triangulation triangulation_of(const Indexed_triangles& surface)
   return Triangulation(IT::make_Delta_complex_from_triangles(surface.points.size(), surface.triangles), surface.points);
 }
 
+// The named parameters, except for progress.
+struct Conformal_options
+{
+  std::vector<std::pair<Vertex_index, double>> angles{};
+  Conformal_boundary boundary = Conformal_boundary::FREE;
+  std::optional<std::size_t> number_of_cones{};
+  double largest_range = 5;
+};
+
+Discrete_conformal_metric metric_of(const Triangulation& t, const Conformal_options& options)
+{
+  return IT::discrete_conformal_metric(t, CGAL::parameters::cone_angles(options.angles)
+                                            .conformal_boundary(options.boundary)
+                                            .number_of_cones(options.number_of_cones)
+                                            .maximum_range(options.largest_range));
+}
+
 Discrete_conformal_metric metric_of(const Indexed_triangles& surface, const Conformal_options& options = {})
 {
-  return IT::discrete_conformal_metric(triangulation_of(surface), options);
+  return metric_of(triangulation_of(surface), options);
 }
 
 // Sums of angles around the vertices of the triangulation, by the law of cosines.
@@ -184,9 +203,7 @@ TEST(Discrete_conformal_metric, does_not_depend_on_the_triangles)
         flipped.flip(e);
     }
     const std::vector<double> u_of_flipped =
-      IT::discrete_conformal_metric(
-        Triangulation::from_lengths(flipped.connectivity(), IT::exact_edge_lengths(flipped)), options)
-        .u;
+      metric_of(Triangulation::from_lengths(flipped.connectivity(), IT::exact_edge_lengths(flipped)), options).u;
     for (std::size_t v = 0; v < u.size(); ++v) {
       EXPECT_NEAR(u_of_mirrored[v], u[v], 1e-9);
       EXPECT_NEAR(u_of_renumbered[number[v]], u[v], 1e-9);
@@ -259,6 +276,35 @@ TEST(Discrete_conformal_metric, makes_a_dome_a_convex_polygon)
   EXPECT_NEAR(turn, 2 * CGAL_PI, 1e-10);
 }
 
+TEST(Discrete_conformal_metric, has_the_angles_of_the_border_that_were_asked_for)
+{
+  // A square: cones inside are chosen only if the angles need them.
+  const Indexed_triangles dome = samples::bumpy_dome(14, 10, 0.2);
+  const Triangulation t = triangulation_of(dome);
+  std::vector<Vertex_index> border;
+  for (Vertex_index v : t.connectivity().vertices())
+    if (t.connectivity().is_border(t.connectivity().halfedge(v)))
+      border.push_back(v);
+  for (double angle : {CGAL_PI / 2, 2.}) {
+    std::vector<std::pair<Vertex_index, double>> angles;
+    for (std::size_t i = 0; i < 4; ++i)
+      angles.emplace_back(border[i * border.size() / 4], angle);
+    const Discrete_conformal_metric metric =
+      IT::discrete_conformal_metric(t, CGAL::parameters::boundary_angles(angles));
+    EXPECT_LT(metric.residual, 1e-10);
+    EXPECT_EQ(metric.cones.size(), angle == 2. ? 1u : 0u);
+    const std::vector<double> sums = sums_of_angles(metric);
+    for (std::size_t v = 0; v < sums.size(); ++v)
+      for (const auto& [corner, wanted] : angles)
+        if (metric.vertices[v] == corner)
+          EXPECT_NEAR(sums[v], 2 * wanted, 1e-9); // of both copies
+    EXPECT_THROW(IT::discrete_conformal_metric(
+                   t, CGAL::parameters::boundary_angles(std::vector<std::pair<Vertex_index, double>>{{border[0], 2.}})
+                        .number_of_cones(0)),
+                 IT::Invalid_argument_error);
+  }
+}
+
 TEST(Discrete_conformal_metric, finds_each_component_by_itself)
 {
   const Indexed_triangles sphere = samples::bumpy_sphere(12, 9, 0.3), torus = samples::torus(12, 8),
@@ -278,6 +324,23 @@ TEST(Discrete_conformal_metric, finds_each_component_by_itself)
   EXPECT_LT(metric.residual, 1e-11);
   for (std::size_t v = 0; v < expected.size(); ++v)
     EXPECT_NEAR(metric.u[v], expected[v], 1e-9);
+}
+
+TEST(Discrete_conformal_metric, takes_time_in_proportion_to_components)
+{
+  Indexed_triangles all;
+  const Indexed_triangles part = samples::prism(3);
+  for (int i = 0; i < 4000; ++i) {
+    const std::uint32_t first = std::uint32_t(all.points.size());
+    all.points.insert(all.points.end(), part.points.begin(), part.points.end());
+    for (const auto& t : part.triangles)
+      all.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  }
+  const std::clock_t start = std::clock();
+  const Discrete_conformal_metric metric = metric_of(all);
+  EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 20); // else minutes
+  EXPECT_LT(metric.residual, 1e-11);
+  EXPECT_GE(metric.cones.size(), 4000u);
 }
 
 TEST(Discrete_conformal_metric, chooses_cones_until_the_range_is_small)
@@ -315,7 +378,11 @@ TEST(Discrete_conformal_metric, wrong_demands_are_named)
   const Vertex_index border = *std::find_if(vertices.begin(), vertices.end(), [&](Vertex_index v) {
     return t.connectivity().is_border(t.connectivity().halfedge(v));
   });
-  EXPECT_NE(message_of(dome, {{{border, 3}}}).find("border"), std::string::npos);
+  EXPECT_NE(message_of(dome, {{{border, 3}}}).find("is on the border"), std::string::npos);
+  const auto given = CGAL::parameters::boundary_angles(std::vector<std::pair<Vertex_index, double>>{{border, 3}});
+  EXPECT_THROW(IT::discrete_conformal_metric(t, given.conformal_boundary(Conformal_boundary::DISK)),
+               IT::Invalid_argument_error);
+  EXPECT_THROW(IT::discrete_conformal_metric(triangulation_of(sphere), given), IT::Invalid_argument_error);
   Indexed_triangles isolated = sphere;
   isolated.points.push_back({0, 0, 9});
   options = with_four_cones(isolated);
@@ -338,12 +405,11 @@ TEST(Discrete_conformal_metric, can_be_interrupted)
   const Indexed_triangles sphere = samples::bumpy_sphere(20, 15, 0.3);
   for (int last : {0, 1, 10, 1000}) {
     int calls = 0;
-    Conformal_options options = with_four_cones(sphere);
-    options.progress = [&](double fraction) {
+    const auto options = CGAL::parameters::cone_angles(with_four_cones(sphere).angles).visitor([&](double fraction) {
       EXPECT_TRUE(fraction >= 0 && fraction <= 1);
       return ++calls <= last;
-    };
-    EXPECT_THROW(metric_of(sphere, options), IT::Cancelled_error);
+    });
+    EXPECT_THROW(IT::discrete_conformal_metric(triangulation_of(sphere), options), IT::Cancelled_error);
   }
 }
 

@@ -43,9 +43,10 @@ def test_claims_about_a_disk(boundary):
         sides = {(f[i], f[(i + 1) % 3]) for f in F.tolist() for i in range(3)}
         border = [a for a, b in sides if (b, a) not in sides]
         angles = {v: numpy.pi - 2 * numpy.pi / len(border) for v in border}
-    m = t.conformal_map(boundary=boundary, cone_angles=angles)
+    m = t.conformal_map(boundary=None if angles else boundary, boundary_angles=angles)
     assert m.is_certified and len(m.turned) == 0 and not m.overlaps and not m.is_cut.any()
     assert m.residual < 1e-10 and defects(m) == []
+    assert m.weights.shape == m.place_faces.shape and (m.weights > 0).all()
     moved = m.uv.copy()
     moved[5, 0, 0] = numpy.nextafter(moved[5, 0, 0], 9)
     assert defects(m._replace(uv=moved)) != []
@@ -73,5 +74,7 @@ def test_wrong_arguments():
         t.conformal_map(cones=3, cone_angles={0: 1})
     with pytest.raises(ValueError, match="boundary"):
         t.conformal_map(boundary="round")
+    with pytest.raises(it.InvalidArgumentError, match="not on the border"):
+        t.conformal_map(boundary_angles={0: 1})
     with pytest.raises(ValueError):
         t.conformal_map(cone_angles={10**6: 1})

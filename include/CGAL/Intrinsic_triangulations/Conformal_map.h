@@ -10,13 +10,10 @@
 
 #include <CGAL/Intrinsic_triangulations/Conformal_metric.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
-#include <CGAL/Intrinsic_triangulations/internal/parameterization/Doubled_surface.h>
-#include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -35,6 +32,10 @@ struct Conformal_map
   Discrete_conformal_metric metric;
   /// where the vertices of the mesh lie on the input of the given triangulation; first the vertices of the surface
   std::vector<Surface_point> places;
+  /// the weights of homogeneous coordinates of the images of these vertices: where triangles have a face of the Delaunay
+  /// triangulation in common, and one of the ideal one, interpolating (w x, w y, w) linearly, and dividing by the last, makes
+  /// them one projective map, which is smoother than the linear ones
+  std::vector<double> weights;
   std::vector<std::array<std::uint32_t, 3>> triangles; ///< the vertices of the triangles, counterclockwise
   std::vector<std::array<Point, 3>> uv;                ///< the images of their corners
   std::vector<Face_index> input_faces;                 ///< for each triangle, the input face that contains it
@@ -67,14 +68,6 @@ struct Conformal_map
   std::array<double, 3> coordinates_in_face(const Surface_point& p, Face_index f) const;
   /// \endcond
 };
-
-namespace internal {
-
-// Cuts, lays out, and proves.
-Conformal_map lay_out(const Doubled_surface::Triangulation& surface, const Doubled_surface& doubled,
-                      Discrete_conformal_metric metric, const Progress_function& progress);
-
-} // namespace internal
 
 } // namespace CGAL::Intrinsic_triangulations
 

@@ -3,17 +3,13 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// What a conformal metric is to be like, and the metric.
+// A conformal metric.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_CONFORMAL_METRIC_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_CONFORMAL_METRIC_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/observer.h>
 
-#include <cstddef>
-#include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -24,21 +20,6 @@ enum class Conformal_boundary {
   FREE,   ///< it keeps its scale, u = 0, which stretches least; its angles follow
   ANGLES, ///< its angles are given: π, so that it is straight, where none is
   DISK ///< it becomes a polygon whose outer angles are proportional to the lengths of the edges: a convex one, for a disk
-};
-
-/// \ingroup PkgIntrinsicTriangulationsParameterization
-/// \brief what a conformal map is to be like.
-struct Conformal_options
-{
-  /// vertices and the sums of the angles wanted there, positive: at cones, and with `Conformal_boundary::ANGLES` on the
-  /// border. All other vertices inside the surface get 2π
-  std::vector<std::pair<Vertex_index, double>> angles{};
-  Conformal_boundary boundary = Conformal_boundary::FREE; ///< what to do with the border
-  /// how many cones are chosen in each component. By default, none if `angles` has vertices inside the surface; otherwise so many that u
-  /// has a range of at most `largest_range`. Chosen cones keep their scale, u = 0, and their angles follow
-  std::optional<std::size_t> number_of_cones{};
-  double largest_range = 5;     ///< of u, in a linear estimate: e<sup>5</sup> is a ratio of 148 between lengths
-  Progress_function progress{}; ///< is called from time to time with the fraction that is done, and can cancel
 };
 
 /// \ingroup PkgIntrinsicTriangulationsParameterization

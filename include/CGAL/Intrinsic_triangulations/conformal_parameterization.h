@@ -12,7 +12,6 @@
 #include <CGAL/Intrinsic_triangulations/discrete_conformal_metric.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
-#include <string>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -28,37 +27,15 @@ namespace CGAL::Intrinsic_triangulations {
 ///
 /// If triangles turn over, or the metric does not converge, and cones may be chosen, more of them are.
 ///
-/// \param triangulation, options as for `discrete_conformal_metric()`
+/// \param triangulation, np as for `discrete_conformal_metric()`
 /// \exception Numerical_error also if triangles turn over although the cones were given: the message names the first face
 ///   and the range of u
 /// Other exceptions as for `discrete_conformal_metric()`.
-inline Conformal_map
-conformal_parameterization(const Intrinsic_triangulation<Filtered_edge_length_traits>& triangulation,
-                           Conformal_options options = {})
+template <class NamedParameters = parameters::Default_named_parameters>
+Conformal_map conformal_parameterization(const Intrinsic_triangulation<Filtered_edge_length_traits>& triangulation,
+                                         const NamedParameters& np = parameters::default_values())
 {
-  const Progress_function whole = options.progress, progress = internal::part_of_progress(whole, 0.6, 1);
-  options.progress = internal::part_of_progress(whole, 0, 0.6);
-  const internal::Doubled_surface doubled(triangulation, options.progress);
-  constexpr int maximum_number_of_attempts = 6;
-  for (int attempt = 1;; ++attempt, options.largest_range *= 0.6) {
-    const bool can_choose = !options.number_of_cones && options.angles.empty() && attempt < maximum_number_of_attempts;
-    try {
-      Conformal_map map = internal::lay_out(
-        triangulation, doubled, internal::find_conformal_metric(triangulation, doubled, options, internal::factorize),
-        progress);
-      if (map.is_certified)
-        return map;
-      if (!can_choose)
-        throw Numerical_error(
-          "triangles of the conformal map turn over" +
-          (map.turned.empty() ? std::string()
-                              : ", first in face " + std::to_string(map.input_faces[map.turned.front()].idx())) +
-          ", since u has a range of " + std::to_string(map.metric.range_of_u) + ": allow more cones");
-    } catch (const Numerical_error&) {
-      if (!can_choose)
-        throw;
-    }
-  }
+  return internal::find_conformal_map(triangulation, internal::conformal_options_of(np), internal::Sparse_factorizer());
 }
 
 } // namespace CGAL::Intrinsic_triangulations

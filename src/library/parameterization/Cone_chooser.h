@@ -13,6 +13,7 @@
 
 #include <CGAL/number_type_config.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -21,127 +22,158 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// In the linear model, L u = excess. The vertex with the largest |u| becomes the next cone: it keeps its scale. For each
-// cone there is a function that is 1 there, zero at all cones before, and harmonic elsewhere. Subtracting multiples of
-// these makes u zero at all cones, so one factorization suffices.
+// In the linear model, L u = excess. The vertex of a component with the largest |u| becomes its next cone: it keeps its
+// scale. For each cone there is a function that is 1 there, zero at all cones before, and harmonic elsewhere. Subtracting
+// multiples of these makes u zero at all cones, so one factorization suffices. In each round every component gets a cone,
+// as one solution serves all.
 class Cone_chooser
 {
 public:
   // \pre `system` was factorized for the targets, which have no chosen cones yet
   Cone_chooser(const Conformal_system& system, Conformal_targets& targets, const Conformal_options& options)
-    : system_(system), targets_(targets), options_(options)
+    : system_(system), targets_(targets), options_(options), excesses_(targets.number_of_vertices(), 0.)
   {}
 
-  // Chooses cones of one component.
-  void run(const Conformal_targets::Component& component)
+  void run()
   {
-    members_ = &component.vertices;
-    is_closed_ = !component.keeps_scale;
-    functions_.clear();
-    std::vector<double> excesses(targets_.number_of_vertices(), 0.);
-    double total = 0;
-    for (std::size_t v : *members_)
-      total += excesses[v] = system_.excess(v, targets_);
-    std::vector<double> chosen_by = excesses;
-    if (is_closed_) // until there is a cone, what cannot be removed is spread evenly
-      for (std::size_t v : *members_)
-        chosen_by[v] -= total / double(members_->size());
-    std::vector<double> u = system_.solve(chosen_by);
-    for (std::size_t k = 0;; ++k) {
-      if (is_closed_ && k == 0)
-        center(u);
-      if (options_.number_of_cones ? k >= *options_.number_of_cones : is_sufficient(u, k, total))
+    std::vector<double> right = excesses_;
+    for (const Conformal_targets::Component& component : targets_.components()) {
+      if (component.vertices.size() == 1)
+        continue;
+      open_.push_back({&component.vertices, !component.keeps_scale, 0, {}});
+      Part& part = open_.back();
+      for (std::size_t v : component.vertices)
+        part.total += excesses_[v] = system_.excess(v, targets_);
+      for (std::size_t v : component.vertices) // until there is a cone, what cannot be removed is spread evenly
+        right[v] = excesses_[v] - (part.is_closed ? part.total / double(component.vertices.size()) : 0);
+    }
+    u_ = system_.solve(right);
+    for (const Part& part : open_)
+      if (part.is_closed)
+        center(part);
+    for (;;) {
+      choose_next();
+      if (open_.empty())
         return;
-      const std::optional<std::size_t> cone = largest(u);
-      if (!cone)
-        return;
-      if (is_closed_ && k == 0) { // all of it goes to the first cone
-        first_ = *cone;
-        excesses[first_] -= total;
-        u = system_.solve(excesses);
-        shift(u, first_);
-      } else {
-        add_function(*cone);
-        subtract(u, u[*cone], functions_.back().second);
-      }
-      targets_.make_cone(*cone);
+      for (Part& part : open_)
+        demand(part, right);
+      std::vector<double> solution = system_.solve(right);
+      for (const Part& part : open_)
+        add(part, solution);
+      functions_.push_back(std::move(solution));
     }
   }
 
 private:
-  // Angles of cones must be positive: by the linear model, they shall not be smaller than π / 2.
-  bool is_sufficient(const std::vector<double>& u, std::size_t k, double total) const
+  // A component that has too few cones.
+  struct Part
   {
-    if (is_closed_ && k == 0 && std::abs(total) > 1e-6)
+    const std::vector<std::size_t>* members;
+    bool is_closed; // no vertex keeps its scale at first
+    double total;
+    std::vector<std::size_t> cones; // one in each round
+  };
+
+  void choose_next()
+  {
+    const std::vector<double> change = system_.product(u_);
+    const auto is_done = [&](Part& part) {
+      if (options_.number_of_cones ? part.cones.size() >= *options_.number_of_cones : is_sufficient(part, change))
+        return true;
+      const std::optional<std::size_t> cone = largest(part);
+      if (cone)
+        part.cones.push_back(*cone);
+      return !cone;
+    };
+    open_.erase(std::remove_if(open_.begin(), open_.end(), is_done), open_.end());
+    for (const Part& part : open_)
+      targets_.make_cone(part.cones.back());
+  }
+
+  // Angles of cones must be positive: by the linear model, they shall not be smaller than π / 2.
+  bool is_sufficient(const Part& part, const std::vector<double>& change) const
+  {
+    if (part.is_closed && part.cones.empty() && std::abs(part.total) > 1e-6)
       return false;
-    std::vector<double> values;
-    for (std::size_t v : *members_)
-      values.push_back(u[v]);
-    if (range_of(values) > options_.largest_range)
+    const auto [least, most] = range(part);
+    if (most - least > options_.largest_range)
       return false;
-    const std::vector<double> change = system_.product(u);
-    for (std::size_t v : *members_)
-      if (targets_.is_chosen(v) && system_.sum_of_angles(v) - change[v] < system_.factor() * CGAL_PI / 2)
-        return false;
-    return true;
+    return std::none_of(part.members->begin(), part.members->end(), [&](std::size_t v) {
+      return targets_.is_chosen(v) && system_.sum_of_angles(v) - change[v] < system_.factor() * CGAL_PI / 2;
+    });
   }
 
   // The vertex with the largest |u| that can still become a cone.
-  std::optional<std::size_t> largest(const std::vector<double>& u) const
+  std::optional<std::size_t> largest(const Part& part) const
   {
     std::optional<std::size_t> result;
-    for (std::size_t v : *members_)
-      if (targets_.can_become_cone(v) && (!result || std::abs(u[v]) > std::abs(u[*result])))
+    for (std::size_t v : *part.members)
+      if (targets_.can_become_cone(v) && (!result || std::abs(u_[v]) > std::abs(u_[*result])))
         result = v;
     return result;
   }
 
-  void center(std::vector<double>& u) const
+  std::pair<double, double> range(const Part& part) const
   {
-    double least = u[members_->front()], most = least;
-    for (std::size_t v : *members_) {
-      least = (std::min)(least, u[v]);
-      most = (std::max)(most, u[v]);
-    }
-    for (std::size_t v : *members_)
-      u[v] -= (least + most) / 2;
+    std::pair<double, double> result(u_[part.members->front()], u_[part.members->front()]);
+    for (std::size_t v : *part.members)
+      result = {(std::min)(result.first, u_[v]), (std::max)(result.second, u_[v])};
+    return result;
   }
-  void shift(std::vector<double>& u, std::size_t cone) const
+  void center(const Part& part)
   {
-    const double value = u[cone];
-    for (std::size_t v : *members_)
+    const auto [least, most] = range(part);
+    shift(part, u_, (least + most) / 2);
+  }
+  static void shift(const Part& part, std::vector<double>& u, double value)
+  {
+    for (std::size_t v : *part.members)
       u[v] -= value;
   }
-  void subtract(std::vector<double>& u, double factor, const std::vector<double>& function) const
+
+  // The first cone of a closed surface takes all that cannot be removed. Later ones have functions.
+  void demand(const Part& part, std::vector<double>& right) const
   {
-    for (std::size_t v : *members_)
-      u[v] -= factor * function[v];
+    const bool is_first = part.is_closed && part.cones.size() == 1;
+    for (std::size_t v : *part.members)
+      right[v] = is_first ? excesses_[v] : 0;
+    if (is_first) {
+      right[part.cones.back()] -= part.total;
+    } else {
+      right[part.cones.back()] = 1;
+      if (part.is_closed)
+        right[part.cones.front()] = -1;
+    }
   }
 
-  void add_function(std::size_t cone)
+  void add(const Part& part, std::vector<double>& solution)
   {
-    std::vector<double> right(targets_.number_of_vertices(), 0.);
-    right[cone] = 1;
-    if (is_closed_)
-      right[first_] = -1;
-    std::vector<double> function = system_.solve(right);
-    if (is_closed_)
-      shift(function, first_);
-    for (const auto& [other, values] : functions_)
-      subtract(function, function[other], values);
-    const double value = function[cone];
-    for (std::size_t v : *members_)
-      function[v] /= value;
-    functions_.emplace_back(cone, std::move(function));
+    const std::size_t cone = part.cones.back();
+    if (part.is_closed)
+      shift(part, solution, solution[part.cones.front()]);
+    if (part.is_closed && part.cones.size() == 1) {
+      for (std::size_t v : *part.members)
+        u_[v] = solution[v];
+      return;
+    }
+    const auto subtract = [&](std::vector<double>& x, double factor, const std::vector<double>& function) {
+      for (std::size_t v : *part.members)
+        x[v] -= factor * function[v];
+    };
+    for (std::size_t i = part.is_closed ? 1 : 0; i < functions_.size(); ++i)
+      subtract(solution, solution[part.cones[i]], functions_[i]);
+    const double value = solution[cone];
+    for (std::size_t v : *part.members)
+      solution[v] /= value;
+    subtract(u_, u_[cone], solution);
   }
 
   const Conformal_system& system_;
   Conformal_targets& targets_;
   const Conformal_options& options_;
-  const std::vector<std::size_t>* members_ = nullptr;
-  bool is_closed_ = false;
-  std::size_t first_ = 0; // cone of a closed surface
-  std::vector<std::pair<std::size_t, std::vector<double>>> functions_;
+  std::vector<double> excesses_, u_;
+  std::vector<Part> open_;
+  std::vector<std::vector<double>> functions_; // of each round
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

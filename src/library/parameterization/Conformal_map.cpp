@@ -8,20 +8,23 @@
 #include <CGAL/Intrinsic_triangulations/Conformal_map.h>
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Ptolemy_traits.h>
-#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/flips/Whole_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/convex_polygon_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/internal/parameterization/conformal_solver.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 #include "Conformal_layout.h"
 #include "Triple_overlay.h"
 #include "planar_predicates.h"
 
+#include <CGAL/box_intersection_d.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
+#include <optional>
 #include <string>
+#include <tuple>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -30,6 +33,22 @@ namespace internal {
 namespace {
 
 using Planar_point = Conformal_map::Point;
+
+// Other than a common end.
+bool have_common_point(Planar_segment first, Planar_segment second)
+{
+  std::sort(first.begin(), first.end());
+  std::sort(second.begin(), second.end());
+  const auto& [p, q] = first;
+  const auto& [r, s] = second;
+  const auto a = orientation_in_plane(p, q, r), b = orientation_in_plane(p, q, s), c = orientation_in_plane(r, s, p),
+             d = orientation_in_plane(r, s, q);
+  const bool share_end = p == r || p == s || q == r || q == s;
+  if (a != CGAL::COLLINEAR || b != CGAL::COLLINEAR)
+    return !share_end && a * b <= 0 && c * d <= 0;
+  const Planar_point from = (std::max)(p, r), to = (std::min)(q, s);
+  return from < to || (from == to && !share_end);
+}
 
 Planar_point between(const Planar_point& p, const Planar_point& q, double t)
 {
@@ -68,54 +87,71 @@ public:
         given_halfedge_[doubled.halfedges[h.idx()].idx()] = h;
   }
 
-  Conformal_map run()
+  // \param only_if_certified whether a map that is not certified stays without triangles
+  Conformal_map run(bool only_if_certified)
   {
     const Discrete_conformal_metric& metric = map_.metric;
-    const Delta_complex& intrinsic = doubled_.triangulation.connectivity();
-    std::vector<double> u;
-    for (Vertex_index v : doubled_.vertices)
-      u.push_back(metric.u[v.idx()]);
-    const std::vector<double> lengths = exact_edge_lengths(doubled_.triangulation);
-    const Common_subdivision subdivision(doubled_.triangulation,
-                                         parameters::visitor(part_of_progress(progress_, 0, 0.2)));
-    const Overlay ideal = overlay_of_flips(intrinsic, metric.flips, part_of_progress(progress_, 0.2, 0.4));
-    const Triple_overlay overlay(subdivision, metric.triangulation, ideal, lengths, u,
-                                 part_of_progress(progress_, 0.4, 0.9));
-
-    std::vector<bool> is_inside(metric.triangulation.number_of_halfedges(), false);
-    for (const Triple_overlay::Piece& piece : overlay.pieces())
-      if (doubled_.is_given(piece.input))
-        for (const Triple_overlay::Corner& corner : piece.corners)
-          if (corner.ideal.is_valid())
-            is_inside[corner.ideal.idx()] = true;
-    std::vector<bool> is_end(metric.triangulation.number_of_vertices(), false), is_cone(metric.u.size(), false);
-    for (Vertex_index v : metric.cones)
-      is_cone[v.idx()] = true;
-    for (Vertex_index v : metric.triangulation.vertices()) {
-      const Vertex_index w = doubled_.vertices[v.idx()];
-      const Halfedge_index h = surface_.connectivity().halfedge(w);
-      is_end[v.idx()] = is_cone[w.idx()] || (h.is_valid() && surface_.connectivity().is_border(h));
+    // Of a double, only the overlay tells where the given half is.
+    std::vector<bool> is_inside(metric.triangulation.number_of_halfedges(), !doubled_.is_doubled);
+    std::optional<Common_subdivision> subdivision;
+    std::optional<Triple_overlay> overlay;
+    const auto make_overlay = [&] {
+      subdivision.emplace(doubled_.triangulation, parameters::visitor(part_of_progress(progress_, 0, 0.2)));
+      std::vector<double> u;
+      for (Vertex_index v : doubled_.vertices)
+        u.push_back(metric.u[v.idx()]);
+      overlay.emplace(
+        *subdivision, metric.triangulation,
+        overlay_of_flips(doubled_.triangulation.connectivity(), metric.flips, part_of_progress(progress_, 0.2, 0.4)),
+        doubled_.lengths, u, part_of_progress(progress_, 0.4, 0.9));
+    };
+    if (doubled_.is_doubled) {
+      make_overlay();
+      for (const Triple_overlay::Piece& piece : overlay->pieces())
+        if (doubled_.is_given(piece.input))
+          for (const Triple_overlay::Corner& corner : piece.corners)
+            if (corner.ideal.is_valid())
+              is_inside[corner.ideal.idx()] = true;
     }
-    const Conformal_layout layout(metric.triangulation, metric.lengths, is_inside, is_end);
+    const Conformal_layout layout(metric.triangulation, metric.lengths, is_inside, ends_of_cuts());
     map_.is_certified = layout.is_certified();
     map_.seam = layout.seam();
-    add_triangles(overlay, layout);
-    mark_cuts();
-    map_.overlaps = have_common_points(border_of_image());
+    if (only_if_certified && !map_.is_certified)
+      return std::move(map_);
+    if (!overlay)
+      make_overlay();
+    add_triangles(*overlay, layout);
+    map_.overlaps = have_common_points(mark_cuts());
     map_.input_uv = input_uv_;
     check_input();
     return std::move(map_);
   }
 
 private:
+  // Cones, and the border.
+  std::vector<bool> ends_of_cuts() const
+  {
+    std::vector<bool> result, is_cone(map_.metric.u.size(), false);
+    for (Vertex_index v : map_.metric.cones)
+      is_cone[v.idx()] = true;
+    for (Vertex_index v : map_.metric.triangulation.vertices()) {
+      const Vertex_index w = doubled_.vertices[v.idx()];
+      const Halfedge_index h = surface_.connectivity().halfedge(w);
+      result.push_back(is_cone[w.idx()] || (h.is_valid() && surface_.connectivity().is_border(h)));
+    }
+    return result;
+  }
+
   // In the order of the input faces.
   void add_triangles(const Triple_overlay& overlay, const Conformal_layout& layout)
   {
     std::vector<std::uint32_t> number(overlay.nodes().size(), none);
     for (Vertex_index v : surface_.connectivity().vertices()) {
-      if (doubled_.images[v.idx()].is_valid()) // it has a face, or the surface is closed
-        number[doubled_.images[v.idx()].idx()] = v.idx();
+      const Vertex_index image = doubled_.images[v.idx()];
+      if (image.is_valid()) // it has a face, or the surface is closed
+        number[image.idx()] = v.idx();
       map_.places.push_back(place_of_vertex(v));
+      map_.weights.push_back(image.is_valid() ? overlay.weights()[image.idx()] : 1);
     }
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < overlay.pieces().size(); ++i)
@@ -158,6 +194,7 @@ private:
         if (number[node] == none) {
           number[node] = std::uint32_t(map_.places.size());
           map_.places.push_back(given_place(overlay.nodes()[node]));
+          map_.weights.push_back(overlay.weights()[node]);
         }
         vertices.push_back(number[node]);
       }
@@ -177,22 +214,43 @@ private:
       map_.first_of_face[f + 1] = (std::max)(map_.first_of_face[f + 1], map_.first_of_face[f]);
   }
 
-  // The sides whose two images differ. With several edges between the same vertices, the first two sides that fit count.
-  void mark_cuts()
+  // The sides without another triangle at the same side of the image: the border of the image. If the surface continues
+  // there, they are cuts.
+  std::vector<Planar_segment> mark_cuts()
   {
-    map_.is_cut.assign(map_.triangles.size(), {false, false, false});
-    std::map<std::array<std::uint32_t, 2>, std::vector<std::size_t>> sides;
+    struct Side
+    {
+      std::uint32_t low, high;
+      std::size_t number;
+      bool operator<(const Side& o) const { return std::tie(low, high, number) < std::tie(o.low, o.high, o.number); }
+    };
+    std::vector<Side> sides;
+    sides.reserve(3 * map_.triangles.size());
     for (std::size_t s = 0; s < 3 * map_.triangles.size(); ++s) {
-      const auto& t = map_.triangles[s / 3];
-      sides[{t[s % 3], t[(s + 1) % 3]}].push_back(s);
+      const auto [low, high] = std::minmax(map_.triangles[s / 3][s % 3], map_.triangles[s / 3][(s + 1) % 3]);
+      sides.push_back({low, high, s});
     }
-    const auto end = [&](std::size_t s, std::size_t i) { return map_.uv[s / 3][(s % 3 + i) % 3]; };
-    for (const auto& [vertices, found] : sides)
-      if (const auto others = sides.find({vertices[1], vertices[0]}); others != sides.end())
-        for (std::size_t s : found)
-          map_.is_cut[s / 3][s % 3] = std::none_of(others->second.begin(), others->second.end(), [&](std::size_t o) {
-            return end(s, 0) == end(o, 1) && end(s, 1) == end(o, 0);
-          });
+    std::sort(sides.begin(), sides.end());
+    const auto source = [&](const Side& s) { return map_.triangles[s.number / 3][s.number % 3]; };
+    const auto image = [&](const Side& s, std::size_t i) { return map_.uv[s.number / 3][(s.number % 3 + i) % 3]; };
+    map_.is_cut.assign(map_.triangles.size(), {false, false, false});
+    std::vector<Planar_segment> border;
+    for (auto first = sides.begin(), end = first; first != sides.end(); first = end) {
+      while (end != sides.end() && end->low == first->low && end->high == first->high)
+        ++end;
+      for (auto s = first; s != end; ++s) {
+        bool has_other = false, fits = false;
+        for (auto o = first; o != end; ++o)
+          if (source(*o) != source(*s)) {
+            has_other = true;
+            fits = fits || (image(*s, 0) == image(*o, 1) && image(*s, 1) == image(*o, 0));
+          }
+        map_.is_cut[s->number / 3][s->number % 3] = has_other && !fits;
+        if (!fits)
+          border.push_back({image(*s, 0), image(*s, 1)});
+      }
+    }
+    return border;
   }
 
   Face_index given_face(Face_index f) const { return map_.input.face(given_halfedge_[input_.halfedge(f).idx()]); }
@@ -237,24 +295,6 @@ private:
     }
   }
 
-  // The sides of triangles without another triangle at the same side.
-  std::vector<std::array<Planar_point, 2>> border_of_image() const
-  {
-    std::map<std::array<Planar_point, 2>, int> sides;
-    for (const auto& t : map_.uv)
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Planar_point &p = t[i], &q = t[(i + 1) % 3];
-        if (const auto other = sides.find({q, p}); other != sides.end() && --other->second == 0)
-          sides.erase(other);
-        else if (other == sides.end())
-          ++sides[{p, q}];
-      }
-    std::vector<std::array<Planar_point, 2>> result;
-    for (const auto& [side, count] : sides)
-      result.insert(result.end(), std::size_t(count), side);
-    return result;
-  }
-
   static constexpr std::uint32_t none = std::uint32_t(-1);
 
   const Doubled_surface::Triangulation& surface_;
@@ -269,44 +309,49 @@ private:
 
 } // namespace
 
-// By increasing x, with those that are not passed yet.
-bool have_common_points(std::vector<std::array<std::array<double, 2>, 2>> segments)
+bool have_common_points(const std::vector<Planar_segment>& segments)
 {
-  std::vector<std::array<Planar_point, 2>> ordered = segments;
-  for (auto& s : ordered)
-    if (s[1] < s[0])
-      std::swap(s[0], s[1]);
-  std::sort(ordered.begin(), ordered.end());
-  std::vector<std::size_t> open;
-  for (std::size_t i = 0; i < ordered.size(); ++i) {
-    const Planar_point &p = ordered[i][0], &q = ordered[i][1];
-    open.erase(std::remove_if(open.begin(), open.end(), [&](std::size_t j) { return ordered[j][1][0] < p[0]; }),
-               open.end());
-    for (std::size_t j : open) {
-      const auto& [r, s] = ordered[j];
-      const auto [low, high] = std::minmax(p[1], q[1]);
-      if ((r[1] < low && s[1] < low) || (r[1] > high && s[1] > high))
-        continue;
-      const auto a = orientation_in_plane(p, q, r), b = orientation_in_plane(p, q, s),
-                 c = orientation_in_plane(r, s, p), d = orientation_in_plane(r, s, q);
-      const bool share_end = p == r || p == s || q == r || q == s;
-      if (a == CGAL::COLLINEAR && b == CGAL::COLLINEAR) {
-        const Planar_point first = (std::max)(p, r), last = (std::min)(q, s);
-        if (first < last || (first == last && !share_end))
-          return true;
-      } else if (!share_end && a * b <= 0 && c * d <= 0) {
-        return true;
-      }
-    }
-    open.push_back(i);
+  using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 2, const Planar_segment*>;
+  std::vector<Box> boxes;
+  for (const Planar_segment& s : segments) {
+    const auto [left, right] = std::minmax(s[0][0], s[1][0]);
+    const auto [low, high] = std::minmax(s[0][1], s[1][1]);
+    boxes.emplace_back(CGAL::Bbox_2(left, low, right, high), &s);
   }
-  return false;
+  bool result = false;
+  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
+    result = result || have_common_point(*a.handle(), *b.handle());
+  });
+  return result;
 }
 
-Conformal_map lay_out(const Doubled_surface::Triangulation& surface, const Doubled_surface& doubled,
-                      Discrete_conformal_metric metric, const Progress_function& progress)
+Conformal_map find_conformal_map(const Doubled_surface::Triangulation& surface, Conformal_options options,
+                                 const Factorize& factorize)
 {
-  return Conformal_map_builder(surface, doubled, std::move(metric), progress).run();
+  const Progress_function whole = options.progress, progress = part_of_progress(whole, 0.6, 1);
+  options.progress = part_of_progress(whole, 0, 0.6);
+  const Doubled_surface doubled(surface, options.progress);
+  constexpr int maximum_number_of_attempts = 6;
+  for (int attempt = 1;; ++attempt, options.largest_range *= 0.6) {
+    const bool can_choose =
+      !options.number_of_cones && options.cone_angles.empty() && attempt < maximum_number_of_attempts;
+    try {
+      Conformal_map map =
+        Conformal_map_builder(surface, doubled, find_conformal_metric(surface, doubled, options, factorize), progress)
+          .run(can_choose);
+      if (map.is_certified)
+        return map;
+      if (!can_choose)
+        throw Numerical_error(
+          "triangles of the conformal map turn over" +
+          (map.turned.empty() ? std::string()
+                              : ", first in face " + std::to_string(map.input_faces[map.turned.front()].idx())) +
+          ", since u has a range of " + std::to_string(map.metric.range_of_u) + ": allow more cones");
+    } catch (const Numerical_error&) {
+      if (!can_choose)
+        throw;
+    }
+  }
 }
 
 } // namespace internal

@@ -80,10 +80,11 @@ std::string shown(double x)
 
 std::vector<double> Conformal_system::scaled_lengths(const std::vector<double>& u) const
 {
+  const std::vector<double> scales = scales_of(u);
   std::vector<double> lengths;
   lengths.reserve(lengths_.size());
   for (Edge_index e : complex_.edges()) {
-    lengths.push_back(lengths_[e.idx()] * scale(e, u));
+    lengths.push_back(lengths_[e.idx()] * scale(e, scales));
     if (!(lengths.back() >= (std::numeric_limits<double>::min)() &&
           lengths.back() <= (std::numeric_limits<double>::max)()))
       throw Numerical_error("lengths leave the range of double");
@@ -91,16 +92,26 @@ std::vector<double> Conformal_system::scaled_lengths(const std::vector<double>& 
   return lengths;
 }
 
-double Conformal_system::scale(Edge_index e, const std::vector<double>& u) const
+// Of the ends of edges.
+std::vector<double> Conformal_system::scales_of(const std::vector<double>& u)
+{
+  std::vector<double> result;
+  result.reserve(u.size());
+  for (double x : u)
+    result.push_back(std::exp(x / 2));
+  return result;
+}
+
+double Conformal_system::scale(Edge_index e, const std::vector<double>& scales) const
 {
   const Halfedge_index h = complex_.halfedge(e);
-  return std::exp((u[vertex(complex_.source(h))] + u[vertex(complex_.target(h))]) / 2);
+  return scales[vertex(complex_.source(h))] * scales[vertex(complex_.target(h))];
 }
 
 void Conformal_system::evaluate(const std::vector<double>& u)
 {
   flip(u);
-  measure(scaled_lengths(u));
+  measure();
 }
 
 // Decisions are exact for the doubles with which a run begins. The bounds on the errors of lengths that depend on long
@@ -108,9 +119,10 @@ void Conformal_system::evaluate(const std::vector<double>& u)
 void Conformal_system::flip(const std::vector<double>& u)
 {
   using Triangulation = Intrinsic_triangulation<Ptolemy_traits<double>>;
+  const std::vector<double> scales = scales_of(u);
   for (bool is_settled = false; !is_settled;) {
-    const std::vector<double> scaled = scaled_lengths(u);
-    Triangulation triangulation = Triangulation::from_lengths(complex_, scaled);
+    scaled_ = scaled_lengths(u);
+    Triangulation triangulation = Triangulation::from_lengths(complex_, scaled_);
     const std::size_t before = flips_.size();
     Flip_recorder<Triangulation> recorder{triangulation, options_.progress, flips_};
     try {
@@ -121,12 +133,15 @@ void Conformal_system::flip(const std::vector<double>& u)
         throw;
     }
     complex_ = triangulation.connectivity();
-    for (std::size_t i = before; i < flips_.size(); ++i)
-      lengths_[flips_[i].idx()] = triangulation.length(flips_[i]) / scale(flips_[i], u);
+    for (std::size_t i = before; i < flips_.size(); ++i) {
+      const Edge_index e = flips_[i];
+      lengths_[e.idx()] = triangulation.length(e) / scale(e, scales);
+      scaled_[e.idx()] = lengths_[e.idx()] * scale(e, scales);
+    }
   }
 }
 
-void Conformal_system::measure(const std::vector<double>& lengths)
+void Conformal_system::measure()
 {
   std::fill(sums_.begin(), sums_.end(), 0.);
   areas_.assign(sums_.size(), 0.);
@@ -136,7 +151,7 @@ void Conformal_system::measure(const std::vector<double>& lengths)
     const std::array<Halfedge_index, 3> sides{h, complex_.next(h), complex_.prev(h)};
     std::array<double, 3> of_sides;
     for (std::size_t i = 0; i < 3; ++i)
-      of_sides[i] = lengths[complex_.edge(sides[i]).idx()];
+      of_sides[i] = scaled_[complex_.edge(sides[i]).idx()];
     const Measured_triangle triangle(of_sides);
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t v = vertex(complex_.target(complex_.next(sides[i])));

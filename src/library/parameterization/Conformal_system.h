@@ -9,7 +9,6 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_LIBRARY_PARAMETERIZATION_CONFORMAL_SYSTEM_H
 
 #include <CGAL/Intrinsic_triangulations/Conformal_metric.h>
-#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/internal/parameterization/conformal_solver.h>
 #include "Conformal_targets.h"
 
@@ -26,9 +25,8 @@ class Conformal_system
 public:
   Conformal_system(const Doubled_surface& doubled, std::size_t number_of_vertices, const Conformal_options& options,
                    const Factorize& factorize)
-    : doubled_(doubled), complex_(doubled.triangulation.connectivity()),
-      lengths_(exact_edge_lengths(doubled.triangulation)), options_(options), factorize_(factorize),
-      sums_(number_of_vertices)
+    : doubled_(doubled), complex_(doubled.triangulation.connectivity()), lengths_(doubled.lengths), options_(options),
+      factorize_(factorize), sums_(number_of_vertices)
   {}
 
   // Flips to the ideal Delaunay triangulation with scaled lengths; finds sums of angles and the weights of the linear model.
@@ -60,13 +58,14 @@ public:
 
 private:
   std::size_t vertex(Vertex_index v) const { return doubled_.vertices[v.idx()].idx(); }
-  double scale(Edge_index e, const std::vector<double>& u) const;
+  static std::vector<double> scales_of(const std::vector<double>& u);
+  double scale(Edge_index e, const std::vector<double>& scales) const;
   void flip(const std::vector<double>& u);
-  void measure(const std::vector<double>& lengths);
+  void measure();
 
   const Doubled_surface& doubled_;
   Delta_complex complex_;
-  std::vector<double> lengths_; // not scaled
+  std::vector<double> lengths_, scaled_; // scaled by the u of the last evaluation
   std::vector<Edge_index> flips_;
   const Conformal_options& options_;
   const Factorize& factorize_;

@@ -65,25 +65,30 @@ void Conformal_targets::find_components()
 
 void Conformal_targets::set_given(const Conformal_options& options)
 {
-  for (const auto& [vertex, angle] : options.angles) {
-    require_vertex(vertex, kinds_.size());
-    const std::size_t v = vertex.idx();
-    const std::string name = "vertex " + std::to_string(v);
-    if (kinds_[v] == Kind::GIVEN_ANGLE)
-      throw Invalid_argument_error("two angles are given for " + name);
-    if (kinds_[v] == Kind::ISOLATED)
-      throw Invalid_argument_error("an angle is given for " + name + ", which has no face");
-    if (is_on_border_[v] && options.boundary != Conformal_boundary::ANGLES)
-      throw Invalid_argument_error("an angle is given for " + name +
-                                   ", which lies on the border: ask for given angles of the border");
-    if (!(angle > 0 && angle < (std::numeric_limits<double>::max)()))
-      throw Invalid_argument_error("the angle given for " + name + " is not positive and finite");
-    kinds_[v] = Kind::GIVEN_ANGLE;
-    angles_[v] = angle;
-    given_.push_back(v);
-    if (!is_on_border_[v])
-      cones_.push_back(vertex);
-  }
+  if (!options.boundary_angles.empty() && options.boundary != Conformal_boundary::ANGLES)
+    throw Invalid_argument_error("angles of the border are given, but it shall be free, or a disk: omit one of them");
+  for (const bool on_border : {false, true})
+    for (const auto& [vertex, angle] : on_border ? options.boundary_angles : options.cone_angles) {
+      require_vertex(vertex, kinds_.size());
+      const std::size_t v = vertex.idx();
+      const std::string name = "vertex " + std::to_string(v);
+      if (kinds_[v] == Kind::GIVEN_ANGLE)
+        throw Invalid_argument_error("two angles are given for " + name);
+      if (kinds_[v] == Kind::ISOLATED)
+        throw Invalid_argument_error("an angle is given for " + name + ", which has no face");
+      if (is_on_border_[v] != on_border)
+        throw Invalid_argument_error(on_border ? "an angle of the border is given for " + name +
+                                                   ", which is not on the border: name it as a cone"
+                                               : "an angle of a cone is given for " + name +
+                                                   ", which is on the border: name it among the angles of the border");
+      if (!(angle > 0 && angle < (std::numeric_limits<double>::max)()))
+        throw Invalid_argument_error("the angle given for " + name + " is not positive and finite");
+      kinds_[v] = Kind::GIVEN_ANGLE;
+      angles_[v] = angle;
+      given_.push_back(v);
+      if (!on_border)
+        cones_.push_back(vertex);
+    }
 }
 
 void Conformal_targets::set_border(const std::vector<double>& border_lengths, const Conformal_options& options)
@@ -145,6 +150,11 @@ double Conformal_targets::curvature(std::size_t v) const { return (is_on_border_
 
 void Conformal_targets::check_sums()
 {
+  std::vector<std::size_t> last_of(components_.size());
+  for (std::size_t v = 0; v < kinds_.size(); ++v)
+    last_of[component_of_[v]] = v;
+  for (std::size_t v : given_)
+    last_of[component_of_[v]] = v;
   for (const Component& component : components_) {
     if (component.keeps_scale || kinds_[component.vertices.front()] == Kind::ISOLATED)
       continue;
@@ -158,11 +168,7 @@ void Conformal_targets::check_sums()
         in_full(missing) +
         " in total; the sum of 2 pi minus the angle, or of pi minus the angle on the border, has to be " +
         in_full(component.total) + ": name other angles, or let cones be chosen");
-    std::size_t last = component.vertices.back();
-    for (std::size_t v : given_)
-      if (&component_of(v) == &component)
-        last = v;
-    angles_[last] -= missing;
+    angles_[last_of[component_of_[component.vertices.front()]]] -= missing;
   }
 }
 

@@ -9,7 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_LIBRARY_PARAMETERIZATION_CONFORMAL_TARGETS_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
-#include <CGAL/Intrinsic_triangulations/Conformal_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/parameterization/conformal_solver.h>
 
 #include <cstddef>
 #include <string>

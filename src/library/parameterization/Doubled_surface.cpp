@@ -6,6 +6,7 @@
 // Definitions of Doubled_surface.h.
 
 #include <CGAL/Intrinsic_triangulations/internal/parameterization/Doubled_surface.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
@@ -34,6 +35,7 @@ Doubled_surface::Doubled_surface(const Triangulation& surface, const Progress_fu
     halfedges.assign(surface.input().halfedges().begin(), surface.input().halfedges().end());
   }
   flip_to_Delaunay(triangulation, parameters::visitor([&] { return !progress || progress(0); }));
+  lengths = exact_edge_lengths(triangulation);
 }
 
 void Doubled_surface::glue(const Triangulation& surface)

@@ -14,7 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -36,7 +36,7 @@ public:
   };
   struct Corner
   {
-    std::uint32_t node;
+    std::uint32_t node = 0;
     // Where it lies in the face of C: `(1 - t) from + t to`.
     Ideal_point from, to;
     double t = 0;
@@ -46,9 +46,10 @@ public:
   struct Piece
   {
     std::vector<Corner> corners; // counterclockwise
-    Face_index input, ideal;
+    Face_index input;
   };
 
+  // The constructor does all, and alone uses its arguments.
   // \param ideal_overlay of `subdivision.intrinsic()` and `ideal`
   // \param lengths of the Delaunay triangulation
   // \param u at its vertices
@@ -56,15 +57,17 @@ public:
                  const std::vector<double>& lengths, const std::vector<double>& u, const Progress_function& progress);
 
   const std::vector<Surface_point>& nodes() const { return nodes_; } // on the input; vertices of the surface come first
+  // Of nodes: those of homogeneous coordinates in the new metric that are linear on faces of B.
+  const std::vector<double>& weights() const { return node_weights_; }
   const std::vector<Piece>& pieces() const { return pieces_; }
 
 private:
   class Face_builder;
   // A crossing of an edge of B with one of C: its position on the former, in the direction of 2e, and on the latter, in the
-  // new metric. A weight is that of homogeneous coordinates in the new metric, if it was 1 before.
+  // new metric.
   struct Ideal_crossing
   {
-    double position, t, weight;
+    double position, t;
   };
   // On an edge of B, in the direction of 2e.
   struct On_edge
@@ -74,22 +77,33 @@ private:
     bool is_ideal;
   };
 
+  // Of an edge of B, between crossings with A: its number, and its ends on the edge.
+  struct Part_of_input
+  {
+    Edge_index edge;
+    std::size_t number;
+    double from, to;
+  };
+
   void place_ideal_crossings(Edge_index e);
   void merge(Edge_index e);
   void divide_faces(const Progress_function& progress);
-  Surface_point place_on_input(Edge_index e, double position) const;
+  Surface_point place_on_input(const Part_of_input& part, double position) const;
+  static double fraction_of(double x, double from, double to)
+  {
+    return to > from ? (std::min)(1., (std::max)(0., (x - from) / (to - from))) : 0.5;
+  }
 
   const Common_subdivision& subdivision_;
   const Delta_complex &intrinsic_, &ideal_;
   const Overlay& ideal_overlay_;
   const std::vector<double>& lengths_;
-  std::vector<double> weights_; // of the vertices
+  std::vector<double> weights_, node_weights_; // of the vertices; of nodes
   std::vector<Surface_point> nodes_;
   std::uint32_t first_ideal_node_; // of the crossings of B and C, after those of A and B
   std::vector<Piece> pieces_;
   std::vector<Ideal_crossing> ideal_crossings_;
   std::vector<std::vector<On_edge>> on_edges_; // of B
-  std::vector<std::uint32_t> index_on_edge_;   // of each node that is a crossing with B
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

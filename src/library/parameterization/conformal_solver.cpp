@@ -59,8 +59,7 @@ public:
       if (!targets_.components()[i].keeps_scale && areas[i] > 0)
         for (std::size_t v : targets_.components()[i].vertices)
           u_[v] += 0.5 * std::log(areas[i] / system_.area(targets_, i));
-    evaluate();
-    const std::vector<double> lengths = system_.scaled_lengths(u_);
+    const std::vector<double> lengths = scaled_lengths();
     std::vector<double> cone_angles;
     for (Vertex_index v : targets_.cones())
       cone_angles.push_back(system_.sum_of_angles(v.idx()) / system_.factor());
@@ -78,6 +77,14 @@ private:
       throw_not_converged(error.what());
     }
   }
+  std::vector<double> scaled_lengths() const
+  {
+    try {
+      return system_.scaled_lengths(u_);
+    } catch (const Numerical_error& error) {
+      throw_not_converged(error.what());
+    }
+  }
 
   void choose_cones()
   {
@@ -86,10 +93,7 @@ private:
       return;
     try {
       system_.factorize(targets_);
-      Cone_chooser chooser(system_, targets_, options_);
-      for (const Conformal_targets::Component& component : targets_.components())
-        if (component.vertices.size() > 1)
-          chooser.run(component);
+      Cone_chooser(system_, targets_, options_).run();
     } catch (const Numerical_error& error) {
       throw_not_converged(error.what());
     }
@@ -119,7 +123,7 @@ private:
       if (steps_ == maximum_number_of_steps || idle == 6)
         throw_not_converged("the sum of the angles at vertex " + std::to_string(worst_vertex()) + " still differs by " +
                             shown(least) + " from the wanted one");
-      const std::vector<double> step = newton_step(), before = u_;
+      const std::vector<double> step = newton_step(steps_ == 0 || idle > 0 || least > 1e-6), before = u_;
       const double squares = sum_of_squares(), range = range_of(step);
       double part = 1;
       while (part * range > 10) // beyond that, the linear model is useless
@@ -140,13 +144,15 @@ private:
     }
   }
 
-  std::vector<double> newton_step()
+  // Near the end, the last factorization serves, too.
+  std::vector<double> newton_step(bool factorizes)
   {
     std::vector<double> excesses;
     for (std::size_t v = 0; v < u_.size(); ++v)
       excesses.push_back(system_.excess(v, targets_));
     try {
-      system_.factorize(targets_);
+      if (factorizes)
+        system_.factorize(targets_);
       return system_.solve(excesses);
     } catch (const Numerical_error& error) {
       throw_not_converged(error.what());

@@ -27,8 +27,10 @@ inline bool turns_left(const std::array<double, 2>& p, const std::array<double, 
   return orientation_in_plane(p, q, r) == CGAL::LEFT_TURN;
 }
 
+using Planar_segment = std::array<std::array<double, 2>, 2>;
+
 // Whether two of the segments have a common point other than a common end.
-bool have_common_points(std::vector<std::array<std::array<double, 2>, 2>> segments);
+bool have_common_points(const std::vector<Planar_segment>& segments);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

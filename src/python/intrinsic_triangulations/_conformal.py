@@ -7,7 +7,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal, NamedTuple, Optional
+from typing import Any, Literal, NamedTuple, Optional, Tuple
 
 import numpy
 
@@ -39,6 +39,9 @@ class ConformalMap(NamedTuple):
     """(k, 3) array of bool: whether the side from corner i to the next is a part of a cut."""
     input_uv: numpy.ndarray
     """(f, 3, 2) array: the images of the corners of the input faces."""
+    weights: numpy.ndarray
+    """(m,) array: the weights w of the vertices of the mesh in homogeneous coordinates (w x, w y, w): interpolating them makes the
+    map smoother than it is if it is linear on triangles."""
     u: numpy.ndarray
     """(n,) array: the logarithms of the scale factors at the vertices of the surface."""
     cones: numpy.ndarray
@@ -65,17 +68,21 @@ class ConformalMap(NamedTuple):
     """Array of int64: the input faces that a cut crosses; they are not counted there."""
 
 
-def conformal_map(surface: Any, number_of_vertices: int, cones: Optional[int], cone_angles: Any, boundary: Any) -> ConformalMap:
-    vertices = numpy.empty(0, numpy.uint32)
-    angles = numpy.empty(0)
-    if cone_angles is not None:
-        if cones is not None:
-            raise ValueError("cones are either chosen or given: `cones` and `cone_angles` exclude each other")
-        items = sorted(dict(cone_angles).items())
-        vertices = numpy.array([_arrays.vertex(v, "cone_angles", number_of_vertices) for v, _ in items], numpy.uint32)
-        angles = numpy.array([_arrays.number(angle, "cone_angles") for _, angle in items], float)
+def _angles(given: Any, what: str, number_of_vertices: int) -> Tuple[numpy.ndarray, numpy.ndarray]:
+    items = sorted(dict(given or {}).items())
+    return (numpy.array([_arrays.vertex(v, what, number_of_vertices) for v, _ in items], numpy.uint32),
+            numpy.array([_arrays.number(angle, what) for _, angle in items], float))
+
+
+def conformal_map(surface: Any, number_of_vertices: int, cones: Optional[int], cone_angles: Any, boundary: Any,
+                  boundary_angles: Any) -> ConformalMap:
+    if cone_angles is not None and cones is not None:
+        raise ValueError("cones are either chosen or given: `cones` and `cone_angles` exclude each other")
+    if boundary is None:
+        boundary = "angles" if boundary_angles else "free"
     if cones is not None:
         cones = _arrays.integer(cones, "cones")
     (place_faces, place_coordinates), triangles, uv, input_faces, is_cut, input_uv, *rest = _core.conformal_map(
-        surface, vertices, angles, cones, _arrays.choice(boundary, "boundary", Boundary))
+        surface, *_angles(cone_angles, "cone_angles", number_of_vertices),
+        *_angles(boundary_angles, "boundary_angles", number_of_vertices), cones, _arrays.choice(boundary, "boundary", Boundary))
     return ConformalMap(uv.reshape(-1, 3, 2), triangles, place_faces, place_coordinates, input_faces, is_cut, input_uv.reshape(-1, 3, 2), *rest)

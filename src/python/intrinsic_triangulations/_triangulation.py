@@ -10,7 +10,7 @@ from __future__ import annotations
 import copy
 import math
 import os
-from typing import Any, Dict, Literal, Mapping, NamedTuple, Optional, Tuple, Union
+from typing import Any, Dict, Mapping, NamedTuple, Optional, Tuple, Union
 
 import numpy
 import scipy.sparse
@@ -446,7 +446,7 @@ class Triangulation:
     def refine(self, minimum_angle: float = 25, maximum_circumradius: float = math.inf, maximum_edge_length: float = math.inf,
                constrained: Optional[ArrayLike] = None, max_insertions: Optional[int] = None, minimum_size: Optional[float] = None,
                sharp_edge_angle: Optional[float] = None, maximum_deviation: float = math.inf,
-               whole: Union[None, Literal["border"], ArrayLike] = None, sizes: Optional[ArrayLike] = None,
+               whole: Union[None, str, ArrayLike] = None, sizes: Optional[ArrayLike] = None,
                maximum_normal_angle: Optional[float] = None, size_gradation: float = 0.3) -> RefinementReport:
         """Flip edges and insert vertices until no face is too thin or too large. The surface does not change.
 
@@ -739,7 +739,7 @@ class Triangulation:
                                                       _arrays.marks(fixed, "fixed", len(self._points))))
 
     def conformal_map(self, cones: Optional[int] = None, cone_angles: Optional[Mapping[int, float]] = None,
-                      boundary: Boundary = "free") -> ConformalMap:
+                      boundary: Optional[Boundary] = None, boundary_angles: Optional[Mapping[int, float]] = None) -> ConformalMap:
         """Return a conformal map of the surface to the plane, which is proven to be locally injective.
 
         The surface may have any topology: it is cut open between its cones. The triangulation does not change.
@@ -749,10 +749,12 @@ class Triangulation:
         cones : int, optional
             How many cones are chosen in each component; by default, so many that no length changes too much.
         cone_angles : mapping from vertices to float, optional
-            The sums of the angles wanted at cones, and with the boundary "angles" on the border.
-        boundary : {"free", "angles", "disk"}
+            The sums of the angles wanted at vertices inside the surface.
+        boundary : {"free", "angles", "disk"}, optional
             The border keeps its scale; or has the given angles, and is straight elsewhere; or becomes a polygon whose outer
-            angles are proportional to its edges.
+            angles are proportional to its edges. By default "free", or "angles" if some are given.
+        boundary_angles : mapping from vertices to float, optional
+            The angles of vertices on the border.
 
         Returns
         -------
@@ -773,7 +775,7 @@ class Triangulation:
         >>> m.is_certified, m.overlaps, len(m.turned), m.uv.shape[1:]
         (True, False, 0, (3, 2))
         """
-        return conformal_map(self._surface, self.number_of_vertices, cones, cone_angles, boundary)
+        return conformal_map(self._surface, self.number_of_vertices, cones, cone_angles, boundary, boundary_angles)
 
     def common_subdivision(self) -> CommonSubdivision:
         """Return the common subdivision of the input and this triangulation, as it is now.

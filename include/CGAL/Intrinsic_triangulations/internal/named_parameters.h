@@ -50,7 +50,12 @@ namespace Intrinsic_triangulations::internal {
   F(relative_error, RELATIVE_ERROR)                                                                                    \
   F(maximum_change, MAXIMUM_CHANGE)                                                                                    \
   F(number_of_vertices, NUMBER_OF_VERTICES)                                                                            \
-  F(sharp_angle, SHARP_ANGLE)
+  F(sharp_angle, SHARP_ANGLE)                                                                                          \
+  F(cone_angles, CONE_ANGLES)                                                                                          \
+  F(boundary_angles, BOUNDARY_ANGLES)                                                                                  \
+  F(conformal_boundary, CONFORMAL_BOUNDARY)                                                                            \
+  F(number_of_cones, NUMBER_OF_CONES)                                                                                  \
+  F(maximum_range, MAXIMUM_RANGE)
 
 #define CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(name, tag) tag,
 enum class Parameter {
@@ -176,6 +181,16 @@ CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(maximum_change, MAXIMUM_CHANGE)
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(number_of_vertices, NUMBER_OF_VERTICES)
 /// \brief the angle between the normals of two faces, in degrees, above which their common edge is sharp.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(sharp_angle, SHARP_ANGLE)
+/// \brief vertices inside a surface that are cones of a conformal map, with the sums of their angles.
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(cone_angles, CONE_ANGLES)
+/// \brief vertices on the border, with the angles that a conformal map gives them.
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(boundary_angles, BOUNDARY_ANGLES)
+/// \brief what a conformal map does with the border: a `Conformal_boundary`.
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(conformal_boundary, CONFORMAL_BOUNDARY)
+/// \brief how many cones of a conformal map are chosen in each component.
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(number_of_cones, NUMBER_OF_CONES)
+/// \brief the range of the logarithms of scale factors up to which no more cones are chosen.
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(maximum_range, MAXIMUM_RANGE)
 /// @}
 #undef CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER
 

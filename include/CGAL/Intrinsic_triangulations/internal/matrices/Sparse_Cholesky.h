@@ -32,7 +32,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // program must then link with cholmod.
 //
 // \tparam Scalar `double`, or `std::complex<double>` for Hermitian matrices
-template <class Scalar = double>
+// \tparam Ordering `Eigen::NaturalOrdering<int>` if rows are in an order that makes the factor sparse; CHOLMOD has its own
+template <class Scalar = double, class Ordering = Eigen::AMDOrdering<int>>
 class Sparse_Cholesky
 {
 public:
@@ -69,14 +70,27 @@ public:
 #ifdef CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD
     const Columns x = solver_.solve(right);
 #else
-    Columns ordered = solver_.permutationP() * right;
-    for (Eigen::Index c = 0; c < ordered.cols(); ++c)
-      solve_in_place(ordered.col(c).data());
-    const Columns x = solver_.permutationPinv() * ordered;
+    Columns x = right;
+    if (solver_.permutationP().size() > 0)
+      x = solver_.permutationP() * right;
+    for (Eigen::Index c = 0; c < x.cols(); ++c)
+      solve_in_place(x.col(c).data());
+    if (solver_.permutationP().size() > 0)
+      x = solver_.permutationPinv() * x;
 #endif
     if (!x.allFinite())
       throw Numerical_error(std::string("a linear system cannot be solved: ") + what_ + " is too badly conditioned");
     return x;
+  }
+
+  // The number of entries of the factor; 0 with CHOLMOD.
+  std::size_t size_of_factor() const
+  {
+#ifdef CGAL_INTRINSIC_TRIANGULATIONS_USE_CHOLMOD
+    return 0;
+#else
+    return std::size_t(factor().nonZeros());
+#endif
   }
 
 private:
@@ -167,7 +181,7 @@ private:
     }
   }
 
-  Eigen::SimplicialLLT<Matrix> solver_;
+  Eigen::SimplicialLLT<Matrix, Eigen::Lower, Ordering> solver_;
   std::vector<std::pair<int, int>> panels_; // the first column, and how many there are
 #endif
   const char* what_;

@@ -33,6 +33,7 @@ struct Doubled_surface
 
   bool is_doubled;
   Triangulation triangulation;
+  std::vector<double> lengths;           // of its edges, within 1 ulp
   std::vector<Vertex_index> vertices;    // for each vertex, that of the surface
   std::vector<Vertex_index> images;      // for each vertex of the surface, that in the first copy
   std::vector<Halfedge_index> halfedges; // for each halfedge of the surface's input with a face, that of the first copy

@@ -8,13 +8,27 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_PARAMETERIZATION_CONFORMAL_SOLVER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_PARAMETERIZATION_CONFORMAL_SOLVER_H
 
+#include <CGAL/Intrinsic_triangulations/Conformal_map.h>
 #include <CGAL/Intrinsic_triangulations/Conformal_metric.h>
 #include <CGAL/Intrinsic_triangulations/internal/parameterization/Doubled_surface.h>
 
+#include <cstddef>
 #include <functional>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
+
+// The named parameters of discrete_conformal_metric().
+struct Conformal_options
+{
+  std::vector<std::pair<Vertex_index, double>> cone_angles{}, boundary_angles{};
+  Conformal_boundary boundary = Conformal_boundary::FREE;
+  std::optional<std::size_t> number_of_cones{};
+  double largest_range = 5;
+  Progress_function progress{};
+};
 
 // A sum of squares w (x_i − x_j)². A negative number of a variable stands for the value zero.
 struct Weighted_pair
@@ -31,6 +45,10 @@ using Factorize = std::function<Solve(int n, const std::vector<Weighted_pair>& s
 Discrete_conformal_metric find_conformal_metric(const Doubled_surface::Triangulation& surface,
                                                 const Doubled_surface& doubled, const Conformal_options& options,
                                                 const Factorize& factorize);
+
+// Adds cones until the map is certified, if they may be chosen.
+Conformal_map find_conformal_map(const Doubled_surface::Triangulation& surface, Conformal_options options,
+                                 const Factorize& factorize);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 

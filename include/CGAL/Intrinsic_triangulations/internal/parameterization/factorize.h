@@ -12,41 +12,80 @@
 #include <CGAL/Intrinsic_triangulations/internal/parameterization/conformal_solver.h>
 
 #include <Eigen/Core>
+#include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-inline Solve factorize(int n, const std::vector<Weighted_pair>& sum)
+// Orders the variables once, and again when flips have filled the factor.
+class Sparse_factorizer
 {
-  std::vector<double> diagonal(std::size_t(n), 0.);
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(sum.size() + std::size_t(n));
-  for (const auto& [i, j, weight] : sum) {
-    if (i == j)
-      continue;
-    if (i >= 0)
-      diagonal[std::size_t(i)] += weight;
-    if (j >= 0)
-      diagonal[std::size_t(j)] += weight;
-    if (i >= 0 && j >= 0)
-      entries.emplace_back((std::max)(i, j), (std::min)(i, j), -weight);
+public:
+  Solve operator()(int n, const std::vector<Weighted_pair>& sum)
+  {
+    if (order_.size() != n)
+      find_order(n, sum);
+    const auto cholesky =
+      std::make_shared<const Cholesky>(matrix(n, sum), "the Laplacian of the ideal Delaunay triangulation");
+    if (size_ == 0)
+      size_ = cholesky->size_of_factor();
+    const Order order = order_;
+    if (cholesky->size_of_factor() > size_ + size_ / 4)
+      order_.resize(0);
+    return [cholesky, order](const std::vector<double>& right) {
+      const Eigen::Map<const Eigen::VectorXd> given(right.data(), Eigen::Index(right.size()));
+      const Eigen::VectorXd x = order.inverse() * cholesky->solve(Eigen::VectorXd(order * given));
+      return std::vector<double>(x.data(), x.data() + x.size());
+    };
   }
-  for (int i = 0; i < n; ++i)
-    entries.emplace_back(i, i, diagonal[std::size_t(i)]);
-  Eigen::SparseMatrix<double> matrix(n, n);
-  matrix.setFromTriplets(entries.begin(), entries.end()); // the solver reads the lower half
-  const auto cholesky =
-    std::make_shared<const Sparse_Cholesky<>>(matrix, "the Laplacian of the ideal Delaunay triangulation");
-  return [cholesky](const std::vector<double>& right) {
-    const Eigen::VectorXd x =
-      cholesky->solve(Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(right.data(), Eigen::Index(right.size()))));
-    return std::vector<double>(x.data(), x.data() + x.size());
-  };
-}
+
+private:
+  using Matrix = Eigen::SparseMatrix<double>;
+  using Cholesky = Sparse_Cholesky<double, Eigen::NaturalOrdering<int>>;
+  using Order = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
+
+  void find_order(int n, const std::vector<Weighted_pair>& sum)
+  {
+    order_.setIdentity(n);
+    Order order;
+    if (n > 0)
+      Eigen::AMDOrdering<int>()(matrix(n, sum).selfadjointView<Eigen::Lower>(), order);
+    order_ = order.inverse();
+    size_ = 0;
+  }
+
+  // The lower half.
+  Matrix matrix(int n, const std::vector<Weighted_pair>& sum) const
+  {
+    std::vector<double> diagonal(std::size_t(n), 0.);
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(sum.size() + std::size_t(n));
+    const auto number = [&](int i) { return order_.indices()[i]; };
+    for (const auto& [i, j, weight] : sum) {
+      if (i == j)
+        continue;
+      if (i >= 0)
+        diagonal[std::size_t(i)] += weight;
+      if (j >= 0)
+        diagonal[std::size_t(j)] += weight;
+      if (i >= 0 && j >= 0)
+        entries.emplace_back((std::max)(number(i), number(j)), (std::min)(number(i), number(j)), -weight);
+    }
+    for (int i = 0; i < n; ++i)
+      entries.emplace_back(number(i), number(i), diagonal[std::size_t(i)]);
+    Matrix result(n, n);
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+  }
+
+  Order order_;
+  std::size_t size_ = 0; // of the factor when they were ordered
+};
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
