@@ -5,6 +5,7 @@
 
 #include "commands/command_line.h"
 #include "commands/commands.h"
+#include "commands/distance_lines.h"
 #include "commands/distance_sources.h"
 #include "input/Surface.h"
 #include "input/Triangle_soup.h"
@@ -16,6 +17,7 @@
 #include "number_types/make_triangulation.h"
 #include "output/Output_file.h"
 #include "output/write_json.h"
+#include "output/write_matrices.h"
 #include "output/write_overlay.h"
 #include "system/Interruption.h"
 #include "system/Long_text.h"
@@ -31,7 +33,9 @@
 #include <CGAL/Intrinsic_triangulations/Vector_heat_method.h>
 #include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/farthest_vertices.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_distance_matrix.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/sides_of_curve.h>
@@ -68,15 +72,23 @@ using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_trait
 struct Distance_options
 {
   std::string input;
-  Named_sources sources;
-  std::string output_path, overlay_path, labels_path, stats_path, view_path;
+  Named_sources sources, barriers;
+  std::vector<std::uint64_t> targets;
+  std::string source_vertices_path, target_vertices_path, matrix_path;
+  Line_options lines;
+  std::string output_path, overlay_path, labels_path, samples_path, stats_path, view_path;
+  std::uint64_t number_of_samples = 0;
   std::string cover = "tufted", boundary, format = "csv", method;
   std::optional<double> time_coefficient, maximum_change;
   Repair_options repair;
   bool is_refined = false, has_vectors = false, is_compared = false, is_signed = false;
 
   // Whether ways begin elsewhere than at vertices, or their origin matters.
-  bool has_places() const { return sources.has_files() || !labels_path.empty(); }
+  bool has_places() const
+  {
+    return sources.has_files() || !labels_path.empty() || !samples_path.empty() || lines.are_wanted();
+  }
+  double tolerance() const { return method == "exact" ? 0 : 0.001; }
   bool is_by_heat() const { return method == "heat" || (method.empty() && (!boundary.empty() || time_coefficient)); }
 
   std::optional<Mesh_format> overlay_format() const
@@ -90,8 +102,10 @@ struct Distance_result
   std::size_t number_of_vertices = 0;
   std::vector<std::array<double, 3>> points; // empty if the surface is given by lengths
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<double> distances; // infinite where no source is connected
+  std::vector<double> distances; // infinite where no source is connected; for a matrix, row after row
   std::vector<std::uint32_t> nearest_sources;
+  std::vector<IT::Farthest_vertex> samples;
+  Distance_lines lines;
   std::vector<std::array<double, 3>> source_points, source_curves; // as those of Placed_sources
   double largest_snap = -1;                                        // of sources in space, if there are any
   std::vector<Named_values> vectors;                               // other values at each vertex
@@ -128,21 +142,52 @@ struct Distance_result
   }
 };
 
+void check_matrix(const Distance_options& options)
+{
+  if (options.targets.empty() != options.matrix_path.empty())
+    throw Usage_error("--matrix needs --target or --target-vertices, and these need --matrix");
+  if (options.matrix_path.empty())
+    return;
+  if (options.sources.has_files() || options.is_by_heat() || options.maximum_change || options.is_refined ||
+      options.is_compared || options.has_vectors)
+    throw Usage_error("--matrix follows straight ways between vertices: omit other sources, heat, --maximum-change, "
+                      "--refine, --compare-exact and --vectors");
+  if (!options.output_path.empty() || !options.overlay_path.empty() || !options.labels_path.empty() ||
+      !options.view_path.empty())
+    throw Usage_error("--matrix finds distances of the targets only: omit -o, --overlay, --labels and --view");
+  const std::string type = extension_with_format(options.matrix_path, options.format);
+  if (type != ".csv" && type != ".mtx")
+    throw Usage_error(options.matrix_path + ": a matrix is written as a file whose name ends in .csv or .mtx");
+}
+
+void check_barriers(const Distance_options& options)
+{
+  if (options.maximum_change || options.is_refined || options.has_vectors || !options.matrix_path.empty() ||
+      !options.overlay_path.empty() || !options.view_path.empty())
+    throw Usage_error("--barrier and --barrier-edges cut the surface open: omit --maximum-change, --refine, --vectors, "
+                      "--matrix, --overlay and --view");
+}
+
 void check(const Distance_options& options)
 {
+  if (options.barriers.has_files())
+    check_barriers(options);
   if (options.sources.vertices.empty() && !options.sources.has_files())
-    throw Usage_error("--source is required, or --source-points, --source-edges or --source-curve");
+    throw Usage_error("--source is required, or --source-vertices, --source-points, --source-edges or --source-curve");
   if (options.has_places() && (options.is_by_heat() || options.maximum_change))
-    throw Usage_error(
-      "--source-points, --source-edges, --source-curve and --labels follow straight ways on the surface "
-      "itself: omit heat and --maximum-change");
+    throw Usage_error("--source-points, --source-edges, --source-curve, --labels, --farthest and lines follow straight "
+                      "ways on the surface "
+                      "itself: omit heat and --maximum-change");
   if (options.is_signed && (options.sources.curve_path.empty() || !options.sources.vertices.empty() ||
                             !options.sources.points_path.empty() || !options.sources.edges_path.empty()))
     throw Usage_error("--signed needs --source-curve, and no other source");
   if (options.is_signed && (options.cover == "tufted" || options.is_refined))
     throw Usage_error("--signed needs --cover none, and no --refine");
   if (options.has_places() && options.has_vectors)
-    throw Usage_error("--vectors needs vertices as sources, and no --labels");
+    throw Usage_error("--vectors needs vertices as sources, and no --labels, --farthest or lines");
+  if (options.samples_path.empty() != (options.number_of_samples == 0))
+    throw Usage_error("--farthest N needs --samples, and a number above 0; and --samples needs --farthest");
+  options.lines.check(options.is_signed, !options.view_path.empty());
   if (!options.is_by_heat() && !options.boundary.empty())
     throw Usage_error("--boundary needs --method heat");
   if (!options.is_by_heat() && options.time_coefficient)
@@ -158,7 +203,7 @@ void check(const Distance_options& options)
   if (options.cover == "tufted" && !options.overlay_path.empty())
     throw Usage_error("--overlay needs --cover none: the tufted cover is not a triangulation of the input");
   if (options.maximum_change && !(*options.maximum_change >= 0))
-    throw Usage_error("--maximum-change: C is not negative");
+    throw Usage_error("--maximum-change: C has to be a number that is not negative");
   if (options.maximum_change && (options.is_by_heat() || !options.method.empty() || options.is_refined))
     throw Usage_error("--maximum-change follows all straight ways on a simplified surface: omit --method, --refine and "
                       "the options of heat");
@@ -174,9 +219,11 @@ void check(const Distance_options& options)
   const std::string type = extension_with_format(path, options.format);
   if (!path.empty() && type != ".csv" && type != ".ply" && type != ".vtp")
     throw Usage_error(path + ": distances are written as a file whose name ends in .csv, .ply or .vtp");
-  check_output_paths(
-    {path, options.overlay_path, options.labels_path, options.stats_path, options.view_path},
-    {options.input, options.sources.points_path, options.sources.edges_path, options.sources.curve_path});
+  check_matrix(options);
+  check_output_paths({path, options.overlay_path, options.labels_path, options.samples_path, options.matrix_path,
+                      options.stats_path, options.view_path, options.lines.lines_path, options.lines.borders_path},
+                     {options.input, options.sources.points_path, options.sources.edges_path,
+                      options.sources.curve_path, options.source_vertices_path, options.target_vertices_path});
   check_view(options.view_path);
 }
 
@@ -205,10 +252,14 @@ struct Refinement_watch
 
 void set_number_of_vertices(const Distance_options& options, std::size_t n, Distance_result& result)
 {
-  for (std::uint64_t v : options.sources.vertices)
-    if (v >= n)
-      throw Usage_error("--source: there is no vertex " + std::to_string(v) + ": the input has " + std::to_string(n) +
-                        ", counted from 0");
+  const auto require_vertices = [n](const char* option, const std::vector<std::uint64_t>& vertices) {
+    for (std::uint64_t v : vertices)
+      if (v >= n)
+        throw Usage_error(option + std::string(": there is no vertex ") + std::to_string(v) + ": the input has " +
+                          std::to_string(n) + ", counted from 0");
+  };
+  require_vertices("--source", options.sources.vertices);
+  require_vertices("--target", options.targets);
   result.number_of_vertices = n;
 }
 
@@ -227,27 +278,36 @@ std::array<double, 2> compare(const std::vector<double>& distances, const std::v
   return {n > 0 ? sum / double(n) : 0, largest};
 }
 
-std::vector<IT::Vertex_index> sources_of(const Distance_options& options)
+std::vector<IT::Vertex_index> to_vertices(const std::vector<std::uint64_t>& numbers)
 {
   std::vector<IT::Vertex_index> result;
-  for (std::uint64_t v : options.sources.vertices)
+  for (std::uint64_t v : numbers)
     result.push_back(IT::Vertex_index(IT::Vertex_index::size_type(v)));
   return result;
+}
+std::vector<IT::Vertex_index> sources_of(const Distance_options& options)
+{
+  return to_vertices(options.sources.vertices);
 }
 
 // \param surface a triangulation, or a tufted cover
 template <class Any_surface>
-void find_by_heat(const Distance_options& options, const Any_surface& surface, Progress& progress,
-                  Distance_result& result)
+void find_by_heat(const Distance_options& options, const Any_surface& surface,
+                  const std::vector<IT::Vertex_index>& sources, Progress& progress, Distance_result& result)
 {
   progress.begin("building and factoring the matrix of the heat");
   IT::Heat_method<> heat(surface, library_options(options));
   progress.begin("solving for distances");
-  for (IT::Vertex_index v : sources_of(options))
+  for (IT::Vertex_index v : sources)
     heat.add_source(v);
   result.mean_edge_length = heat.mean_edge_length();
   result.distances = heat.distances();
   result.number_of_bounded_distances = heat.number_of_bounded_distances();
+}
+
+auto geodesic_options(double tolerance)
+{
+  return CGAL::parameters::tolerance(tolerance).visitor([] { return !is_interrupted(); });
 }
 
 template <class Any_surface, class Options>
@@ -270,13 +330,9 @@ template <class Any_surface, class Sources>
 void follow_ways(const Distance_options& options, const Any_surface& surface, const Sources& sources,
                  Progress& progress, Distance_result& result)
 {
-  const auto geodesic_options = [](double tolerance) {
-    return CGAL::parameters::tolerance(tolerance).visitor([] { return !is_interrupted(); });
-  };
   if (!options.is_by_heat() && !options.maximum_change) {
     progress.begin("following straight ways");
-    IT::Geodesic_distances found =
-      distances_from(surface, sources, geodesic_options(options.method == "exact" ? 0 : 0.001));
+    IT::Geodesic_distances found = distances_from(surface, sources, geodesic_options(options.tolerance()));
     result.is_complete = found.is_complete;
     result.distances = std::move(found.distances);
     result.nearest_sources = std::move(found.nearest_sources);
@@ -319,11 +375,38 @@ void set_signs(const Triangulation& triangulation, const Placed_sources& placed,
 }
 void set_signs(const IT::Tufted_cover&, const Placed_sources&, Distance_result&) {} // refused by check()
 
+// On all cores.
+template <class Any_surface>
+void find_matrix(const Distance_options& options, const Any_surface& surface, Progress& progress,
+                 Distance_result& result)
+{
+  progress.begin("following straight ways");
+  const auto go_further = [&progress](double done) { return done > 0 ? progress(done) : !is_interrupted(); };
+  const IT::Geodesic_distance_matrix found = IT::geodesic_distance_matrix<CGAL::Parallel_if_available_tag>(
+    surface, sources_of(options), to_vertices(options.targets),
+    CGAL::parameters::tolerance(options.method == "exact" ? 0 : 0.001).visitor(go_further));
+  result.is_complete = found.is_complete;
+  for (const std::vector<double>& row : found.distances)
+    result.distances.insert(result.distances.end(), row.begin(), row.end());
+}
+
+void add_lines(const Distance_options& options, const Triangulation& triangulation, const Placed_sources& placed,
+               Progress& progress, Distance_result& result)
+{
+  progress.begin("following lines");
+  result.lines = find_lines(options.lines, triangulation, placed.sources, options.is_signed, options.tolerance(),
+                            result.largest_distance());
+}
+void add_lines(const Distance_options&, const IT::Tufted_cover&, const Placed_sources&, Progress&, Distance_result&) {
+} // they imply a surface
+
 // \param place_sources places the sources if they are not only vertices
 template <class Any_surface, class Place_sources>
 void follow_ways_from(const Place_sources& place_sources, const Distance_options& options, const Any_surface& surface,
                       Progress& progress, Distance_result& result)
 {
+  if (!options.matrix_path.empty())
+    return find_matrix(options, surface, progress, result);
   if (!options.has_places())
     return follow_ways(options, surface, sources_of(options), progress, result);
   progress.begin("placing the sources");
@@ -334,6 +417,12 @@ void follow_ways_from(const Place_sources& place_sources, const Distance_options
   follow_ways(options, surface, placed.sources, progress, result);
   if (options.is_signed)
     set_signs(surface, placed, result);
+  if (options.lines.are_wanted())
+    add_lines(options, surface, placed, progress, result);
+  progress.begin("choosing vertices");
+  if (!options.samples_path.empty())
+    result.samples =
+      IT::farthest_vertices(surface, placed.sources, options.number_of_samples, geodesic_options(options.tolerance()));
 }
 
 // The first axis of the tangent plane of each source, transported to the vertices nearest to it; and for a single
@@ -384,7 +473,7 @@ void find_on_cover(const Distance_options& options, const Make_cover& make_cover
   };
   if (options.is_by_heat())
     with(IT::Surface_cover::TUFTED,
-         [&](const IT::Tufted_cover& cover) { find_by_heat(options, cover, progress, result); });
+         [&](const IT::Tufted_cover& cover) { find_by_heat(options, cover, sources_of(options), progress, result); });
   if (!options.is_by_heat() || options.is_compared)
     with(IT::Surface_cover::SHEETS, [&](const IT::Tufted_cover& cover) {
       follow_ways_from([&] { return place_on(cover); }, options, cover, progress, result);
@@ -433,6 +522,44 @@ void find_on_cover(const Distance_options& options, Distance_result& result)
   }
 }
 
+void find_without_barriers(const Distance_options& options, Triangulation& triangulation,
+                           const std::vector<std::array<double, 3>>& points, Progress& progress,
+                           Distance_result& result)
+{
+  if (options.is_by_heat())
+    find_by_heat(options, triangulation, sources_of(options), progress, result);
+  if (options.maximum_change)
+    find_by_simplification(options, triangulation, progress, result);
+  follow_ways_from([&] { return place_sources(options.sources, triangulation, points); }, options, triangulation,
+                   progress, result);
+}
+
+// On the surface, cut open.
+void find_with_barriers(const Distance_options& options, const Triangulation& of_input,
+                        const std::vector<std::array<double, 3>>& points, Progress& progress, Distance_result& result)
+{
+  progress.begin("placing the sources and the barriers");
+  const Placed_sources placed = place_sources(options.sources, of_input, points);
+  result.largest_snap = placed.largest_snap;
+  const IT::Surface_with_barriers surface = place_barriers(options.barriers, of_input, points, result.largest_snap);
+  Triangulation triangulation(surface.connectivity(), surface.points());
+  result.flips += IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(std::ref(progress))).flips;
+  if (options.is_by_heat()) {
+    std::vector<IT::Vertex_index> sources;
+    for (IT::Vertex_index v : sources_of(options))
+      for (IT::Vertex_index copy : surface.copies(v))
+        sources.push_back(copy);
+    find_by_heat(options, triangulation, sources, progress, result);
+  }
+  follow_ways(options, triangulation, surface.sources(placed.sources), progress, result);
+  IT::Geodesic_distances nearer =
+    surface.of_nearer_sides({std::move(result.distances), 0, true, std::move(result.nearest_sources)});
+  result.distances = std::move(nearer.distances);
+  result.nearest_sources = std::move(nearer.nearest_sources);
+  if (options.is_signed)
+    set_signs(of_input, placed, result);
+}
+
 // An oriented surface.
 void find_on_surface(const Distance_options& options, Distance_result& result)
 {
@@ -465,15 +592,14 @@ void find_on_surface(const Distance_options& options, Distance_result& result)
     progress.begin("overlay");
     result.subdivision.emplace(triangulation);
   }
-  if (options.is_by_heat())
-    find_by_heat(options, triangulation, progress, result);
-  if (options.maximum_change)
-    find_by_simplification(options, triangulation, progress, result);
-  follow_ways_from([&] { return place_sources(options.sources, triangulation, surface.points); }, options,
-                   triangulation, progress, result);
+  if (options.barriers.has_files())
+    find_with_barriers(options, triangulation, surface.points, progress, result);
+  else
+    find_without_barriers(options, triangulation, surface.points, progress, result);
   if (result.subdivision)
     result.overlay_distances.values = IT::interpolate_intrinsic_values(*result.subdivision, result.distances);
-  result.distances.resize(result.number_of_vertices); // without vertices inserted by refinement
+  if (options.matrix_path.empty())
+    result.distances.resize(result.number_of_vertices); // without vertices inserted by refinement
   progress.begin("factoring and solving for vectors");
   if (options.has_vectors)
     find_vectors(options, triangulation, surface.points, result);
@@ -521,8 +647,15 @@ Json statistics(const Distance_options& options, const Distance_result& result)
     json["source_edges"] = options.sources.edges_path;
     json["source_curve"] = options.sources.curve_path;
   }
+  if (options.barriers.has_files())
+    json["barriers"] = {options.barriers.curve_path, options.barriers.edges_path};
+  if (!options.targets.empty())
+    json["targets"] = options.targets;
   if (result.largest_snap >= 0)
     json["largest_snap"] = result.largest_snap;
+  for (const auto& [name, found] : {std::pair("isolines", &result.lines.isolines), {"borders", &result.lines.borders}})
+    if (*found)
+      json[name] = {{"lines", (*found)->lines.size()}, {"chord_tolerance", (*found)->maximum_deviation}};
   if (result.errors)
     json["error"] = {{"mean", (*result.errors)[0]}, {"largest", (*result.errors)[1]}};
   return json;
@@ -538,7 +671,7 @@ std::string accuracy(const Distance_options& options, const Distance_result& res
               ? "without exact distances there are fewer"
               : "--method heat needs none, and idt refine makes faces that need fewer");
   if (result.change && !result.errors)
-    return "proven: at most " + in_short(100 * (1 - result.change->shrink)) + " % too short and " +
+    return "proven up to rounding: at most " + in_short(100 * (1 - result.change->shrink)) + " % too short and " +
            in_short(100 * (result.change->stretch - 1)) + " % too long, found on " +
            counted(result.number_of_simplified_vertices, "vertex", "vertices");
   if (result.errors)
@@ -564,8 +697,11 @@ void write_report(std::ostream& os, const Distance_options& options, const Dista
      << in_short(result.largest_distance()) << "\n  accuracy          " << accuracy(options, result) << result.cuts;
   if (result.largest_snap >= 0)
     os << "\n  snap              points in space were up to " << in_short(result.largest_snap) << " from the surface";
+  if (options.lines.are_wanted())
+    os << "\n  lines             " << result.lines.text();
   if (const std::size_t n = result.number_of_unreachable_vertices())
-    os << "\n  unreachable       " << counted(n, "vertex", "vertices");
+    os << "\n  unreachable       "
+       << (options.matrix_path.empty() ? counted(n, "vertex", "vertices") : counted(n, "pair", "pairs"));
   os << "\n  time              " << seconds_text(result.triangulation_seconds + result.distance_seconds) << '\n';
 }
 
@@ -594,6 +730,14 @@ void write_labels(std::ostream& os, const Distance_result& result)
   });
 }
 
+// A row `vertex,distance` for each chosen vertex, in their order.
+void write_samples(std::ostream& os, const Distance_result& result)
+{
+  os << "vertex,distance\n";
+  for (const IT::Farthest_vertex& sample : result.samples)
+    os << sample.vertex.idx() << ',' << in_full(sample.distance) << '\n';
+}
+
 View view_of(const Distance_options& options, const Distance_result& result)
 {
   View view =
@@ -612,13 +756,27 @@ View view_of(const Distance_options& options, const Distance_result& result)
     for (std::uint64_t v : options.sources.vertices)
       view.marks.push_back(result.points[v]);
   view.marks_name = counted(view.marks.size(), "point", "points") + " with distance zero";
+  if (options.lines.are_wanted())
+    result.lines.show(view, result.points);
   return view;
+}
+
+// Adds the vertices that are named in files.
+void read_vertex_files(Distance_options& options)
+{
+  const auto read = [](const std::string& path, std::vector<std::uint64_t>& vertices) {
+    const std::vector<std::uint64_t> more = path.empty() ? std::vector<std::uint64_t>() : read_vertices(path);
+    vertices.insert(vertices.end(), more.begin(), more.end());
+  };
+  read(options.source_vertices_path, options.sources.vertices);
+  read(options.target_vertices_path, options.targets);
 }
 
 Exit_status run_distance(Distance_options options)
 {
-  if (options.maximum_change)
+  if (options.maximum_change || options.lines.are_wanted() || options.barriers.has_files())
     options.cover = "none";
+  read_vertex_files(options);
   check(options);
   return for_each_input({options.input}, [&](const std::string& path) {
     Distance_result result;
@@ -658,6 +816,13 @@ Exit_status run_distance(Distance_options options)
         write_mesh(os, result.points, result.triangles, *find_mesh_format(type), values);
     });
     write_file(options.labels_path, [&](std::ostream& os) { write_labels(os, result); });
+    write_file(options.matrix_path, [&](std::ostream& os) {
+      (extension_with_format(options.matrix_path, options.format) == ".csv"
+         ? write_distance_table
+         : write_distance_matrix)(os, options.sources.vertices, options.targets, result.distances);
+    });
+    write_file(options.samples_path, [&](std::ostream& os) { write_samples(os, result); });
+    result.lines.write(options.lines, result.points);
     if (!options.view_path.empty())
       write_view(options.view_path, view_of(options, result));
     write_json(options.stats_path, statistics(options, result));
@@ -684,6 +849,8 @@ void add_distance_command(CLI::App& app, Selected_command& selected)
     ->delimiter(',')
     ->allow_extra_args(false)
     ->transform(whole_number());
+  add_option(command, "--source-vertices", options->source_vertices_path, "F.csv",
+             "more vertices with distance zero, one in each line");
   add_option(command, "--source-points", options->sources.points_path, "F.csv",
              "points with distance zero: a table that begins with input_face,b0,b1,b2 (barycentric coordinates), or "
              "with x,y,z, of which the nearest points of the surface are taken");
@@ -692,6 +859,12 @@ void add_distance_command(CLI::App& app, Selected_command& selected)
   add_option(command, "--source-curve", options->sources.curve_path, "F.csv",
              "a curve with distance zero, as `idt geodesic` writes it, or through points as for --source-points, along "
              "shortest paths");
+  add_option(
+    command, "--barrier", options->barriers.curve_path, "F.csv",
+    "a curve that no path crosses, given as --source-curve; paths turn around its ends, and a vertex on it has "
+    "the smaller distance of its sides; implies --cover none");
+  add_option(command, "--barrier-edges", options->barriers.edges_path, "F.csv",
+             "edges that no path crosses: two vertices in each line");
   add_option(command, "-o,--output", options->output_path, "F.(csv|ply|vtp)",
              "write the distances: as a table, or as the mesh with a value at each vertex");
   add_option(command, "--overlay", options->overlay_path, "F.(ply|vtp)",
@@ -703,8 +876,23 @@ void add_distance_command(CLI::App& app, Selected_command& selected)
   add_option(
     command, "--labels", options->labels_path, "F.csv",
     "write the nearest source of each vertex: first those of --source, then each point, all edges, each curve");
-  set_words(command.add_option("--format", options->format, "the format of -o - or --overlay - on the standard output"),
-            {"csv", "ply", "vtp"})
+  add_option(
+    command, "--matrix", options->matrix_path, "F.(csv|mtx)",
+    "write a row of distances for each vertex of --source, and a column for each one of --target, found on all "
+    "cores; other distances are not found");
+  add_option(command, "--target", options->targets, "V[,V...]", "the vertices of the columns of --matrix")
+    ->delimiter(',')
+    ->allow_extra_args(false)
+    ->transform(whole_number());
+  add_option(command, "--target-vertices", options->target_vertices_path, "F.csv", "more of them, one in each line");
+  options->lines.add_options(command);
+  add_option(command, "--farthest", options->number_of_samples, "N",
+             "choose N vertices, each as far as possible from the sources and from those before")
+    ->transform(whole_number());
+  add_option(command, "--samples", options->samples_path, "F.csv",
+             "write the vertices of --farthest in their order, with their distances");
+  set_words(command.add_option("--format", options->format, "the format of -o - and the like on the standard output"),
+            {"csv", "ply", "vtp", "mtx"})
     ->type_name("EXT")
     ->capture_default_str();
   set_words(command.add_option("--cover", options->cover,

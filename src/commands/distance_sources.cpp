@@ -225,4 +225,18 @@ Placed_sources place_sources(const Named_sources& named, const IT::Tufted_cover&
   return Source_placer(named, cover.triangulation, of_cover, in_faces, cover.vertex_of, cover.representative).place();
 }
 
+IT::Surface_with_barriers place_barriers(const Named_sources& named, const Triangulation& triangulation,
+                                         const Points& points, double& largest_snap)
+{
+  if (points.empty())
+    throw Usage_error("barriers need a surface in space, and this one has only lengths: omit --barrier and "
+                      "--barrier-edges");
+  const Placed_sources placed = place_sources(named, triangulation, points);
+  largest_snap = (std::max)(largest_snap, placed.largest_snap);
+  std::vector<std::vector<IT::Surface_point>> curves;
+  for (const IT::Geodesic_source& barrier : placed.sources)
+    curves.insert(curves.end(), barrier.parts.begin(), barrier.parts.end());
+  return IT::Surface_with_barriers(triangulation.input(), points, curves);
+}
+
 } // namespace idt

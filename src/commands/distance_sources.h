@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Geodesic_source.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Surface_with_barriers.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 
 #include <array>
@@ -50,6 +51,16 @@ Placed_sources place_sources(const Named_sources& named,
 Placed_sources place_sources(const Named_sources& named, const CGAL::Intrinsic_triangulations::Tufted_cover& cover,
                              const std::vector<std::array<double, 3>>& points,
                              const std::vector<std::array<std::uint32_t, 3>>& triangles);
+
+// Cuts the surface open along edges and curves.
+// \param points of it; there have to be some
+// \param largest_snap grows to that of the barriers
+// \exception Usage_error also if there are only lengths
+CGAL::Intrinsic_triangulations::Surface_with_barriers
+place_barriers(const Named_sources& named,
+               const CGAL::Intrinsic_triangulations::Intrinsic_triangulation<
+                 CGAL::Intrinsic_triangulations::Filtered_edge_length_traits>& triangulation,
+               const std::vector<std::array<double, 3>>& points, double& largest_snap);
 
 } // namespace idt
 

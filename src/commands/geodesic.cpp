@@ -5,6 +5,7 @@
 
 #include "commands/command_line.h"
 #include "commands/commands.h"
+#include "commands/distance_sources.h"
 #include "input/Surface.h"
 #include "input/formats/vtp.h"
 #include "input/mesh_file.h"
@@ -26,6 +27,7 @@
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/cut_along_path.h>
+#include <CGAL/Intrinsic_triangulations/nearest_source_point.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
@@ -60,6 +62,7 @@ struct Geodesic_options
   bool is_closed = false, is_shortest = false;
   std::optional<double> direction, length;
   std::uint64_t maximum_number_of_faces = 1000000;
+  Named_sources barriers, curve; // the end
   std::string output_path, cut_path, stats_path, view_path, format = "csv";
   Repair_options repair;
 };
@@ -118,9 +121,11 @@ void check(const Geodesic_options& options)
     throw Usage_error("--direction and --length belong together");
   if (options.direction && (!options.to.empty() || !options.via.empty() || options.is_closed))
     throw Usage_error("a line in a direction has no --to, --via or --closed");
-  if (!options.direction && options.to.empty() && !options.is_closed)
+  if (options.curve.has_files() && (options.direction || options.is_closed || !options.to.empty()))
+    throw Usage_error("--to-curve is for paths: without --to, --closed and --direction");
+  if (!options.direction && options.to.empty() && !options.curve.has_files() && !options.is_closed)
     throw Usage_error(
-      "a path needs --to, a closed one --via or --to with --closed, and a line --direction and --length");
+      "a path needs --to or --to-curve, a closed one --via or --to with --closed, and a line --direction and --length");
   if (options.is_closed && options.via.size() + (options.to.empty() ? 0 : 1) < 2)
     throw Usage_error(
       "--closed needs two of --via and --to besides --from: the curve initially runs through these vertices");
@@ -131,6 +136,8 @@ void check(const Geodesic_options& options)
     throw Usage_error("--shortest is for paths: without --direction and --closed");
   if (options.direction && !Stop("--from", options.from).vertex)
     throw Usage_error("a line in a direction begins at a vertex: --from V");
+  if (options.barriers.has_files() && (options.direction || !options.view_path.empty()))
+    throw Usage_error("--barrier and --barrier-edges are for paths: without --direction and --view");
   const std::optional<Mesh_format> cut_format = find_mesh_format(options.cut_path);
   if (!options.cut_path.empty() && (!cut_format || cut_format == Mesh_format::STL))
     throw Usage_error(
@@ -140,7 +147,9 @@ void check(const Geodesic_options& options)
   if (!options.output_path.empty() && type != ".obj" && type != ".csv" && type != ".ply" && type != ".vtp")
     throw Usage_error(options.output_path +
                       ": a curve is written as a file whose name ends in .obj, .csv, .ply or .vtp");
-  check_output_paths({options.output_path, options.cut_path, options.stats_path, options.view_path}, {options.input});
+  check_output_paths(
+    {options.output_path, options.cut_path, options.stats_path, options.view_path},
+    {options.input, options.curve.curve_path, options.barriers.curve_path, options.barriers.edges_path});
   check_view(options.view_path);
 }
 
@@ -211,7 +220,20 @@ std::vector<IT::Halfedge_index> first_path(const Geodesic_options& options, Tria
   return result;
 }
 
-Curve find_path(const Geodesic_options& options, const Surface& surface, Triangulation& triangulation)
+// The curve at which the path ends, on a Delaunay triangulation.
+IT::Geodesic_source end_curve(const Geodesic_options& options, const Triangulation& triangulation,
+                              const std::vector<std::array<double, 3>>& points)
+{
+  IT::Geodesic_source result;
+  for (const IT::Geodesic_source& curve : place_sources(options.curve, triangulation, points).sources)
+    result.parts.insert(result.parts.end(), curve.parts.begin(), curve.parts.end());
+  return result;
+}
+
+// \param end_on gives the curve on the surface where the path ends, if there is one
+template <class End_on>
+Curve find_path(const Geodesic_options& options, const Surface& surface, Triangulation& triangulation,
+                const End_on& end_on)
 {
   Curve curve;
   std::vector<IT::Vertex_index> stops;
@@ -224,6 +246,12 @@ Curve find_path(const Geodesic_options& options, const Surface& surface, Triangu
   const std::size_t last_via = stops.size();
   if (!options.to.empty())
     add_stop("--to", options.to);
+  if (options.curve.has_files()) {
+    IT::flip_to_Delaunay(triangulation, CGAL::parameters::visitor(&goes_on));
+    const IT::Nearest_source_point end =
+      IT::nearest_source_point(triangulation, stops.back(), end_on(triangulation), CGAL::parameters::visitor(&goes_on));
+    stops.push_back(IT::vertex_at_point(triangulation, end.point));
+  }
   if (options.is_closed)
     stops.push_back(stops.front());
   const std::vector<IT::Halfedge_index> start = first_path(options, triangulation, stops, curve);
@@ -399,8 +427,25 @@ void write_report(std::ostream& os, const Geodesic_options& options, const Surfa
      << with_separators(curve.report.flips) << "\n  time      " << seconds_text(seconds) << '\n';
 }
 
-Exit_status run_geodesic(const Geodesic_options& options)
+// The surface, cut open; its vertices at barriers are no stops, as these have several sides.
+IT::Surface_with_barriers with_barriers(const Geodesic_options& options, const Surface& surface,
+                                        const Triangulation& triangulation)
 {
+  double largest_snap = -1;
+  IT::Surface_with_barriers result = place_barriers(options.barriers, triangulation, surface.points, largest_snap);
+  std::vector<std::string> stops{options.from, options.to};
+  stops.insert(stops.end(), options.via.begin(), options.via.end());
+  for (const std::string& text : stops)
+    if (!text.empty())
+      if (const std::optional<std::uint64_t> v = Stop("a stop", text).vertex)
+        if (result.copies(vertex(triangulation, *v)).size() > 1)
+          throw Usage_error("vertex " + std::to_string(*v) + " lies on a barrier: choose a point X,Y,Z beside it");
+  return result;
+}
+
+Exit_status run_geodesic(Geodesic_options options)
+{
+  options.is_shortest = options.is_shortest || options.curve.has_files();
   check(options);
   return for_each_input({options.input}, [&](const std::string& path) {
     const Surface surface = load_surface(path, options.repair);
@@ -414,10 +459,28 @@ Exit_status run_geodesic(const Geodesic_options& options)
     std::optional<View> view;
     const Curve curve = [&] {
       const Progress progress(path, "looking for the line");
+      if (options.barriers.has_files()) {
+        Triangulation whole(surface.connectivity, surface.points);
+        IT::flip_to_Delaunay(whole, CGAL::parameters::visitor(&goes_on));
+        const IT::Surface_with_barriers cut = with_barriers(options, surface, whole);
+        Surface opened;
+        opened.path = path;
+        opened.connectivity = cut.connectivity();
+        opened.points = cut.points();
+        Triangulation triangulation(opened.connectivity, opened.points);
+        Curve curve = find_path(options, opened, triangulation, [&](const Triangulation&) {
+          return cut.sources({end_curve(options, whole, surface.points)}).front();
+        });
+        curve.points = cut.on_input(curve.points);
+        return curve;
+      }
       auto triangulation = make_triangulation<Triangulation::Traits>(surface);
       const bool has_view = !options.view_path.empty();
       const IT::Element_numbers input_numbers = has_view ? IT::element_numbers(triangulation) : IT::Element_numbers();
-      Curve curve = options.direction ? trace(options, triangulation) : find_path(options, surface, triangulation);
+      Curve curve = options.direction ? trace(options, triangulation)
+                                      : find_path(options, surface, triangulation, [&](const Triangulation& t) {
+                                          return end_curve(options, t, surface.points);
+                                        });
       if (has_view)
         view = make_view(path,
                          options.direction     ? "the same, for a line crosses edges"
@@ -475,6 +538,9 @@ void add_geodesic_command(CLI::App& app, Selected_command& selected)
              "the start: a vertex, or the point of the surface nearest to a point in space")
     ->required();
   add_option(command, "--to", options->to, "V|X,Y,Z", "the end of a path");
+  add_option(command, "--to-curve", options->curve.curve_path, "F.csv",
+             "instead, the end of the shortest path: the nearest point of a curve, given as --source-curve of `idt "
+             "distance`");
   add_option(command, "--via", options->via, "V|X,Y,Z",
              "a vertex or point in between; can be repeated. A path keeps passing through it, a closed curve only "
              "begins there")
@@ -483,6 +549,10 @@ void add_geodesic_command(CLI::App& app, Selected_command& selected)
   command.add_flag("--closed", options->is_closed, "a closed curve: from the last vertex back to the first");
   command.add_flag("--shortest", options->is_shortest,
                    "the shortest path of all, from stop to stop, and its exact length up to rounding");
+  add_option(command, "--barrier", options->barriers.curve_path, "F.csv",
+             "a curve that the path does not cross, as for `idt distance`");
+  add_option(command, "--barrier-edges", options->barriers.edges_path, "F.csv",
+             "edges that it does not cross: two vertices in each line");
   command.add_option("--direction", options->direction,
                      "a line instead, in this direction: an angle on the surface in radians, counterclockwise from the "
                      "neighbour with the smallest number, or from the border");

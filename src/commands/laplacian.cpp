@@ -92,7 +92,10 @@ void find_operator_of_saved(const Laplacian_options& options, Laplacian_result& 
   Laplacian.stiffness = IT::stiffness_matrix(triangulation, IT::Stiffness_factor::HALF);
   Laplacian.mass =
     options.mass_type == "lumped" ? IT::lumped_mass_matrix(triangulation) : IT::Galerkin_mass_matrix(triangulation);
-  Laplacian.report.number_of_vertices = triangulation.connectivity().number_of_vertices();
+  const IT::Delta_complex& complex = triangulation.connectivity();
+  Laplacian.report.number_of_vertices = complex.number_of_vertices();
+  for (IT::Edge_index e : complex.edges())
+    Laplacian.report.border_edges += complex.is_border(e);
   Laplacian.representative.resize(Laplacian.report.number_of_vertices);
   std::iota(Laplacian.representative.begin(), Laplacian.representative.end(), 0);
   Laplacian.minimum_weight = IT::summarize_cotangent_weights(triangulation).smallest.value_or(0) / 2;

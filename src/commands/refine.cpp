@@ -89,9 +89,9 @@ void check(const Refine_options& options)
   if (!(criteria.maximum_edge_length > 0))
     throw Usage_error("--maximum-edge-length: L is larger than 0");
   if (criteria.minimum_size && !(*criteria.minimum_size >= 0))
-    throw Usage_error("--minimum-size: S is not negative");
+    throw Usage_error("--minimum-size: S has to be a number that is not negative");
   if (options.flat_tolerance && !(*options.flat_tolerance >= 0))
-    throw Usage_error("--flat-tolerance: D is not negative");
+    throw Usage_error("--flat-tolerance: D has to be a number that is not negative");
   if (criteria.sharp_edge_angle && !(*criteria.sharp_edge_angle >= 0 && *criteria.sharp_edge_angle <= 180))
     throw Usage_error("--constrain-angle: D is between 0 and 180 degrees");
   if (!options.maximum_deviation.empty() && !(length(options.maximum_deviation, 1) > 0))
@@ -189,15 +189,12 @@ std::vector<bool> ends(const std::vector<bool>& edges, const IT::Delta_complex& 
 // A size for each vertex; infinite where the table has none.
 std::vector<double> read_sizes(const std::string& path, const Surface& surface)
 {
-  std::vector<Named_values> columns = read_vertex_values(path, surface.connectivity.number_of_vertices());
-  if (columns.size() != 1)
-    throw Usage_error("--size-map: " + path + " has more columns than vertex,size");
-  std::vector<double> result = std::move(columns.front().values);
-  for (std::size_t v = 0; v < result.size(); ++v) {
-    if (std::isnan(result[v]))
-      result[v] = std::numeric_limits<double>::infinity();
-    if (!(result[v] > 0))
+  const std::size_t n = surface.connectivity.number_of_vertices();
+  std::vector<double> result(n, std::numeric_limits<double>::infinity());
+  for (const auto& [v, size] : read_numbers_of_vertices(path, n)) {
+    if (!(size > 0))
       throw Usage_error("--size-map: " + path + ": the size at vertex " + std::to_string(v) + " is not positive");
+    result[v] = size;
   }
   return result;
 }

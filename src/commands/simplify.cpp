@@ -63,7 +63,7 @@ struct Simplify_options
 void check(const Simplify_options& options)
 {
   if (options.maximum_change && !(*options.maximum_change >= 0))
-    throw Usage_error("--maximum-change: C is not negative");
+    throw Usage_error("--maximum-change: C has to be a number that is not negative");
   if (options.constrained_angle && !(*options.constrained_angle >= 0 && *options.constrained_angle <= 180))
     throw Usage_error("--constrain-angle: D is between 0 and 180 degrees");
   if (!options.output.empty() && !is_saved_triangulation(name_with_format(options.output, "idt"))) {
@@ -86,9 +86,8 @@ std::vector<bool> kept_vertices(const Simplify_options& options, std::size_t num
   std::vector<bool> result(number_of_vertices);
   if (options.kept.empty())
     return result;
-  const std::vector<double> values = read_vertex_values(options.kept, number_of_vertices).front().values;
-  for (std::size_t v = 0; v < number_of_vertices; ++v)
-    result[v] = !std::isnan(values[v]) && values[v] != 0;
+  for (const auto& [v, value] : read_numbers_of_vertices(options.kept, number_of_vertices))
+    result[v] = value != 0;
   return result;
 }
 

@@ -30,14 +30,19 @@ struct Place
   std::size_t line = 0;
 };
 
-// Reads a table of points, whose first line is x,y,z; or input_face,b0,b1,b2; or begins as that of `idt geodesic`. Where
-// the first line is repeated, another curve begins.
+// Reads a table of points, whose first line is x,y,z; or input_face,b0,b1,b2; or begins as that of `idt geodesic`, or
+// with the number of the line as one of `idt distance --lines`. Where the first line is repeated, or with another
+// number, another curve begins.
 // \exception Invalid_surface_error if the file cannot be read; the message names file and line
 std::vector<std::vector<Place>> read_places(const std::string& path);
 
 // Reads pairs of vertices, one pair a line.
 // \exception Invalid_surface_error likewise
 std::vector<std::pair<std::uint64_t, std::uint64_t>> read_vertex_pairs(const std::string& path);
+
+// Reads vertices, one a line.
+// \exception Invalid_surface_error likewise
+std::vector<std::uint64_t> read_vertices(const std::string& path);
 
 } // namespace idt
 

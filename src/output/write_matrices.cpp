@@ -10,6 +10,8 @@
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace idt {
 namespace {
@@ -67,6 +69,33 @@ void write_Laplacian(std::ostream& os, const Triangulation_result& result)
 void write_mass(std::ostream& os, const Triangulation_result& result)
 {
   write_mass_matrix(os, IT::lumped_mass_matrix(result.outcome.connectivity, result.outcome.numbers.areas), true);
+}
+
+void write_distance_table(std::ostream& os, const std::vector<std::uint64_t>& sources,
+                          const std::vector<std::uint64_t>& targets, const std::vector<double>& distances)
+{
+  os << "source";
+  for (std::uint64_t v : targets)
+    os << ',' << v;
+  os << '\n';
+  write_elements(os, sources.size(), [&](Long_text& text, std::size_t i) {
+    text << sources[i];
+    for (std::size_t k = 0; k < targets.size(); ++k)
+      text << ',' << distances[i * targets.size() + k];
+    text << '\n';
+  });
+}
+
+// The format goes down the columns.
+void write_distance_matrix(std::ostream& os, const std::vector<std::uint64_t>& sources,
+                           const std::vector<std::uint64_t>& targets, const std::vector<double>& distances)
+{
+  os << "%%MatrixMarket matrix array real general\n% lengths of shortest paths\n"
+     << sources.size() << ' ' << targets.size() << '\n';
+  write_elements(os, targets.size(), [&](Long_text& text, std::size_t k) {
+    for (std::size_t i = 0; i < sources.size(); ++i)
+      text << distances[i * targets.size() + k] << '\n';
+  });
 }
 
 } // namespace idt

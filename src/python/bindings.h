@@ -21,6 +21,7 @@ void add_simplification(pybind11::module_& module);
 void add_subdivision(pybind11::module_& module);
 void add_heat(pybind11::module_& module);
 void add_geodesics(pybind11::module_& module);
+void add_lines(pybind11::module_& module);
 void add_vectors(pybind11::module_& module);
 
 } // namespace idt_python

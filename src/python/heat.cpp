@@ -8,11 +8,15 @@
 #include "python/bindings.h"
 
 #include <CGAL/Intrinsic_triangulations/Heat_method.h>
+#include <CGAL/Intrinsic_triangulations/Surface_with_barriers.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
+#include <CGAL/Intrinsic_triangulations/farthest_vertices.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distance_matrix.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
+#include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
+#include <algorithm>
 #include <atomic>
 #include <memory>
 #include <mutex>
@@ -101,12 +105,28 @@ py::array geodesic_distances(const Doubles& points, const Indices& triangles, co
   }));
 }
 
+std::vector<IT::Surface_point> points_in_triangles(const IT::Delta_complex& complex,
+                                                   const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                                                   const std::vector<IT::Point_in_triangle>& places)
+{
+  std::vector<IT::Surface_point> result;
+  for (const IT::Point_in_triangle& p : places) {
+    IT::Halfedge_index h = complex.halfedge(IT::Face_index(IT::Face_index::size_type(p.triangle)));
+    while (complex.source(h).idx() != triangles[p.triangle][0])
+      h = complex.next(h);
+    result.push_back({h, p.coordinates});
+  }
+  return result;
+}
+
 // \param places a row for each point: the number of a triangle, and barycentric coordinates
 // \param first where the points of each source begin, and their number: one is a point, more are a curve
 // \return the distances, and the numbers of the nearest sources
+// \param number_of_barriers how many of the last ones are barriers instead
 std::pair<py::array, py::array> geodesic_distances_from(const Doubles& points, const Indices& triangles,
                                                         const Indices& numbers, const Doubles& coordinates,
-                                                        const Indices& first, const Doubles& offsets, double tolerance)
+                                                        const Indices& first, const Doubles& offsets, double tolerance,
+                                                        std::size_t number_of_barriers)
 {
   const Rows<double> rows(points);
   const auto faces = copied_rows(triangles);
@@ -118,15 +138,60 @@ std::pair<py::array, py::array> geodesic_distances_from(const Doubles& points, c
   const auto begins = copied(first);
   const auto starts = copied(offsets);
   const auto options = CGAL::parameters::tolerance(tolerance).visitor(&Signal_watch::goes_on);
-  IT::Geodesic_distances found = without_lock([&] {
-    const IT::Tufted_cover cover = Delaunay_cover(rows, faces, IT::Surface_cover::SHEETS);
-    const std::vector<IT::Surface_point> placed = IT::points_of_cover(cover, faces, places);
-    std::vector<IT::Geodesic_source> sources;
+  const auto corners = copied_rows(points);
+  const auto curves = [&](const std::vector<IT::Surface_point>& placed) {
+    std::vector<std::vector<IT::Surface_point>> result;
     for (std::size_t i = 0; i + 1 < begins.size(); ++i)
-      sources.push_back({{{placed.begin() + begins[i], placed.begin() + begins[i + 1]}}, starts[i]});
-    return IT::geodesic_distances_from(cover, sources, options);
+      result.push_back({placed.begin() + begins[i], placed.begin() + begins[i + 1]});
+    return result;
+  };
+  const auto sources = [&](const std::vector<std::vector<IT::Surface_point>>& placed) {
+    std::vector<IT::Geodesic_source> result;
+    for (std::size_t i = 0; i < starts.size(); ++i)
+      result.push_back({{placed[i]}, starts[i]});
+    return result;
+  };
+  IT::Geodesic_distances found = without_lock([&] {
+    if (number_of_barriers == 0) {
+      const IT::Tufted_cover cover = Delaunay_cover(rows, faces, IT::Surface_cover::SHEETS);
+      return IT::geodesic_distances_from(cover, sources(curves(IT::points_of_cover(cover, faces, places))), options);
+    }
+    const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(corners.size(), faces);
+    const auto placed = curves(points_in_triangles(complex, faces, places));
+    const IT::Surface_with_barriers surface(complex, corners,
+                                            {placed.end() - std::ptrdiff_t(number_of_barriers), placed.end()});
+    return IT::geodesic_distances_from(surface, sources(placed), options);
   });
   return {to_array(std::move(found.distances)), to_array(std::move(found.nearest_sources))};
+}
+
+// The vertices, and their distances. \param sources vertices
+std::pair<py::array, py::array> farthest_vertices(const Doubles& points, const Indices& triangles,
+                                                  const Indices& sources, std::uint32_t number, double tolerance)
+{
+  const Rows<double> rows(points);
+  const auto faces = copied_rows(triangles);
+  const auto starts = copied(sources);
+  const auto options = CGAL::parameters::tolerance(tolerance).visitor(&Signal_watch::goes_on);
+  std::vector<std::int64_t> vertices;
+  std::vector<double> distances;
+  without_lock([&] {
+    const IT::Tufted_cover cover = Delaunay_cover(rows, faces, IT::Surface_cover::SHEETS);
+    std::vector<IT::Geodesic_source> from;
+    for (std::uint32_t v : starts) {
+      const auto at = std::find(cover.vertex_of.begin(), cover.vertex_of.end(), cover.representative[v]);
+      if (at == cover.vertex_of.end())
+        throw IT::Invalid_argument_error("vertex " + std::to_string(v) + " has no face with area");
+      from.push_back(IT::source_at_vertex(cover.triangulation.input(),
+                                          IT::Vertex_index(std::uint32_t(at - cover.vertex_of.begin()))));
+    }
+    for (const IT::Farthest_vertex& v : IT::farthest_vertices(cover, from, number, options)) {
+      vertices.push_back(v.vertex.idx());
+      distances.push_back(v.distance);
+    }
+    return 0;
+  });
+  return {to_array(std::move(vertices)), to_array(std::move(distances))};
 }
 
 py::array geodesic_distance_matrix(const Doubles& points, const Indices& triangles, const Indices& sources,
@@ -172,7 +237,10 @@ void add_heat(py::module_& module)
              py::arg("sources").noconvert(), py::arg("tolerance"));
   module.def("geodesic_distances_from", &geodesic_distances_from, py::arg("points").noconvert(),
              py::arg("triangles").noconvert(), py::arg("numbers").noconvert(), py::arg("coordinates").noconvert(),
-             py::arg("first").noconvert(), py::arg("offsets").noconvert(), py::arg("tolerance"));
+             py::arg("first").noconvert(), py::arg("offsets").noconvert(), py::arg("tolerance"),
+             py::arg("number_of_barriers"));
+  module.def("farthest_vertices", &farthest_vertices, py::arg("points").noconvert(), py::arg("triangles").noconvert(),
+             py::arg("sources").noconvert(), py::arg("number"), py::arg("tolerance"));
   module.def("geodesic_distance_matrix", &geodesic_distance_matrix, py::arg("points").noconvert(),
              py::arg("triangles").noconvert(), py::arg("sources").noconvert(), py::arg("targets").noconvert(),
              py::arg("tolerance"));

@@ -19,5 +19,6 @@ PYBIND11_MODULE(_core, module)
   idt_python::add_subdivision(module);
   idt_python::add_heat(module);
   idt_python::add_geodesics(module);
+  idt_python::add_lines(module);
   idt_python::add_vectors(module);
 }

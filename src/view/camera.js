@@ -44,7 +44,7 @@ class Orbit_camera {
     const front = new THREE.Quaternion().setFromUnitVectors(new THREE.Vector3(0, 1, 0), this.up);
     if (name === "oblique") { // a long one from its side, a flat one from above
       const [width, height, depth] = [0, 1, 2].map(i => Math.abs(new THREE.Vector3().setComponent(i, 1).applyQuaternion(front).dot(this.box)));
-      [pitch, yaw] = [height < 0.3 * Math.max(width, depth) && height > 0 ? 45 : pitch, depth > 1.5 * width ? 90 - yaw : yaw];
+      [pitch, yaw] = [height < 0.3 * Math.min(width, depth) ? 45 : pitch, depth > 1.5 * width ? 90 - yaw : yaw];
     }
     this.flight = null;
     this.turn = front.multiply(new THREE.Quaternion().setFromEuler(new THREE.Euler(-pitch * Math.PI / 180, yaw * Math.PI / 180, 0, "YXZ")));

@@ -44,7 +44,7 @@ function start_edges(picture) {
   };
 }
 
-function count_edges() {
+function count_edges(picture) {
   const numbers = [0, 0, 0, 0], is_met = triangulations.map(t => new Uint8Array(t.number_of_edges));
   for (let s = 0; s < surface.sides.length; ++s) {
     const label = label_of_side(s), t = label & 2 ? 1 : 0;
@@ -57,6 +57,10 @@ function count_edges() {
   const kinds = triangulations.length < 2 ? ["", "edges"] : ["", "input alone", "triangulation alone", "both"];
   for (let label = 1; label <= 3; ++label)
     by_id("edges-" + label).parentElement.lastElementChild.textContent = " " + kinds[label] + ": " + numbers[label].toLocaleString("en");
+  // Where few edges differ, these are seen even if they are short.
+  const strength = triangulations.length > 1 ? Math.min(1, 0.04 * numbers[3] / (numbers[2] || 1)) : 0;
+  picture.uniforms.least_strength.value = [0.25 * strength, 0.5 * strength, 0];
+  picture.request();
 }
 
 // A switch of something that the picture has; it is not there without a text.
@@ -148,7 +152,7 @@ async function start_page() {
     picture.request(true);
     await new Promise(done => requestAnimationFrame(() => setTimeout(done)));
   }
-  count_edges();
+  count_edges(picture);
   start_pointing(picture, legend);
   draw_histograms(by_id("angles"), by_id("weights"));
   return picture;

@@ -29,12 +29,12 @@ class Picture {
   add_surface() {
     this.uniforms = {
       layer: { value: 1 }, mode: { value: 1 }, isoline_step: { value: 0 }, isoline_origin: { value: 0 }, half_width: { value: 0.8 },
-      shown: { value: [1, 1, 1] }, flattened: { value: 0 }, least_strength: { value: triangulations.length > 1 ? [0.25, 0.5, 0] : [0, 0, 0] }, radius: { value: page.radius },
+      shown: { value: [1, 1, 1] }, flattened: { value: 0 }, least_strength: { value: [0, 0, 0] }, radius: { value: page.radius },
       face_colours: { value: face_colours.map(c => new THREE.Vector3(...c)) }, scale: { value: scale_colours.map(c => new THREE.Vector3(...c)) },
     };
-    const normals = make_face_normals(), colours = triangulations.map(colour_faces);
+    const normals = make_face_normals(), colours = triangulations.map(colour_faces), sizes = triangulations.map(sizes_of_edges);
     const material = make_material(surface_vertex_shader, surface_fragment_shader, this.uniforms);
-    const make_part = part => Object.assign(make_mesh(make_surface_arrays(part, normals, colours), material), { part });
+    const make_part = part => Object.assign(make_mesh(make_surface_arrays(part, normals, colours, sizes), material), { part });
     this.surface = make_part(surface);
     this.parts = [this.surface];
     this.number_material = make_material(number_vertex_shader, number_fragment_shader, { flattened: this.uniforms.flattened });

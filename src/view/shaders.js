@@ -25,7 +25,7 @@ vec4 towards_eye(vec3 place, float width) {
 const surface_vertex_shader = moving + `
 attribute vec3 direction;     // normal to the input face
 attribute vec4 info;          // the colours in both triangulations, the labels of the sides, the corner
-attribute vec3 size;          // of the edges on the sides, as logarithms
+attribute vec3 size;          // of the edges on the sides, as in sizes_of_edges()
 attribute vec2 number;        // in both triangulations, from 0 to 1; below -1e6 if there is none
 attribute vec3 plane;         // the place in the plane
 uniform float layer;          // 0 input, 1 result
@@ -33,7 +33,7 @@ uniform float flattened;      // 1 for the plane
 uniform float radius;         // of the surface
 varying vec2 on_plane;
 varying vec3 at, corner, at_eye, light_normal;
-flat varying vec3 labels, pixels; // of edges: their kinds and lengths, the latter in pixels
+flat varying vec3 labels, pixels; // of edges: their kinds, and how large they look
 flat varying vec3 face_colour;
 varying float shade;
 uniform vec3 face_colours[6];
@@ -104,10 +104,9 @@ void main() {
   }
 #ifndef THIN
   vec3 heights = 1.0 / max(fwidth(corner), vec3(1e-9)); // of the triangle, in pixels
-  float size = max(heights.x, max(heights.y, heights.z));
   // Edges fade that are short on the screen or close to each other.
   vec3 cover = clamp(half_width + 0.5 - corner * heights, 0.0, 1.0);
-  vec3 strength = clamp(size / 6.0, 0.0, 1.0) * smoothstep(0.0, 8.0, heights) * smoothstep(3.0, 16.0, pixels);
+  vec3 strength = smoothstep(3.0, 16.0, pixels * facing);
   for (int i = 0; i < 3; ++i) {
     int kind = int(i == 0 ? labels.x : i == 1 ? labels.y : labels.z) - 1;
     if (kind < 0)

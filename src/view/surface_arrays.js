@@ -5,18 +5,28 @@
 
 "use strict";
 
-// The length of the edge on which a side of a triangle lies, as a byte: 12 steps for a factor of 2, 255 for twice the radius of the surface.
-function size_of_side(triangle, side, faces) {
-  const t = side >> 2 ? triangulations.length - 1 : 0, i = side >> 2 * t & 3;
-  if (i === 0 || page.stretch.some(factor => factor !== 1))
-    return 255;
-  const length = triangulations[t].lengths[triangulations[t].sides[3 * faces[t][triangle] + i - 1]];
-  return Math.max(0, Math.min(255, Math.round(255 + 12 * Math.log2(length / page.scale / (2 * page.radius)))));
+// How large an edge looks: its length, or twice the height of the faces beside it if that is less. As a byte: 12 steps for a factor of 2,
+// 255 for twice the radius of the surface.
+function sizes_of_edges(t) {
+  const is_stretched = page.stretch.some(factor => factor !== 1), sizes = new Float32Array(t.number_of_edges), [u, v] = [0, 0].map(() => new THREE.Vector3());
+  for (let s = 0; s < t.sides.length; ++s) {
+    const e = t.sides[s], [p, q, r] = [s, next(s), next(next(s))].map(i => t.corners[i]);
+    u.subVectors(place(q), place(p));
+    v.subVectors(place(r), place(p));
+    const length = is_stretched ? u.length() : t.lengths[e] / page.scale;
+    const height = is_stretched ? u.cross(v).length() / length : 2 * t.area(Math.floor(s / 3)) / t.lengths[e] / page.scale;
+    sizes[e] = Math.max(sizes[e], Math.min(length, 2 * height || 0));
+  }
+  return Uint8Array.from(sizes, x => Math.max(0, Math.min(255, Math.round(255 + 12 * Math.log2(x / (2 * page.radius))))));
 }
 
 // Per corner of each triangle: nothing is shared, so that a triangle can have colours of its own.
-function make_surface_arrays({ places, corners, sides, faces, plane }, face_normals, colours) {
+function make_surface_arrays({ places, corners, sides, faces, plane }, face_normals, colours, sizes) {
   const n = corners.length, last = colours.length - 1;
+  const size_of_side = (t, side) => {
+    const k = side >> 2 ? last : 0, i = side >> 2 * k & 3;
+    return i === 0 ? 0 : sizes[k][triangulations[k].sides[3 * faces[k][t] + i - 1]];
+  };
   const position = new Float32Array(3 * n), size = new Uint8Array(3 * n), direction = new Int8Array(3 * n), info = new Uint8Array(4 * n);
   for (let c = 0; c < n; ++c)
     for (let i = 0; i < 3; ++i)
@@ -24,11 +34,11 @@ function make_surface_arrays({ places, corners, sides, faces, plane }, face_norm
   for (let t = 0; t < n / 3; ++t) {
     const input = faces[0][t], input_colour = colours[0][input], result_colour = colours[last][faces[last][t]];
     // Side i is opposite to the corner before it.
-    const sizes = [1, 2, 0].map(i => size_of_side(t, sides[3 * t + i], faces));
+    const side_sizes = [1, 2, 0].map(i => size_of_side(t, sides[3 * t + i]));
     const labels = label(sides[3 * t + 1]) | label(sides[3 * t + 2]) << 2 | label(sides[3 * t]) << 4;
     for (let i = 0; i < 3; ++i) {
       const c = 3 * t + i;
-      size.set(sizes, 3 * c);
+      size.set(side_sizes, 3 * c);
       for (let k = 0; k < 3; ++k)
         direction[3 * c + k] = face_normals[3 * input + k];
       info[4 * c] = input_colour;

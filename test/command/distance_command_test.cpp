@@ -215,6 +215,15 @@ TEST_F(Distance_command, begins_at_points_edges_and_curves)
   EXPECT_TRUE(contains(idt("distance strip.off --source-points bad.csv").err, "there is no triangle 7"));
   EXPECT_TRUE(contains(idt("distance strip.off --cover none --source-points bad.csv").err, "there is no face 7"));
   EXPECT_NE(idt("distance strip.off --source-points missing.csv").status, 0);
+  write("bad.csv", "x,y,z\n1,2,3,4\n");
+  EXPECT_TRUE(contains(idt("distance strip.off --source-points bad.csv").err, "line 2: there are 3 names and 4 cells"));
+  for (const char* text : {"", "x,y,z\n", "x,y,z\n1,0,0\nx,y,z\n"}) {
+    write("bad.csv", text);
+    EXPECT_NE(idt("distance strip.off --source-points bad.csv").status, 0) << text;
+    EXPECT_NE(idt("distance strip.off --source-curve bad.csv").status, 0) << text;
+  }
+  write("bad.csv", "vertex,vertex\n");
+  EXPECT_TRUE(contains(idt("distance strip.off --source-edges bad.csv").err, "no pair of vertices"));
 }
 
 TEST_F(Distance_command, has_a_sign_beside_a_curve_that_cuts_something_off)
@@ -237,6 +246,148 @@ TEST_F(Distance_command, has_a_sign_beside_a_curve_that_cuts_something_off)
   EXPECT_TRUE(contains(slit.err, "does not separate")) << slit.err;
   EXPECT_EQ(idt("distance strip.off --signed --source-curve up.csv").status, 2);
   EXPECT_EQ(idt("distance strip.off --cover none --signed --source 0").status, 2);
+}
+
+TEST_F(Distance_command, writes_a_matrix_between_two_sets)
+{
+  write("two.off", "OFF\n7 3 0\n0 0 0\n1 0 0\n0 1 0\n5 0 0\n6 0 0\n5 1 0\n1 1 0\n3 0 1 2\n3 3 4 5\n3 1 6 2\n");
+  write("from.csv", "vertex\n3\n0\n");
+  write("to.csv", "6\n5\n");
+  for (const std::string options : {"", " --cover none", " --method exact"}) {
+    const Command_run run = idt("distance two.off --source 2 --source-vertices from.csv --target 1 --target-vertices "
+                                "to.csv --matrix m.csv --stats s.json" +
+                                options);
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_TRUE(contains(run.out, "unreachable       4 pairs")) << run.out;
+    const std::vector<std::string> rows = lines(content(folder_ / "m.csv"));
+    ASSERT_EQ(rows.size(), 4u);
+    EXPECT_EQ(rows[0], "source,1,6,5");
+    EXPECT_EQ(rows[1].substr(0, 9), "2,1.41421");
+    EXPECT_EQ(rows[2], "3,inf,inf,1");
+    EXPECT_EQ(rows[3].substr(0, 11), "0,1,1.41421");
+    const json stats = json::parse(content(folder_ / "s.json"));
+    EXPECT_EQ(stats["sources"], json({2, 3, 0}));
+    EXPECT_EQ(stats["targets"], json({1, 6, 5}));
+  }
+  ASSERT_EQ(idt("distance two.off --source 3,0 --target 4,1,0 --matrix m.mtx").status, 0);
+  EXPECT_EQ(content(folder_ / "m.mtx"), "%%MatrixMarket matrix array real general\n% lengths of shortest paths\n2 3\n"
+                                        "1\ninf\ninf\n1\ninf\n0\n");
+  for (const std::string options : {"--matrix m.csv", "--target 1", "--target 1 --matrix m.off",
+                                    "--target 1 --matrix m.csv -o d.csv", "--target 1 --matrix m.csv --method heat",
+                                    "--target 1 --matrix m.csv --source-edges to.csv", "--target 7 --matrix m.csv"})
+    EXPECT_EQ(idt("distance two.off --source 0 " + options).status, 2) << options;
+  write("bad.csv", "1\n2,3\n");
+  EXPECT_TRUE(
+    contains(idt("distance two.off --source-vertices bad.csv").err, "bad.csv, line 2: expected is one vertex"));
+}
+
+// A wall across most of a strip of squares.
+TEST_F(Distance_command, walks_around_barriers)
+{
+  write("strip.off", "OFF\n6 4 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n3 0 1 4\n3 0 4 3\n3 1 2 5\n3 1 5 4\n");
+  write("wall.csv", "x,y,z\n0.75,0,0\n0.75,0.5,0\n");
+  write("edge.csv", "1,4\n");
+  const double around = std::hypot(0.75, 0.5) + std::hypot(1.25, 0.5);
+  for (const std::string options : {"", " --method exact"}) {
+    const Command_run run = idt("distance strip.off --source 0 --barrier wall.csv -o d.csv --stats s.json" + options);
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_NEAR(distances("d.csv")[2], around, 1e-12);
+    EXPECT_NEAR(distances("d.csv")[3], 1, 1e-12);
+    EXPECT_EQ(json::parse(content(folder_ / "s.json"))["barriers"], json({"wall.csv", ""}));
+    ASSERT_EQ(idt("distance strip.off --source 0,5 --barrier-edges edge.csv --labels l.csv -o d.csv" + options).status,
+              0);
+    EXPECT_EQ(distances("d.csv")[1], 1);
+    EXPECT_EQ(content(folder_ / "l.csv"), "vertex,source\n0,0\n1,0\n2,1\n3,0\n4,1\n5,1\n");
+  }
+  ASSERT_EQ(idt("distance strip.off --source 0 --barrier-edges edge.csv -o d.csv").status, 0);
+  EXPECT_EQ(distances("d.csv")[2], std::numeric_limits<double>::infinity());
+  ASSERT_EQ(idt("distance strip.off --source 1 --barrier-edges edge.csv -o d.csv --method heat").status, 0);
+  EXPECT_EQ(distances("d.csv")[1], 0);
+  EXPECT_TRUE(std::isfinite(distances("d.csv")[2]) && std::isfinite(distances("d.csv")[0]));
+  for (const std::string options : {"--matrix m.csv --target 1", "--refine", "--overlay o.ply", "--vectors -o v.csv"})
+    EXPECT_EQ(idt("distance strip.off --source 0 --barrier wall.csv " + options).status, 2) << options;
+  write("cross.csv", "x,y,z\n0.5,0.25,0\n1,0.25,0\n\nx,y,z\n0.75,0,0\n0.75,1,0\n");
+  EXPECT_TRUE(contains(idt("distance strip.off --source 0 --barrier cross.csv").err, "cross"));
+  write("bad.csv", "0,5\n");
+  EXPECT_TRUE(contains(idt("distance strip.off --source 0 --barrier-edges bad.csv").err, "no edge joins"));
+}
+
+// A strip of 10 by 1, cut in two.
+TEST_F(Distance_command, writes_lines_at_distances_and_between_cells)
+{
+  write("strip.off", "OFF\n4 2 0\n0 0 0\n10 0 0\n10 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n");
+  write("edges.csv", "1,0\n");
+  const std::string edges = "distance strip.off --source-edges edges.csv --method exact ";
+  const Command_run run = idt(edges + "--isolines 0.5,0.25 --lines l.csv --stats s.json");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "lines             2 isolines")) << run.out;
+  EXPECT_EQ(json::parse(content(folder_ / "s.json"))["isolines"]["lines"], 2);
+  std::vector<std::string> rows = lines(content(folder_ / "l.csv"));
+  EXPECT_EQ(rows.at(0), "line,face,vertex_0,vertex_1,vertex_2,coordinate_0,coordinate_1,coordinate_2,x,y,z,distance");
+  ASSERT_GE(rows.size(), 5u);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    std::vector<double> cells;
+    std::istringstream row(rows[i]);
+    for (std::string cell; std::getline(row, cell, ',');)
+      cells.push_back(std::stod(cell));
+    ASSERT_EQ(cells.size(), 12u);
+    EXPECT_EQ(cells[11], cells[0] == 0 ? 0.25 : 0.5);
+    EXPECT_NEAR(cells[9], cells[11], 1e-14);
+  }
+  // Each line of the table is a curve, from which distances can be measured.
+  ASSERT_EQ(idt("distance strip.off --source-curve l.csv --labels n.csv -o d.csv --method exact").status, 0);
+  EXPECT_EQ(content(folder_ / "n.csv"), "vertex,source\n0,0\n1,0\n2,1\n3,1\n");
+  EXPECT_NEAR(distances("d.csv")[0], 0.25, 1e-14);
+  EXPECT_NEAR(distances("d.csv")[2], 0.5, 1e-14);
+  // On either side of a curve.
+  write("up.csv", "x,y,z\n4,0,0\n4,1,0\n");
+  ASSERT_EQ(idt("distance strip.off --signed --source-curve up.csv --isolines -2,1 --lines l.obj").status, 0);
+  const std::string obj = content(folder_ / "l.obj");
+  EXPECT_TRUE(contains(obj, "g distance_-2\nv 6 ")) << obj;
+  EXPECT_TRUE(contains(obj, "g distance_1\nv 3 ")) << obj;
+  ASSERT_EQ(idt("distance strip.off --signed --source-curve up.csv --isoline-step 2 --lines l.csv").status, 0);
+  EXPECT_TRUE(contains(content(folder_ / "l.csv"), ",-6\n"));
+  EXPECT_FALSE(contains(content(folder_ / "l.csv"), ",-8\n"));
+  // Between cells.
+  ASSERT_EQ(idt("distance strip.off --source 0,1 --borders b.csv --method exact").status, 0);
+  rows = lines(content(folder_ / "b.csv"));
+  EXPECT_EQ(rows.at(0).substr(rows[0].size() - 24), ",x,y,z,source_0,source_1");
+  EXPECT_TRUE(contains(rows.at(1), ",5,")) << rows[1];
+  EXPECT_EQ(rows[1].substr(rows[1].size() - 4), ",0,1");
+  ASSERT_EQ(idt("distance strip.off --source 0,1 --borders b.vtp --isolines 1 --view page.html").status, 0);
+  EXPECT_TRUE(contains(content(folder_ / "b.vtp"), "Name=\"source_1\""));
+  EXPECT_TRUE(contains(content(folder_ / "page.html"), "the isolines and borders"));
+  // Bad input.
+  const auto message = [&](const std::string& options, int status) {
+    const Command_run bad = idt(edges + options);
+    EXPECT_EQ(bad.status, status) << options;
+    return bad.err;
+  };
+  EXPECT_TRUE(contains(message("--isolines 0.5", 2), "--isolines needs --lines or --view"));
+  EXPECT_TRUE(contains(message("--isolines 0 --lines l.csv", 2), "0 is the distance of the sources themselves"));
+  EXPECT_TRUE(contains(message("--isolines nan --lines l.csv", 2), "nan is no finite distance"));
+  EXPECT_TRUE(contains(message("--isolines=-1 --lines l.csv", 2), "the right side of a curve needs --signed"));
+  EXPECT_TRUE(contains(message("--isolines 7 --lines l.csv", 2), "no point has the distance 7"));
+  EXPECT_TRUE(contains(message("--isolines 0.5 --lines l.stl", 2), "ends in .csv, .vtp or .obj"));
+  EXPECT_TRUE(contains(message("--isoline-step 0 --lines l.csv", 2), "S is a positive number"));
+  EXPECT_TRUE(
+    contains(message("--isoline-step 1e-9 --lines l.csv", 2), "give a larger one, 10,000 steps are the most"));
+  EXPECT_TRUE(contains(message("--isolines 0.5 --lines l.csv --chord-tolerance 0", 2), "T is a positive number"));
+  EXPECT_TRUE(contains(message("--isolines 0.5 --lines l.csv --method heat", 2), "omit heat"));
+  EXPECT_TRUE(contains(message("--isolines 0.5 --lines l.csv -o l.csv", 2), "l.csv"));
+}
+
+TEST_F(Distance_command, chooses_vertices_far_from_each_other)
+{
+  write("strip.off", "OFF\n4 2 0\n0 0 0\n10 0 0\n10 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n");
+  for (const std::string cover : {"", " --cover none"}) {
+    const Command_run run = idt("distance strip.off --source 3 --farthest 9 --samples s.csv" + cover);
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_TRUE(contains(content(folder_ / "s.csv"), "vertex,distance\n1,10.0498756")) << content(folder_ / "s.csv");
+    EXPECT_TRUE(contains(content(folder_ / "s.csv"), "\n0,1\n2,1\n"));
+  }
+  EXPECT_EQ(idt("distance strip.off --source 3 --farthest 9").status, 2);
+  EXPECT_EQ(idt("distance strip.off --source 3 --farthest 0 --samples s.csv").status, 2);
 }
 
 TEST_F(Distance_command, is_infinite_where_no_source_is_connected)

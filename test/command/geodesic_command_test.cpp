@@ -198,4 +198,53 @@ TEST_F(Geodesic_command, refuses_what_makes_no_sense)
   EXPECT_EQ(idt("geodesic sheet.off --from 0 --direction 1.6 --length 1").status, 4);
 }
 
+TEST_F(Geodesic_command, ends_on_a_curve)
+{
+  write("strip.off", "OFF\n6 4 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n3 0 1 4\n3 0 4 3\n3 1 2 5\n3 1 5 4\n");
+  write("curve.csv", "x,y,z\n1.5,0,0\n1.25,1,0\n");
+  const double distance = 1.5 / std::hypot(1, 0.25);
+  for (const std::string from : {"0", "0,0,0"}) {
+    const Command_run run = idt("geodesic strip.off --from " + from + " --to-curve curve.csv -o p.csv --stats s.json");
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_TRUE(contains(run.out, "the path is shortest")) << run.out;
+    EXPECT_NEAR(json::parse(content(folder_ / "s.json"))["length"].get<double>(), distance, 1e-12);
+  }
+  // Around a wall, to a corner of the curve, and to a vertex of the input.
+  write("wall.csv", "x,y,z\n0.75,0,0\n0.75,0.5,0\n");
+  write("slit.csv", "x,y,z\n1.5,0,0\n1.5,0.25,0\n");
+  ASSERT_EQ(idt("geodesic strip.off --from 0 --to-curve slit.csv --barrier wall.csv --stats s.json").status, 0);
+  EXPECT_NEAR(json::parse(content(folder_ / "s.json"))["length"].get<double>(),
+              std::hypot(0.75, 0.5) + std::hypot(0.75, 0.25), 1e-12);
+  write("edge.csv", "x,y,z\n1,0,0\n2,0,0\n");
+  ASSERT_EQ(idt("geodesic strip.off --from 0 --to-curve edge.csv --stats s.json").status, 0);
+  EXPECT_NEAR(json::parse(content(folder_ / "s.json"))["length"].get<double>(), 1, 1e-12);
+  ASSERT_EQ(idt("geodesic strip.off --from 1 --to-curve edge.csv --stats s.json").status, 0);
+  EXPECT_EQ(json::parse(content(folder_ / "s.json"))["length"], 0);
+  for (const std::string options : {"--to 1", "--via 1 --closed", "--direction 1 --length 1"})
+    EXPECT_EQ(idt("geodesic strip.off --from 0 --to-curve edge.csv " + options).status, 2) << options;
+  EXPECT_NE(idt("geodesic strip.off --from 0 --to-curve missing.csv").status, 0);
+}
+
+TEST_F(Geodesic_command, walks_around_barriers)
+{
+  write("strip.off", "OFF\n6 4 0\n0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n3 0 1 4\n3 0 4 3\n3 1 2 5\n3 1 5 4\n");
+  write("wall.csv", "x,y,z\n0.75,0,0\n0.75,0.5,0\n");
+  write("edge.csv", "1,4\n");
+  for (const std::string options : {"", " --shortest"}) {
+    const Command_run run =
+      idt("geodesic strip.off --from 0 --to 2 --barrier wall.csv -o path.csv --stats s.json" + options);
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_NEAR(json::parse(content(folder_ / "s.json"))["length"].get<double>(),
+                std::hypot(0.75, 0.5) + std::hypot(1.25, 0.5), 1e-12);
+    EXPECT_TRUE(contains(content(folder_ / "path.csv"), ",0.75,0.5,0\n"));
+  }
+  ASSERT_EQ(idt("distance strip.off --source-curve path.csv -o d.csv").status, 0); // it lies on the input
+  const Command_run cut = idt("geodesic strip.off --from 0 --to 2 --barrier-edges edge.csv");
+  EXPECT_NE(cut.status, 0);
+  const Command_run on_edge = idt("geodesic strip.off --from 0 --to 1 --barrier-edges edge.csv");
+  EXPECT_EQ(on_edge.status, 2);
+  EXPECT_TRUE(contains(on_edge.err, "vertex 1 lies on a barrier")) << on_edge.err;
+  EXPECT_EQ(idt("geodesic strip.off --from 0 --direction 1 --length 1 --barrier wall.csv").status, 2);
+}
+
 } // namespace

@@ -140,6 +140,10 @@ TEST_F(Laplacian_command, reads_soups_polygons_and_gluings)
   ASSERT_EQ(idt("laplacian soup.off --stats s.json").status, 0);
   EXPECT_EQ(json::parse(content(folder_ / "s.json"))["border_edges"], 6);
 
+  ASSERT_EQ(idt("triangulate soup.off --repair --save saved.idt").status, 0);
+  ASSERT_EQ(idt("laplacian saved.idt --stats s.json").status, 0);
+  EXPECT_EQ(json::parse(content(folder_ / "s.json"))["border_edges"], 4);
+
   write("polygon.obj", "v 0 0 0\nv 1 0 0\nv 1.5 1 0\nv 0.5 2 0\nv -0.5 1 0\nf 1 2 3 4 5\n");
   ASSERT_EQ(idt("laplacian polygon.obj --stats s.json").status, 0);
   const json stats = json::parse(content(folder_ / "s.json"));

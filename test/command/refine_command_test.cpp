@@ -587,9 +587,9 @@ TEST_F(Refine_command, takes_sizes_from_a_table)
     EXPECT_TRUE(contains(run.err, message)) << run.err;
   }
   ASSERT_EQ(idt("sample bumpy-sphere -o b.off").status, 0);
-  ASSERT_EQ(idt("refine b.off --maximum-normal-angle 3 --stats s.json").status, 0);
+  ASSERT_EQ(idt("refine b.off --maximum-normal-angle 40 --stats s.json").status, 0);
   const int fine = stats()["vertices"];
-  ASSERT_EQ(idt("refine b.off --maximum-normal-angle 6 --stats s.json").status, 0);
+  ASSERT_EQ(idt("refine b.off --maximum-normal-angle 80 --stats s.json").status, 0);
   EXPECT_LT(stats()["vertices"], fine / 2);
 }
 

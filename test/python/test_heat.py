@@ -93,6 +93,29 @@ def test_distances_from_curves():
         it.geodesic_distances_from(V, F, [0], offsets=[-1])
 
 
+def test_barriers():
+    V, F = grid(8)
+    column = int(numpy.flatnonzero((V[:, 1] == 0) & (V[:, 0] > V[:, 0].min()))[2])
+    x = V[column, 0]
+    wall = [int(v) for v in numpy.flatnonzero(abs(V[:, 0] - x) < 1e-12) if V[v, 1] < 0.6 * V[:, 1].max()]
+    wall.sort(key=lambda v: V[v, 1])
+    edges = list(zip(wall, wall[1:]))
+    source = 0
+    free, _ = it.geodesic_distances_from(V, F, [source], 0)
+    for tolerance, most in ((0, 1e-12), (0.001, 1e-2)):
+        found, nearest = it.geodesic_distances_from(V, F, [source], tolerance, barriers=edges)
+        assert len(found) == len(V) and (nearest == 0).all() and (found >= free - most).all()
+        end = V[wall[-1]]
+        behind = numpy.flatnonzero((V[:, 0] > x) & (V[:, 1] == 0))
+        around = numpy.linalg.norm(V[source] - end) + numpy.linalg.norm(V[behind] - end, axis=1)
+        assert abs(found[behind] - around).max() < most
+    curve = numpy.array([[0, 1, 0, 0], [0, 0, 1, 0]], dtype=float)
+    assert (it.geodesic_distances_from(V, F, [curve], 0, barriers=[curve])[0][F[0][:2]] == 0).all()
+    for bad in ([0, len(V) - 1], [1e9, 0.5, 0.5, 0], "x"):
+        with pytest.raises(ValueError):
+            it.geodesic_distances_from(V, F, [0], barriers=[bad])
+
+
 def test_distance_matrix():
     V, F = grid(12)
     for tolerance in (0, 0.001):

@@ -37,6 +37,24 @@ def test_the_simplified_surface():
     assert there.max() < s.triangulation.number_of_faces
 
 
+def test_values_of_a_refined_surface_return():
+    V, F = bumpy_sheet()
+    s = it.Triangulation(V, F).simplify(maximum_change=0.1)
+    assert abs(s.prolongation_from(s.triangulation) - s.prolongation).max() < 1e-14
+    refined = s.triangulation.copy()
+    refined.refine(minimum_angle=25, maximum_edge_length=1)
+    assert refined.number_of_vertices > s.triangulation.number_of_vertices
+    matrix = s.prolongation_from(refined)
+    assert matrix.shape == (len(V), refined.number_of_vertices) and matrix.min() >= 0
+    assert numpy.allclose(matrix.sum(axis=1), 1)
+    # Vertices that remain have the first numbers, and nearby values for functions of the place on the input.
+    values = numpy.random.default_rng(1).normal(size=s.triangulation.number_of_vertices)
+    at_all = refined.common_subdivision().from_input(values)[:refined.number_of_vertices]
+    found = matrix @ at_all
+    assert numpy.array_equal(found[s.kept], values)
+    assert abs(found - s.prolongation @ values).max() < 0.5 * numpy.ptp(values)
+
+
 def test_the_default_is_five_percent_or_the_number():
     V, F = bumpy_sheet()
     t = it.Triangulation(V, F)

@@ -10,8 +10,10 @@
 #include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
 #include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_distance_matrix.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/nearest_source_point.h>
 #include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/cut_along_path.h>
@@ -165,6 +167,75 @@ TEST(Shortest_path, to_a_near_vertex_does_not_look_further)
   const Vertex_index s(800), t(805);
   EXPECT_TRUE(IT::shortest_path(triangulation, s, t, CGAL::parameters::maximum_number(500)).is_complete);
   EXPECT_GT(IT::geodesic_distances(triangulation, {s}, CGAL::parameters::tolerance(0.)).number_of_ways, 5000u);
+}
+
+samples::Indexed_triangles rough_terrain(std::size_t n)
+{
+  samples::Indexed_triangles result = samples::random_diagonal_grid(n, n, 3);
+  std::mt19937 random(9);
+  for (auto& p : result.points)
+    p[2] = 0.3 * double(random() % 1024) / 1024;
+  return result;
+}
+
+// Whatever the shape, no way is lost that is shorter than the others.
+TEST(Shortest_path, equals_the_distance_that_is_found_without_a_goal)
+{
+  std::mt19937 random(4);
+  for (const samples::Indexed_triangles& surface :
+       {rough_terrain(20), samples::bumpy_sphere(24, 16), samples::bad_torus(16, 12), samples::Schwarz_lantern(8, 24),
+        samples::disk_with_spike(), samples::sheared_grid(15, 15, 5)}) {
+    Triangulation triangulation = Delaunay(surface);
+    for (int i = 0; i < 4; ++i) {
+      const Vertex_index s(random() % std::uint32_t(surface.points.size()));
+      const std::vector<double> all =
+        IT::geodesic_distances(triangulation, {s}, CGAL::parameters::tolerance(0.)).distances;
+      for (int k = 0; k < 25; ++k) {
+        const Vertex_index t(random() % std::uint32_t(surface.points.size()));
+        Triangulation copy = triangulation;
+        EXPECT_NEAR(IT::shortest_path(copy, s, t).distance, all[t.idx()], 1e-12 * all[t.idx()]);
+      }
+    }
+  }
+}
+
+TEST(Shortest_path, is_looked_for_along_the_way)
+{
+  Triangulation triangulation = Delaunay(rough_terrain(60));
+  const Vertex_index s(0), t(61 * 61 - 1);
+  const std::uint64_t all =
+    IT::geodesic_distance_matrix(triangulation, {s}, {t}, CGAL::parameters::tolerance(0.)).number_of_ways;
+  EXPECT_TRUE(IT::shortest_path(triangulation, s, t, CGAL::parameters::maximum_number(all / 4)).is_complete);
+}
+
+TEST(Nearest_source_point, is_where_the_path_meets_the_curve_at_a_right_angle)
+{
+  const samples::Indexed_triangles surface = samples::random_diagonal_grid(9, 9, 2);
+  Triangulation triangulation = Delaunay(surface);
+  const auto at = [&](double x, double y) {
+    return IT::locate(triangulation.input(), surface.points, std::array<double, 3>{x, y, 0});
+  };
+  Triangulation copy = triangulation;
+  const Vertex_index s = IT::vertex_at_point(copy, at(1.25, 0.75)), t = IT::vertex_at_point(copy, at(7.5, 5.25));
+  const IT::Geodesic_source curve{{IT::geodesic_points(copy, IT::shortest_path(copy, s, t).halfedges)}, 0};
+  for (const auto& [from, to] : {std::pair<std::array<double, 2>, std::array<double, 2>>{{4, 8}, {0, 0}},
+                                 {{0, 0}, {1.25, 0.75}},
+                                 {{9, 9}, {7.5, 5.25}},
+                                 {{5, 0}, {0, 0}}}) {
+    const Vertex_index v(std::uint32_t(from[0] + 10 * from[1]));
+    const IT::Nearest_source_point found = IT::nearest_source_point(triangulation, v, curve);
+    std::array<double, 2> foot = to;
+    if (foot[0] == 0) { // inside of the segment
+      const double dx = 6.25, dy = 4.5, part = ((from[0] - 1.25) * dx + (from[1] - 0.75) * dy) / (dx * dx + dy * dy);
+      foot = {1.25 + part * dx, 0.75 + part * dy};
+    }
+    const auto p = IT::point_in_space(triangulation.input(), surface.points, found.point);
+    EXPECT_NEAR(p[0], foot[0], 1e-9);
+    EXPECT_NEAR(p[1], foot[1], 1e-9);
+    EXPECT_NEAR(found.distance, std::hypot(from[0] - foot[0], from[1] - foot[1]), 1e-12);
+  }
+  EXPECT_THROW(IT::nearest_source_point(triangulation, Vertex_index(100), curve), IT::Invalid_argument_error);
+  EXPECT_THROW(IT::nearest_source_point(triangulation, Vertex_index(0), {}), IT::Invalid_argument_error);
 }
 
 TEST(Shortest_path, to_itself_is_empty)

@@ -34,8 +34,9 @@ struct Cut_surface
 
 namespace internal {
 
-Cut_surface cut_along_path(const Delta_complex& complex, const std::vector<std::array<double, 3>>& points,
-                           const std::vector<Surface_point>& path);
+// The paths may meet at points that both have.
+Cut_surface cut_along_paths(const Delta_complex& complex, const std::vector<std::array<double, 3>>& points,
+                            const std::vector<std::vector<Surface_point>>& paths);
 
 } // namespace internal
 
@@ -65,7 +66,7 @@ Cut_surface cut_along_path(const Delta_complex& complex, const PointRange& point
     const auto& p = points[v.idx()];
     places.push_back({CGAL::to_double(p[0]), CGAL::to_double(p[1]), CGAL::to_double(p[2])});
   }
-  return internal::cut_along_path(complex, places, path);
+  return internal::cut_along_paths(complex, places, {path});
 }
 
 } // namespace CGAL::Intrinsic_triangulations

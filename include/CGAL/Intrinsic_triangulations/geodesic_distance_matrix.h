@@ -18,6 +18,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
 
@@ -44,12 +45,15 @@ struct Geodesic_distance_matrix
 namespace internal {
 
 // \param row finds the distances of the targets from one source
+// \param progress is asked after each row
 template <class ConcurrencyTag, class Row>
-Geodesic_distance_matrix distance_matrix(const std::vector<Vertex_index>& sources, const Row& row)
+Geodesic_distance_matrix distance_matrix(const std::vector<Vertex_index>& sources, const Row& row,
+                                         const Progress_function& progress)
 {
   Geodesic_distance_matrix result;
   result.distances.resize(sources.size());
   std::atomic<std::uint64_t> number_of_ways{0};
+  std::atomic<std::size_t> number_of_rows{0};
   std::atomic<bool> is_complete{true};
   for_each_block<ConcurrencyTag>(sources.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
@@ -58,6 +62,7 @@ Geodesic_distance_matrix distance_matrix(const std::vector<Vertex_index>& source
       number_of_ways += found.number_of_ways;
       if (!found.is_complete)
         is_complete = false;
+      report_progress(progress, double(++number_of_rows) / double(sources.size()), "the matrix of distances");
     }
   });
   result.number_of_ways = number_of_ways;
@@ -88,8 +93,9 @@ Geodesic_distances distances_of_targets(const Search& search, Vertex_index sourc
 ///   distributed among the threads; the result is the same
 /// \param triangulation a triangulation, preferably Delaunay
 /// \param sources, targets vertices
-/// \param np the named parameters of `geodesic_distances()`; `maximum_number` counts for each source. With
-///   `Parallel_tag`, several threads may call the visitor at once
+/// \param np the named parameters of `geodesic_distances()`; `maximum_number` counts for each source. The visitor
+///   gets the part of the sources that are done, or 0 in between; with `Parallel_tag`, several threads may call it at
+///   once
 /// \exception Invalid_argument_error if there is no such vertex, or the tolerance is out of range
 /// \exception Cancelled_error if the visitor asks for it
 template <class ConcurrencyTag = Sequential_tag, class Traits,
@@ -103,7 +109,8 @@ Geodesic_distance_matrix geodesic_distance_matrix(const Intrinsic_triangulation<
     triangulation, internal::Row_of_vertex(triangulation.connectivity()), np);
   const std::vector<std::uint32_t> rows = search.rows(targets);
   return internal::distance_matrix<ConcurrencyTag>(
-    sources, [&](Vertex_index source) { return internal::distances_of_targets(search, source, rows); });
+    sources, [&](Vertex_index source) { return internal::distances_of_targets(search, source, rows); },
+    internal::progress_function_of(np));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
@@ -120,7 +127,7 @@ Geodesic_distance_matrix geodesic_distance_matrix(const Tufted_cover& cover, con
   const internal::Distance_search<Traits, internal::Row_of_cover_vertex> search(
     cover.triangulation, internal::Row_of_cover_vertex(cover), np);
   const std::vector<std::uint32_t> rows = search.rows(targets);
-  return internal::distance_matrix<ConcurrencyTag>(sources, [&](Vertex_index source) {
+  const auto row = [&](Vertex_index source) {
     if (cover.flat_edges.empty())
       return internal::distances_of_targets(search, source, rows);
     Geodesic_distances result = internal::distances_over_cover(search, cover, {source});
@@ -129,7 +136,8 @@ Geodesic_distance_matrix geodesic_distance_matrix(const Tufted_cover& cover, con
       of_targets.push_back(result.distances[v.idx()]);
     result.distances = std::move(of_targets);
     return result;
-  });
+  };
+  return internal::distance_matrix<ConcurrencyTag>(sources, row, internal::progress_function_of(np));
 }
 
 } // namespace CGAL::Intrinsic_triangulations

@@ -12,6 +12,7 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Index.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
@@ -23,6 +24,7 @@
 #include <CGAL/Intrinsic_triangulations/observer.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -41,6 +43,36 @@ struct Shortest_path
 };
 
 namespace internal {
+
+// Lower bounds of the distances of all vertices from one: straight lines in space, or zero where there is none.
+// \param exponent of the unit
+template <class Traits>
+std::vector<double> straight_distances(const Intrinsic_triangulation<Traits>& triangulation, Vertex_index from,
+                                       int exponent)
+{
+  std::vector<double> result(triangulation.connectivity().number_of_vertices(), 0);
+  if constexpr (Intrinsic_triangulation<Traits>::uses_exact_geometry) {
+    const auto& metric = engine(triangulation).metric();
+    const auto& correspondence = engine(triangulation).correspondence();
+    const auto place = [&](std::size_t v) {
+      if (v < metric.points().size())
+        return metric.points()[v];
+      Surface_point p = correspondence.location(Vertex_index(Vertex_index::size_type(v)));
+      p.coordinates = with_sum_one(p.coordinates);
+      return point_in_space(correspondence.input(), metric.points(), p);
+    };
+    if (metric.points().empty())
+      return result;
+    const std::array<double, 3> q = place(from.idx());
+    const double rounding = 0x1p-50 * (std::max)({std::abs(q[0]), std::abs(q[1]), std::abs(q[2])});
+    for (std::size_t v = 0; v < result.size(); ++v) {
+      const std::array<double, 3> p = place(v);
+      const double line = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) * (1 - 0x1p-50) - rounding;
+      result[v] = std::ldexp((std::max)(0., line), metric.unit_exponent() - exponent);
+    }
+  }
+  return result;
+}
 
 // From a vertex back along the straight ways that gave the distances, which become edges.
 template <class Traits>
@@ -187,8 +219,9 @@ private:
 /// \ingroup PkgIntrinsicTriangulationsHeat
 /// \brief finds a shortest path between two vertices, and flips edges until it consists of edges.
 ///
-/// The distances from the source, up to that of the target, are found as by `geodesic_distances()` without a tolerance,
-/// the straight lines are traced back, and the edges that they cross are flipped until the lines are edges.
+/// Straight lines are followed from the source as by `geodesic_distances()` without a tolerance; for a surface in space,
+/// those first that are nearest to the target (A*: the straight line in space is a lower bound). They are traced back, and
+/// the edges that they cross are flipped until the lines are edges.
 /// `Geodesic_path_network` proves that the path is locally shortest; its length then equals `distance` up to rounding.
 ///
 /// \param triangulation a triangulation, preferably Delaunay, so that paths cross few faces. It is flipped along the
@@ -212,8 +245,9 @@ Shortest_path shortest_path(Intrinsic_triangulation<Traits>& triangulation, Vert
     return result;
   const internal::Laid_out_faces faces(triangulation, row);
   const internal::Interruption interruption(internal::go_further_function_of(np));
-  const internal::Window_distances windows = internal::propagate_windows(
-    faces, 0, {{{source.idx(), 0, 0, {}}}, {}}, internal::number_of_ways(np, complex), interruption, {target.idx()});
+  const internal::Window_distances windows = internal::propagate_windows_to(
+    faces, source.idx(), target.idx(), internal::straight_distances(triangulation, target, faces.exponent()),
+    internal::number_of_ways(np, complex), interruption);
   result.is_complete = windows.is_complete;
   result.distance = std::ldexp(windows.distances[target.idx()], faces.exponent());
   internal::Way_back<Traits> way(triangulation, faces, windows, interruption);

@@ -34,6 +34,14 @@ namespace CGAL::Intrinsic_triangulations {
 /// O(size), and for each face O(number of its segments times number of its pieces).
 std::vector<Sign> sides_of_curve(const Delta_complex& input, const std::vector<Surface_point>& curve);
 
+/// \ingroup PkgIntrinsicTriangulationsHeat
+/// \brief as above, for points: whether each lies to the left or to the right of a curve. Points on the curve count as
+/// either.
+/// \param input, curve as above
+/// \param points points of the input
+std::vector<Sign> sides_of_curve(const Delta_complex& input, const std::vector<Surface_point>& curve,
+                                 const std::vector<Surface_point>& points);
+
 } // namespace CGAL::Intrinsic_triangulations
 
 #endif // CGAL_INTRINSIC_TRIANGULATIONS_SIDES_OF_CURVE_H

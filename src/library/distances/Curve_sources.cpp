@@ -7,6 +7,7 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/distances/Curve_sources.h>
 
+#include "../gluing/Cut_faces.h"
 #include "plane_vectors.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
@@ -37,35 +38,9 @@ using Coordinates = std::array<double, 3>;
 // Relative to the halfedge.
 Coordinates coordinates_in_face_of(const Delta_complex& complex, Halfedge_index h, const Surface_point& p)
 {
-  if (complex.face(p.halfedge) == complex.face(h)) {
-    Surface_point turned_point = p;
-    while (turned_point.halfedge != h)
-      turned_point = {complex.next(turned_point.halfedge),
-                      coordinates_from(complex, turned_point, complex.next(turned_point.halfedge))};
-    return turned_point.coordinates;
-  }
-  const std::array<Halfedge_index, 3> sides{h, complex.next(h), complex.prev(h)};
-  if (p.dimension() == 0) {
-    const std::size_t corner =
-      std::size_t(std::max_element(p.coordinates.begin(), p.coordinates.end()) - p.coordinates.begin());
-    Halfedge_index at = p.halfedge;
-    for (std::size_t i = 0; i < corner; ++i)
-      at = complex.next(at);
-    for (std::size_t i = 0; i < 3; ++i)
-      if (complex.source(sides[i]) == complex.source(at)) {
-        Coordinates result{0, 0, 0};
-        result[i] = 1;
-        return result;
-      }
-  } else if (p.dimension() == 1) {
-    const Halfedge_index beyond = complex.opposite(side_of(complex, p));
-    for (std::size_t i = 0; i < 3; ++i)
-      if (sides[i] == beyond) {
-        Coordinates result{0, 0, 0};
-        std::tie(result[i], result[(i + 1) % 3]) = coordinates_on_edge(complex, p, beyond);
-        return result;
-      }
-  }
+  Coordinates result;
+  if (Cut_faces::find_coordinates(complex, h, p, result))
+    return result;
   throw Invalid_point_error("two consecutive points of a curve do not lie in the face of the first, face " +
                             std::to_string(complex.face(h).idx()));
 }
@@ -181,21 +156,13 @@ private:
     if (p.dimension() != q.dimension())
       return false;
     if (p.dimension() == 0)
-      return vertex_at(input_, p) == vertex_at(input_, q);
+      return Cut_faces::vertex_at(input_, p) == Cut_faces::vertex_at(input_, q);
     try {
       const Coordinates c = coordinates_in_face_of(input_, p.halfedge, q);
       return c == p.coordinates;
     } catch (const Invalid_point_error&) {
       return false;
     }
-  }
-
-  static Vertex_index vertex_at(const Delta_complex& complex, const Surface_point& p)
-  {
-    const Halfedge_index h = p.halfedge;
-    return p.coordinates[0] > 0   ? complex.source(h)
-           : p.coordinates[1] > 0 ? complex.target(h)
-                                  : complex.target(complex.next(h));
   }
 
   // The corners of an input face in the plane, from the source of the halfedge on.
@@ -254,7 +221,8 @@ private:
     const std::array<Vector, 3> c = corners(start.halfedge);
     result.direction = plane::unit(plane::difference(position(c, end.coordinates), position(c, start.coordinates)));
     const Surface_direction onward = direction(start, end.coordinates);
-    // Up to the end of the first face, because the direction of a short piece would be rounded.
+    // Up to the end of the first face, because the direction of a short piece would be rounded; if that is near, the
+    // longest piece tells it.
     const double whole = length(start, end), long_way = std::ldexp(1, 30) * whole;
     const std::vector<Surface_point> into = trace_in_triangulation(engine_, onward, long_way, 1).points;
     result.located = into.front();
@@ -267,17 +235,32 @@ private:
     }
     const std::vector<Surface_point> points =
       trace_in_triangulation(engine_, onward, whole, (std::numeric_limits<std::size_t>::max)()).points;
+    std::size_t longest = 0;
+    double most = first.length;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       result.pieces.push_back(piece(points, i));
-      if (i > 0 && points[i].dimension() == 1) { // the line goes straight on over the side
-        const Halfedge_index on = side_of(complex_, points[i]);
-        const Face_source &last = result.pieces[i - 1], &next = result.pieces[i];
-        result.pieces[i].direction =
-          plane::turned(last.direction,
-                        plane::angle_between(along(last.side, complex_.opposite(on)), along(next.side, on)) - CGAL_PI);
+      if (result.pieces.back().length > most) {
+        most = result.pieces.back().length;
+        longest = i;
       }
     }
+    if (longest == 0)
+      result.pieces.front().direction = first.direction;
+    // The line goes straight on over sides.
+    for (std::size_t i = longest + 1; i < result.pieces.size(); ++i)
+      if (points[i].dimension() == 1)
+        result.pieces[i].direction = plane::turned(result.pieces[i - 1].direction, turn(result.pieces, points, i));
+    for (std::size_t i = longest; i > 0; --i)
+      if (points[i].dimension() == 1)
+        result.pieces[i - 1].direction = plane::turned(result.pieces[i].direction, -turn(result.pieces, points, i));
     return result;
+  }
+
+  // From the piece before a point on a side to the one behind it, as each sees its own face.
+  double turn(const std::vector<Face_source>& pieces, const std::vector<Surface_point>& points, std::size_t i) const
+  {
+    const Halfedge_index on = side_of(complex_, points[i]);
+    return plane::angle_between(along(pieces[i - 1].side, complex_.opposite(on)), along(pieces[i].side, on)) - CGAL_PI;
   }
 
   // A side of a face relative to another one.
@@ -341,7 +324,7 @@ private:
   void add_point(const Surface_point& p)
   {
     if (p.dimension() == 0) {
-      at_row(row_of_[vertex_at(input_, p).idx()]).is_isolated = true;
+      at_row(row_of_[Cut_faces::vertex_at(input_, p).idx()]).is_isolated = true;
       return;
     }
     // Traced nowhere, toward a corner.
@@ -350,11 +333,14 @@ private:
     add_place(trace_in_triangulation(engine_, direction(p, corner), 0, 1).points.front(), {});
   }
 
-  // Ways from a point that is no vertex, or from an inserted one.
-  void add_place(const Surface_point& located, const std::vector<Vector>& limits)
+  // Ways from a point that is no vertex, or from an inserted one. As near to a side as rounding is, it lies on the side:
+  // the directions in which ways leave through there would be lost.
+  void add_place(Surface_point located, const std::vector<Vector>& limits)
   {
+    for (double& x : located.coordinates)
+      x = x < 0x1p-45 ? 0 : x;
     if (located.dimension() == 0) {
-      at_row(row_of_[vertex_at(complex_, located).idx()]).is_isolated = true;
+      at_row(row_of_[Cut_faces::vertex_at(complex_, located).idx()]).is_isolated = true;
       return;
     }
     Face_source source = piece({located}, 0);

@@ -33,9 +33,11 @@ namespace CGAL::Intrinsic_triangulations::internal {
 class Waiting_windows
 {
 public:
-  Waiting_windows(const Laid_out_faces& surface, double tolerance)
-    : surface_(surface), tolerance_(tolerance), waiting_(tolerance > 0 ? surface.sides().size() : 0, none),
-      in_order_(tolerance > 0 ? 0 : surface.sides().size())
+  // \param rests lower bounds of the distances of rows from a goal, or null: windows come in the order of what their
+  //   distance is at least together with the rest
+  Waiting_windows(const Laid_out_faces& surface, double tolerance, const std::vector<double>* rests)
+    : surface_(surface), tolerance_(tolerance), rests_(rests),
+      waiting_(tolerance > 0 ? surface.sides().size() : 0, none), in_order_(tolerance > 0 ? 0 : surface.sides().size())
   {}
   Waiting_windows(const Waiting_windows&) = delete; // the queue refers to it
   Waiting_windows& operator=(const Waiting_windows&) = delete;
@@ -52,11 +54,16 @@ public:
       queue_.push({w.distance(surface_.side(w.side).length / 2), first});
   }
 
-  void add_event(double distance, const Window& event) { queue_.push({distance, store(event)}); }
+  // \param event its sigma becomes the distance
+  void add_event(double distance, Window event)
+  {
+    event.sigma = distance;
+    queue_.push({rests_ ? distance + (*rests_)[surface_.side(event.side).row] : distance, store(event)});
+  }
 
   bool is_empty() const { return queue_.empty(); }
 
-  // The next one with its distance. With a tolerance, a bundle stands for all at its side, and stays there. Without, it
+  // The next one with its place in the order. With a tolerance, a bundle stands for all at its side, and stays there. Without, it
   // may have been taken by another one (`Window::taken`).
   std::pair<double, Window> pop()
   {
@@ -110,6 +117,17 @@ private:
     }
   };
 
+  // Along the side, the rest does not fall faster than one comes nearer to an end.
+  double least_length(const Window& w) const
+  {
+    const double least = w.distance(w.nearest());
+    if (!rests_)
+      return least;
+    const Laid_out_faces::Side& s = surface_.side(w.side);
+    const double at_begin = (*rests_)[s.row], at_end = (*rests_)[surface_.side(Laid_out_faces::next(w.side)).row];
+    return (std::max)({least, w.distance(w.b1) + at_begin - w.b1, w.distance(w.b0) + at_end - (s.length - w.b0)});
+  }
+
   std::uint32_t store(const Window& window)
   {
     std::uint32_t slot = std::uint32_t(windows_.size());
@@ -162,7 +180,7 @@ private:
     row.insert(place, Place(w.place_in_order(), slot));
     // At the distance of its nearest point: windows derived from it are not nearer, so ways continue from a vertex
     // only once the shortest way to it is known.
-    queue_.push({w.distance(w.nearest()), slot});
+    queue_.push({least_length(w), slot});
   }
 
   // Merges a window with waiting ones that come from the same point, if possible.
@@ -260,6 +278,7 @@ private:
 
   const Laid_out_faces& surface_;
   double tolerance_;
+  const std::vector<double>* rests_;
   std::vector<Window> windows_;
   std::vector<std::uint32_t> free_;          // places for windows
   std::vector<std::uint32_t> waiting_;       // at each side, the first window, with a tolerance

@@ -10,6 +10,7 @@
 #include "First_ways.h"
 #include "Waiting_windows.h"
 #include "Window.h"
+#include "wave_functions.h"
 
 #include <CGAL/number_type_config.h>
 
@@ -36,11 +37,14 @@ namespace {
 class Window_propagation
 {
 public:
-  // \param surface, points must outlive this
-  Window_propagation(const Laid_out_faces& surface, double tolerance, const Laid_out_points* points = nullptr)
-    : surface_(surface), points_(points), tolerance_(tolerance), distances_(surface.number_of_rows(), infinity),
-      arrivals_(surface.number_of_rows()), origins_(surface.number_of_rows(), 0), splits_(surface.sides().size()),
-      waiting_(surface, tolerance), at_narrow_edges_(surface.number_of_narrow_edges())
+  // \param surface, points, waves, rests must outlive this
+  // \param rests see Waiting_windows
+  Window_propagation(const Laid_out_faces& surface, double tolerance, const Laid_out_points* points = nullptr,
+                     std::vector<Wave>* waves = nullptr, const std::vector<double>* rests = nullptr)
+    : surface_(surface), points_(points), waves_(waves), tolerance_(tolerance),
+      distances_(surface.number_of_rows(), infinity), arrivals_(surface.number_of_rows()),
+      origins_(surface.number_of_rows(), 0), splits_(surface.sides().size()), waiting_(surface, tolerance, rests),
+      at_narrow_edges_(surface.number_of_narrow_edges())
   {
     // Of two ways to a corner, the longer one ends what lies beyond the other, because they have crossed in the face
     // before. If they may come from different faces, nothing is known.
@@ -51,7 +55,7 @@ public:
 
   // \return whether the maximum number of steps was enough
   bool run(const Window_sources& sources, std::uint64_t most, const Interruption& interruption,
-           std::vector<std::uint32_t> goals)
+           std::vector<std::uint32_t> goals, double farthest = infinity)
   {
     const bool has_goals = !goals.empty();
     const double farther = tolerance_ > 0 ? surface_.longest_side() / 2 : 0; // than any point of the next side
@@ -61,15 +65,15 @@ public:
         return false;
       if (number_of_steps_ % 4096 == 0)
         interruption.check();
-      const auto [distance, window] = waiting_.pop();
-      while (!goals.empty() && distance - farther > distances_[goals.back()])
+      const auto [least, window] = waiting_.pop();
+      while (!goals.empty() && least - farther > distances_[goals.back()])
         goals.pop_back();
-      if (has_goals && goals.empty())
+      if ((has_goals && goals.empty()) || least - farther > farthest)
         break;
       if (window.kind == Window::WAY_TO_VERTEX)
-        send_from(window.side, window.x, distance);
+        send_from(window.side, window.x, window.sigma);
       else if (window.kind == Window::SOURCE)
-        send_from_source(sources.rows[window.source], distance);
+        send_from_source(sources.rows[window.source], window.sigma);
       else if (tolerance_ == 0 && window.next != Window::taken)
         send_on(window);
       else if (tolerance_ > 0)
@@ -393,6 +397,8 @@ private:
       return;
     if (points_)
       reach_points(w);
+    if (waves_)
+      waves_->push_back(wave_of(surface_, w));
     const std::uint32_t next = surface_.next(w.side), prev = surface_.next(next);
     const double cx = s.apex_x, cy = s.apex_y,
                  crossing = w.kind == Window::FRONT ? cx - cy * (w.x / w.y) : w.x + (cx - w.x) * (w.y / (w.y + cy));
@@ -471,6 +477,7 @@ private:
 
   const Laid_out_faces& surface_;
   const Laid_out_points* points_; // or null
+  std::vector<Wave>* waves_;      // likewise
   std::vector<double> point_distances_ = std::vector<double>(points_ ? points_->size() : 0, infinity);
   double tolerance_;
   std::vector<double> distances_;                   // of the rows
@@ -486,10 +493,19 @@ private:
 
 Window_distances propagate_windows(const Laid_out_faces& surface, double tolerance, const Window_sources& sources,
                                    std::uint64_t most, const Interruption& interruption,
-                                   const std::vector<std::uint32_t>& goals)
+                                   const std::vector<std::uint32_t>& goals, double farthest, std::vector<Wave>* waves)
 {
-  Window_propagation windows(surface, tolerance);
-  const bool is_complete = windows.run(sources, most, interruption, goals);
+  Window_propagation windows(surface, tolerance, nullptr, waves);
+  const bool is_complete = windows.run(sources, most, interruption, goals, farthest);
+  return windows.result(is_complete);
+}
+
+Window_distances propagate_windows_to(const Laid_out_faces& surface, std::uint32_t source, std::uint32_t goal,
+                                      const std::vector<double>& rests, std::uint64_t most,
+                                      const Interruption& interruption)
+{
+  Window_propagation windows(surface, 0, nullptr, nullptr, &rests);
+  const bool is_complete = windows.run({{{source, 0, 0, {}}}, {}}, most, interruption, {goal});
   return windows.result(is_complete);
 }
 

@@ -22,10 +22,10 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-Cut_surface cut_along_path(const Delta_complex& complex, const std::vector<std::array<double, 3>>& points,
-                           const std::vector<Surface_point>& path)
+Cut_surface cut_along_paths(const Delta_complex& complex, const std::vector<std::array<double, 3>>& points,
+                            const std::vector<std::vector<Surface_point>>& paths)
 {
-  const Cut_faces faces(complex, path);
+  const Cut_faces faces(complex, paths);
   const std::vector<std::array<std::uint32_t, 3>>& triangles = faces.triangles();
   constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
   const auto key = [](std::uint32_t from, std::uint32_t to) { return (std::uint64_t(from) << 32) | to; };
@@ -42,7 +42,8 @@ Cut_surface cut_along_path(const Delta_complex& complex, const std::vector<std::
     }
   for (const auto& [from, to] : faces.seam())
     if (sides.count(key(from, to)) + sides.count(key(to, from)) == 0)
-      throw Invalid_point_error("a surface cannot be cut along a path that crosses itself");
+      throw Invalid_point_error("a surface cannot be cut along paths that cross each other or themselves: let both "
+                                "have the point where they cross");
   for (const auto& [from, to] : faces.seam()) {
     sides.erase(key(from, to));
     sides.erase(key(to, from));

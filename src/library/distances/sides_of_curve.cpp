@@ -11,9 +11,11 @@
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <unordered_map>
 #include <unordered_set>
@@ -21,9 +23,11 @@
 
 namespace CGAL::Intrinsic_triangulations {
 
-std::vector<Sign> sides_of_curve(const Delta_complex& input, const std::vector<Surface_point>& curve)
+namespace {
+
+// Of the triangles into which a curve divides the faces: whether they lie to its left.
+std::vector<Sign> sides_of_triangles(const internal::Cut_faces& faces)
 {
-  const internal::Cut_faces faces(input, curve);
   const std::vector<std::array<std::uint32_t, 3>>& triangles = faces.triangles();
   const auto key = [](std::uint32_t from, std::uint32_t to) { return (std::uint64_t(from) << 32) | to; };
   std::unordered_map<std::uint64_t, std::uint32_t> left_of; // the triangle to the left of a side
@@ -36,7 +40,7 @@ std::vector<Sign> sides_of_curve(const Delta_complex& input, const std::vector<S
                                       std::to_string(to) + ": the corners of triangles do not tell them apart");
     }
 
-  std::vector<Sign> result(faces.number_of_vertices(), POSITIVE), of_triangle(triangles.size(), ZERO);
+  std::vector<Sign> of_triangle(triangles.size(), ZERO);
   std::unordered_set<std::uint64_t> seam;
   std::vector<std::uint32_t> open;
   const auto mark = [&](std::uint32_t t, Sign sign) {
@@ -62,14 +66,67 @@ std::vector<Sign> sides_of_curve(const Delta_complex& input, const std::vector<S
     open.pop_back();
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t from = triangles[t][i], to = triangles[t][(i + 1) % 3];
-      result[from] = of_triangle[t];
       if (seam.count(key(from, to)) == 0)
         mark_beside(to, from, of_triangle[t]);
     }
   }
+  for (Sign& sign : of_triangle) // those of other components
+    if (sign == ZERO)
+      sign = POSITIVE;
+  return of_triangle;
+}
+
+// The smallest barycentric coordinate of a point in a triangle; negative outside.
+double depth_in_triangle(const internal::Cut_faces& faces, const Surface_point& p, std::uint32_t triangle)
+{
+  std::array<std::array<double, 3>, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i)
+    corners[i] = faces.coordinates(p.halfedge, faces.triangles()[triangle][i]);
+  const auto area = [](const auto& a, const auto& b, const auto& c) {
+    return (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]);
+  };
+  double result = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < 3; ++i)
+    result = (std::min)(result, area(corners[i], corners[(i + 1) % 3], p.coordinates));
+  return result / area(corners[0], corners[1], corners[2]);
+}
+
+} // namespace
+
+std::vector<Sign> sides_of_curve(const Delta_complex& input, const std::vector<Surface_point>& curve)
+{
+  const internal::Cut_faces faces(input, {curve});
+  const std::vector<Sign> of_triangle = sides_of_triangles(faces);
+  std::vector<Sign> result(faces.number_of_vertices(), POSITIVE);
+  for (std::size_t t = 0; t < of_triangle.size(); ++t)
+    for (std::uint32_t v : faces.triangles()[t])
+      result[v] = of_triangle[t];
   for (const auto& [from, to] : faces.seam())
     result[from] = result[to] = ZERO;
   result.resize(input.number_of_vertices());
+  return result;
+}
+
+std::vector<Sign> sides_of_curve(const Delta_complex& input, const std::vector<Surface_point>& curve,
+                                 const std::vector<Surface_point>& points)
+{
+  const internal::Cut_faces faces(input, {curve});
+  const std::vector<Sign> of_triangle = sides_of_triangles(faces);
+  std::vector<std::vector<std::uint32_t>> triangles_in(input.number_of_faces());
+  for (std::uint32_t t = 0; t < of_triangle.size(); ++t)
+    triangles_in[faces.input_faces()[t]].push_back(t);
+  std::vector<Sign> result;
+  for (const Surface_point& p : points) { // in the triangle in which it lies deepest
+    double deepest = -std::numeric_limits<double>::infinity();
+    result.push_back(POSITIVE);
+    for (std::uint32_t t : triangles_in[input.face(p.halfedge).idx()]) {
+      const double depth = depth_in_triangle(faces, p, t);
+      if (depth > deepest) {
+        deepest = depth;
+        result.back() = of_triangle[t];
+      }
+    }
+  }
   return result;
 }
 

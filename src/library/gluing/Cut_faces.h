@@ -21,6 +21,7 @@
 #include <limits>
 #include <map>
 #include <string>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -35,7 +36,65 @@ class Cut_faces
 
 public:
   // \exception Invalid_point_error
-  Cut_faces(const Delta_complex& complex, std::vector<Surface_point> path) : complex_(complex)
+  Cut_faces(const Delta_complex& complex, const std::vector<std::vector<Surface_point>>& paths) : complex_(complex)
+  {
+    for (const std::vector<Surface_point>& path : paths)
+      add_path(path);
+    for (Face_index f : complex.faces())
+      divide(f);
+  }
+
+  const std::vector<std::array<std::uint32_t, 3>>& triangles() const { return triangles_; }
+  const std::vector<std::uint32_t>& input_faces() const { return input_faces_; }
+  // The coordinates of a point with respect to h and the two other sides of its face; whether it lies there.
+  static bool find_coordinates(const Delta_complex& complex, Halfedge_index h, const Surface_point& p,
+                               Coordinates& result)
+  {
+    if (complex.face(p.halfedge) == complex.face(h)) {
+      result = coordinates_from(complex, p, h);
+      return true;
+    }
+    result = {0, 0, 0};
+    const std::array<Halfedge_index, 3> sides = sides_from(complex, h);
+    for (std::size_t i = 0; i < 3; ++i)
+      if (p.dimension() == 0 && complex.source(sides[i]) == vertex_at(complex, p)) {
+        result[i] = 1;
+        return true;
+      } else if (p.dimension() == 1 && complex.edge(sides[i]) == complex.edge(side_of(complex, p))) {
+        std::tie(result[i], result[(i + 1) % 3]) = coordinates_on_edge(complex, p, sides[i]);
+        return true;
+      }
+    return false;
+  }
+  // The vertex at a point of dimension 0.
+  static Vertex_index vertex_at(const Delta_complex& complex, const Surface_point& p)
+  {
+    const auto corner = std::max_element(p.coordinates.begin(), p.coordinates.end()) - p.coordinates.begin();
+    return complex.source(sides_from(complex, p.halfedge)[std::size_t(corner)]);
+  }
+
+  // The segments of the paths.
+  const std::vector<std::pair<Node, Node>>& seam() const { return seam_; }
+  std::size_t number_of_vertices() const { return complex_.number_of_vertices() + new_points_.size(); }
+  Surface_point location(Node v) const
+  {
+    if (v >= complex_.number_of_vertices())
+      return new_points_[v - complex_.number_of_vertices()];
+    return {complex_.opposite(complex_.halfedge(Vertex_index(v))), {1, 0, 0}}; // its halfedge may be one of the border
+  }
+  // Of a vertex in the face of a halfedge, relative to that.
+  Coordinates coordinates(Halfedge_index first, Node v) const
+  {
+    Coordinates result;
+    find_coordinates(complex_, first, location(v), result);
+    return result;
+  }
+
+private:
+  // A convex part of a face: its corners, counterclockwise.
+  using Piece = std::vector<Node>;
+
+  void add_path(std::vector<Surface_point> path)
   {
     for (std::size_t i = 0; i < path.size(); ++i)
       path[i] = checked(path[i], i);
@@ -47,25 +106,7 @@ public:
     for (std::size_t i = 0; i + 1 < path.size(); ++i)
       if (nodes[i] != nodes[i + 1])
         add_segment(path[i].halfedge, nodes[i], nodes[i + 1], i);
-    for (Face_index f : complex.faces())
-      divide(f);
   }
-
-  const std::vector<std::array<std::uint32_t, 3>>& triangles() const { return triangles_; }
-  const std::vector<std::uint32_t>& input_faces() const { return input_faces_; }
-  // The segments of the path.
-  const std::vector<std::pair<Node, Node>>& seam() const { return seam_; }
-  std::size_t number_of_vertices() const { return complex_.number_of_vertices() + new_points_.size(); }
-  Surface_point location(Node v) const
-  {
-    if (v >= complex_.number_of_vertices())
-      return new_points_[v - complex_.number_of_vertices()];
-    return {complex_.opposite(complex_.halfedge(Vertex_index(v))), {1, 0, 0}}; // its halfedge may be one of the border
-  }
-
-private:
-  // A convex part of a face: its corners, counterclockwise.
-  using Piece = std::vector<Node>;
 
   Surface_point checked(Surface_point p, std::size_t i) const
   {
@@ -82,13 +123,9 @@ private:
     return p;
   }
 
-  std::array<Halfedge_index, 3> sides_from(Halfedge_index h) const { return {h, complex_.next(h), complex_.prev(h)}; }
-
-  // The vertex at a point of dimension 0.
-  Vertex_index vertex_at(const Surface_point& p) const
+  static std::array<Halfedge_index, 3> sides_from(const Delta_complex& complex, Halfedge_index h)
   {
-    const auto corner = std::max_element(p.coordinates.begin(), p.coordinates.end()) - p.coordinates.begin();
-    return complex_.source(sides_from(p.halfedge)[std::size_t(corner)]);
+    return {h, complex.next(h), complex.prev(h)};
   }
 
   // The vertex at a point. Points on an edge coincide if they are equal relative to one of its halfedges.
@@ -96,7 +133,7 @@ private:
   {
     const int dimension = p.dimension();
     if (dimension == 0)
-      return Node(vertex_at(p).idx());
+      return Node(vertex_at(complex_, p).idx());
     const Node next = Node(number_of_vertices());
     if (dimension == 2) {
       std::vector<Node>& inner_nodes = inner_nodes_[complex_.face(p.halfedge).idx()];
@@ -115,40 +152,10 @@ private:
     return place->second;
   }
 
-  // The coordinates of a point with respect to h and the two other sides of its face; whether it lies there.
-  bool find_coordinates(Halfedge_index h, const Surface_point& p, Coordinates& result) const
-  {
-    const std::array<Halfedge_index, 3> sides = sides_from(h);
-    result = {0, 0, 0};
-    if (p.dimension() == 0) {
-      for (std::size_t i = 0; i < 3; ++i)
-        if (complex_.source(sides[i]) == vertex_at(p)) {
-          result[i] = 1;
-          return true;
-        }
-      return false;
-    }
-    if (p.dimension() == 2) {
-      if (complex_.face(p.halfedge) != complex_.face(h))
-        return false;
-      result = coordinates_from(complex_, p, h);
-      return true;
-    }
-    const Edge_index e = complex_.edge(side_of(complex_, p));
-    for (std::size_t i = 0; i < 3; ++i)
-      if (complex_.edge(sides[i]) == e) {
-        const auto [a, b] = coordinates_on_edge(complex_, p, sides[i]);
-        result[i] = a;
-        result[(i + 1) % 3] = b;
-        return true;
-      }
-    return false;
-  }
-
   Surface_point middle(const Surface_point& p, const Surface_point& q) const
   {
     Coordinates a = p.coordinates, b;
-    if (!find_coordinates(p.halfedge, q, b))
+    if (!find_coordinates(complex_, p.halfedge, q, b))
       throw_apart(0);
     for (std::size_t i = 0; i < 3; ++i)
       a[i] = (a[i] + b[i]) / 2;
@@ -164,7 +171,7 @@ private:
   void add_segment(Halfedge_index h, Node from, Node to, std::size_t i)
   {
     Coordinates a, b;
-    if (!find_coordinates(h, location(from), a) || !find_coordinates(h, location(to), b))
+    if (!find_coordinates(complex_, h, location(from), a) || !find_coordinates(complex_, h, location(to), b))
       throw_apart(i);
     seam_.emplace_back(from, to);
     for (std::size_t k = 0; k < 3; ++k)
@@ -177,7 +184,7 @@ private:
   {
     const Halfedge_index first = complex_.halfedge(f);
     Piece face;
-    for (Halfedge_index h : sides_from(first)) {
+    for (Halfedge_index h : sides_from(complex_, first)) {
       face.push_back(Node(complex_.source(h).idx()));
       append_nodes(h, face);
     }
@@ -243,13 +250,6 @@ private:
     pieces.erase(pieces.begin() + std::ptrdiff_t(best));
     for (std::size_t k = 0; k < around.size(); ++k)
       pieces.push_back({around[k], around[(k + 1) % around.size()], v});
-  }
-
-  Coordinates coordinates(Halfedge_index first, Node v) const
-  {
-    Coordinates result;
-    find_coordinates(first, location(v), result);
-    return result;
   }
 
   // As a part of the face.

@@ -19,9 +19,10 @@ from ._errors import (CancelledError, Error, FileError, IntegerOverflowError, In
                       InvalidSurfaceError, NumericalError, UndecidedError)
 from ._files import Repair, RepairedMesh, TexturedMesh, orient, read_mesh, repair
 from ._geodesics import CutSurface, EdgeFlipGeodesicSolver, GeodesicPath, GeodesicTracer, cut_along_path, geodesic_path
-from ._heat import (MeshHeatMethodDistanceSolver, compute_distance, compute_distance_multisource, geodesic_distance_matrix,
-                    geodesic_distances, geodesic_distances_from)
+from ._heat import (MeshHeatMethodDistanceSolver, compute_distance, compute_distance_multisource, farthest_vertices,
+                    geodesic_distance_matrix, geodesic_distances, geodesic_distances_from)
 from ._laplacian import laplacian, mesh_laplacian, point_cloud_laplacian, solve_poisson
+from ._lines import SurfaceLine, borders_of_cells, isolines, offset_curves
 from ._mesh import border_edges, border_vertices, component_labels, cotan_laplacian, face_areas, vertex_areas
 from ._simplification import DistanceIntervals, SimplifiedDistances, SimplifiedSurface
 from ._subdivision import CommonSubdivision
@@ -57,24 +58,29 @@ __all__ = [
     "SimplifiedDistances",
     "SimplifiedSurface",
     "StraightMesh",
+    "SurfaceLine",
     "TexturedMesh",
     "Triangulation",
     "UndecidedError",
     "VerificationReport",
     "border_edges",
     "border_vertices",
+    "borders_of_cells",
     "component_labels",
     "compute_distance",
     "compute_distance_multisource",
     "cotan_laplacian",
     "cut_along_path",
     "face_areas",
+    "farthest_vertices",
     "geodesic_distance_matrix",
     "geodesic_distances",
     "geodesic_distances_from",
     "geodesic_path",
+    "isolines",
     "laplacian",
     "mesh_laplacian",
+    "offset_curves",
     "orient",
     "point_cloud_laplacian",
     "read_mesh",

@@ -168,7 +168,8 @@ def geodesic_distances(V: ArrayLike, F: ArrayLike, v_inds: ArrayLike, tolerance:
 
 
 def geodesic_distances_from(V: ArrayLike, F: ArrayLike, sources: Sequence[Any], tolerance: float = 0.001, *,
-                            offsets: Optional[ArrayLike] = None) -> Tuple[numpy.ndarray, numpy.ndarray]:
+                            offsets: Optional[ArrayLike] = None,
+                            barriers: Sequence[Any] = ()) -> Tuple[numpy.ndarray, numpy.ndarray]:
     """Return the length of the shortest path from the nearest of several points, edges and curves to each vertex.
 
     Paths leave a curve at right angles. With the tolerance 0, distances from curves are exact up to rounding, too.
@@ -183,6 +184,10 @@ def geodesic_distances_from(V: ArrayLike, F: ArrayLike, sources: Sequence[Any], 
         or on an edge or at a vertex of it.
     offsets : (number of sources,) array of floats
         The distances at the sources, not negative; 0 by default.
+    barriers : sequence
+        Edges and curves, given as sources, that no path crosses: they meet only at points that both have. Paths turn
+        around their ends. A vertex on a barrier has the smaller distance of its sides. The triangles then have to form an
+        oriented manifold.
 
     Returns
     -------
@@ -196,17 +201,39 @@ def geodesic_distances_from(V: ArrayLike, F: ArrayLike, sources: Sequence[Any], 
     InvalidSurfaceError
         As for `MeshHeatMethodDistanceSolver`.
     ValueError
-        If a source does not lie on the surface, or an offset is negative.
+        If a source does not lie on the surface, an offset is negative, or barriers cross.
     """
     points, faces = _arrays.points_and_faces(V, F)
-    places = [_places(source, i, faces, len(points)) for i, source in enumerate(sources)]
-    starts = numpy.zeros(len(places)) if offsets is None else _arrays.finite(offsets, "offsets", (len(places),))
+    placed = _placed(points, faces, sources, offsets, barriers)
     _arrays.warn_of_gaps(points, faces)
-    rows = numpy.concatenate(places) if places else numpy.empty((0, 4))
-    first = numpy.cumsum([0] + [len(p) for p in places]).astype(numpy.uint32)
-    numbers = _arrays.indices(rows[:, 0].astype(numpy.int64), "triangles of sources", (None,), len(faces))
-    return _core.geodesic_distances_from(points, faces, numbers, numpy.ascontiguousarray(rows[:, 1:]), first, starts,
-                                         _tolerance(tolerance))
+    return _core.geodesic_distances_from(points, faces, *placed, _tolerance(tolerance), len(barriers))
+
+
+def farthest_vertices(V: ArrayLike, F: ArrayLike, number: int, v_inds: ArrayLike = (),
+                      tolerance: float = 0.001) -> Tuple[numpy.ndarray, numpy.ndarray]:
+    """Return vertices, each of which is as far as possible from the sources and from the ones before.
+
+    Parameters
+    ----------
+    V, F, tolerance
+        As for `geodesic_distances`.
+    number : int
+        How many vertices are wanted; there are fewer if all others have the distance 0.
+    v_inds : (k,) array of integers
+        The sources; none to begin with the first vertex.
+
+    Returns
+    -------
+    vertices : (number,) array of integers
+    distances : (number,) array
+        From the sources and the vertices before; infinite if no path leads there.
+    """
+    points, faces = _arrays.points_and_faces(V, F)
+    sources = _arrays.indices(v_inds, "v_inds", (None,), len(points))
+    if not (isinstance(number, (int, numpy.integer)) and 0 <= number < 2**32):
+        raise ValueError(f"number has to be a whole number that is not negative, not {number!r}")
+    _arrays.warn_of_gaps(points, faces)
+    return _core.farthest_vertices(points, faces, sources, int(number), _tolerance(tolerance))
 
 
 def geodesic_distance_matrix(V: ArrayLike, F: ArrayLike, sources: ArrayLike, targets: ArrayLike,
@@ -251,18 +278,30 @@ def _tolerance(tolerance: Any) -> float:
     return float(tolerance)
 
 
-def _places(source: Any, i: int, faces: numpy.ndarray, number_of_vertices: int) -> numpy.ndarray:
+def _placed(points: numpy.ndarray, faces: numpy.ndarray, sources: Sequence[Any], offsets: Optional[ArrayLike],
+            barriers: Sequence[Any] = ()) -> tuple:
+    """Return the triangles and coordinates of all points of sources and barriers, where each begins, and the offsets."""
+    places = [_places(source, f"sources[{i}]", faces, len(points)) for i, source in enumerate(sources)]
+    starts = numpy.zeros(len(places)) if offsets is None else _arrays.finite(offsets, "offsets", (len(places),))
+    places += [_places(barrier, f"barriers[{i}]", faces, len(points)) for i, barrier in enumerate(barriers)]
+    rows = numpy.concatenate(places) if places else numpy.empty((0, 4))
+    first = numpy.cumsum([0] + [len(p) for p in places]).astype(numpy.uint32)
+    numbers = _arrays.indices(rows[:, 0].astype(numpy.int64), "triangles of sources", (None,), len(faces))
+    return numbers, numpy.ascontiguousarray(rows[:, 1:]), first, starts
+
+
+def _places(source: Any, name: str, faces: numpy.ndarray, number_of_vertices: int) -> numpy.ndarray:
     """Return rows of a triangle and barycentric coordinates."""
     array = numpy.asarray(source)
     if array.shape in ((), (2,)):
-        ends = [_arrays.vertex(v, f"sources[{i}]", number_of_vertices) for v in array.reshape(-1).tolist()]
+        ends = [_arrays.vertex(v, name, number_of_vertices) for v in array.reshape(-1).tolist()]
         triangles = numpy.nonzero(numpy.all([(faces == v).any(axis=1) for v in ends], axis=0))[0]
         if len(triangles) == 0:
-            raise ValueError(f"sources[{i}] has to name vertices of one triangle, and none has {ends}")
+            raise ValueError(f"{name} has to name vertices of one triangle, and none has {ends}")
         return numpy.array([[triangles[0], *(faces[triangles[0]] == v)] for v in ends], dtype=float)
-    rows = _arrays.finite(source, f"sources[{i}]", (4,) if array.ndim == 1 else (None, 4)).reshape(-1, 4)
+    rows = _arrays.finite(source, name, (4,) if array.ndim == 1 else (None, 4)).reshape(-1, 4)
     if not (rows[:, 0] == numpy.floor(rows[:, 0])).all():
-        raise ValueError(f"sources[{i}] has to begin with the number of a triangle, and this is not whole")
+        raise ValueError(f"{name} has to begin with the number of a triangle, and this is not whole")
     return rows
 
 

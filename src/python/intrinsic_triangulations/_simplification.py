@@ -43,6 +43,26 @@ class SimplifiedSurface(NamedTuple):
     prolongation: scipy.sparse.csc_matrix
     """(n, c) matrix: carries values at its vertices to the given vertices, linearly. Rows sum to 1."""
 
+    def prolongation_from(self, triangulation: "Triangulation") -> scipy.sparse.csc_matrix:
+        """Find the same matrix for a refined triangulation of the simplified surface.
+
+        Parameters
+        ----------
+        triangulation : Triangulation
+            The member `triangulation` after `refine()`, or a copy of it.
+
+        Returns
+        -------
+        (n, c') scipy.sparse.csc_matrix
+            It carries values at the c' vertices of that triangulation to the given vertices, linearly. The row of an isolated
+            vertex is empty.
+        """
+        faces, coordinates = self.places
+        rows = numpy.flatnonzero(faces >= 0)
+        at, weights = triangulation.common_subdivision().to_intrinsic(faces[rows], coordinates[rows])
+        entries = weights.ravel(), (numpy.repeat(rows, 3), triangulation.faces[at].ravel())
+        return scipy.sparse.csc_matrix(entries, shape=(len(faces), triangulation.number_of_vertices))
+
 
 @documented
 class DistanceIntervals(NamedTuple):

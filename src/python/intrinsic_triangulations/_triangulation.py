@@ -10,7 +10,7 @@ from __future__ import annotations
 import copy
 import math
 import os
-from typing import Any, Dict, Mapping, NamedTuple, Optional, Tuple, Union
+from typing import Any, Dict, Literal, Mapping, NamedTuple, Optional, Tuple, Union
 
 import numpy
 import scipy.sparse
@@ -446,7 +446,7 @@ class Triangulation:
     def refine(self, minimum_angle: float = 25, maximum_circumradius: float = math.inf, maximum_edge_length: float = math.inf,
                constrained: Optional[ArrayLike] = None, max_insertions: Optional[int] = None, minimum_size: Optional[float] = None,
                sharp_edge_angle: Optional[float] = None, maximum_deviation: float = math.inf,
-               whole: Union[None, str, ArrayLike] = None, sizes: Optional[ArrayLike] = None,
+               whole: Union[None, Literal["border"], ArrayLike] = None, sizes: Optional[ArrayLike] = None,
                maximum_normal_angle: Optional[float] = None, size_gradation: float = 0.3) -> RefinementReport:
         """Flip edges and insert vertices until no face is too thin or too large. The surface does not change.
 

@@ -23,6 +23,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -91,6 +92,28 @@ public:
   {
     return bounded_distances(faces_, bounds_, tolerance_, sources, most_, interruption_, goals);
   }
+
+  // The waves up to a distance in the unit of the input.
+  Waves waves(const Window_sources& sources, double farthest) const
+  {
+    return find_waves(faces_, tolerance_, sources, most_, interruption_, std::ldexp(farthest, -faces_.exponent()));
+  }
+
+  // Of all rows, in the unit of the input; too large where they are larger than `farthest`.
+  std::vector<double> distances_up_to(const Window_sources& sources, double farthest) const
+  {
+    std::vector<double> result =
+      propagate_windows(faces_, tolerance_, sources, most_, interruption_, {}, std::ldexp(farthest, -faces_.exponent()))
+        .distances;
+    for (double& d : result)
+      d = std::ldexp(d, faces_.exponent());
+    return result;
+  }
+
+  double tolerance() const { return tolerance_; }
+  const Interruption& interruption() const { return interruption_; }
+  const Intrinsic_triangulation<Traits>& triangulation() const { return triangulation_; }
+  const Laid_out_faces& faces() const { return faces_; }
 
 private:
   static double checked_tolerance(double tolerance)

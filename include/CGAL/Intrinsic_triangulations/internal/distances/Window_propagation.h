@@ -10,10 +10,12 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/distances/Laid_out_faces.h>
 #include <CGAL/Intrinsic_triangulations/internal/distances/Laid_out_points.h>
+#include <CGAL/Intrinsic_triangulations/internal/distances/Wave.h>
 #include <CGAL/Intrinsic_triangulations/internal/distances/Window_sources.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -38,9 +40,23 @@ struct Window_distances
 // \param tolerance of the lengths of ways, as a fraction of each edge that they cross
 // \param most the maximum number of windows passed on; the others are lost
 // \param goals rows: if there are any, windows farther away than all of them are not followed
+// \param farthest nor are windows beyond; distances that are not larger are found
+// \param waves if not null, receives the windows that enter faces
 Window_distances propagate_windows(const Laid_out_faces& surface, double tolerance, const Window_sources& sources,
                                    std::uint64_t most, const Interruption& interruption,
-                                   const std::vector<std::uint32_t>& goals = {});
+                                   const std::vector<std::uint32_t>& goals = {},
+                                   double farthest = std::numeric_limits<double>::infinity(),
+                                   std::vector<Wave>* waves = nullptr);
+
+// The waves of all faces, up to a distance in the unit of the faces.
+Waves find_waves(const Laid_out_faces& surface, double tolerance, const Window_sources& sources, std::uint64_t most,
+                 const Interruption& interruption, double farthest);
+
+// The distance of one row from another, and of those on the way, without a tolerance.
+// \param rests lower bounds of the distances of rows from the goal, where it is zero; the larger, the fewer windows
+Window_distances propagate_windows_to(const Laid_out_faces& surface, std::uint32_t source, std::uint32_t goal,
+                                      const std::vector<double>& rests, std::uint64_t most,
+                                      const Interruption& interruption);
 
 // The distances of points from the nearest of some of them, without a tolerance, in the unit of the faces.
 // \param points on the faces

@@ -1,0 +1,455 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Triangles are divided until lines are nearly straight in them.
+
+#include <CGAL/Intrinsic_triangulations/internal/distances/trace_lines.h>
+
+#include "Line_pieces.h"
+#include "wave_functions.h"
+
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/positions/affine_image.h>
+
+#include <boost/functional/hash.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Corner
+{
+  std::uint32_t vertex;
+  Coordinates in_input;
+  plane::Vector at; // in the laid out face
+};
+
+struct Triangle
+{
+  std::array<Corner, 3> corners; // counterclockwise
+  Halfedge_index input;          // to which the coordinates refer
+  std::uint32_t face;            // of the triangulation
+};
+
+// A wave at the corners of a triangle. It is convex: nowhere above the linear function with these values, and below it
+// by three times as much as in the middle at most, because the middle divides the way from any point through it to the
+// boundary at two thirds or earlier.
+struct Wave_in_triangle
+{
+  const Wave* wave;
+  std::array<double, 3> values;
+  double dip;
+
+  double lowest() const { return *std::min_element(values.begin(), values.end()) - dip; }
+  double highest() const { return *std::max_element(values.begin(), values.end()); }
+  // Whether it is nowhere lower than another one, but for a tolerance.
+  bool is_above(const Wave_in_triangle& other, double tolerance) const
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+      if (values[i] - other.values[i] < dip - tolerance)
+        return false;
+    return true;
+  }
+};
+
+// The faces of the overlay are cut into triangles, and these at their longest sides: until no line can be in them, or
+// distances are nearly linear, or they are as small as the tolerance. What a vertex is, above or below a level, or
+// nearest to which source, is decided once; likewise where a line crosses a side. So lines have no gaps.
+class Line_tracer
+{
+public:
+  Line_tracer(const Common_subdivision& subdivision, const Laid_out_faces& faces, const Waves& waves,
+              const Wanted_lines& wanted, const Interruption& interruption)
+    : subdivision_(subdivision), faces_(faces), waves_(waves), wanted_(wanted), interruption_(interruption),
+      ranks_(subdivision.overlay().number_of_vertices(), unknown)
+  {}
+
+  std::vector<Traced_line> run()
+  {
+    const Input_layer input(subdivision_);
+    const Intrinsic_layer intrinsic(subdivision_);
+    for (Overlay::Face f : subdivision_.overlay().faces())
+      divide(input, intrinsic, f);
+    while (conform())
+      ;
+    for (const Triangle& t : fine_)
+      add_pieces(t);
+    return pieces_.join();
+  }
+
+private:
+  using Seen = std::vector<Wave_in_triangle>;
+  using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+  static constexpr std::uint32_t unknown = (std::numeric_limits<std::uint32_t>::max)();
+  static constexpr std::size_t most_triangles = 20000000;
+  static constexpr double rounding = 1e-13; // of a distance, or of a side
+
+  bool has_levels() const { return !wanted_.levels.empty(); }
+
+  void divide(const Input_layer& input, const Intrinsic_layer& intrinsic, Overlay::Face f)
+  {
+    const std::uint32_t face = intrinsic.face(f).idx();
+    const std::vector<const Wave*> waves = waves_in(face);
+    if (waves.empty())
+      return;
+    const Halfedge_index h = input.complex.halfedge(input.face(f)), base = faces_.halfedge(3 * face);
+    const Laid_out_faces::Side& side = faces_.side(3 * face);
+    std::vector<Corner> corners;
+    const Overlay::Halfedge first = input.overlay.halfedge(f);
+    Overlay::Halfedge g = first;
+    do {
+      const Coordinates c = corner_coordinates(intrinsic, g, base);
+      corners.push_back({input.overlay.target(g).idx(),
+                         corner_coordinates(input, g, h),
+                         {c[1] * side.length + c[2] * side.apex_x, c[2] * side.apex_y}});
+      g = input.overlay.next(g);
+    } while (g != first);
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+      refine({{corners[0], corners[i], corners[i + 1]}, h, face}, waves);
+  }
+
+  std::vector<const Wave*> waves_in(std::uint32_t face) const
+  {
+    std::vector<const Wave*> result;
+    for (std::size_t i = waves_.first[face]; i < waves_.first[face + 1]; ++i)
+      result.push_back(&waves_.waves[i]);
+    return result;
+  }
+
+  // The waves that may be the lowest somewhere in a triangle. The ranks of its corners are then known.
+  Seen look(const Triangle& t, const std::vector<const Wave*>& waves)
+  {
+    const plane::Vector &a = t.corners[0].at, &b = t.corners[1].at, &c = t.corners[2].at,
+                        middle{(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3};
+    Seen result;
+    double highest = infinity;
+    for (const Wave* wave : waves) {
+      Wave_in_triangle w{wave, {distance(*wave, a), distance(*wave, b), distance(*wave, c)}, 0};
+      w.dip = (std::max)(0., w.values[0] + w.values[1] + w.values[2] - 3 * distance(*wave, middle));
+      highest = (std::min)(highest, w.highest());
+      result.push_back(w);
+    }
+    const double margin = slack(t);
+    result.erase(std::remove_if(result.begin(), result.end(),
+                                [&](const Wave_in_triangle& w) { return w.lowest() > highest + margin; }),
+                 result.end());
+    for (std::size_t i = 0; i < 3; ++i)
+      if (ranks_[t.corners[i].vertex] == unknown)
+        ranks_[t.corners[i].vertex] = rank(result, i);
+    return result;
+  }
+
+  // The number of levels that are not above a corner, or its nearest source: the first one if there are several.
+  std::uint32_t rank(const Seen& seen, std::size_t corner) const
+  {
+    double lowest = infinity;
+    for (const Wave_in_triangle& w : seen)
+      lowest = (std::min)(lowest, w.values[corner]);
+    const double limit = lowest * (1 + rounding);
+    if (has_levels())
+      return std::uint32_t(std::upper_bound(wanted_.levels.begin(), wanted_.levels.end(), limit) -
+                           wanted_.levels.begin());
+    std::uint32_t result = unknown;
+    for (const Wave_in_triangle& w : seen)
+      if (w.values[corner] <= limit)
+        result = (std::min)(result, w.wave->source);
+    return result;
+  }
+
+  // By how much distances may differ from those in the next face.
+  double slack(const Triangle& t) const { return 10 * wanted_.search_tolerance * faces_.side(3 * t.face).length; }
+
+  static double length(const Triangle& t, std::size_t side)
+  {
+    return distance_in_plane(t.corners[side].at, t.corners[(side + 1) % 3].at);
+  }
+  static std::size_t longest_side(const Triangle& t)
+  {
+    std::size_t result = 0;
+    for (std::size_t i : {1, 2})
+      if (length(t, i) > length(t, result))
+        result = i;
+    return result;
+  }
+
+  void refine(const Triangle& t, const std::vector<const Wave*>& waves)
+  {
+    interruption_.check();
+    const Seen seen = look(t, waves);
+    if (is_far(t, seen))
+      return;
+    if (length(t, longest_side(t)) <= tolerance(t) / 2 ||
+        (has_levels() ? follows_levels(t, seen) : follows_cells(t, seen))) {
+      fine_.push_back(t);
+      if (fine_.size() > most_triangles)
+        throw Invalid_argument_error("the lines have more than " + std::to_string(most_triangles) +
+                                     " points: give fewer distances, or a larger chord tolerance");
+      return;
+    }
+    std::vector<const Wave*> left;
+    for (const Wave_in_triangle& w : seen)
+      left.push_back(w.wave);
+    bisect(t, left);
+  }
+
+  void bisect(const Triangle& t, const std::vector<const Wave*>& waves)
+  {
+    const std::size_t i = longest_side(t);
+    const Corner &a = t.corners[i], &b = t.corners[(i + 1) % 3];
+    const auto [place, is_new] = middles_.insert({edge(a, b), std::uint32_t(ranks_.size())});
+    if (is_new)
+      ranks_.push_back(unknown);
+    const Corner middle = between(a, b, 0.5, place->second);
+    Triangle child = t;
+    child.corners[(i + 1) % 3] = middle;
+    refine(child, waves);
+    child = t;
+    child.corners[i] = middle;
+    refine(child, waves);
+  }
+
+  static Edge edge(const Corner& a, const Corner& b) { return std::minmax<std::uint32_t>(a.vertex, b.vertex); }
+
+  static Corner between(const Corner& a, const Corner& b, double t, std::uint32_t vertex)
+  {
+    return {vertex,
+            internal::between(a.in_input, b.in_input, t),
+            {(1 - t) * a.at[0] + t * b.at[0], (1 - t) * a.at[1] + t * b.at[1]}};
+  }
+
+  // Divides triangles with a divided side. \return whether there were any
+  bool conform()
+  {
+    bool result = false;
+    for (std::size_t i = 0; i < fine_.size();) {
+      const Triangle t = fine_[i];
+      if (middles_.count(edge(t.corners[0], t.corners[1])) + middles_.count(edge(t.corners[1], t.corners[2])) +
+            middles_.count(edge(t.corners[2], t.corners[0])) ==
+          0) {
+        ++i;
+        continue;
+      }
+      result = true;
+      fine_[i] = fine_.back();
+      fine_.pop_back();
+      bisect(t, waves_in(t.face));
+    }
+    return result;
+  }
+
+  double tolerance(const Triangle& t) const { return wanted_.chord_tolerance + slack(t); }
+
+  static std::pair<double, double> range(const Seen& seen)
+  {
+    std::pair<double, double> result{infinity, infinity};
+    for (const Wave_in_triangle& w : seen)
+      result = {(std::min)(result.first, w.lowest()), (std::min)(result.second, w.highest())};
+    return result;
+  }
+
+  // Whether no line can be in a triangle or on its sides, wherever these will be divided. With a tolerance of the search,
+  // the next face may see a side in another way.
+  bool is_far(const Triangle& t, const Seen& seen) const
+  {
+    const std::array<std::uint32_t, 3> ranks = ranks_of(t);
+    if (ranks[0] != ranks[1] || ranks[1] != ranks[2])
+      return false;
+    if (!has_levels())
+      return wanted_.search_tolerance == 0 && std::all_of(seen.begin(), seen.end(), [&](const Wave_in_triangle& w) {
+               return w.wave->source == ranks[0];
+             });
+    const auto [lowest, highest] = range(seen);
+    const double margin = 10 * slack(t) + 10 * rounding * highest;
+    const auto level = std::lower_bound(wanted_.levels.begin(), wanted_.levels.end(), lowest - margin);
+    return level == wanted_.levels.end() || *level > highest + margin;
+  }
+
+  bool follows_levels(const Triangle& t, const Seen& seen) const
+  {
+    const auto [lowest, highest] = range(seen);
+    const double margin = tolerance(t);
+    std::array<std::uint32_t, 3> ranks = ranks_of(t);
+    std::sort(ranks.begin(), ranks.end());
+    const std::vector<double>& levels = wanted_.levels;
+    return (ranks[0] == 0 || !(lowest < levels[ranks[0] - 1] - margin)) &&
+           (ranks[2] == levels.size() || !(highest > levels[ranks[2]] + margin)) &&
+           (ranks[0] == ranks[2] || is_nearly_linear(seen, unknown, margin));
+  }
+
+  bool follows_cells(const Triangle& t, const Seen& seen) const
+  {
+    const double margin = tolerance(t);
+    std::array<std::uint32_t, 3> ranks = ranks_of(t);
+    std::sort(ranks.begin(), ranks.end());
+    if (ranks[0] != ranks[1] && ranks[1] != ranks[2])
+      return false;
+    const auto is_own = [&](const Wave_in_triangle& w) {
+      return w.wave->source == ranks[0] || w.wave->source == ranks[2];
+    };
+    for (const Wave_in_triangle& other : seen)
+      if (!is_own(other) && std::none_of(seen.begin(), seen.end(), [&](const Wave_in_triangle& w) {
+            return is_own(w) && other.is_above(w, margin);
+          }))
+        return false;
+    return ranks[0] == ranks[2] ||
+           (is_nearly_linear(seen, ranks[0], margin / 2) && is_nearly_linear(seen, ranks[2], margin / 2));
+  }
+
+  // Whether the distance from a source, or from all, is nowhere above a linear function, that of the lowest wave, and
+  // below it by a tolerance at most. So it differs no more along a chord with equal distances at both ends.
+  static bool is_nearly_linear(const Seen& seen, std::uint32_t source, double tolerance)
+  {
+    const Wave_in_triangle* lowest = nullptr;
+    const auto sum = [](const Wave_in_triangle& w) { return w.values[0] + w.values[1] + w.values[2]; };
+    const auto is_other = [&](const Wave_in_triangle& w) { return source != unknown && w.wave->source != source; };
+    for (const Wave_in_triangle& w : seen)
+      if (!is_other(w) && (lowest == nullptr || sum(w) < sum(*lowest)))
+        lowest = &w;
+    return lowest != nullptr && lowest->dip <= tolerance &&
+           std::all_of(seen.begin(), seen.end(),
+                       [&](const Wave_in_triangle& w) { return is_other(w) || w.is_above(*lowest, tolerance); });
+  }
+
+  std::array<std::uint32_t, 3> ranks_of(const Triangle& t) const
+  {
+    return {ranks_[t.corners[0].vertex], ranks_[t.corners[1].vertex], ranks_[t.corners[2].vertex]};
+  }
+
+  void add_pieces(const Triangle& t)
+  {
+    const std::array<std::uint32_t, 3> ranks = ranks_of(t);
+    const auto [low, high] = std::minmax_element(ranks.begin(), ranks.end());
+    if (*low == *high)
+      return;
+    interruption_.check();
+    const Seen seen = look(t, waves_in(t.face));
+    if (!has_levels() && ranks[0] != ranks[1] && ranks[1] != ranks[2] && ranks[2] != ranks[0])
+      return add_junction(t, seen);
+    for (std::uint32_t level = has_levels() ? *low : 0; level < (has_levels() ? *high : 1); ++level) {
+      const auto left_of = [&](std::size_t i) { return has_levels() ? std::uint32_t(ranks[i] > level) : ranks[i]; };
+      std::size_t i = 0; // the corner that differs from the others
+      while (left_of((i + 1) % 3) != left_of((i + 2) % 3))
+        ++i;
+      const auto p = cross(t, i, level, seen), q = cross(t, (i + 2) % 3, level, seen);
+      const bool is_left = left_of(i) < left_of((i + 1) % 3);
+      add_piece(t, is_left ? p : q, is_left ? q : p, level, {*low, *high});
+    }
+  }
+
+  // Where three cells meet, in a triangle as small as the tolerance.
+  void add_junction(const Triangle& t, const Seen& seen)
+  {
+    const std::array<std::uint32_t, 3> ranks = ranks_of(t);
+    std::pair<Line_pieces::Node, Coordinates> middle{pieces_.add_node(true, Line_pieces::none), {}};
+    for (const Corner& corner : t.corners)
+      for (std::size_t k = 0; k < 3; ++k)
+        middle.second[k] += corner.in_input[k] / 3;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto p = cross(t, i, 0, seen);
+      const std::uint32_t left = ranks[i], right = ranks[(i + 1) % 3];
+      add_piece(t, left < right ? p : middle, left < right ? middle : p, 0, std::minmax(left, right));
+    }
+  }
+
+  void add_piece(const Triangle& t, const std::pair<Line_pieces::Node, Coordinates>& from,
+                 const std::pair<Line_pieces::Node, Coordinates>& to, std::uint32_t level,
+                 const std::pair<std::uint32_t, std::uint32_t>& cells)
+  {
+    pieces_.add(from.first, to.first, {t.input, from.second}, to.second, has_levels() ? level : 0,
+                has_levels() ? std::array<std::uint32_t, 2>{0, 0}
+                             : std::array<std::uint32_t, 2>{cells.first, cells.second});
+  }
+
+  // The node on a side, and where it lies.
+  std::pair<Line_pieces::Node, Coordinates> cross(const Triangle& t, std::size_t side, std::uint32_t level,
+                                                  const Seen& seen)
+  {
+    const bool is_forward = t.corners[side].vertex < t.corners[(side + 1) % 3].vertex;
+    const Corner &a = t.corners[is_forward ? side : (side + 1) % 3], &b = t.corners[is_forward ? (side + 1) % 3 : side];
+    const auto [place, is_new] = crossings_.insert({{edge(a, b), level}, {}});
+    if (is_new) {
+      const double at = crossing(a, b, level, seen);
+      place->second = {pieces_.add_node(false, at == 0 ? a.vertex : at == 1 ? b.vertex : Line_pieces::none), at};
+    }
+    const auto [node, at] = place->second;
+    return {node, at == 0 ? a.in_input : at == 1 ? b.in_input : internal::between(a.in_input, b.in_input, at)};
+  }
+
+  // The fraction of a side up to a line.
+  double crossing(const Corner& a, const Corner& b, std::uint32_t level, const Seen& seen) const
+  {
+    const auto nearest = [&](const plane::Vector& p, std::uint32_t source) {
+      double result = infinity;
+      for (const Wave_in_triangle& w : seen)
+        if (source == unknown || w.wave->source == source)
+          result = (std::min)(result, distance(*w.wave, p));
+      return result;
+    };
+    const std::uint32_t rank_a = ranks_[a.vertex], rank_b = ranks_[b.vertex];
+    const bool rises = rank_a < rank_b; // from a to b
+    double scale = 0;
+    const auto function = [&](double t) { // negative before the line
+      const plane::Vector p = between(a, b, t, 0).at;
+      if (has_levels()) {
+        scale = wanted_.levels[level];
+        return (nearest(p, unknown) - scale) * (rises ? 1 : -1);
+      }
+      scale = nearest(p, rank_a);
+      return scale - nearest(p, rank_b);
+    };
+    double low = 0, high = 1, at_low = function(0), at_high = function(1);
+    if (!(at_low < 0))
+      return 0;
+    if (!(at_high > 0))
+      return 1;
+    double t = 0.5;
+    for (int i = 0; i < 120 && high - low > 1e-16; ++i) {
+      t = i % 3 < 2 ? low + (high - low) * (at_low / (at_low - at_high)) : low + (high - low) / 2;
+      const double value = function(t);
+      if (std::abs(value) <= 4e-16 * scale)
+        break;
+      (value < 0 ? low : high) = t;
+      (value < 0 ? at_low : at_high) = value;
+    }
+    return t < rounding ? 0 : t > 1 - rounding ? 1 : t;
+  }
+
+  using Crossing = std::pair<Line_pieces::Node, double>;
+  using Edge_and_level = std::pair<Edge, std::uint32_t>;
+
+  const Common_subdivision& subdivision_;
+  const Laid_out_faces& faces_;
+  const Waves& waves_;
+  const Wanted_lines& wanted_;
+  const Interruption& interruption_;
+  std::vector<std::uint32_t> ranks_; // of the vertices: first those of the overlay
+  std::unordered_map<Edge, std::uint32_t, boost::hash<Edge>> middles_;
+  std::vector<Triangle> fine_;
+  std::unordered_map<Edge_and_level, Crossing, boost::hash<Edge_and_level>> crossings_;
+  Line_pieces pieces_;
+};
+
+} // namespace
+
+std::vector<Traced_line> trace_lines(const Common_subdivision& subdivision, const Laid_out_faces& faces,
+                                     const Waves& waves, const Wanted_lines& wanted, const Interruption& interruption)
+{
+  return Line_tracer(subdivision, faces, waves, wanted, interruption).run();
+}
+
+} // namespace CGAL::Intrinsic_triangulations::internal
