@@ -86,7 +86,7 @@ TEST(Isolines_on_data, AreClosedAndComplete)
       largest = std::isfinite(d) ? (std::max)(largest, d) : largest;
     std::vector<double> levels;
     for (int i = 0; i < 3; ++i)
-      levels.push_back(largest * double(1 + random() % 1000) / 1003);
+      levels.push_back(largest * double(330 * i + 1 + int(random() % 330)) / 1003);
     for (bool is_curve : {false, true}) {
       const std::vector<IT::Geodesic_source> sources =
         is_curve ? std::vector<IT::Geodesic_source>{{{IT::trace_geodesic(t, start, largest / 3).points}}} : vertices;
@@ -104,7 +104,10 @@ TEST(Isolines_on_data, AreClosedAndComplete)
               ++crossings[level][input.edge(side_of(input, line.points[i])).idx()];
           for (const IT::Surface_point& end : {line.points.front(), line.points.back()})
             if (!is_closed)
-              EXPECT_TRUE(end.dimension() == 0 || input.is_border(input.opposite(side_of(input, end)))) << path;
+              EXPECT_TRUE(end.dimension() == 0 || input.is_border(input.opposite(side_of(input, end))))
+                << path << ' ' << tolerance << ' ' << line.distance << ' ' << line.points.size() << ' '
+                << input.face(end.halfedge) << ' ' << end.coordinates[0] << ' ' << end.coordinates[1] << ' '
+                << end.coordinates[2];
           ++number_of_lines;
           number_of_points += line.points.size();
         }
