@@ -29,8 +29,6 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 struct Corner
 {
   std::uint32_t vertex;
@@ -95,6 +93,7 @@ private:
   using Seen = std::vector<Wave_in_triangle>;
   using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr std::uint32_t unknown = (std::numeric_limits<std::uint32_t>::max)();
   static constexpr std::size_t most_triangles = 20000000;
   static constexpr double rounding = 1e-13; // of a distance, or of a side
