@@ -1,5 +1,5 @@
 # Copyright (c) 2026 The Intrinsic_triangulations developers.
-# SPDX-License-Identifier: LGPL-3.0-or-later
+# SPDX-License-Identifier: GPL-3.0-or-later
 
 """Lines at a distance, borders of cells, and vertices far from each other."""
 

@@ -529,6 +529,20 @@ TEST(Geodesic_distance_matrix, has_the_distances_from_each_source)
   }
   EXPECT_TRUE(IT::geodesic_distance_matrix(triangulation, {}, targets).distances.empty());
   EXPECT_THROW(IT::geodesic_distance_matrix(triangulation, sources, {Vertex_index(10000)}), IT::Invalid_argument_error);
+  // The visitor sees the part of the sources that are done, and can cancel.
+  std::vector<double> parts;
+  const auto visit = [&parts](double part) {
+    if (part > 0)
+      parts.push_back(part);
+    return true;
+  };
+  IT::geodesic_distance_matrix(triangulation, sources, targets, CGAL::parameters::visitor(visit));
+  ASSERT_EQ(parts.size(), sources.size());
+  EXPECT_EQ(parts.front(), 1 / double(sources.size()));
+  EXPECT_EQ(parts.back(), 1);
+  EXPECT_THROW(IT::geodesic_distance_matrix(triangulation, sources, targets,
+                                            CGAL::parameters::visitor([](double part) { return part < 0.5; })),
+               IT::Cancelled_error);
 }
 
 } // namespace
