@@ -377,6 +377,19 @@ TEST(Straight_mesh, bends_long_sides_to_corners_near_them)
   }
 }
 
+// Two triangles on another surface are no such piece.
+TEST(Straight_mesh, leaves_patches_along_others)
+{
+  Model cube = box(1, 1);
+  const double z = 1 + 1e-6;
+  cube.points.insert(cube.points.end(), {{0.3, 0.3, z}, {0.5, 0.3, z}, {0.5, 0.5, z}, {0.3, 0.5, z}});
+  cube.triangles.insert(cube.triangles.end(), {{8, 9, 10}, {8, 10, 11}});
+  const IT::Straight_mesh mesh =
+    IT::straight_mesh(IT::Common_subdivision(cube.triangulation()), cube.points, {}, 10, 0.02);
+  EXPECT_EQ(mesh.triangles.size(), 14u);
+  EXPECT_EQ(mesh.sufficient_deviation, 0);
+}
+
 // A kite of two sides that coincide after a flip, and a needle: above a cube, or on it.
 TEST(Straight_mesh, leaves_out_pieces_along_others)
 {

@@ -207,7 +207,7 @@ bool Thin_part_merger::is_near_others(const std::array<Point, 3>& corners, const
          is_near_others(second, candidates, distance, depth - 1);
 }
 
-// Connected triangles, some of them bad or only two; more triangles come first.
+// Connected triangles, some of them bad, or two with the same corners; more triangles come first.
 std::vector<std::vector<std::uint32_t>> Thin_part_merger::bad_pieces() const
 {
   Disjoint_sets sets(map_.points().size());
@@ -222,7 +222,9 @@ std::vector<std::vector<std::uint32_t>> Thin_part_merger::bad_pieces() const
       pieces[sets.find(mesh_.triangles[t][0])].push_back(t);
   std::vector<std::vector<std::uint32_t>> result;
   for (const auto& [root, piece] : pieces)
-    if (piece.size() == 2 || std::any_of(piece.begin(), piece.end(), [this](std::uint32_t t) { return is_bad(t); }))
+    if (std::any_of(piece.begin(), piece.end(), [this](std::uint32_t t) { return is_bad(t); }) ||
+        (piece.size() == 2 && std::is_permutation(mesh_.triangles[piece[0]].begin(), mesh_.triangles[piece[0]].end(),
+                                                  mesh_.triangles[piece[1]].begin())))
       result.push_back(piece);
   std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
   return result;
