@@ -47,10 +47,8 @@ std::vector<std::pair<IT::Vertex_index, double>> read_angles(const std::string& 
   std::vector<std::pair<IT::Vertex_index, double>> result;
   if (path.empty())
     return result;
-  const std::vector<double> angles = read_vertex_values(path, surface.connectivity.number_of_vertices()).front().values;
-  for (std::size_t v = 0; v < angles.size(); ++v)
-    if (!std::isnan(angles[v]))
-      result.emplace_back(IT::Vertex_index(std::uint32_t(v)), angles[v]);
+  for (const auto& [v, angle] : read_numbers_of_vertices(path, surface.connectivity.number_of_vertices()))
+    result.emplace_back(IT::Vertex_index(v), angle);
   return result;
 }
 
@@ -183,12 +181,12 @@ void write_report(std::ostream& os, const Conformal_map_options& options, const 
      << in_short(scale[1]) << " times those of the surface\n  triangles         "
      << with_separators(map.triangles.size()) << ", of which " << with_separators(map.turned.size())
      << " turned over\n  input triangles   " << with_separators(map.turned_input.size())
-     << " would turn over if the map were linear on them, " << with_separators(map.divided_input.size())
-     << " cut\n  locally injective "
+     << " would turn over if the map were linear on them; " << with_separators(map.divided_input.size())
+     << " more are cut, where it cannot be\n  locally injective "
      << (!map.is_certified    ? "no"
          : map.turned.empty() ? "yes, proven"
                               : "on the ideal Delaunay triangles only, proven")
-     << "\n  overlaps itself   " << (map.overlaps ? "yes: cut it into parts, or allow more cones" : "no")
+     << "\n  overlaps itself   " << (map.overlaps ? "yes: cut it into parts, or try other cones" : "no")
      << "\n  seams             within " << in_short(map.seam) << "\n  time              " << seconds_text(seconds)
      << '\n';
 }
@@ -213,7 +211,8 @@ Exit_status run_conformal_map(const Conformal_map_options& options)
     if (!(options.uv.empty() && options.uv_input.empty() && options.view.empty()) && !surface.has_points())
       throw Usage_error(path + " has only lengths, no points: omit --uv, --uv-input and --view");
     const Stopwatch stopwatch;
-    Triangulation triangulation = make_triangulation<IT::Filtered_edge_length_traits>(surface);
+    Triangulation triangulation =
+      surface.saved ? surface.saved->triangulation : make_triangulation<IT::Filtered_edge_length_traits>(surface);
     triangulation.set_interruption([] { return !is_interrupted(); });
     Progress progress(path, "solving");
     const IT::Conformal_map map = IT::conformal_parameterization(
@@ -223,6 +222,10 @@ Exit_status run_conformal_map(const Conformal_map_options& options)
                        .number_of_cones(options.cones)
                        .visitor(std::ref(progress)));
     const double seconds = stopwatch.seconds();
+    if (!map.turned.empty())
+      std::cerr << "idt: " << path << ": " << counted(map.turned.size(), "triangle", "triangles")
+                << " of the map turned over, first in face " << map.input_faces[map.turned.front()].idx()
+                << ": try idt refine first, or other cones" << std::endl;
     if (!options.uv.empty())
       write_textured_mesh(options.uv, mesh_of(map, surface));
     if (!options.uv_input.empty())

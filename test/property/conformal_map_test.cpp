@@ -351,6 +351,35 @@ TEST(Conformal_map, says_whether_it_overlaps_itself)
   }
 }
 
+// A slit into a flat square: both sides of the cut have the same image, up to rounding.
+TEST(Conformal_map, does_not_overlap_along_a_slit)
+{
+  Indexed_triangles square;
+  const std::uint32_t n = 8;
+  for (std::uint32_t i = 0; i <= n; ++i)
+    for (std::uint32_t k = 0; k <= n; ++k)
+      square.points.push_back({0.1 * i + 0.01 * std::sin(7. * k * i), 0.1 * k + 0.01 * std::cos(5. * i + k), 0});
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const std::uint32_t v = i * (n + 1) + k;
+      square.triangles.push_back({v, v + n + 1, v + n + 2});
+      square.triangles.push_back({v, v + n + 2, v + 1});
+    }
+  const Triangulation t = triangulation_of(square);
+  for (std::size_t cones : {1u, 2u, 5u}) {
+    const Conformal_map map = IT::conformal_parameterization(t, CGAL::parameters::number_of_cones(cones));
+    EXPECT_EQ(defect(map, t), "");
+    EXPECT_FALSE(map.overlaps) << cones;
+  }
+}
+
+TEST(Conformal_map, needs_a_face)
+{
+  const Triangulation t(IT::make_Delta_complex_from_triangles(3, std::vector<std::array<std::uint32_t, 3>>()),
+                        {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  EXPECT_THROW(IT::conformal_parameterization(t), IT::Invalid_surface_error);
+}
+
 TEST(Conformal_map, of_a_symmetric_surface_is_symmetric)
 {
   // Mirrored at x = 0.

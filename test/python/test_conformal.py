@@ -78,3 +78,5 @@ def test_wrong_arguments():
         t.conformal_map(boundary_angles={0: 1})
     with pytest.raises(ValueError):
         t.conformal_map(cone_angles={10**6: 1})
+    with pytest.raises(it.InvalidSurfaceError, match="no face"):
+        it.Triangulation(V, numpy.zeros((0, 3), int)).conformal_map()

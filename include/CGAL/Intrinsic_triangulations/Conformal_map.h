@@ -48,7 +48,9 @@ struct Conformal_map
   bool is_certified = false;
   /// the largest difference of the lengths of the two images of an edge of a cut, and of the length in `metric`
   double seam = 0;
-  bool overlaps = false; ///< whether two sides of the image's border have a common point that is no common end, exactly
+  /// whether two sides of the image's border have a common point that is no common end, exactly. Where the images of both
+  /// sides of a cut agree to 10<sup>-12</sup> of the image's size, the image has no border
+  bool overlaps = false;
   /// for each halfedge of the input, the image of its source in its face; (0, 0) if it has none
   std::vector<Point> input_uv;
   std::vector<Face_index> turned_input;  ///< the input triangles that turn over if the map is linear on them: exactly

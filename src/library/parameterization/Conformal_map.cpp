@@ -215,7 +215,8 @@ private:
   }
 
   // The sides without another triangle at the same side of the image: the border of the image. If the surface continues
-  // there, they are cuts.
+  // there, they are cuts. Where both images of a cut are the same up to rounding, as those of a slit into a flat surface, the
+  // image has no border.
   std::vector<Planar_segment> mark_cuts()
   {
     struct Side
@@ -233,20 +234,28 @@ private:
     std::sort(sides.begin(), sides.end());
     const auto source = [&](const Side& s) { return map_.triangles[s.number / 3][s.number % 3]; };
     const auto image = [&](const Side& s, std::size_t i) { return map_.uv[s.number / 3][(s.number % 3 + i) % 3]; };
+    double largest = 0;
+    for (const auto& corners : map_.uv)
+      for (const Planar_point& p : corners)
+        largest = (std::max)({largest, std::abs(p[0]), std::abs(p[1])});
+    const auto are_near = [largest](const Planar_point& p, const Planar_point& q) {
+      return std::abs(p[0] - q[0]) + std::abs(p[1] - q[1]) <= 1e-12 * largest;
+    };
     map_.is_cut.assign(map_.triangles.size(), {false, false, false});
     std::vector<Planar_segment> border;
     for (auto first = sides.begin(), end = first; first != sides.end(); first = end) {
       while (end != sides.end() && end->low == first->low && end->high == first->high)
         ++end;
       for (auto s = first; s != end; ++s) {
-        bool has_other = false, fits = false;
+        bool has_other = false, fits = false, nearly_fits = false;
         for (auto o = first; o != end; ++o)
           if (source(*o) != source(*s)) {
             has_other = true;
             fits = fits || (image(*s, 0) == image(*o, 1) && image(*s, 1) == image(*o, 0));
+            nearly_fits = nearly_fits || (are_near(image(*s, 0), image(*o, 1)) && are_near(image(*s, 1), image(*o, 0)));
           }
         map_.is_cut[s->number / 3][s->number % 3] = has_other && !fits;
-        if (!fits)
+        if (!nearly_fits)
           border.push_back({image(*s, 0), image(*s, 1)});
       }
     }

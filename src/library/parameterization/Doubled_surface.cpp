@@ -23,6 +23,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 Doubled_surface::Doubled_surface(const Triangulation& surface, const Progress_function& progress)
   : triangulation(Delta_complex(), Triangulation::Point_vector())
 {
+  if (surface.connectivity().number_of_faces() == 0)
+    throw Invalid_surface_error(Invalid_surface_error::Defect::EMPTY, 0, 1, "there is no face");
   const auto edges = surface.connectivity().edges();
   is_doubled =
     std::any_of(edges.begin(), edges.end(), [&](Edge_index e) { return surface.connectivity().is_border(e); });
