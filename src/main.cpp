@@ -15,6 +15,7 @@
 
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 int main(int argc, char** argv)
@@ -46,9 +47,9 @@ int main(int argc, char** argv)
     idt::add_sample_command(app, selected);
     idt::add_describe_command(app, selected);
     bool is_quiet = false;
-    app.set_version_flag("--version", "idt " IDT_VERSION, "Print the version and exit");
+    app.set_version_flag("-V,--version", "idt " IDT_VERSION, "Print the version and exit");
     for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-      command->set_version_flag("--version", "idt " IDT_VERSION, "Print the version and exit");
+      command->set_version_flag("-V,--version", "idt " IDT_VERSION, "Print the version and exit");
       if (command->get_name() != "sample" && command->get_name() != "describe")
         command->add_flag("-q,--quiet", is_quiet,
                           "print no report and no progress, only what is wrong or was repaired");
@@ -58,8 +59,13 @@ int main(int argc, char** argv)
           [](const std::string& value) { return value.empty() ? std::string("must not be empty") : std::string(); });
     }
     try {
-      idt::check_values(app, std::vector<std::string>(argv + (argc > 0), argv + argc));
-      idt::parse(app, argc, argv);
+      std::vector<std::string> arguments(argv + (argc > 0), argv + argc);
+      if (!arguments.empty() && arguments.front() == "help") {
+        arguments.erase(arguments.begin());
+        arguments.push_back("--help");
+      }
+      idt::check_values(app, arguments);
+      idt::parse(app, std::move(arguments));
       idt::Progress::set_shown(!is_quiet);
       idt::route_reports(is_quiet, idt::writes_to_standard_output(*app.get_subcommands().front()));
       status = selected();

@@ -13,6 +13,7 @@
 #include <map>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace idt {
 namespace {
@@ -104,8 +105,9 @@ void check_values(const CLI::App& app, const std::vector<std::string>& arguments
   }
 }
 
-void parse(CLI::App& app, int argc, const char* const* argv)
+void parse(CLI::App& app, std::vector<std::string> arguments)
 {
+  std::reverse(arguments.begin(), arguments.end()); // as CLI11 wants them
   const auto name_unknown = [&app] {
     std::vector<std::string> unknown = app.remaining(true);
     if (unknown.empty())
@@ -121,7 +123,7 @@ void parse(CLI::App& app, int argc, const char* const* argv)
     throw CLI::ParseError(text, CLI::ExitCodes(error.get_exit_code()));
   };
   try {
-    app.parse(argc, argv);
+    app.parse(std::move(arguments));
   } catch (const CLI::RequiredError&) {
     name_unknown();
   } catch (const CLI::ExtrasError&) {

@@ -20,7 +20,7 @@ void check_values(const CLI::App& app, const std::vector<std::string>& arguments
 
 // Parses.
 // \exception CLI::ParseError that names a wrong word and a likely meaning, rather than a missing argument beside it
-void parse(CLI::App& app, int argc, const char* const* argv);
+void parse(CLI::App& app, std::vector<std::string> arguments);
 
 // Whether a result goes to the standard output, that is, whether an option of the parsed command has the value "-".
 bool writes_to_standard_output(const CLI::App& command);

@@ -18,7 +18,8 @@ namespace {
 Exit_status say(const std::string& message, Exit_status status)
 {
   std::cout.flush();
-  std::cerr << "idt: " << message << std::endl;
+  if (!message.empty()) // the standard output has no reader
+    std::cerr << "idt: " << message << std::endl;
   return status;
 }
 

@@ -413,7 +413,11 @@ void write_report(std::ostream& os, const Geodesic_options& options, const Surfa
   os << options.input << "\n  status    " << curve.status;
   if (curve.vertex)
     os << ", vertex " << curve.vertex->idx();
-  os << (curve.is_geodesic ? "" : "; not locally shortest") << "\n  length    " << in_full(curve.length);
+  if (!curve.is_geodesic)
+    os << "; not locally shortest";
+  else if (curve.initial_length && !options.is_closed && !options.is_shortest)
+    os << ", locally shortest; use --shortest for the shortest";
+  os << "\n  length    " << in_full(curve.length);
   if (curve.initial_length)
     os << " (along edges: " << in_short(*curve.initial_length) << ')';
   if (curve.distance)

@@ -72,13 +72,17 @@ void load_mesh(Surface& surface, const Repair_options& repair_options)
   bool is_built = false;
   try {
     if (input.is_triangulated()) {
+      const Progress progress(surface.path, "checking");
       build();
       is_built = true;
     }
   } catch (const IT::Invalid_surface_error&) {
   }
   if (!is_built || !IT::is_clean(surface.connectivity, input.points)) {
-    const IT::Surface_report report = examine(input);
+    const IT::Surface_report report = [&] {
+      const Progress progress(surface.path, "checking");
+      return examine(input);
+    }();
     if (report.first_fatal() != nullptr)
       refuse(report, surface.path, is_repaired);
     using Defect = IT::Invalid_surface_error::Defect;

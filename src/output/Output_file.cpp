@@ -197,6 +197,8 @@ void flush_standard_output()
   std::cout.flush();
   standard_output().flush();
   has_failed = !std::cout || !standard_output();
+  if (has_failed && has_lost_reader())
+    throw Output_error(""); // as `head` ends when it has seen enough
   if (has_failed)
     throw Output_error(std::string("the standard output cannot be written") +
                        (errno == 0 ? "" : std::string(": ") + std::strerror(errno)));

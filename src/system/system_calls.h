@@ -39,6 +39,8 @@ int create_new_file(const std::string& path, bool is_private);
 // \return a descriptor, or -1 with errno ENXIO if there is no reader
 int open_pipe_with_reader(const std::string& path);
 void close_descriptor(int descriptor);
+// Whether the standard output is a pipe from which no program reads any more.
+bool has_lost_reader();
 
 // A new folder for this process alone; empty if it cannot be created.
 std::string make_temporary_folder();

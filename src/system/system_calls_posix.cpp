@@ -79,6 +79,12 @@ int open_pipe_with_reader(const std::string& path) { return ::open(path.c_str(),
 
 void close_descriptor(int descriptor) { ::close(descriptor); }
 
+bool has_lost_reader()
+{
+  pollfd output{STDOUT_FILENO, POLLOUT, 0};
+  return ::poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;
+}
+
 std::string make_temporary_folder()
 {
   std::error_code error;

@@ -69,6 +69,8 @@ int open_pipe_with_reader(const std::string&)
 
 void close_descriptor(int descriptor) { ::_close(descriptor); }
 
+bool has_lost_reader() { return false; }
+
 std::string make_temporary_folder()
 {
   std::error_code error;

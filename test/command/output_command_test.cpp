@@ -178,13 +178,13 @@ TEST_F(Command_output, is_not_killed_by_a_closed_pipe)
   EXPECT_EQ(content(folder_ / "status"), "1\n");
 }
 
-TEST_F(Command_output, says_when_nobody_reads_the_report)
+TEST_F(Command_output, is_silent_when_nobody_reads_the_report)
 {
   write_kite("kite.off");
   const Command_run run =
     shell("{ sleep 0.3; '" + command_path() + "' triangulate kite.off --edges e.csv; echo $? > status; } | head -c 0");
   EXPECT_EQ(content(folder_ / "status"), "1\n");
-  EXPECT_TRUE(contains(run.err, "the standard output cannot be written")) << run.err;
+  EXPECT_EQ(run.err, "");
   // An older complete file stays.
   EXPECT_EQ(lines(content(folder_ / "e.csv")).size(), 6u);
 }

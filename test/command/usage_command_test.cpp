@@ -96,6 +96,16 @@ TEST_F(Command_usage, the_version_is_told)
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.out.substr(0, 4), "idt ") << run.out;
   EXPECT_EQ(idt("triangulate --version").out, run.out);
+  EXPECT_EQ(idt("-V").out, run.out);
+}
+
+TEST_F(Command_usage, help_is_a_word_as_well)
+{
+  EXPECT_EQ(idt("help").out, idt("--help").out);
+  const Command_run run = idt("help view");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.out, idt("view --help").out);
+  EXPECT_TRUE(contains(run.out, "--values")) << run.out;
 }
 
 TEST_F(Command_usage, quiet_is_without_a_report)
