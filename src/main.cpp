@@ -28,7 +28,8 @@ int main(int argc, char** argv)
   try {
     CLI::App app("Intrinsic Delaunay triangulations of triangulated surfaces", "idt");
     app.allow_windows_style_options(false); // a name may begin with a slash
-    app.footer("Exit status: 0 done; 1 a result could not be written; 2 the command line is wrong;\n"
+    app.footer("idt help SUBCOMMAND lists its options.\n"
+               "Exit status: 0 done; 1 a result could not be written; 2 the command line is wrong;\n"
                "3 an input is unusable; 4 undecided, not flippable, out of budget or cancelled\n"
                "(the result so far is still written, if that takes less than a second).\n"
                "An output file with the name - is the standard output; the report then goes to the standard error.\n");
