@@ -163,9 +163,10 @@ void check_matrix(const Distance_options& options)
 void check_barriers(const Distance_options& options)
 {
   if (options.maximum_change || options.is_refined || options.has_vectors || !options.matrix_path.empty() ||
-      !options.overlay_path.empty() || !options.view_path.empty())
+      !options.overlay_path.empty() || !options.view_path.empty() || !options.samples_path.empty() ||
+      (options.is_signed && options.lines.are_wanted()))
     throw Usage_error("--barrier and --barrier-edges cut the surface open: omit --maximum-change, --refine, --vectors, "
-                      "--matrix, --overlay and --view");
+                      "--matrix, --overlay, --farthest and --view, and --signed with lines");
 }
 
 void check(const Distance_options& options)
@@ -551,7 +552,18 @@ void find_with_barriers(const Distance_options& options, const Triangulation& of
         sources.push_back(copy);
     find_by_heat(options, triangulation, sources, progress, result);
   }
-  follow_ways(options, triangulation, surface.sources(placed.sources), progress, result);
+  const std::vector<IT::Geodesic_source> sources = surface.sources(placed.sources);
+  follow_ways(options, triangulation, sources, progress, result);
+  if (options.lines.are_wanted()) {
+    progress.begin("following lines");
+    result.lines =
+      find_lines(options.lines, triangulation, sources, false, options.tolerance(), result.largest_distance());
+    result.lines.input = of_input.input();
+    for (std::optional<IT::Surface_lines>* found : {&result.lines.isolines, &result.lines.borders})
+      if (*found)
+        for (IT::Surface_line& line : (*found)->lines)
+          line.points = surface.on_input(line.points);
+  }
   IT::Geodesic_distances nearer =
     surface.of_nearer_sides({std::move(result.distances), 0, true, std::move(result.nearest_sources)});
   result.distances = std::move(nearer.distances);

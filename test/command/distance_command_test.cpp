@@ -357,6 +357,12 @@ TEST_F(Distance_command, writes_lines_at_distances_and_between_cells)
   ASSERT_EQ(idt("distance strip.off --source 0,1 --borders b.vtp --isolines 1 --view page.html").status, 0);
   EXPECT_TRUE(contains(content(folder_ / "b.vtp"), "Name=\"source_1\""));
   EXPECT_TRUE(contains(content(folder_ / "page.html"), "the isolines and borders"));
+  // No line crosses a barrier.
+  write("wall.csv", "x,y,z\n5,0,0\n5,1,0\n");
+  const std::string walled = "distance strip.off --source 0 --barrier wall.csv --method exact --lines l.csv ";
+  ASSERT_EQ(idt(walled + "--isolines 3").status, 0);
+  EXPECT_TRUE(contains(lines(content(folder_ / "l.csv")).at(1), ",3")) << content(folder_ / "l.csv");
+  EXPECT_TRUE(contains(idt(walled + "--isolines 9").err, "no point has the distance 9"));
   // Bad input.
   const auto message = [&](const std::string& options, int status) {
     const Command_run bad = idt(edges + options);

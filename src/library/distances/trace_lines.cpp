@@ -273,7 +273,7 @@ private:
                return w.wave->source == ranks[0];
              });
     const auto [lowest, highest] = range(seen);
-    const double margin = 10 * slack(t) + 10 * rounding * highest;
+    const double margin = (wanted_.search_tolerance > 0 ? faces_.side(3 * t.face).length : 0) + 10 * rounding * highest;
     const auto level = std::lower_bound(wanted_.levels.begin(), wanted_.levels.end(), lowest - margin);
     return level == wanted_.levels.end() || *level > highest + margin;
   }
