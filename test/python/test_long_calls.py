@@ -22,7 +22,7 @@ TESTS = os.path.dirname(__file__)
 
 @pytest.mark.skipif(os.name != "posix", reason="there are no POSIX signals")
 @pytest.mark.parametrize("call", [
-    "t = it.Triangulation(*grid(300)); call = lambda: t.refine(30, maximum_edge_length=0.02)",
+    "t = it.Triangulation(*grid(300)); call = lambda: t.refine(30, maximum_edge_length=0.02, max_insertions=10**9)",
     "V, F = grid(500, 30.0); call = lambda: it.laplacian(V, F)",
     "t = it.Triangulation(*grid(500, 30.0)); call = lambda: t.flip_to_delaunay()",
     "t = it.Triangulation(*grid(800, 5.0)); t.flip_to_delaunay(); call = lambda: t.verify()",
