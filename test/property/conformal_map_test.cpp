@@ -5,7 +5,10 @@
 
 #include "samples/sample_surfaces.h"
 
+#include <CGAL/Intrinsic_triangulations/circle_pattern_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/conformal_parameterization.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
@@ -189,14 +192,14 @@ Indexed_triangles rings(std::uint32_t n, const Profile& profile)
 
 // The largest distance of images of vertices from known ones, after the similarity that fits best.
 template <class Known>
-double distance_from(const Conformal_map& map, const Indexed_triangles& surface, const Known& known)
+double distance_from(const std::vector<Conformal_map::Point>& images, const Indexed_triangles& surface,
+                     const Known& known)
 {
   using C = std::complex<double>;
   std::vector<C> z, w;
   for (std::size_t v = 0; v < surface.points.size(); ++v) {
     z.push_back(known(surface.points[v]));
-    const Conformal_map::Point x = map.to_plane(map.places[v]);
-    w.emplace_back(x[0], x[1]);
+    w.emplace_back(images[v][0], images[v][1]);
   }
   C mean_z = 0, mean_w = 0, product = 0;
   double squares = 0, result = 0;
@@ -212,6 +215,35 @@ double distance_from(const Conformal_map& map, const Indexed_triangles& surface,
     result = (std::max)(result, std::abs(product / squares * (w[i] - mean_w) - (z[i] - mean_z)));
   return result;
 }
+template <class Known>
+double distance_from(const Conformal_map& map, const Indexed_triangles& surface, const Known& known)
+{
+  std::vector<Conformal_map::Point> images;
+  for (std::size_t v = 0; v < surface.points.size(); ++v)
+    images.push_back(map.to_plane(map.places[v]));
+  return distance_from(images, surface, known);
+}
+
+Indexed_triangles hemisphere(std::uint32_t n)
+{
+  return rings(n, [](double t) { return std::make_pair(std::sin(CGAL_PI / 2 * t), std::cos(CGAL_PI / 2 * t)); });
+}
+std::complex<double> stereographic(const std::array<double, 3>& p) { return {p[0] / (1 + p[2]), p[1] / (1 + p[2])}; }
+
+// All conformal maps of a hemisphere with its symmetry are similar.
+TEST(Conformal_map, of_a_hemisphere_is_as_good_as_other_maps_of_disks)
+{
+  const Indexed_triangles surface = hemisphere(16);
+  Triangulation t = triangulation_of(surface);
+  const double free = distance_from(IT::conformal_parameterization(t), surface, stereographic);
+  IT::flip_to_Delaunay(t);
+  const double harmonic = distance_from(IT::harmonic_parameterization(t), surface, stereographic),
+               natural = distance_from(IT::natural_parameterization(t), surface, stereographic),
+               pattern = distance_from(IT::circle_pattern_parameterization(t).uv, surface, stereographic);
+  EXPECT_LT(10 * free, harmonic);
+  EXPECT_LT(100 * free, pattern);
+  EXPECT_LT(100 * free, natural);
+}
 
 TEST(Conformal_map, of_a_hemisphere_tends_to_stereographic_projection)
 {
@@ -224,9 +256,7 @@ TEST(Conformal_map, of_a_hemisphere_tends_to_stereographic_projection)
       IT::conformal_parameterization(t, CGAL::parameters::conformal_boundary(IT::Conformal_boundary::DISK));
     EXPECT_EQ(defect(map, t), "");
     EXPECT_FALSE(map.overlaps);
-    errors.push_back(distance_from(map, cap, [](const std::array<double, 3>& p) {
-      return std::complex<double>(p[0] / (1 + p[2]), p[1] / (1 + p[2]));
-    }));
+    errors.push_back(distance_from(map, cap, stereographic));
   }
   for (std::size_t i = 1; i < errors.size(); ++i) {
     EXPECT_GT(std::log2(errors[i - 1] / errors[i]), 1.4) << errors[i - 1] << " then " << errors[i];
