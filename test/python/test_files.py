@@ -61,6 +61,13 @@ def test_what_a_repair_opens_is_reported():
     mesh = it.repair(V, [[0, 1, 2], [1, 0, 3], [0, 1, 4]])
     assert [(r.kind, r.count, r.first) for r in mesh.repairs] == [("split vertices", 2, [0, 1]), ("opened edges", 3, [0, 1, 2])]
     assert "edge 0-1 of face 0 became border" in mesh.repairs[1].message
+    assert "(1 component became 3)" in mesh.repairs[0].message
+    # Two squares that touch at a corner, of three parts.
+    V = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [-1, 0, 0], [-1, -1, 0], [9, 0, 0], [9, 1, 0], [8, 0, 0]]
+    mesh = it.repair(V, [[0, 1, 2], [0, 3, 4], [5, 6, 7]])
+    assert "(2 components became 3)" in mesh.repairs[0].message
+    assert it.component_labels(mesh.V, mesh.F).max() == 2
+    assert "component" not in it.repair(V, [[0, 1, 2], [0, 2, 3], [0, 1, 4], [5, 6, 7]]).repairs[0].message
 
 
 def test_a_one_sided_surface_cannot_be_oriented_but_repaired():

@@ -26,6 +26,8 @@ TESTS = os.path.dirname(__file__)
     "V, F = grid(500, 30.0); call = lambda: it.laplacian(V, F)",
     "t = it.Triangulation(*grid(500, 30.0)); call = lambda: t.flip_to_delaunay()",
     "t = it.Triangulation(*grid(800, 5.0)); t.flip_to_delaunay(); call = lambda: t.verify()",
+    "V, F = grid(500); F[::2] = F[::2, ::-1]; call = lambda: it.repair(V, F)",
+    "V, _ = grid(150, 0.3); call = lambda: it.point_cloud_laplacian(V)",
     "s = it.MeshHeatMethodDistanceSolver(*grid(250)); call = lambda: s.compute_distance_multisource(range(0, 60000, 2000))"])
 def test_ctrl_c(call):
     program = textwrap.dedent(f"""

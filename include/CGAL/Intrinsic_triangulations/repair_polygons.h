@@ -160,6 +160,8 @@ Repaired_polygons repair_polygons(const PointRange& points, const PolygonRange& 
       first != nullptr && (first->defect <= Invalid_surface_error::Defect::NOT_FINITE || first->elements.empty()))
     throw_if_fatal(report);
 
+  const Progress_function progress = internal::progress_function_of(np);
+  internal::report_progress(progress, 0, "the repair");
   std::vector<std::array<double, 3>> coordinates;
   coordinates.reserve(report.number_of_vertices);
   for (const auto& p : points)
@@ -171,8 +173,7 @@ Repaired_polygons repair_polygons(const PointRange& points, const PolygonRange& 
     for (const auto index : polygon)
       faces.back().push_back(static_cast<std::size_t>(index));
   }
-  return internal::repair(std::move(coordinates), std::move(faces), internal::progress_function_of(np),
-                          stitching_tolerance);
+  return internal::repair(std::move(coordinates), std::move(faces), progress, stitching_tolerance);
 }
 
 /// \ingroup PkgIntrinsicTriangulationsValidation

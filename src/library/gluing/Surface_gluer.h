@@ -65,9 +65,9 @@ public:
   // \pre no triangle names a vertex twice
   Surface_gluer(
     const Points& points, const std::vector<Index_triangle>& triangles, const std::function<void()>& ask = [] {})
-    : points_(points), triangles_(triangles), sides_(points.size(), triangles), pieces_(sides_, triangles.size()),
-      is_turned_(pieces_.is_turned), glued_to_(3 * triangles.size(), none), is_hanging_(pieces_.pieces.size(), false),
-      turns_(2 * pieces_.pieces.size()), joined_(pieces_.pieces.size())
+    : points_(points), triangles_(triangles), sides_(points.size(), triangles),
+      pieces_((ask(), sides_), triangles.size()), is_turned_(pieces_.is_turned), glued_to_(3 * triangles.size(), none),
+      is_hanging_(pieces_.pieces.size(), false), turns_(2 * pieces_.pieces.size()), joined_(pieces_.pieces.size())
   {
     ask();
     look_at_edges();

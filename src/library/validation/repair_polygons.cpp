@@ -160,11 +160,12 @@ public:
     ask(progress, 0.82);
     if (tolerance_)
       stitch(progress);
+    ask(progress, 0.85);
     remove_duplicates();
     ask(progress, 0.9);
     glue(progress);
     ask(progress, 0.95);
-    collect();
+    collect(progress);
     ask(progress, 0.98);
     report();
     ask(progress, 1);
@@ -460,8 +461,9 @@ private:
         is_reversed_[polygons_[f].input] = true;
         std::swap(polygons_[f].corners[0], polygons_[f].corners[2]);
       }
-    ask(progress, 0.94);
+    ask(progress, 0.93);
     find_opened_edges(gluer);
+    ask(progress, 0.94);
     copied_from_ = gluer.vertices();
     for (Index c = 0; c < 3 * all.size(); ++c)
       polygons_[c / 3].corners[c % 3] = gluer.vertex(c);
@@ -559,7 +561,7 @@ private:
   }
 
   // The vertices that are left, and for each the first vertex of the input that has become it.
-  void collect()
+  void collect(const Progress_function& progress)
   {
     std::vector<Index> input(copied_from_.size(), none);
     for_each_corner([&](Index v, Index in_input) { input[v] = (std::min)(input[v], in_input); });
@@ -578,11 +580,13 @@ private:
       result_.triangles.push_back({number[v[0]], number[v[1]], number[v[2]]});
       result_.input_faces.push_back(face);
     }
+    ask(progress, 0.96);
     const Index before = number_of_components([this](Index v) { return copied_from_[v]; }),
                 after = number_of_components([](Index v) { return v; });
     if (after > before)
       new_components_ = " (" + std::to_string(before) + (before == 1 ? " component" : " components") + " became " +
                         std::to_string(after) + ")";
+    ask(progress, 0.97);
     merged_with_.assign(input_points_.size(), none);
     for_each_corner([&](Index v, Index in_input) {
       if (input[v] != in_input)
