@@ -13,6 +13,7 @@
 
 #include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 
+#include <fstream>
 #include <functional>
 #include <iostream>
 #include <utility>
@@ -32,12 +33,22 @@ void check_name(const std::string& path)
     ;
   const std::string name = path.substr(path.find_last_of('/') + 1);
   const std::size_t dot = name.rfind('.');
-  if (dot == std::string::npos)
-    refuse_file(path, "the name has no extension that tells the format (" + known + ")");
   const std::optional<Mesh_format> format = find_mesh_format(path);
-  if (!format)
-    refuse_file(path, "the extension " + quoted(name.substr(dot)) + " is not known (" + known + ")" +
-                        IT::conversion_advice(path));
+  if (!format) {
+    std::string begin(4096, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(begin.data(), std::streamsize(begin.size()));
+    begin.resize(std::size_t(file.gcount()));
+    const std::string advice = IT::conversion_advice(path), other = IT::other_format(begin),
+                      extension = other.empty() && advice.empty() ? IT::extension_of_contents(begin) : "";
+    if (extension == ".vtp" || extension == ".gluing" || extension == ".idt")
+      refuse_file(path, "the contents are those of a file whose name ends with " + extension + ": rename it");
+    if (extension.empty())
+      refuse_file(path, (other.empty() ? "" : "this is " + other + ", and ") +
+                          (dot == std::string::npos
+                             ? "the name has no extension that tells the format (" + known + ")"
+                             : "the extension " + quoted(name.substr(dot)) + " is not known (" + known + ")" + advice));
+  }
 #ifndef IDT_READS_VTP
   if (format == Mesh_format::VTP)
     refuse_file(path, "VTP files can be read only if the command is built with VTK: add "

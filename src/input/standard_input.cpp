@@ -6,12 +6,13 @@
 #include "system/Interruption.h"
 #include "system/system_calls.h"
 
+#include <CGAL/Intrinsic_triangulations/polygon_soup.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -78,67 +79,18 @@ private:
     }
   }
 
-  // The name of an unsupported format, recognized by how its files begin or, in XML, by an element; empty if unknown.
-  static std::string other_format(const std::string& begin)
-  {
-    using namespace std::string_literals;
-    const auto is_there = [&begin](const std::string& text) { return begin.compare(0, text.size(), text) == 0; };
-    const std::pair<std::string, const char*> others[] = {{"\xff\xff\xfe"s, "a FreeSurfer surface"},
-                                                          {"\xff\xff\xff"s, "a FreeSurfer surface"},
-                                                          {"#!ascii"s, "FreeSurfer ASCII"},
-                                                          {"# vtk DataFile"s, "legacy VTK"},
-                                                          {"glTF"s, "binary glTF"},
-                                                          {"Kaydara FBX"s, "FBX"},
-                                                          {"ISO-10303-21"s, "STEP"},
-                                                          {"$MeshFormat"s, "Gmsh"},
-                                                          {"MeshVersionFormatted"s, "Medit"},
-                                                          {"\x89HDF"s, "HDF5"},
-                                                          {"CDF\1"s, "NetCDF"},
-                                                          {"CDF\2"s, "NetCDF"},
-                                                          {"#VRML"s, "VRML"},
-                                                          {"xof "s, "DirectX"},
-                                                          {"BLENDER"s, "Blender"}};
-    for (const auto& [text, name] : others)
-      if (is_there(text))
-        return name;
-    if (is_there("<"))
-      for (const char* name : {"GIFTI", "COLLADA", "X3D", "amf", "html", "HTML"})
-        if (begin.find(std::string("<") + name) != std::string::npos)
-          return name;
-    return "";
-  }
-
-  // The first word of a text that is not in a comment tells its format; only binary STL has none.
   static std::string extension(const std::string& begin)
   {
     if (begin.empty())
       refuse_file("-", "the standard input is empty");
-    if (const std::string other = other_format(begin); !other.empty())
+    if (const std::string other = IT::other_format(begin); !other.empty())
       refuse_file("-", "the standard input is " + other +
                          ", which is not read: turn it into OFF, OBJ, PLY, STL or TS before");
-    std::istringstream text(begin);
-    std::string word;
-    while (text >> word && word[0] == '#')
-      std::getline(text, word);
-    if (word == "ply")
-      return begin.find("\ncomment intrinsic triangulation") != std::string::npos ? ".idt" : ".ply";
-    if (word == "INTRINSIC_GLUING")
-      return ".gluing";
-    if (word == "GOCAD")
-      return ".ts";
-    if (word[0] == '<' && begin.find("<VTKFile") != std::string::npos)
-      return ".vtp";
-    // Also as COFF, or directly followed by a number.
-    if (word.substr(0, 8).find("OFF") != std::string::npos || word == "off")
-      return ".off";
-    for (const char* element : {"v", "vt", "vn", "vp", "f", "l", "o", "g", "s", "mtllib", "usemtl"})
-      if (word == element)
-        return ".obj";
-    const bool is_solid = word.size() >= 5 && (word.compare(0, 5, "solid") == 0 || word.compare(0, 5, "SOLID") == 0);
-    if (is_solid || begin.find('\0') != std::string::npos)
-      return ".stl";
-    refuse_file("-",
-                "the format of the standard input is not recognized: write it to a file, whose name tells the format");
+    const std::string extension = IT::extension_of_contents(begin);
+    if (extension.empty())
+      refuse_file(
+        "-", "the format of the standard input is not recognized: write it to a file, whose name tells the format");
+    return extension;
   }
 
   std::string folder_, name_;

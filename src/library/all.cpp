@@ -5,6 +5,7 @@
 
 #include "system/Interruption.cpp"
 #include "system/shown_text.cpp"
+#include "files/format_of_contents.cpp"
 #include "files/polygon_soup.cpp"
 #include "connectivity/Delta_complex.cpp"
 #include "connectivity/Delta_complex_builder.cpp"

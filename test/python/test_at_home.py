@@ -71,6 +71,11 @@ def test_wrong_arguments_have_one_wording(call):
         call()
 
 
+def test_ends_are_named_in_their_order():
+    with pytest.raises(ValueError, match="no edge joins the vertices 3 and 2$"):
+        it.Triangulation(*KITE).edges_between([[0, 1], [3, 2]])
+
+
 def test_border_and_components():
     V, F = grid(4)
     W, G = icosphere(0)

@@ -311,7 +311,7 @@ TEST_F(Hostile_files, gluings_are_files)
 
   EXPECT_TRUE(idt::is_gluing_file("A.GLUING"));
   EXPECT_FALSE(idt::is_gluing_file("gluing"));
-  refused("name.foo", "OFF\n", ".gluing");
+  refused("name.foo", "what\n", ".gluing");
 
   const std::string begin = "INTRINSIC_GLUING 1\n3 3 1\n0 1 2\n0 -1 1\n1 -1 1\n2 -1 ";
   refused_gluing(write("a.gluing", begin + "\x1b[31m\n"), "line 6 has '?[31m' where a length is expected");

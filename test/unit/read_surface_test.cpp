@@ -477,13 +477,45 @@ TEST_F(Read_surface, files_that_are_none)
   fs::create_directory(path("folder.off"));
   refused(path("folder.off"), "this is a directory");
   refused("empty.off", "", "the file is empty");
-  refused("name", "OFF\n", "no extension");
-  refused("name.foo", "OFF\n", "the extension \".foo\" is not known (known are .off, .obj, .ply, .stl, .ts");
+  refused("name", "what\n", "no extension");
+  refused("name.foo", "what\n", "the extension \".foo\" is not known (known are .off, .obj, .ply, .stl, .ts");
+  refused("name.foo", "OFF\n", "the file ends before the number of vertices");
+  refused("name.foo", "INTRINSIC_GLUING\n", "the contents are those of a file whose name ends with .gluing: rename it");
+  refused("name", "glTF\2", "this is binary glTF, and the name has no extension");
+  refused("lh.pial", "\xff\xff\xfe", "nibabel reads it: python3 -c");
   refused("name.vtp", "<VTKFile/>", "only if the command is built with VTK");
   const std::string locked = write("locked.off", "OFF\n0 0 0\n");
   fs::permissions(locked, fs::perms::none);
   if (!std::ifstream(locked)) // root can open it anyway
     refused(locked, "cannot be opened (Permission denied)");
+}
+
+TEST_F(Read_surface, contents_tell_the_format)
+{
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n", v = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const std::pair<std::string, std::string> contents[] = {
+    {"off", "# a comment\nOFF\n3 1 0\n" + points + "3 0 1 2\n"},
+    {"obj", v},
+    {"ply",
+     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+     "property list uchar int vertex_indices\nend_header\n" +
+       points + "3 0 1 2\n"},
+    {"stl", binary_stl({{{0, 0, 0, 1, 0, 0, 0, 1, 0}}}, 1)},
+    {"ts", "GOCAD TSurf 1\nHEADER {\n}\nTFACE\nVRTX 1 0 0 0\nVRTX 2 1 0 0\nVRTX 3 0 1 0\nTRGL 1 2 3\nEND\n"}};
+  for (const auto& [own, content] : contents) {
+    for (const std::string name : {"name", "name.001", "dotted.folder.name"}) {
+      const idt::Surface_input input = idt::read_surface(write(name, content));
+      EXPECT_EQ(input.triangles, (Triangles{{{0, 1, 2}}})) << own << " as " << name;
+      EXPECT_TRUE(input.warnings.empty());
+    }
+    for (const auto& [other, unused] : contents)
+      if (other != own) {
+        const idt::Surface_input input = idt::read_surface(write("name." + other, content));
+        EXPECT_EQ(input.triangles, (Triangles{{{0, 1, 2}}})) << own << " as " << other;
+        ASSERT_EQ(input.warnings.size(), 1u);
+        EXPECT_NE(input.warnings[0].find("." + own), std::string::npos) << input.warnings[0];
+      }
+  }
 }
 
 TEST_F(Read_surface, broken_off)

@@ -75,7 +75,7 @@ void require_triangles(const std::string& file_name, const Polygon_soup& soup);
 
 /// \ingroup PkgIntrinsicTriangulationsIO
 /// \brief reads the points and polygons of an OFF, OBJ, PLY, STL or TS file; its extension, in lower or upper case,
-/// determines the format.
+/// determines the format, or its contents if there is no such extension, or a wrong one.
 ///
 /// Nothing is merged, turned or left out. But STL has no vertices, only corners: those at the same position become one
 /// vertex. Colors, normals and textures are skipped, and in OBJ everything but vertices and faces. Anything else that
@@ -109,6 +109,17 @@ Polygon_soup read_polygon_soup(const std::string& file_name, const NamedParamete
 /// \param file_name the name of the file
 /// \exception Invalid_surface_error if there is no such regular file; the message begins with the name of the file
 std::uintmax_t readable_file_size(const std::string& file_name);
+
+/// \ingroup PkgIntrinsicTriangulationsIO
+/// \brief returns the extension of the format that a file seems to have, with the dot; the empty string if none is
+/// recognized. `.vtp`, `.gluing` and `.idt` are recognized, too, which `read_polygon_soup()` does not read.
+/// \param begin its first bytes, some thousand if there are so many
+std::string extension_of_contents(const std::string& begin);
+
+/// \ingroup PkgIntrinsicTriangulationsIO
+/// \brief returns the name of the unsupported format that a file seems to have; the empty string if none is recognized.
+/// \param begin as for `extension_of_contents()`
+std::string other_format(const std::string& begin);
 
 /// \ingroup PkgIntrinsicTriangulationsIO
 /// \brief returns which program converts an unsupported file to a supported format, judged by its extension.

@@ -119,6 +119,16 @@ std::string conversion_advice(const std::string& file_name)
   const std::string stem = file_name.substr(0, dot), from = word(file_name);
   if (is_one_of(".glb .gltf .dae .fbx .3mf .3ds .amf .blend .dxf .lwo .x .x3d .ac .ase .ms3d .zae "))
     return "; Assimp reads it: assimp export " + from + ' ' + word(stem + ".obj");
+  // It has positions and triangles as arrays of NumPy.
+  const auto by_nibabel = [&](const std::string& arrays) {
+    return "; nibabel reads it: python3 -c 'import nibabel as n; V, F = " + arrays +
+           R"(; print(*("v %.9g %.9g %.9g" % tuple(p) for p in V), *("f %d %d %d" % tuple(t + 1) for t in F), sep="\n")' > )" +
+           word(stem + ".obj");
+  };
+  if (is_one_of(".gii ") && from == file_name)
+    return by_nibabel("n.load(\"" + from + "\").agg_data((\"pointset\", \"triangle\"))");
+  if (is_one_of(".white .pial .inflated .smoothwm .orig .sphere ") && from == file_name)
+    return by_nibabel("n.freesurfer.read_geometry(\"" + from + "\")");
   if (is_one_of(".vtk "))
     return "; ParaView saves its surface as PLY (File > Save Data), and if it is an unstructured grid, meshio converts "
            "it: meshio convert " +
@@ -143,20 +153,37 @@ Polygon_soup internal::read_polygon_soup(const std::string& file_name, const Pro
   const std::uintmax_t size = readable_file_size(file_name);
   const std::string name = internal::in_small_letters(file_name.substr(file_name.find_last_of('/') + 1));
   const std::string extension = name.substr((std::min)(name.rfind('.'), name.size()));
-  const auto reader =
-    std::find_if(std::begin(readers), std::end(readers), [&](const auto& r) { return r.first == extension; });
-  if (reader == std::end(readers))
+  const auto reader_for = [](const std::string& extension) {
+    return std::find_if(std::begin(readers), std::end(readers), [&](const auto& r) { return r.first == extension; });
+  };
+  const std::string begin = internal::load_file(file_name, 4096);
+  const auto by_name = reader_for(extension), by_contents = reader_for(extension_of_contents(begin)),
+             none = std::end(readers);
+  const std::string advice = conversion_advice(file_name);
+  if (by_name == none && (by_contents == none || !advice.empty() || !other_format(begin).empty()))
     internal::refuse_file(file_name,
-                          "the name does not end with .off, .obj, .ply, .stl or .ts, which tells the format" +
-                            conversion_advice(file_name));
+                          "neither does the name end with .off, .obj, .ply, .stl or .ts, which tells the format, nor "
+                          "do the contents tell it" +
+                            advice);
   if (size == 0)
     internal::refuse_file(file_name, "the file is empty");
   Polygon_soup soup;
   try {
-    reader->second(file_name, size, progress, soup);
+    (by_name == none ? by_contents : by_name)->second(file_name, size, progress, soup);
   } catch (const Invalid_surface_error&) {
     internal::check_contents(file_name); // has a better reason, perhaps
-    throw;
+    if (by_name == none || by_contents == none || by_contents == by_name)
+      throw;
+    Polygon_soup other;
+    try {
+      by_contents->second(file_name, size, progress, other);
+    } catch (const Invalid_surface_error&) {
+    }
+    if (other.number_of_faces() == 0)
+      throw;
+    other.warnings.push_back(std::string("the contents are those of a file whose name ends with ") +
+                             by_contents->first);
+    return other;
   } catch (const std::bad_alloc&) {
     soup = Polygon_soup();
     internal::refuse_file(file_name, "there is not enough memory for this file");

@@ -631,11 +631,13 @@ class Triangulation:
         >>> int(t.edges_between([[1, 0]]).sum())
         1
         """
-        wanted = {tuple(sorted(pair)) for pair in _arrays.indices(pairs, "pairs", (None, 2), self.number_of_vertices).tolist()}
+        given = _arrays.indices(pairs, "pairs", (None, 2), self.number_of_vertices).tolist()
+        wanted = {tuple(sorted(pair)) for pair in given}
         ends = [tuple(sorted(edge)) for edge in self.edges.tolist()]
-        missing = sorted(wanted.difference(ends))
+        missing = wanted.difference(ends)
         if missing:
-            raise ValueError(f"no edge joins the vertices {missing[0][0]} and {missing[0][1]}" +
+            first = next(pair for pair in given if tuple(sorted(pair)) in missing)
+            raise ValueError(f"no edge joins the vertices {first[0]} and {first[1]}" +
                              (f", nor {len(missing) - 1} more pairs" if len(missing) > 1 else ""))
         return numpy.array([edge in wanted for edge in ends], dtype=bool)
 
