@@ -13,9 +13,11 @@ import numpy
 from numpy.typing import ArrayLike
 
 from . import _arrays, _core
+from ._documented import documented
 from ._heat import _placed, _tolerance
 
 
+@documented
 class SurfaceLine(NamedTuple):
     """A line on a surface in space. A closed one ends where it begins."""
 
