@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/polygon_soup.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
 #include <CGAL/Intrinsic_triangulations/simplify_surface.h>
+#include <CGAL/Intrinsic_triangulations/verify_Delaunay.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
