@@ -25,12 +25,13 @@ namespace idt_python {
 
 namespace {
 
-auto heat_options(double time_coefficient, int boundary)
+auto heat_options(double time_coefficient, int boundary, bool keeps_ridges)
 {
   return CGAL::parameters::time_coefficient(time_coefficient)
     .heat_boundary(boundary == 0   ? IT::Heat_boundary::NEUMANN
                    : boundary == 1 ? IT::Heat_boundary::DIRICHLET
                                    : IT::Heat_boundary::AVERAGED)
+    .keeps_ridges(keeps_ridges)
     .visitor(&Signal_watch::goes_on);
 }
 
@@ -70,19 +71,19 @@ IT::Tufted_cover Delaunay_cover(const Rows<double>& points, const std::vector<st
 }
 
 std::unique_ptr<Heat> heat_on_any_triangles(const Doubles& points, const Indices& triangles, double time_coefficient,
-                                            int boundary)
+                                            int boundary, bool keeps_ridges)
 {
   const Rows<double> rows(points);
   const auto faces = copied_rows(triangles);
-  const auto options = heat_options(time_coefficient, boundary);
+  const auto options = heat_options(time_coefficient, boundary, keeps_ridges);
   return without_lock([&] {
     return std::make_unique<Heat>(IT::Heat_method<>(Delaunay_cover(rows, faces, IT::Surface_cover::TUFTED), options));
   });
 }
 
-std::unique_ptr<Heat> heat_on_surface(Surface& surface, double time_coefficient, int boundary)
+std::unique_ptr<Heat> heat_on_surface(Surface& surface, double time_coefficient, int boundary, bool keeps_ridges)
 {
-  const auto options = heat_options(time_coefficient, boundary);
+  const auto options = heat_options(time_coefficient, boundary, keeps_ridges);
   return surface.use([&](const Triangulation& t) { return std::make_unique<Heat>(IT::Heat_method<>(t, options)); });
 }
 
@@ -231,8 +232,10 @@ py::array extend(Heat& heat, const Indices& vertices, const Doubles& values, dou
 void add_heat(py::module_& module)
 {
   module.def("heat_on_any_triangles", &heat_on_any_triangles, py::arg("points").noconvert(),
-             py::arg("triangles").noconvert(), py::arg("time_coefficient"), py::arg("boundary"));
-  module.def("heat_on_surface", &heat_on_surface, py::arg("surface"), py::arg("time_coefficient"), py::arg("boundary"));
+             py::arg("triangles").noconvert(), py::arg("time_coefficient"), py::arg("boundary"),
+             py::arg("keeps_ridges"));
+  module.def("heat_on_surface", &heat_on_surface, py::arg("surface"), py::arg("time_coefficient"), py::arg("boundary"),
+             py::arg("keeps_ridges"));
   module.def("geodesic_distances", &geodesic_distances, py::arg("points").noconvert(), py::arg("triangles").noconvert(),
              py::arg("sources").noconvert(), py::arg("tolerance"));
   module.def("geodesic_distances_from", &geodesic_distances_from, py::arg("points").noconvert(),

@@ -175,7 +175,7 @@ def call_heat(make):
     options = {}
     if make.chance(0.3):
         options = {"t_coef": make.number(), "use_robust": make.pick((True, False)),
-                   "boundary": make.pick(("neumann", "dirichlet", "averaged", 0))}
+                   "boundary": make.pick(("neumann", "dirichlet", "averaged", 0)), "keeps_ridges": make.pick((True, False, None))}
     solver = it.MeshHeatMethodDistanceSolver(*make.surface(), **options)
     for _ in range(3):
         try:

@@ -128,13 +128,15 @@ def test_distance_matrix():
         it.geodesic_distance_matrix(V, F, [0], [len(V)])
 
 
-def test_options():
+def test_options(thin):
     V, F = grid(12)
     neumann, dirichlet, averaged = (it.MeshHeatMethodDistanceSolver(V, F, use_robust=False, boundary=b).compute_distance(40)
                                     for b in ("neumann", "dirichlet", "averaged"))
     assert abs(neumann - dirichlet).max() > 1e-3 and abs(neumann - averaged).max() > 1e-3
     smooth = it.MeshHeatMethodDistanceSolver(V, F, 100.0).compute_distance(40)
     assert abs(smooth - it.compute_distance(V, F, 40)).max() > 1e-3
+    rounded = it.MeshHeatMethodDistanceSolver(*thin, keeps_ridges=False).compute_distance(0)
+    assert (rounded <= it.compute_distance(*thin, 0) + 1e-12).all()
     for bad in (0, -1, numpy.nan, numpy.inf, "1", None):
         with pytest.raises(ValueError):
             it.MeshHeatMethodDistanceSolver(V, F, t_coef=bad)

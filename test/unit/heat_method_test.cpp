@@ -263,7 +263,7 @@ TEST(Heat_method, sources_come_and_go)
 TEST(Heat_method, lines_of_sources)
 {
   const Grid grid(30, 30);
-  IT::Heat_method<> heat(Delaunay(grid.points, grid.triangles));
+  IT::Heat_method<> heat(Delaunay(grid.points, grid.triangles), CGAL::parameters::keeps_ridges(false));
   for (std::size_t i = 0; i <= 30; ++i)
     heat.add_source(grid.vertex(0, i));
   const std::vector<double> one = heat.distances();
@@ -592,7 +592,8 @@ TEST(Heat_method, boundary_conditions)
   IT::flip_to_Delaunay(triangulation);
   std::vector<std::vector<double>> results;
   for (auto boundary : {IT::Heat_boundary::NEUMANN, IT::Heat_boundary::DIRICHLET, IT::Heat_boundary::AVERAGED}) {
-    IT::Heat_method<> heat(triangulation, CGAL::parameters::heat_boundary(boundary).time_coefficient(20));
+    IT::Heat_method<> heat(triangulation,
+                           CGAL::parameters::heat_boundary(boundary).time_coefficient(20).keeps_ridges(false));
     heat.add_source(grid.vertex(10, 10));
     results.push_back(heat.distances());
     heat.clear_sources();
@@ -653,10 +654,12 @@ TEST(Heat_method, source_in_a_face)
   // Beyond a side of the face, the shortest way crosses the side: it does not run through its ends.
   const Grid small(4, 4);
   const Triangulation squares = Delaunay(small.points, small.triangles);
-  IT::Heat_method<> near(squares);
-  near.add_source(squares, {squares.connectivity().halfedge(IT::Face_index(0)), {1, 1, 1}});
-  for (std::size_t v : {small.number(0, 1), small.number(2, 0), small.number(2, 1)})
-    EXPECT_NEAR(near.distances()[v], small.distance(v, 2. / 3, 1. / 3), 0.5) << v;
+  for (bool keeps_ridges : {true, false}) {
+    IT::Heat_method<> near(squares, CGAL::parameters::keeps_ridges(keeps_ridges));
+    near.add_source(squares, {squares.connectivity().halfedge(IT::Face_index(0)), {1, 1, 1}});
+    for (std::size_t v : {small.number(0, 1), small.number(2, 0), small.number(2, 1)})
+      EXPECT_NEAR(near.distances()[v], small.distance(v, 2. / 3, 1. / 3), 0.5) << v << keeps_ridges;
+  }
   EXPECT_THROW(heat.add_source(triangulation, {IT::Halfedge_index(), {1, 0, 0}}), IT::Invalid_point_error);
   EXPECT_THROW(heat.add_source(triangulation, {IT::Halfedge_index(0), {0, 0, 0}}), IT::Invalid_point_error);
   EXPECT_THROW(heat.add_source(triangulation, {IT::Halfedge_index(0), {-1, 1, 1}}), IT::Invalid_point_error);

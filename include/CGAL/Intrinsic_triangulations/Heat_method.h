@@ -19,6 +19,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Pinned_system.h>
 #include <CGAL/Intrinsic_triangulations/internal/distances/Places.h>
+#include <CGAL/Intrinsic_triangulations/internal/heat/Ridge_keeper.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
@@ -111,8 +112,9 @@ std::array<Source_corner, 3> corners_of_point(const Intrinsic_triangulation<Trai
 ///     std::vector<double> distances = heat.distances();
 ///
 /// Heat spreads from the sources for a short time. Away from them its gradient has the direction of the gradient of the
-/// distance. The distance is the function whose gradient fits this direction best; where fronts from several sides meet, it
-/// is rounded off and too small. It is exactly zero at each source and positive elsewhere. It never exceeds the shortest path along edges and, for a surface in space, is never shorter than the
+/// distance. The distance is the function whose gradient fits this direction best. Where it is too flat, it is raised
+/// to the smallest value that is consistent with its neighbors. It is exactly zero at each source and positive
+/// elsewhere. It never exceeds the shortest path along edges and, for a surface in space, is never shorter than the
 /// straight line. It is infinite in parts of the surface without a source and at vertices without faces.
 ///
 /// The matrices are factorized once. A set of sources then costs two solutions of linear systems. Several sources in
@@ -154,6 +156,13 @@ public:
   ///       larger, the smoother}
   ///     \cgalParamType{`double`}
   ///     \cgalParamDefault{1}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{keeps_ridges}
+  ///     \cgalParamDescription{whether to raise a distance to the smallest value that is consistent with its neighbors.
+  ///       Otherwise the method rounds off ridges, where fronts from several sides meet: the distance is smoother
+  ///       there, and too small}
+  ///     \cgalParamType{`bool`}
+  ///     \cgalParamDefault{`true`}
   ///   \cgalParamNEnd
   ///   \cgalParamVisitor{is asked before each factorization or solution, by the constructor and by all functions; if it
   ///     returns `false`, they throw `Cancelled_error`. It cannot interrupt a factorization, which takes some ten
@@ -283,6 +292,7 @@ private:
   Heat_method(const Intrinsic_triangulation<Traits>& triangulation, const Row& row, const NamedParameters& np)
     : boundary_(internal::value_of<internal::Parameter::HEAT_BOUNDARY>(np, Heat_boundary::NEUMANN)),
       time_coefficient_(internal::value_of<internal::Parameter::TIME_COEFFICIENT>(np, 1.)),
+      keeps_ridges_(internal::value_of<internal::Parameter::KEEPS_RIDGES>(np, true)),
       interruption_(std::make_unique<internal::Interruption>(internal::go_further_function_of(np)))
   {
     internal::require_time_coefficient(time_coefficient_);
@@ -334,6 +344,8 @@ private:
       phi = poisson_->solve(flux(pins, is_reachable), pins).cwiseMax(0.);
       for (const auto& [row, distance] : pins)
         phi[row] = distance;
+      if (keeps_ridges_)
+        internal::Ridge_keeper(*surface_, pins, is_reachable).raise(phi);
     }
     const std::vector<double> of_rows = within_bounds(phi, pins);
     const int half = surface_->exponent / 2;
@@ -409,6 +421,7 @@ private:
 
   Heat_boundary boundary_;
   double time_coefficient_;
+  bool keeps_ridges_;
   std::unique_ptr<const internal::Interruption> interruption_; // the solvers refer to it
   std::unique_ptr<const internal::Heat_surface> surface_;      // moving a matrix would copy it
   std::unique_ptr<Diffusion> diffusion_;

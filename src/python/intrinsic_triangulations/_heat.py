@@ -38,6 +38,9 @@ class MeshHeatMethodDistanceSolver(Rebuilt):
         border. False: work on the triangles themselves, which must be an oriented manifold.
     boundary : {"neumann", "dirichlet", "averaged"}
         The condition at the border, without the cover: no heat leaves, the border is cold, or the mean of both.
+    keeps_ridges : bool
+        Whether to raise distances to the smallest values consistent with their neighbors. Otherwise the method rounds
+        off ridges where fronts meet, as potpourri3d does.
 
     Raises
     ------
@@ -48,10 +51,12 @@ class MeshHeatMethodDistanceSolver(Rebuilt):
         If a matrix cannot be factorized.
     """
 
-    def __init__(self, V: ArrayLike, F: ArrayLike, t_coef: float = 1.0, use_robust: bool = True, *, boundary: Boundary = "neumann") -> None:
+    def __init__(self, V: ArrayLike, F: ArrayLike, t_coef: float = 1.0, use_robust: bool = True, *, boundary: Boundary = "neumann",
+                 keeps_ridges: bool = True) -> None:
         points, faces = _arrays.points_and_faces(V, F)
-        options = _options(t_coef, boundary)
-        self._remember(MeshHeatMethodDistanceSolver.__init__, points.copy(), faces.copy(), t_coef, use_robust, boundary=boundary)
+        options = _options(t_coef, boundary, keeps_ridges)
+        self._remember(MeshHeatMethodDistanceSolver.__init__, points.copy(), faces.copy(), t_coef, use_robust, boundary=boundary,
+                       keeps_ridges=keeps_ridges)
         self._number_of_vertices = len(points)
         if use_robust:
             self._heat = _core.heat_on_any_triangles(points, faces, *options)
@@ -59,14 +64,15 @@ class MeshHeatMethodDistanceSolver(Rebuilt):
             self._heat = _core.heat_on_surface(_core.Surface.from_points(points, faces), *options)
 
     @classmethod
-    def from_triangulation(cls, triangulation: Triangulation, t_coef: float = 1.0, *, boundary: Boundary = "neumann") -> "MeshHeatMethodDistanceSolver":
+    def from_triangulation(cls, triangulation: Triangulation, t_coef: float = 1.0, *, boundary: Boundary = "neumann",
+                           keeps_ridges: bool = True) -> "MeshHeatMethodDistanceSolver":
         """Make a solver for a triangulation as it is now: flipped, refined, or given by lengths.
 
         Parameters
         ----------
         triangulation : Triangulation
             It should be Delaunay. Later flips do not affect the solver.
-        t_coef, boundary
+        t_coef, boundary, keeps_ridges
             As for the constructor.
 
         Raises
@@ -77,13 +83,13 @@ class MeshHeatMethodDistanceSolver(Rebuilt):
         if not isinstance(triangulation, Triangulation):
             raise ValueError(f"triangulation has to be a Triangulation, not {type(triangulation).__name__}")
         result = cls.__new__(cls)
-        result._begin(triangulation.copy(), t_coef, boundary)
+        result._begin(triangulation.copy(), t_coef, boundary, keeps_ridges)
         return result
 
-    def _begin(self, triangulation: Triangulation, t_coef: float, boundary: Boundary) -> None:
-        self._remember(MeshHeatMethodDistanceSolver._begin, triangulation, t_coef, boundary)
+    def _begin(self, triangulation: Triangulation, t_coef: float, boundary: Boundary, keeps_ridges: bool) -> None:
+        self._remember(MeshHeatMethodDistanceSolver._begin, triangulation, t_coef, boundary, keeps_ridges)
         self._number_of_vertices = triangulation.number_of_vertices
-        self._heat = _core.heat_on_surface(triangulation._surface, *_options(t_coef, boundary))
+        self._heat = _core.heat_on_surface(triangulation._surface, *_options(t_coef, boundary, keeps_ridges))
 
     def compute_distance(self, v_ind: int) -> numpy.ndarray:
         """Return the distance of each vertex from one source.
@@ -305,5 +311,5 @@ def _places(source: Any, name: str, faces: numpy.ndarray, number_of_vertices: in
     return rows
 
 
-def _options(t_coef: Any, boundary: Any) -> tuple:
-    return _arrays.positive(t_coef, "t_coef"), _arrays.choice(boundary, "boundary", Boundary)
+def _options(t_coef: Any, boundary: Any, keeps_ridges: Any) -> tuple:
+    return _arrays.positive(t_coef, "t_coef"), _arrays.choice(boundary, "boundary", Boundary), bool(keeps_ridges)

@@ -40,6 +40,7 @@ namespace Intrinsic_triangulations::internal {
   F(splits_encroached_edges, SPLITS_ENCROACHED_EDGES)                                                                  \
   F(time_coefficient, TIME_COEFFICIENT)                                                                                \
   F(heat_boundary, HEAT_BOUNDARY)                                                                                      \
+  F(keeps_ridges, KEEPS_RIDGES)                                                                                        \
   F(tolerance, TOLERANCE)                                                                                              \
   F(surface_cover, SURFACE_COVER)                                                                                      \
   F(coincident_vertices, COINCIDENT_VERTICES)                                                                          \
@@ -158,6 +159,7 @@ CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(time_coefficient, TIME_COEFFICIENT)
 /// \brief the behaviour of heat at the border: a `Heat_boundary`.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(heat_boundary, HEAT_BOUNDARY)
 /// \brief whether distances that are too small for those of the neighbors are raised.
+CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(keeps_ridges, KEEPS_RIDGES)
 /// \brief how much the length of a path may change at each edge that it crosses, as a fraction of the length of the
 /// edge.
 CGAL_INTRINSIC_TRIANGULATIONS_PARAMETER(tolerance, TOLERANCE)
