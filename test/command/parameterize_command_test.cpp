@@ -204,9 +204,7 @@ TEST_F(Parameterize_command, ConformalMapsAreCertifiedAndWritten)
   EXPECT_NE(idt("parameterize sphere.off --method conformal --cone-angles cones.csv").err.find("no finite number"),
             std::string::npos);
   ASSERT_EQ(idt("refine disk.off --minimum-angle 25 --save refined.idt").status, 0);
-  ASSERT_EQ(idt("parameterize refined.idt --method conformal --stats s.json").status, 0);
-  EXPECT_GT(Json::parse(content(folder_ / "s.json"))["triangles"], square["triangles"])
-    << "a saved triangulation keeps its vertices";
+  EXPECT_TRUE(contains(idt("parameterize refined.idt --method conformal").err, "inserted into a surface with a border"));
   for (const char* wrong :
        {"--cones 3", "--method conformal --cones 3 --cone-angles cones.csv", "--method conformal --distortion d.csv",
         "--boundary free", "--method conformal --boundary natural", "--boundary-angles corners.csv",

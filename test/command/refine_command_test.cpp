@@ -580,7 +580,7 @@ TEST_F(Refine_command, takes_sizes_from_a_table)
   for (const auto& [table, status, message] :
        {std::tuple("vertex,size\n3,0\n", 2, "the size at vertex 3 is not positive"),
         std::tuple("vertex,size\n25,1\n", 3, "there is no vertex 25"),
-        std::tuple("vertex,size,other\n2,1,1\n", 2, "more columns than vertex,size")}) {
+        std::tuple("vertex,size,other\n2,1,1\n", 3, "line 1: the first line of this table is vertex,NAME")}) {
     write("bad.csv", table);
     const Command_run run = idt("refine sheet.off --size-map bad.csv");
     EXPECT_EQ(run.status, status) << table;

@@ -17,14 +17,19 @@
 #include "Triple_overlay.h"
 #include "planar_predicates.h"
 
-#include <CGAL/box_intersection_d.h>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
 
@@ -320,18 +325,21 @@ private:
 
 bool have_common_points(const std::vector<Planar_segment>& segments)
 {
-  using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 2, const Planar_segment*>;
-  std::vector<Box> boxes;
+  namespace bg = boost::geometry;
+  using Point = bg::model::point<double, 2, bg::cs::cartesian>;
+  using Box = bg::model::box<Point>;
+  std::vector<std::pair<Box, std::size_t>> boxes;
   for (const Planar_segment& s : segments) {
     const auto [left, right] = std::minmax(s[0][0], s[1][0]);
     const auto [low, high] = std::minmax(s[0][1], s[1][1]);
-    boxes.emplace_back(CGAL::Bbox_2(left, low, right, high), &s);
+    boxes.emplace_back(Box(Point(left, low), Point(right, high)), boxes.size());
   }
-  bool result = false;
-  CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-    result = result || have_common_point(*a.handle(), *b.handle());
-  });
-  return result;
+  const bg::index::rtree<std::pair<Box, std::size_t>, bg::index::quadratic<16>> tree(boxes);
+  for (const auto& [box, i] : boxes)
+    for (auto other = tree.qbegin(bg::index::intersects(box)); other != tree.qend(); ++other)
+      if (other->second > i && have_common_point(segments[i], segments[other->second]))
+        return true;
+  return false;
 }
 
 Conformal_map find_conformal_map(const Doubled_surface::Triangulation& surface, Conformal_options options,
