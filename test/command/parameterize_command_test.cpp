@@ -204,7 +204,8 @@ TEST_F(Parameterize_command, ConformalMapsAreCertifiedAndWritten)
   EXPECT_NE(idt("parameterize sphere.off --method conformal --cone-angles cones.csv").err.find("no finite number"),
             std::string::npos);
   ASSERT_EQ(idt("refine disk.off --minimum-angle 25 --save refined.idt").status, 0);
-  EXPECT_TRUE(contains(idt("parameterize refined.idt --method conformal").err, "inserted into a surface with a border"));
+  EXPECT_TRUE(
+    contains(idt("parameterize refined.idt --method conformal").err, "inserted into a surface with a border"));
   for (const char* wrong :
        {"--cones 3", "--method conformal --cones 3 --cone-angles cones.csv", "--method conformal --distortion d.csv",
         "--boundary free", "--method conformal --boundary natural", "--boundary-angles corners.csv",

@@ -35,10 +35,28 @@ def test_a_line_is_a_source():
     line, = it.isolines(V, F, [60], [3], tolerance=0, chord_tolerance=1e-4)
     distances, _ = it.geodesic_distances_from(V, F, [line.places], tolerance=0)
     assert numpy.allclose(distances, abs(numpy.linalg.norm(V - V[60], axis=1) - 3), rtol=0, atol=2e-4)
-    inner, outer = it.offset_curves(V, F, line.places, [1, -1], tolerance=0, chord_tolerance=1e-4)[::-1]
-    assert (inner.distance, outer.distance) == (1, -1)
-    assert numpy.allclose(numpy.linalg.norm(inner.positions - V[60], axis=1), 2, rtol=0, atol=2e-4)
-    assert numpy.allclose(numpy.linalg.norm(outer.positions - V[60], axis=1), 4, rtol=0, atol=2e-4)
+    with pytest.raises(it.InvalidArgumentError, match="inside one face"):
+        it.offset_curves(V, F, line.places, [1, -1])
+
+
+def test_offset_curves():
+    V, F = plane(10)
+    # Counterclockwise around a square of 4 by 4, so the left side is inside.
+    steps = [(1, 0)] * 4 + [(0, 1)] * 4 + [(-1, 0)] * 4 + [(0, -1)] * 4
+    corners = numpy.cumsum([(3, 3)] + steps, axis=0)
+    loop = [int(numpy.flatnonzero((V[:, :2] == c).all(axis=1))[0]) for c in corners]
+    places = []
+    for v, w in zip(loop, loop[1:]):
+        f = numpy.flatnonzero((F == v).any(axis=1) & (F == w).any(axis=1))[0]
+        places.append([f, *(F[f] == v)])
+    f = int(places[-1][0])
+    places.append([f, *(F[f] == loop[-1])])
+    lines = it.offset_curves(V, F, numpy.array(places, float), [1, -1], tolerance=0, chord_tolerance=1e-3)
+    inner, = (line for line in lines if line.distance == 1)
+    outer, = (line for line in lines if line.distance == -1)
+    assert numpy.allclose(abs(inner.positions - V[60]).max(axis=1), 1, rtol=0, atol=1e-12)
+    beyond = numpy.maximum(abs(outer.positions - V[60])[:, :2] - 2, 0)
+    assert numpy.allclose(numpy.linalg.norm(beyond, axis=1), 1, rtol=0, atol=1e-12)
 
 
 def test_borders_of_cells():

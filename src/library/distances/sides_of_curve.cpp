@@ -57,6 +57,10 @@ std::vector<Sign> sides_of_triangles(const internal::Cut_faces& faces)
       mark(beside->second, sign);
   };
   for (const auto& [from, to] : faces.seam()) {
+    if (left_of.count(key(from, to)) + left_of.count(key(to, from)) == 0)
+      throw Invalid_argument_error(
+        "the curve has several points in a row inside one face, where its sides are not found: "
+        "give a curve whose corners are vertices or lie on edges");
     seam.insert({key(from, to), key(to, from)});
     mark_beside(from, to, POSITIVE);
     mark_beside(to, from, NEGATIVE);
@@ -93,9 +97,14 @@ double depth_in_triangle(const internal::Cut_faces& faces, const Surface_point& 
 
 } // namespace
 
+// How a curve turns inside a face does not matter to the vertices.
 std::vector<Sign> sides_of_curve(const Delta_complex& input, const std::vector<Surface_point>& curve)
 {
-  const internal::Cut_faces faces(input, {curve});
+  std::vector<Surface_point> path;
+  for (std::size_t i = 0; i < curve.size(); ++i)
+    if (i == 0 || i + 1 == curve.size() || curve[i].dimension() < 2)
+      path.push_back(curve[i]);
+  const internal::Cut_faces faces(input, {path});
   const std::vector<Sign> of_triangle = sides_of_triangles(faces);
   std::vector<Sign> result(faces.number_of_vertices(), POSITIVE);
   for (std::size_t t = 0; t < of_triangle.size(); ++t)

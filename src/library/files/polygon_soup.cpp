@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstddef>
+#include <exception>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -175,12 +176,16 @@ Polygon_soup internal::read_polygon_soup(const std::string& file_name, const Pro
     if (by_name == none || by_contents == none || by_contents == by_name)
       throw;
     Polygon_soup other;
+    std::exception_ptr error_in_contents;
     try {
       by_contents->second(file_name, size, progress, other);
     } catch (const Invalid_surface_error&) {
+      error_in_contents = std::current_exception();
     }
     if (other.number_of_faces() == 0)
       throw;
+    if (error_in_contents)
+      std::rethrow_exception(error_in_contents);
     other.warnings.push_back(std::string("the contents are those of a file whose name ends with ") +
                              by_contents->first);
     return other;
