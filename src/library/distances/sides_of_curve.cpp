@@ -97,14 +97,14 @@ double depth_in_triangle(const internal::Cut_faces& faces, const Surface_point& 
 
 } // namespace
 
-// How a curve turns inside a face does not matter to the vertices.
+// How a curve turns inside a face does not matter to the vertices, unless it never leaves it.
 std::vector<Sign> sides_of_curve(const Delta_complex& input, const std::vector<Surface_point>& curve)
 {
   std::vector<Surface_point> path;
   for (std::size_t i = 0; i < curve.size(); ++i)
     if (i == 0 || i + 1 == curve.size() || curve[i].dimension() < 2)
       path.push_back(curve[i]);
-  const internal::Cut_faces faces(input, {path});
+  const internal::Cut_faces faces(input, {path.size() > 2 ? path : curve});
   const std::vector<Sign> of_triangle = sides_of_triangles(faces);
   std::vector<Sign> result(faces.number_of_vertices(), POSITIVE);
   for (std::size_t t = 0; t < of_triangle.size(); ++t)
