@@ -3,83 +3,12 @@
 
 #include "input/place_files.h"
 
-#include "system/text.h"
+#include "input/Table.h"
 
-#include <CGAL/Intrinsic_triangulations/errors.h>
-
-#include <boost/algorithm/string/split.hpp>
-
-#include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <utility>
 
 namespace idt {
 namespace {
-
-// The lines of a file that are not empty, as cells.
-class Table
-{
-public:
-  explicit Table(const std::string& path) : path_(path), file_(path)
-  {
-    if (!file_)
-      fail("the file cannot be opened");
-  }
-
-  bool next()
-  {
-    for (std::string text; std::getline(file_, text);) {
-      ++line_;
-      if (!text.empty() && text.back() == '\r')
-        text.pop_back();
-      if (text.empty() || text[0] == '#')
-        continue;
-      boost::split(cells_, text, [](char c) { return c == ','; });
-      return true;
-    }
-    if (file_.bad())
-      fail("the file cannot be read");
-    return false;
-  }
-
-  std::size_t line() const { return line_; }
-  const std::vector<std::string>& cells() const { return cells_; }
-
-  // Whether the first line is no number, but the name of a column.
-  bool has_names() const { return line_ == 1 && cells_[0].find_first_not_of("0123456789 ") != std::string::npos; }
-
-  double number(std::size_t i) const
-  {
-    if (i >= cells_.size())
-      fail("a number is missing");
-    char* end = nullptr;
-    const double x = std::strtod(cells_[i].c_str(), &end);
-    if (end == cells_[i].c_str() || *end != '\0' || !std::isfinite(x))
-      fail(quoted(cells_[i]) + " is no finite number");
-    return x;
-  }
-  std::uint64_t whole(std::size_t i) const
-  {
-    const double x = number(i);
-    if (!(x >= 0 && x < 0x1p53) || x != std::floor(x))
-      fail(quoted(cells_[i]) + " is no whole number");
-    return std::uint64_t(x);
-  }
-
-  [[noreturn]] void fail(const std::string& what) const
-  {
-    using CGAL::Intrinsic_triangulations::Invalid_surface_error;
-    throw Invalid_surface_error(Invalid_surface_error::Defect::UNREADABLE, line_, 1,
-                                path_ + (line_ > 0 ? ", line " + std::to_string(line_) : std::string()) + ": " + what);
-  }
-
-private:
-  std::string path_;
-  std::ifstream file_;
-  std::vector<std::string> cells_;
-  std::size_t line_ = 0;
-};
 
 // That the last table is not empty, as that of a curve which was shrunk to a point is.
 void require_points(const Table& table, const std::vector<std::vector<Place>>& read)
@@ -112,9 +41,7 @@ std::vector<std::vector<Place>> read_places(const std::string& path)
       result.emplace_back();
     if (result.empty())
       table.fail("the first line of such a table is x,y,z or input_face,b0,b1,b2, or that of `idt geodesic`");
-    if (table.cells().size() != number_of_cells)
-      table.fail("there are " + std::to_string(number_of_cells) + " names and " +
-                 counted(table.cells().size(), "cell", "cells"));
+    table.require_size(number_of_cells);
     Place place{kind, {}, 0, {}, table.line()};
     std::size_t at = begin;
     if (kind != Place::IN_SPACE)

@@ -28,9 +28,6 @@ struct Element_values
 Element_values read_element_values(const std::string& path, std::size_t number_of_vertices,
                                    std::size_t number_of_faces);
 
-// The same of vertices alone.
-std::vector<Named_values> read_vertex_values(const std::string& path, std::size_t number_of_vertices);
-
 // Reads a table of that kind with one name, where each line has a finite number: the vertices with their numbers.
 // \exception Invalid_surface_error likewise
 std::map<std::uint32_t, double> read_numbers_of_vertices(const std::string& path, std::size_t number_of_vertices);
