@@ -3,6 +3,8 @@
 //
 // Distances from points, curves and regions, and between sets of vertices.
 
+#include "curve_surfaces.h"
+
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distance_matrix.h>
@@ -26,76 +28,17 @@
 
 namespace {
 
+using namespace curve_surfaces;
 namespace IT = CGAL::Intrinsic_triangulations;
 using IT::Face_index;
 using IT::Halfedge_index;
 using IT::Surface_point;
 using IT::Vertex_index;
-using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
-using Point = std::array<double, 3>;
-using Points = std::vector<Point>;
-using Triangles = std::vector<std::array<std::uint32_t, 3>>;
-using Curve = std::vector<Surface_point>;
-
 constexpr double pi = 3.14159265358979323846;
 
 auto with_tolerance(double tolerance) { return CGAL::parameters::tolerance(tolerance); }
 
-struct Mesh
-{
-  Points points;
-  Triangles triangles;
-
-  Triangulation Delaunay() const
-  {
-    Triangulation result(IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
-    IT::flip_to_Delaunay(result);
-    return result;
-  }
-};
-
-// A grid of m by n squares, each cut in two.
-Mesh grid(std::uint32_t m, std::uint32_t n, const std::function<Point(double, double)>& place)
-{
-  Mesh result;
-  for (std::uint32_t y = 0; y <= n; ++y)
-    for (std::uint32_t x = 0; x <= m; ++x)
-      result.points.push_back(place(x, y));
-  for (std::uint32_t y = 0; y < n; ++y)
-    for (std::uint32_t x = 0; x < m; ++x) {
-      const std::uint32_t v = y * (m + 1) + x;
-      result.triangles.push_back({v, v + 1, v + m + 2});
-      result.triangles.push_back({v, v + m + 2, v + m + 1});
-    }
-  return result;
-}
-
-// Inner vertices are moved at random, so that Delaunay edges cross those of the input.
-Mesh shaken_plane(std::uint32_t m, std::uint32_t n)
-{
-  std::mt19937 random(3);
-  const auto shift = [&random] { return 0.6 * (double(random() % 1024) / 1024 - 0.5); };
-  return grid(m, n, [&](double x, double y) -> Point {
-    const bool is_inner = x > 0 && x < m && y > 0 && y < n;
-    const double dx = shift(), dy = shift();
-    return is_inner ? Point{x + dx, y + dy, 0} : Point{x, y, 0};
-  });
-}
-
-Mesh hills(std::uint32_t n, double height)
-{
-  std::mt19937 random(7);
-  return grid(n, n, [&](double x, double y) -> Point { return {x, y, height * double(random() % 1024) / 1024}; });
-}
-
 IT::Geodesic_source from(const std::vector<Curve>& parts, double offset = 0) { return {parts, offset}; }
-
-// The straight line from a vertex.
-Curve line(const Triangulation& triangulation, Vertex_index v, double angle, double length)
-{
-  const Halfedge_index h = triangulation.input().opposite(triangulation.input().halfedge(v));
-  return IT::trace_geodesic(triangulation, IT::direction_at_vertex(triangulation, h, angle), length).points;
-}
 
 double to_segment(const Point& p, const Point& a, const Point& b)
 {

@@ -3,6 +3,8 @@
 //
 // Lines at a distance, offset curves and the borders of cells.
 
+#include "curve_surfaces.h"
+
 #include <CGAL/Intrinsic_triangulations/farthest_vertices.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
@@ -27,6 +29,7 @@
 
 namespace {
 
+using namespace curve_surfaces;
 namespace IT = CGAL::Intrinsic_triangulations;
 using IT::Face_index;
 using IT::Halfedge_index;
@@ -40,53 +43,6 @@ using Curve = std::vector<Surface_point>;
 using Distance = std::function<double(const Point&)>;
 
 constexpr double pi = 3.14159265358979323846;
-
-struct Mesh
-{
-  Points points;
-  Triangles triangles;
-
-  Triangulation Delaunay() const
-  {
-    Triangulation result(IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
-    IT::flip_to_Delaunay(result);
-    return result;
-  }
-};
-
-// A grid of m by n squares, each cut in two.
-Mesh grid(std::uint32_t m, std::uint32_t n, const std::function<Point(double, double)>& place)
-{
-  Mesh result;
-  for (std::uint32_t y = 0; y <= n; ++y)
-    for (std::uint32_t x = 0; x <= m; ++x)
-      result.points.push_back(place(x, y));
-  for (std::uint32_t y = 0; y < n; ++y)
-    for (std::uint32_t x = 0; x < m; ++x) {
-      const std::uint32_t v = y * (m + 1) + x;
-      result.triangles.push_back({v, v + 1, v + m + 2});
-      result.triangles.push_back({v, v + m + 2, v + m + 1});
-    }
-  return result;
-}
-
-// Inner vertices are moved at random, so that Delaunay edges cross those of the input.
-Mesh shaken_plane(std::uint32_t n)
-{
-  std::mt19937 random(3);
-  const auto shift = [&random] { return 0.6 * (double(random() % 1024) / 1024 - 0.5); };
-  return grid(n, n, [&](double x, double y) -> Point {
-    const bool is_inner = x > 0 && x < n && y > 0 && y < n;
-    const double dx = shift(), dy = shift();
-    return is_inner ? Point{x + dx, y + dy, 0} : Point{x, y, 0};
-  });
-}
-
-Mesh hills(std::uint32_t n, double height)
-{
-  std::mt19937 random(7);
-  return grid(n, n, [&](double x, double y) -> Point { return {x, y, height * double(random() % 1024) / 1024}; });
-}
 
 // From (-1, -1, -1) to (1, 1, 1), each side a grid of triangles.
 Mesh cube(std::uint32_t n)
@@ -131,13 +87,6 @@ Mesh cone(std::uint32_t n, double height)
 auto options(double tolerance, double deviation)
 {
   return CGAL::parameters::tolerance(tolerance).maximum_deviation(deviation);
-}
-
-// The straight line from a vertex.
-Curve line(const Triangulation& triangulation, Vertex_index v, double angle, double length)
-{
-  const Halfedge_index h = triangulation.input().opposite(triangulation.input().halfedge(v));
-  return IT::trace_geodesic(triangulation, IT::direction_at_vertex(triangulation, h, angle), length).points;
 }
 
 double between(const Point& p, const Point& q) { return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]); }
@@ -232,7 +181,7 @@ double length(const Mesh& mesh, const Triangulation& triangulation, const std::v
 
 TEST(Isolines, circles_in_a_plane)
 {
-  const Mesh mesh = shaken_plane(20);
+  const Mesh mesh = shaken_plane(20, 20);
   const Triangulation triangulation = mesh.Delaunay();
   const IT::Delta_complex& input = triangulation.input();
   const Halfedge_index h = input.halfedge(Face_index(410));
@@ -260,7 +209,7 @@ TEST(Isolines, circles_in_a_plane)
 
 TEST(Isolines, finer_chords)
 {
-  const Mesh mesh = shaken_plane(20);
+  const Mesh mesh = shaken_plane(20, 20);
   const Triangulation triangulation = mesh.Delaunay();
   const Vertex_index center(220);
   std::size_t last = 0;
@@ -280,7 +229,7 @@ TEST(Isolines, finer_chords)
 
 TEST(Isolines, parallel_curves_in_a_plane)
 {
-  const Mesh mesh = shaken_plane(20);
+  const Mesh mesh = shaken_plane(20, 20);
   const Triangulation triangulation = mesh.Delaunay();
   const Curve first = line(triangulation, Vertex_index(21 * 8 + 7), 0.4, 6.3),
               second = line(triangulation, Vertex_index(21 * 13 + 5), -0.7, 3);
@@ -332,7 +281,7 @@ TEST(Isolines, along_the_lines_of_a_grid)
 
 TEST(Isolines, offset_curves_of_a_loop)
 {
-  const Mesh mesh = shaken_plane(20);
+  const Mesh mesh = shaken_plane(20, 20);
   const Triangulation triangulation = mesh.Delaunay();
   const Curve loop =
     IT::isolines(triangulation, {IT::source_at_vertex(triangulation.input(), Vertex_index(220))}, {4}, options(0, 0.3))
@@ -460,7 +409,7 @@ TEST(Isolines, of_several_sources_on_hills)
 
 TEST(Borders_of_cells, in_a_plane)
 {
-  const Mesh mesh = shaken_plane(20);
+  const Mesh mesh = shaken_plane(20, 20);
   const Triangulation triangulation = mesh.Delaunay();
   const std::vector<std::uint32_t> vertices{21 * 5 + 5, 21 * 7 + 15, 21 * 16 + 9};
   std::vector<IT::Geodesic_source> sources;
@@ -511,7 +460,7 @@ TEST(Borders_of_cells, around_a_cube)
 
 TEST(Isolines, wrong_numbers)
 {
-  const Mesh mesh = shaken_plane(4);
+  const Mesh mesh = shaken_plane(4, 4);
   const Triangulation triangulation = mesh.Delaunay();
   const std::vector<IT::Geodesic_source> sources{IT::source_at_vertex(triangulation.input(), Vertex_index(12))};
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();

@@ -87,7 +87,7 @@ std::vector<Farthest_vertex> farthest_vertices(const Tufted_cover& cover, const 
                                                std::size_t number,
                                                const NamedParameters& np = parameters::default_values())
 {
-  using Traits = decltype(cover.triangulation)::Traits;
+  using Traits = typename decltype(cover.triangulation)::Traits;
   const internal::Distance_search<Traits, internal::Row_of_cover_vertex> search(
     cover.triangulation, internal::Row_of_cover_vertex(cover), np);
   return internal::farthest_vertices(search, cover.representative.size(), sources, number);
