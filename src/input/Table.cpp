@@ -33,6 +33,8 @@ bool Table::next()
   }
   if (file_.bad())
     fail("the file cannot be read");
+  if (line_ == 0)
+    line_ = 1; // an empty file ends in its first line
   return false;
 }
 
