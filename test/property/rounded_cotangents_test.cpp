@@ -15,6 +15,7 @@
 #include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
+#include <CGAL/Intrinsic_triangulations/triangulation_io.h>
 
 #include <CGAL/property_map.h>
 
@@ -23,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <random>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -172,10 +174,14 @@ TEST(Rounded_cotangents, weights_and_areas_follow_each_change)
   const auto copy = t;
   IT::flip_to_Delaunay(t);
   expect_right();
+  IT::element_numbers(t);
   // No flip follows, which would make it forget as well.
   IT::insert_vertex(
     t, {t.input().halfedge(IT::Face_index(7)), {1, 1, 1}},
     CGAL::parameters::edge_is_constrained_map(CGAL::Static_boolean_property_map<IT::Edge_index, true>()));
+  std::stringstream file;
+  IT::write_triangulation(file, t);
+  EXPECT_EQ(IT::face_areas(t), IT::face_areas(IT::read_triangulation(file)));
   expect_right();
   IT::insert_random_vertices(t, 5, 1000, random);
   expect_right();

@@ -305,7 +305,6 @@ void Exact_engine::prepare_insertion()
   find_straight_faces();
   prepare();
   memory_->log.follow(Flip_log::NUMBERS);
-  memory_->forget_repeated_flips();
   if (correspondence().number_of_inserted_vertices() == 0 || correspondence().kept_crossings().is_empty())
     keep_crossings();
 }

@@ -73,6 +73,8 @@ struct Exact_engine::Memory
   // are known to be straight. Queries may find that out, and threads must agree: decided before, once for each change.
   bool may_repeat_flips(const Delta_complex& complex)
   {
+    if (log.is_followed_by(Flip_log::NUMBERS))
+      return false; // none is left to repeat
     Answer answer = repeats_flips.load(std::memory_order_acquire);
     if (answer != Answer::UNKNOWN)
       return answer == Answer::YES;
