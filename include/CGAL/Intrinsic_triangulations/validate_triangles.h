@@ -14,7 +14,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/measures/Length_range.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/unit_of_length.h>
-#include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 
 #include <CGAL/number_utils.h>
 
@@ -208,6 +207,9 @@ Surface_report examine(Polygon_copies polygons, bool only_gaps);
 // The first corner of the side whose ends are close compared with the other sides, if any.
 std::optional<std::size_t> shortest_side(std::array<std::array<double, 3>, 3> p);
 
+// Whether all faces are joined by edges.
+bool is_connected(const Delta_complex& complex);
+
 // The ends of border edges, two for each.
 class Border_gaps
 {
@@ -327,23 +329,17 @@ bool is_clean(const Delta_complex& complex, const PointRange& points)
   }
   if (border.empty())
     return true;
-  // Within an edge of two faces, only vertices of other components hang.
-  internal::Disjoint_sets components(complex.number_of_faces());
-  for (Edge_index e : complex.edges()) {
-    const Halfedge_index h = complex.halfedge(e);
-    if (!complex.is_border(e))
-      components.unite(complex.face(h).idx(), complex.face(complex.opposite(h)).idx());
-  }
-  std::vector<std::size_t> component_of;
-  const bool is_connected = components.number(component_of) == 1;
   const internal::Border_gaps gaps(border);
-  for (Edge_index e : complex.edges()) {
-    if (is_connected && !complex.is_border(e))
-      continue;
-    const Halfedge_index h = complex.halfedge(e);
-    if (gaps.are_within(place(complex.source(h)), place(complex.target(h))))
+  for (std::size_t i = 0; i < border.size(); i += 2)
+    if (gaps.are_within(border[i], border[i + 1]))
       return false;
-  }
+  // Within an edge of two faces, only vertices of other components hang.
+  if (!internal::is_connected(complex))
+    for (Edge_index e : complex.edges()) {
+      const Halfedge_index h = complex.halfedge(e);
+      if (!complex.is_border(e) && gaps.are_within(place(complex.source(h)), place(complex.target(h))))
+        return false;
+    }
   return !gaps.are_close();
 }
 

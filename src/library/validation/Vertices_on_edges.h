@@ -76,7 +76,7 @@ public:
   void for_each_within(const Place& p, double length, const Function& visit) const
   {
     for_each_near(p, p, length, [&](Index v) {
-      const double distance = norm(difference(p, points_[v]));
+      const double distance = points_[v] == p ? 0 : norm(difference(p, points_[v]));
       if (distance <= length)
         visit(v, distance);
     });
@@ -91,6 +91,7 @@ private:
     Index begin, end; // of its vertices
     Index behind;     // the first node after the nodes below this one
     Place lower, upper;
+    double size; // the largest extent
   };
   static constexpr Index few = 8;
 
@@ -103,12 +104,12 @@ private:
         lower[k] = (std::min)(lower[k], points_[vertices_[i]][k]);
         upper[k] = (std::max)(upper[k], points_[vertices_[i]][k]);
       }
-    nodes_.push_back({begin, end, 0, lower, upper});
+    std::size_t axis = 0;
+    for (std::size_t k = 1; k < 3; ++k)
+      if (upper[k] / 2 - lower[k] / 2 > upper[axis] / 2 - lower[axis] / 2)
+        axis = k;
+    nodes_.push_back({begin, end, 0, lower, upper, upper[axis] - lower[axis]});
     if (end - begin > few) {
-      std::size_t axis = 0;
-      for (std::size_t k = 1; k < 3; ++k)
-        if (upper[k] / 2 - lower[k] / 2 > upper[axis] / 2 - lower[axis] / 2)
-          axis = k;
       const Index middle = begin + (end - begin) / 2;
       std::nth_element(vertices_.begin() + begin, vertices_.begin() + middle, vertices_.begin() + end,
                        [&](Index v, Index w) { return points_[v][axis] < points_[w][axis]; });
@@ -131,17 +132,39 @@ private:
   {
     return (std::size_t(c[0]) * cells + std::size_t(c[1])) * cells + std::size_t(c[2]);
   }
-  bool is_far_from_all(const Place& p, const Place& q, double tolerance) const
+  // A box around a segment, larger than it by a tolerance and all rounding.
+  struct Query
   {
+    Query(const Place& p, const Place& q, double tolerance) : p(p), q(q), tolerance(tolerance)
+    {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double slack =
+          tolerance + 0x1p-48 * (std::abs(p[k]) + std::abs(q[k])) + (std::numeric_limits<double>::min)();
+        lower[k] = (std::min)(p[k], q[k]) - slack;
+        upper[k] = (std::max)(p[k], q[k]) + slack;
+        size = (std::max)(size, upper[k] - lower[k]);
+      }
+    }
+    bool meets(const Place& low, const Place& high) const
+    {
+      return low[0] <= upper[0] && high[0] >= lower[0] && low[1] <= upper[1] && high[1] >= lower[1] &&
+             low[2] <= upper[2] && high[2] >= lower[2];
+    }
+    const Place &p, &q;
+    const double tolerance;
+    Place lower, upper;
+    double size = 0;
+  };
+
+  bool is_far_from_all(const Query& query) const
+  {
+    if (!query.meets(nodes_[0].lower, nodes_[0].upper))
+      return true;
     std::array<int, 3> first, last;
     int number = 1;
     for (std::size_t k = 0; k < 3; ++k) {
-      const double slack = tolerance + 0x1p-48 * (std::abs(p[k]) + std::abs(q[k])),
-                   lower = (std::min)(p[k], q[k]) - slack, upper = (std::max)(p[k], q[k]) + slack;
-      if (upper < nodes_[0].lower[k] || lower > nodes_[0].upper[k])
-        return true;
-      first[k] = cell(lower, k);
-      last[k] = cell(upper, k);
+      first[k] = cell(query.lower[k], k);
+      last[k] = cell(query.upper[k], k);
       number *= last[k] - first[k] + 1;
     }
     if (number > cells)
@@ -158,29 +181,35 @@ private:
   template <class Function>
   void for_each_near(const Place& p, const Place& q, double tolerance, const Function& visit) const
   {
-    if (nodes_.empty() || is_far_from_all(p, q, tolerance))
+    if (nodes_.empty())
+      return;
+    const Query query(p, q, tolerance);
+    if (is_far_from_all(query))
       return;
     for (Index n = 0; n < nodes_.size();) {
       const Node& node = nodes_[n];
-      if (is_far(node, p, q, tolerance)) {
+      // Beside a longer segment a node may be far although the boxes meet.
+      if (!query.meets(node.lower, node.upper) || (node.size < query.size && is_far(node, query))) {
         n = node.behind;
         continue;
       }
       if (node.behind == n + 1)
         for (Index i = node.begin; i < node.end; ++i)
-          visit(vertices_[i]);
+          if (const Place& r = points_[vertices_[i]]; query.meets(r, r))
+            visit(vertices_[i]);
       ++n;
     }
   }
 
   // The part of the segment between the two planes of each axis is empty. Boxes are larger than all rounding.
-  static bool is_far(const Node& node, const Place& p, const Place& q, double tolerance)
+  static bool is_far(const Node& node, const Query& query)
   {
+    const Place &p = query.p, &q = query.q;
     double first = 0, last = 1;
     for (std::size_t k = 0; k < 3; ++k) {
       const double size =
         std::abs(p[k]) / 4 + std::abs(q[k]) / 4 + std::abs(node.lower[k]) / 4 + std::abs(node.upper[k]) / 4;
-      const double slack = tolerance / 4 + 0x1p-48 * size + (std::numeric_limits<double>::min)();
+      const double slack = query.tolerance / 4 + 0x1p-48 * size + (std::numeric_limits<double>::min)();
       const double lower = node.lower[k] / 4 - slack, upper = node.upper[k] / 4 + slack;
       const double a = p[k] / 4, b = q[k] / 4;
       if ((std::max)(a, b) < lower || (std::min)(a, b) > upper)

@@ -716,6 +716,25 @@ Surface_report examine(Polygon_copies polygons, bool only_gaps)
 
 Surface_report examine_data(Polygon_copies polygons) { return Surface_examiner(std::move(polygons)).examine_data(); }
 
+bool is_connected(const Delta_complex& complex)
+{
+  const std::size_t n = complex.number_of_faces();
+  std::vector<char> is_reached(n, false);
+  std::vector<Face_index> reached(n); // in this order
+  std::size_t number = 1;
+  is_reached[0] = true;
+  reached[0] = Face_index(0);
+  for (std::size_t i = 0; i < number; ++i) {
+    const Halfedge_index h = complex.halfedge(reached[i]);
+    for (Halfedge_index side : {h, complex.next(h), complex.prev(h)})
+      if (const Face_index f = complex.face(complex.opposite(side)); f.is_valid() && !is_reached[f.idx()]) {
+        is_reached[f.idx()] = true;
+        reached[number++] = f;
+      }
+  }
+  return number == n;
+}
+
 // Each end of a border edge begins another one.
 inline std::vector<std::uint32_t> even_numbers_below(std::size_t n)
 {
