@@ -7,6 +7,7 @@
 #include "commands/commands.h"
 #include "commands/distance_sources.h"
 #include "input/Surface.h"
+#include "input/Triangle_soup.h"
 #include "input/formats/vtp.h"
 #include "input/mesh_file.h"
 #include "input/repair.h"
@@ -28,7 +29,9 @@
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/cut_along_path.h>
 #include <CGAL/Intrinsic_triangulations/nearest_source_point.h>
+#include <CGAL/Intrinsic_triangulations/repair_polygons.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
+#include <CGAL/Intrinsic_triangulations/shortest_path_on_triangles.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
 #include <nlohmann/json.hpp>
@@ -111,6 +114,8 @@ struct Curve
   std::string status;
   std::optional<IT::Vertex_index> vertex; // the vertex to which it shrank or at which it ends
   std::vector<Snap> snaps;
+  std::size_t number_of_segments = 0;
+  bool is_on_any_triangles = false; // which need not be a surface
 
   bool is_shortest() const { return distance && std::abs(length - *distance) <= 1e-9 * *distance; }
 };
@@ -350,31 +355,68 @@ void write_ply(std::ostream& os, const Points& points)
     os << i << ' ' << i + 1 << '\n';
 }
 
-// A line, with the input face that it enters at each point.
-void write_vtp(std::ostream& os, const IT::Delta_complex& input, const Curve& curve, const Points& points)
+// A point in a face of the input, which the line enters there.
+struct Point_in_face
 {
-  Named_values faces{"input_face", {}, 1, "Int32"};
-  Flat_polygons line;
-  for (const IT::Surface_point& p : curve.points) {
-    line.corners.push_back(std::uint32_t(faces.values.size()));
-    faces.values.push_back(input.face(p.halfedge).idx());
-  }
-  if (points.size() > 1)
-    line.ends.push_back(points.size());
-  write_vtp(os, points, Flat_polygons(), {faces}, line);
+  std::size_t face;
+  std::array<std::size_t, 3> vertices; // of the face
+  std::array<double, 3> coordinates;   // which belong to them
+};
+
+std::vector<Point_in_face> points_in_faces(const IT::Delta_complex& input, const std::vector<IT::Surface_point>& points)
+{
+  std::vector<Point_in_face> result;
+  for (const auto& [h, coordinates] : points)
+    result.push_back({input.face(h).idx(),
+                      {input.source(h).idx(), input.target(h).idx(), input.target(input.next(h)).idx()},
+                      coordinates});
+  return result;
 }
 
-// The barycentric coordinates belong to the vertices named beside them.
-void write_csv(std::ostream& os, const IT::Delta_complex& input, const Curve& curve, const Points& points)
+std::vector<Point_in_face> points_in_faces(const Triangle_soup& soup, const IT::Path_on_triangles& path)
+{
+  using Vector = std::array<double, 3>;
+  const auto from = [](const Vector& p, const Vector& q) { return Vector{q[0] - p[0], q[1] - p[1], q[2] - p[2]}; };
+  const auto area = [](const Vector& a, const Vector& b) {
+    return std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
+  };
+  std::vector<Point_in_face> result;
+  for (std::size_t i = 0; i < path.positions.size() && !path.triangles.empty(); ++i) {
+    const std::size_t f = path.triangles[(std::min)(i, path.triangles.size() - 1)];
+    const auto& t = soup.triangles[f];
+    Point_in_face point{f, {t[0], t[1], t[2]}, {}};
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      sum += point.coordinates[k] = area(from(path.positions[i], soup.points[t[(k + 1) % 3]]),
+                                         from(path.positions[i], soup.points[t[(k + 2) % 3]]));
+    for (double& c : point.coordinates)
+      c /= sum;
+    result.push_back(point);
+  }
+  return result;
+}
+
+void write_vtp(std::ostream& os, const std::vector<Point_in_face>& line, const Points& points)
+{
+  Named_values faces{"input_face", {}, 1, "Int32"};
+  Flat_polygons lines;
+  for (const Point_in_face& p : line) {
+    lines.corners.push_back(std::uint32_t(faces.values.size()));
+    faces.values.push_back(double(p.face));
+  }
+  if (points.size() > 1)
+    lines.ends.push_back(points.size());
+  write_vtp(os, points, Flat_polygons(), {faces}, lines);
+}
+
+void write_csv(std::ostream& os, const std::vector<Point_in_face>& line, const Points& points)
 {
   os << "face,vertex_0,vertex_1,vertex_2,coordinate_0,coordinate_1,coordinate_2"
      << (points.empty() ? "\n" : ",x,y,z\n");
-  for (std::size_t i = 0; i < curve.points.size(); ++i) {
-    const IT::Surface_point& p = curve.points[i];
-    const IT::Halfedge_index h = p.halfedge;
-    os << input.face(h).idx() << ',' << input.source(h).idx() << ',' << input.target(h).idx() << ','
-       << input.target(input.next(h)).idx() << ',';
-    write_coordinates(os, p.coordinates, ',');
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const auto& [face, vertices, coordinates] = line[i];
+    os << face << ',' << vertices[0] << ',' << vertices[1] << ',' << vertices[2] << ',';
+    write_coordinates(os, coordinates, ',');
     if (!points.empty()) {
       os << ',';
       write_coordinates(os, points[i], ',');
@@ -396,7 +438,8 @@ Json json_value(const Geodesic_options& options, const Surface& surface, const C
     json["is_shortest"] = curve.is_shortest();
   }
   json["flips"] = curve.report.flips;
-  json["segments"] = curve.points.empty() ? 0 : curve.points.size() - 1;
+  json["segments"] = curve.number_of_segments;
+  json["is_on_any_triangles"] = curve.is_on_any_triangles;
   json["vertex"] = curve.vertex ? Json(curve.vertex->idx()) : Json(nullptr);
   json["snaps"] = Json::array();
   for (const Snap& snap : curve.snaps)
@@ -427,7 +470,9 @@ void write_report(std::ostream& os, const Geodesic_options& options, const Surfa
   for (const Snap& snap : curve.snaps)
     os << "\n  " << std::left << std::setw(10) << snap.option << "the nearest point of the surface, "
        << in_short(snap.distance) << " from the given one";
-  os << "\n  segments  " << with_separators(curve.points.empty() ? 0 : curve.points.size() - 1) << "\n  flips     "
+  if (curve.is_on_any_triangles)
+    os << "\n  triangles no oriented manifold: the path goes from each face at an edge into all others";
+  os << "\n  segments  " << with_separators(curve.number_of_segments) << "\n  flips     "
      << with_separators(curve.report.flips) << "\n  time      " << seconds_text(seconds) << '\n';
 }
 
@@ -447,12 +492,62 @@ IT::Surface_with_barriers with_barriers(const Geodesic_options& options, const S
   return result;
 }
 
+// Whether the line can be a path over triangles that are no surface.
+bool takes_any_triangles(const Geodesic_options& options)
+{
+  std::vector<std::string> stops{options.from, options.to};
+  stops.insert(stops.end(), options.via.begin(), options.via.end());
+  return !options.direction && !options.is_closed && !options.curve.has_files() && !options.barriers.has_files() &&
+         options.cut_path.empty() && options.view_path.empty() && !options.repair.is_wanted &&
+         std::all_of(stops.begin(), stops.end(),
+                     [](const std::string& text) { return Stop("a stop", text).vertex.has_value(); });
+}
+
+// \param path becomes the whole path
+Curve find_path_over(const Triangle_soup& soup, const Geodesic_options& options, IT::Path_on_triangles& path)
+{
+  std::vector<std::string> stops{options.from};
+  stops.insert(stops.end(), options.via.begin(), options.via.end());
+  stops.push_back(options.to);
+  for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+    IT::Path_on_triangles part =
+      IT::shortest_path_on_triangles(soup.points, soup.triangles, *Stop("a stop", stops[i]).vertex,
+                                     *Stop("a stop", stops[i + 1]).vertex, CGAL::parameters::visitor(&goes_on));
+    path.positions.insert(path.positions.end(), part.positions.begin() + (i > 0 ? 1 : 0), part.positions.end());
+    path.triangles.insert(path.triangles.end(), part.triangles.begin(), part.triangles.end());
+    path.length += part.length;
+    path.distance += part.distance;
+    path.is_complete = path.is_complete && part.is_complete;
+  }
+  Curve curve;
+  curve.length = path.length;
+  curve.distance = path.distance;
+  curve.status = path.is_complete ? "geodesic" : "unfinished";
+  curve.is_on_any_triangles = true;
+  return curve;
+}
+
 Exit_status run_geodesic(Geodesic_options options)
 {
   options.is_shortest = options.is_shortest || options.curve.has_files();
   check(options);
   return for_each_input({options.input}, [&](const std::string& path) {
-    const Surface surface = load_surface(path, options.repair);
+    std::optional<Triangle_soup> soup; // if the triangles are no surface
+    const Surface surface = [&] {
+      try {
+        return load_surface(path, options.repair);
+      } catch (const IT::Invalid_surface_error& error) {
+        // Only --repair removes flat spikes.
+        if (!IT::is_repairable(error.defect()) ||
+            error.defect() == IT::Invalid_surface_error::Defect::DEGENERATE_FACE || !takes_any_triangles(options))
+          throw;
+        soup = read_triangle_soup(path);
+        Surface result;
+        result.path = path;
+        result.warnings = soup->warnings;
+        return result;
+      }
+    }();
     const std::string type = extension_with_format(options.output_path, options.format);
     if (!surface.has_points() && !type.empty() && type != ".csv")
       throw Usage_error(options.output_path + ": " + path + " has only lengths, no points: write a .csv file");
@@ -461,8 +556,11 @@ Exit_status run_geodesic(Geodesic_options options)
     check_view(options.view_path, surface.connectivity.number_of_faces());
     const Stopwatch stopwatch;
     std::optional<View> view;
-    const Curve curve = [&] {
+    IT::Path_on_triangles over_soup;
+    Curve curve = [&] {
       const Progress progress(path, "looking for the line");
+      if (soup)
+        return find_path_over(*soup, options, over_soup);
       if (options.barriers.has_files()) {
         Triangulation whole(surface.connectivity, surface.points);
         IT::flip_to_Delaunay(whole, CGAL::parameters::visitor(&goes_on));
@@ -495,8 +593,11 @@ Exit_status run_geodesic(Geodesic_options options)
       return curve;
     }();
     const double seconds = stopwatch.seconds();
-    Points points;
-    if (surface.has_points())
+    const std::vector<Point_in_face> line =
+      soup ? points_in_faces(*soup, over_soup) : points_in_faces(surface.connectivity, curve.points);
+    curve.number_of_segments = line.empty() ? 0 : line.size() - 1;
+    Points points = std::move(over_soup.positions);
+    if (!soup && surface.has_points())
       for (const IT::Surface_point& p : curve.points)
         points.push_back(IT::point_in_space(surface.connectivity, surface.points, p));
     write_file(options.output_path, [&](std::ostream& os) {
@@ -505,9 +606,9 @@ Exit_status run_geodesic(Geodesic_options options)
       else if (type == ".ply")
         write_ply(os, points);
       else if (type == ".vtp")
-        write_vtp(os, surface.connectivity, curve, points);
+        write_vtp(os, line, points);
       else
-        write_csv(os, surface.connectivity, curve, points);
+        write_csv(os, line, points);
     });
     write_file(options.cut_path, [&](std::ostream& os) {
       const IT::Cut_surface cut = IT::cut_along_path(surface.connectivity, surface.points, curve.points);
@@ -534,7 +635,8 @@ void add_geodesic_command(CLI::App& app, Selected_command& selected)
   CLI::App& command = *app.add_subcommand("geodesic", "Find straight lines on a surface");
   command.footer(
     "A path or a closed curve begins along edges, and flips shorten it until it is proven to be\n"
-    "locally shortest. A line is followed over the faces, with exact decisions. Vertices are counted from\n"
+    "locally shortest. On triangles that are no oriented manifold, a path between vertices is the shortest of all. A "
+    "line is followed over the faces, with exact decisions. Vertices are counted from\n"
     "zero. The exit status is 4 if a curve could not be made locally shortest, or shortest with --shortest, or a\n"
     "line reached --maximum-faces.\n");
   command.add_option("INPUT", options->input, "as for `idt triangulate`")->required();

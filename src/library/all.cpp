@@ -71,6 +71,7 @@
 #include "distances/Waves.cpp"
 #include "distances/Window_propagation.cpp"
 #include "distances/beginning_of_way.cpp"
+#include "distances/ways_over_seams.cpp"
 #include "distances/cut_along_path.cpp"
 #include "distances/isolines.cpp"
 #include "distances/sides_of_curve.cpp"

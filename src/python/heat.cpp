@@ -14,6 +14,7 @@
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distance_matrix.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
+#include <CGAL/Intrinsic_triangulations/shortest_path_on_triangles.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
 #include <algorithm>
@@ -104,6 +105,20 @@ py::array geodesic_distances(const Doubles& points, const Indices& triangles, co
   return to_array(without_lock([&] {
     return IT::geodesic_distances(Delaunay_cover(rows, faces, IT::Surface_cover::SHEETS), vertices, options).distances;
   }));
+}
+
+// \return positions, triangles, the length, the distance, and whether it was found
+py::tuple shortest_path(const Doubles& points, const Indices& triangles, std::size_t source, std::size_t target)
+{
+  const Rows<double> rows(points);
+  const auto faces = copied_rows(triangles);
+  IT::Path_on_triangles path = without_lock([&] {
+    return IT::shortest_path_on_triangles(rows, faces, source, target,
+                                          CGAL::parameters::visitor(&Signal_watch::goes_on));
+  });
+  return py::make_tuple(to_array(std::move(path.positions)),
+                        to_array(std::vector<std::int64_t>(path.triangles.begin(), path.triangles.end())), path.length,
+                        path.distance, path.is_complete);
 }
 
 std::vector<IT::Surface_point> points_in_triangles(const IT::Delta_complex& complex,
@@ -238,6 +253,8 @@ void add_heat(py::module_& module)
              py::arg("keeps_ridges"));
   module.def("geodesic_distances", &geodesic_distances, py::arg("points").noconvert(), py::arg("triangles").noconvert(),
              py::arg("sources").noconvert(), py::arg("tolerance"));
+  module.def("shortest_path", &shortest_path, py::arg("points").noconvert(), py::arg("triangles").noconvert(),
+             py::arg("source"), py::arg("target"));
   module.def("geodesic_distances_from", &geodesic_distances_from, py::arg("points").noconvert(),
              py::arg("triangles").noconvert(), py::arg("numbers").noconvert(), py::arg("coordinates").noconvert(),
              py::arg("first").noconvert(), py::arg("offsets").noconvert(), py::arg("tolerance"),

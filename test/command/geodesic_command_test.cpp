@@ -137,6 +137,29 @@ TEST_F(Geodesic_command, says_where_a_repair_cut_the_surface)
   EXPECT_FALSE(json::parse(content(folder_ / "s.json")).at("repair").empty());
 }
 
+TEST_F(Geodesic_command, goes_over_triangles_that_are_no_surface)
+{
+  // Three pages at a spine of length 1.
+  write("fan.off", "OFF\n5 3 0\n0 0 0\n0 0 1\n1 0 0.5\n-1 2 0.5\n-1 -2 0.5\n3 0 1 2\n3 0 1 3\n3 1 0 4\n");
+  const Command_run run = idt("geodesic fan.off --from 2 --via 4 --to 3 -o path.csv --stats s.json");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "no oriented manifold"));
+  const json stats = json::parse(content(folder_ / "s.json"));
+  EXPECT_TRUE(stats.at("is_on_any_triangles").get<bool>() && stats.at("is_shortest").get<bool>());
+  EXPECT_NEAR(stats.at("length").get<double>(), 1 + 3 * std::sqrt(5.), 1e-14);
+  EXPECT_EQ(stats.at("segments"), 4);
+  const std::vector<std::string> table = lines(content(folder_ / "path.csv"));
+  ASSERT_EQ(table.size(), 6u);
+  EXPECT_EQ(table[2].substr(0, 8), "2,1,0,4,"); // into the third page
+  ASSERT_EQ(idt("geodesic fan.off --from 2 --to 3 -o path.obj").status, 0);
+  EXPECT_EQ(lines(content(folder_ / "path.obj")).size(), 4u);
+  for (const char* options : {"--from 2 --to 0,0,0", "--from 2 --to 3 --via 4 --closed", "--from 2 --to 3 --cut c.off",
+                              "--from 2 --direction 1 --length 1"}) {
+    const Command_run refused = idt(std::string("geodesic fan.off ") + options);
+    EXPECT_TRUE(refused.status == 3 && contains(refused.err, "--repair")) << options << refused.err;
+  }
+}
+
 TEST_F(Geodesic_command, names_the_ends_in_their_order)
 {
   write("two.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n5 0 0\n6 0 0\n5 1 0\n3 0 1 2\n3 3 4 5\n");

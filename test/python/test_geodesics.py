@@ -118,6 +118,17 @@ def test_the_shortest_path():
         it.EdgeFlipGeodesicSolver(V, F).find_path([0, 1, 2], is_closed=True, is_shortest=True)
 
 
+def test_the_shortest_path_where_three_faces_meet():
+    V = [[0, 0, 0], [0, 0, 1], [1, 0, 0.5], [-1, 2, 0.5], [-1, -2, 0.5]]
+    F = [[0, 1, 2], [0, 1, 3], [1, 0, 4]]
+    path = it.shortest_path(V, F, 2, 4)
+    assert path.is_complete and path.length == pytest.approx(1 + 5 ** 0.5) and path.distance == pytest.approx(path.length)
+    assert path.positions == pytest.approx(numpy.array([V[2], [0, 0, 0.5], V[4]])) and list(path.faces) == [0, 2]
+    for bad in (5, -1, 1.5):
+        with pytest.raises((ValueError, TypeError)):
+            it.shortest_path(V, F, 0, bad)
+
+
 def test_paths_between_points():
     V, F = grid(9)
     solver = it.EdgeFlipGeodesicSolver(V, F)

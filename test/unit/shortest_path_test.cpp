@@ -11,6 +11,7 @@
 #include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distance_matrix.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/nearest_source_point.h>
@@ -18,6 +19,7 @@
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/cut_along_path.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
+#include <CGAL/Intrinsic_triangulations/shortest_path_on_triangles.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
 #include <gtest/gtest.h>
@@ -458,6 +460,155 @@ TEST(Shortest_path, between_vertices_of_scans_and_parts)
     }
   }
   EXPECT_GT(number_of_pairs, 950u);
+}
+
+// The path consists of lines in the triangles that it names, and is as long as it says and as the distance.
+void expect_shortest(const IT::Path_on_triangles& path, const Points& points,
+                     const std::vector<std::array<std::uint32_t, 3>>& triangles, double distance)
+{
+  const auto length = [](const std::array<double, 3>& p, const std::array<double, 3>& q) {
+    return std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
+  };
+  const auto area = [&](const auto& p, const auto& q, const auto& r) { // by Heron
+    const double a = length(p, q), b = length(q, r), c = length(r, p), s = (a + b + c) / 2;
+    return std::sqrt((std::max)(0., s * (s - a) * (s - b) * (s - c)));
+  };
+  EXPECT_TRUE(path.is_complete);
+  EXPECT_NEAR(path.distance, distance, 1e-12 * distance);
+  EXPECT_NEAR(path.length, distance, 1e-12 * distance);
+  ASSERT_EQ(path.positions.size(), path.triangles.size() + 1);
+  double sum = 0;
+  for (std::size_t i = 0; i < path.triangles.size(); ++i) {
+    sum += length(path.positions[i], path.positions[i + 1]);
+    const auto& [a, b, c] = triangles.at(path.triangles[i]);
+    for (const auto& p : {path.positions[i], path.positions[i + 1]})
+      EXPECT_NEAR(area(p, points[a], points[b]) + area(p, points[b], points[c]) + area(p, points[c], points[a]),
+                  area(points[a], points[b], points[c]), 1e-6);
+  }
+  EXPECT_NEAR(sum, distance, 1e-12 * distance);
+}
+
+// Any two pages are one plane.
+TEST(Shortest_path_on_triangles, from_page_to_page)
+{
+  std::mt19937 random(3);
+  for (std::uint32_t pages = 2; pages <= 7; ++pages) {
+    Points points;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    constexpr std::uint32_t n = 5;
+    for (std::uint32_t z = 0; z <= n; ++z)
+      points.push_back({0, 0, z / double(n)});
+    for (std::uint32_t page = 0; page < pages; ++page) {
+      const double angle = page * 6.28 / pages;
+      const auto at = [&](std::uint32_t r, std::uint32_t z) { return r == 0 ? z : (page * n + r) * (n + 1) + z; };
+      for (std::uint32_t r = 1; r <= n; ++r)
+        for (std::uint32_t z = 0; z <= n; ++z)
+          points.push_back({r * std::cos(angle), r * std::sin(angle), z / double(n)});
+      for (std::uint32_t r = 0; r < n; ++r)
+        for (std::uint32_t z = 0; z < n; ++z)
+          for (std::array<std::uint32_t, 3> t : {std::array{at(r, z), at(r + 1, z), at(r + 1, z + 1)},
+                                                 std::array{at(r, z), at(r + 1, z + 1), at(r, z + 1)}}) {
+            if (random() % 2 == 0)
+              std::swap(t[0], t[1]);
+            triangles.push_back(t);
+          }
+    }
+    for (int i = 0; i < 20; ++i) {
+      const std::size_t v = n + 1 + random() % (points.size() - n - 1), w = random() % points.size();
+      if (v == w)
+        continue;
+      const auto radius = [&](std::size_t u) { return std::hypot(points[u][0], points[u][1]); };
+      const bool is_same_page = w <= n || (v - n - 1) / (n * (n + 1)) == (w - n - 1) / (n * (n + 1));
+      expect_shortest(
+        IT::shortest_path_on_triangles(points, triangles, v, w), points, triangles,
+        std::hypot(is_same_page ? radius(v) - radius(w) : radius(v) + radius(w), points[v][2] - points[w][2]));
+    }
+  }
+}
+
+// On the double cover, which is oriented, the shortest path leads to one of the copies.
+TEST(Shortest_path_on_triangles, of_a_band_with_one_side)
+{
+  for (std::uint32_t n : {7, 16, 31}) {
+    Points points;
+    std::vector<std::array<std::uint32_t, 3>> triangles, doubled;
+    for (std::uint32_t i = 0; i < n; ++i)
+      for (double s : {-0.2, 0.3}) {
+        const double angle = 2 * 3.14159265358979 * i / n, r = 1 + s * std::cos(angle / 2);
+        points.push_back({r * std::cos(angle), r * std::sin(angle), s * std::sin(angle / 2)});
+      }
+    // Twice around, vertices 2 i and 2 i + 1 change sides.
+    const auto copy = [&](std::uint32_t i, std::uint32_t side) {
+      i %= 2 * n;
+      return i < n ? 2 * i + side : 2 * n + 2 * (i - n) + (1 - side);
+    };
+    for (std::uint32_t i = 0; i < 2 * n; ++i) { // with the diagonal from vertex 2 i
+      const std::uint32_t a = copy(i, 0), b = copy(i, 1), c = copy(i + 1, 0), d = copy(i + 1, 1);
+      doubled.push_back({a, c, i < n ? d : b});
+      doubled.push_back({b, i < n ? a : c, d});
+    }
+    triangles.assign(doubled.begin(), doubled.begin() + 2 * n);
+    for (auto& t : triangles)
+      for (std::uint32_t& v : t)
+        v %= 2 * n;
+    Points twice = points;
+    twice.insert(twice.end(), points.begin(), points.end());
+    samples::Indexed_triangles cover{twice, doubled};
+    for (std::uint32_t target : {1u, n, 2 * n - 1}) {
+      double distance = std::numeric_limits<double>::infinity();
+      for (std::uint32_t t : {target, target + 2 * n}) {
+        Triangulation triangulation = Delaunay(cover);
+        distance = (std::min)(distance, IT::shortest_path(triangulation, Vertex_index(0), Vertex_index(t)).distance);
+      }
+      expect_shortest(IT::shortest_path_on_triangles(points, triangles, 0, target), points, triangles, distance);
+    }
+  }
+}
+
+// Straight lines cross many walls, and at each of them there are three other faces.
+TEST(Shortest_path_on_triangles, through_cells)
+{
+  constexpr std::uint32_t n = 3;
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> move(-0.2, 0.2);
+  const auto at = [](std::uint32_t x, std::uint32_t y, std::uint32_t z) { return (x * (n + 1) + y) * (n + 1) + z; };
+  Points points;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (std::uint32_t x = 0; x <= n; ++x)
+    for (std::uint32_t y = 0; y <= n; ++y)
+      for (std::uint32_t z = 0; z <= n; ++z) {
+        points.push_back({x + move(random), y + move(random), z + move(random)});
+        for (const auto& [p, q] :
+             {std::pair{std::array{1, 0, 0}, std::array{0, 1, 0}}, std::pair{std::array{0, 1, 0}, std::array{0, 0, 1}},
+              std::pair{std::array{0, 0, 1}, std::array{1, 0, 0}}})
+          if (x + p[0] + q[0] <= n && y + p[1] + q[1] <= n && z + p[2] + q[2] <= n) {
+            const std::uint32_t a = at(x, y, z), b = at(x + p[0], y + p[1], z + p[2]),
+                                c = at(x + p[0] + q[0], y + p[1] + q[1], z + p[2] + q[2]),
+                                d = at(x + q[0], y + q[1], z + q[2]);
+            triangles.push_back({a, b, c});
+            triangles.push_back({a, c, d});
+          }
+      }
+  IT::Tufted_cover cover =
+    IT::make_tufted_cover(points, triangles, CGAL::parameters::surface_cover(IT::Surface_cover::SHEETS));
+  IT::flip_to_Delaunay(cover.triangulation);
+  const std::vector<double> distances =
+    IT::geodesic_distances(cover, {Vertex_index(0)}, CGAL::parameters::tolerance(0)).distances;
+  for (std::uint32_t v = 1; v < points.size(); v += 5)
+    expect_shortest(IT::shortest_path_on_triangles(points, triangles, 0, v), points, triangles, distances[v]);
+}
+
+TEST(Shortest_path_on_triangles, refuses_what_has_no_path)
+{
+  const Points points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {3, 0, 0}, {4, 0, 0}, {3, 1, 0}, {9, 9, 9}};
+  const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {3, 4, 5}};
+  for (std::size_t target : {4, 6, 7})
+    EXPECT_THROW(IT::shortest_path_on_triangles(points, triangles, 0, target), IT::Invalid_argument_error) << target;
+  const IT::Path_on_triangles none = IT::shortest_path_on_triangles(points, triangles, 2, 2);
+  EXPECT_EQ(none.positions.size(), 1u);
+  EXPECT_TRUE(none.triangles.empty() && none.length == 0 && none.is_complete);
+  EXPECT_THROW(IT::shortest_path_on_triangles(points, triangles, 0, 1, CGAL::parameters::visitor([] { return false; })),
+               IT::Cancelled_error);
 }
 
 } // namespace

@@ -18,7 +18,8 @@ from ._conformal import ConformalMap
 from ._errors import (CancelledError, Error, FileError, IntegerOverflowError, InvalidArgumentError, InvalidFileError, InvalidPointError,
                       InvalidSurfaceError, NumericalError, UndecidedError)
 from ._files import Repair, RepairedMesh, TexturedMesh, orient, read_mesh, repair
-from ._geodesics import CutSurface, EdgeFlipGeodesicSolver, GeodesicPath, GeodesicTracer, cut_along_path, geodesic_path
+from ._geodesics import (CutSurface, EdgeFlipGeodesicSolver, GeodesicPath, GeodesicTracer, ShortestPath, cut_along_path, geodesic_path,
+                         shortest_path)
 from ._heat import (MeshHeatMethodDistanceSolver, compute_distance, compute_distance_multisource, farthest_vertices,
                     geodesic_distance_matrix, geodesic_distances, geodesic_distances_from)
 from ._laplacian import laplacian, mesh_laplacian, point_cloud_laplacian, solve_poisson
@@ -55,6 +56,7 @@ __all__ = [
     "RefinementReport",
     "Repair",
     "RepairedMesh",
+    "ShortestPath",
     "SimplifiedDistances",
     "SimplifiedSurface",
     "StraightMesh",
@@ -85,6 +87,7 @@ __all__ = [
     "point_cloud_laplacian",
     "read_mesh",
     "repair",
+    "shortest_path",
     "solve_poisson",
     "vertex_areas",
     "view",

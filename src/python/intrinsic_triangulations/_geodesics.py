@@ -44,6 +44,52 @@ class GeodesicPath(NamedTuple):
     """If requested, the length of a shortest path, up to rounding. If `length` is the same, this path is one."""
 
 
+@documented
+class ShortestPath(NamedTuple):
+    """A shortest path on any triangles."""
+
+    positions: numpy.ndarray
+    """(k, 3) array: its points, joined by straight lines; rounded."""
+    faces: numpy.ndarray
+    """(k - 1,) array of int64: for each line, a face in which it lies."""
+    length: float
+    """The sum of the lengths of the lines."""
+    distance: float
+    """The length of a shortest path, up to rounding."""
+    is_complete: bool
+    """Whether it was found; if not, some lines are missing."""
+
+
+def shortest_path(V: ArrayLike, F: ArrayLike, source: int, target: int) -> ShortestPath:
+    """Return a shortest path between two vertices of any triangles.
+
+    It goes from each face at an edge into all others, however many there are, as `geodesic_distances` does.
+
+    Parameters
+    ----------
+    V, F
+        As for `MeshHeatMethodDistanceSolver`.
+    source, target : integer
+        The vertices.
+
+    Returns
+    -------
+    ShortestPath
+        With one position if both vertices are at the same point.
+
+    Raises
+    ------
+    InvalidArgumentError
+        If there is no path, or all faces around some vertex have zero area: `repair` removes them.
+    InvalidSurfaceError
+        As for `MeshHeatMethodDistanceSolver`.
+    """
+    points, faces = _arrays.points_and_faces(V, F)
+    ends = _arrays.indices([source, target], "source and target", (2,), len(points))
+    _arrays.warn_of_gaps(points, faces)
+    return ShortestPath(*_core.shortest_path(points, faces, int(ends[0]), int(ends[1])))
+
+
 def _path(parts: tuple) -> GeodesicPath:
     positions, (faces, coordinates), *others = parts
     return GeodesicPath(positions, faces, coordinates, *others)
