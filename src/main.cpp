@@ -30,7 +30,7 @@ int main(int argc, char** argv)
     app.allow_windows_style_options(false); // a name may begin with a slash
     app.footer("idt help SUBCOMMAND lists its options.\n"
                "Exit status: 0 done; 1 a result could not be written; 2 the command line is wrong;\n"
-               "3 an input is unusable; 4 undecided, not flippable, out of budget or cancelled\n"
+               "3 an input or table is unusable; 4 undecided, not flippable, out of budget or cancelled\n"
                "(the result so far is still written, if that takes less than a second).\n"
                "An output file with the name - is the standard output; the report then goes to the standard error.\n");
     app.require_subcommand(1);

@@ -59,6 +59,10 @@ Exit_status report_current_exception(const std::string& input)
     return say(error.what(), Exit_status::OUTPUT_FAILED);
   } catch (const IT::Invalid_surface_error& error) {
     return say(named(error.what()), Exit_status::UNUSABLE_INPUT);
+  } catch (const IT::Invalid_argument_error& error) {
+    return say(named(error.what()), Exit_status::UNUSABLE_INPUT); // of a table, or of an option for this surface
+  } catch (const IT::Invalid_point_error& error) {
+    return say(named(error.what()), Exit_status::UNUSABLE_INPUT);
   } catch (const IT::Error& error) {
     return say(named(error.what()), Exit_status::NOT_FINISHED);
   } catch (const std::bad_alloc&) {

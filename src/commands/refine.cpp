@@ -193,7 +193,8 @@ std::vector<double> read_sizes(const std::string& path, const Surface& surface)
   std::vector<double> result(n, std::numeric_limits<double>::infinity());
   for (const auto& [v, size] : read_numbers_of_vertices(path, n)) {
     if (!(size > 0))
-      throw Usage_error("--size-map: " + path + ": the size at vertex " + std::to_string(v) + " is not positive");
+      throw IT::Invalid_argument_error("--size-map: " + path + ": the size at vertex " + std::to_string(v) +
+                                       " is not positive");
     result[v] = size;
   }
   return result;

@@ -88,7 +88,8 @@ void load_mesh(Surface& surface, const Repair_options& repair_options)
     using Defect = IT::Invalid_surface_error::Defect;
     for (Defect defect : {Defect::DEGENERATE_FACE, Defect::UNREFERENCED_VERTEX})
       if (const IT::Finding* finding = report.find(defect))
-        surface.warnings.push_back(IT::message(*finding));
+        surface.notes.push_back(IT::message(*finding));
+    surface.warnings.insert(surface.warnings.end(), surface.notes.begin(), surface.notes.end());
     for (std::string& warning : gap_warnings(report, surface.path, stitching_advice(report, repair_options)))
       surface.warnings.push_back(std::move(warning));
     if (!is_built)

@@ -69,8 +69,8 @@ struct Surface
   std::optional<Repair_report> repair;                    // if requested
   std::optional<std::vector<std::size_t>> input_vertices; // the origins of the vertices, if flat ones were removed
   std::size_t number_of_removed_vertices = 0;
-  // Warnings about a usable surface.
-  std::vector<std::string> warnings;
+  // Warnings about a usable surface; and those of them that are no reason for a line on the standard error.
+  std::vector<std::string> warnings, notes;
   Stopwatch stopwatch; // since loading began
   double read_seconds = 0;
   double build_seconds = 0;

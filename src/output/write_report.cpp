@@ -122,7 +122,7 @@ void write_surface(std::ostream& os, const Triangulation_result& result, bool is
        counted(counts.components, "component", "components") + ", " +
          counted(counts.boundary_edges, "boundary edge", "boundary edges") + ", Euler characteristic " +
          std::to_string(counts.euler_characteristic));
-  for (const std::string& note : surface.warnings)
+  for (const std::string& note : surface.notes)
     line(os, "note", note);
   if (surface.mollification)
     line(os, "mollified",

@@ -212,14 +212,16 @@ TEST_F(Distance_command, begins_at_points_edges_and_curves)
   write("bad.csv", "x,y,z\n1,2,nan\n");
   EXPECT_TRUE(contains(idt("distance strip.off --source-points bad.csv").err, "bad.csv, line 2: \"nan\" is no finite"));
   write("bad.csv", "input_face,b0,b1,b2\n7,1,0,0\n");
-  EXPECT_TRUE(contains(idt("distance strip.off --source-points bad.csv").err, "there is no triangle 7"));
+  const Command_run no_face = idt("distance strip.off --source-points bad.csv");
+  EXPECT_EQ(no_face.status, 3);
+  EXPECT_TRUE(contains(no_face.err, "there is no triangle 7")) << no_face.err;
   EXPECT_TRUE(contains(idt("distance strip.off --cover none --source-points bad.csv").err, "there is no face 7"));
-  EXPECT_NE(idt("distance strip.off --source-points missing.csv").status, 0);
+  EXPECT_EQ(idt("distance strip.off --source-points missing.csv").status, 3);
   write("bad.csv", "x,y,z\n1,2,3,4\n");
   EXPECT_TRUE(contains(idt("distance strip.off --source-points bad.csv").err, "line 2: there are 3 names and 4 cells"));
   for (const char* text : {"", "x,y,z\n", "x,y,z\n1,0,0\nx,y,z\n"}) {
     write("bad.csv", text);
-    EXPECT_NE(idt("distance strip.off --source-points bad.csv").status, 0) << text;
+    EXPECT_EQ(idt("distance strip.off --source-points bad.csv").status, 3) << text;
     EXPECT_NE(idt("distance strip.off --source-curve bad.csv").status, 0) << text;
   }
   write("bad.csv", "vertex,vertex\n");

@@ -352,6 +352,18 @@ TEST_F(Triangulate_command, names_vertices_that_coincide)
   EXPECT_TRUE(contains(flipped.err, "2 and 3") || contains(flipped.err, "3 and 2")) << flipped.err;
 }
 
+TEST_F(Triangulate_command, warns_once)
+{
+  write("gap.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n0.5 0 0\n0.5 -1 0\n1.5 -1 0\n3 0 1 2\n3 3 4 5\n");
+  for (const char* command : {"triangulate", "refine"}) {
+    const Command_run run = idt(std::string(command) + " gap.off --stats s.json");
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_TRUE(contains(run.err, "warning: vertex 3 lies within edge 0-1")) << run.err;
+    EXPECT_FALSE(contains(run.out, "vertex 3")) << run.out;
+    EXPECT_EQ(Json::parse(content(folder_ / "s.json"))["warnings"].size(), 1u);
+  }
+}
+
 TEST_F(Triangulate_command, accepts_faces_of_zero_area_and_unused_vertices)
 {
   write("flat.off", "OFF\n6 3 0\n0 0 0\n2 0 0\n1 2 0\n1 0 0\n1 -1 0\n7 7 7\n"
