@@ -342,10 +342,10 @@ inline double ply_number(const std::string& bytes, std::size_t& at, const std::s
     at += sizeof(value);
     return double(value);
   };
-  static const std::map<std::string, int> types = {{"char", 0},  {"int8", 0},    {"uchar", 1},  {"uint8", 1},
-                                                   {"short", 2}, {"int16", 2},   {"ushort", 3}, {"uint16", 3},
-                                                   {"int", 4},   {"int32", 4},   {"uint", 5},   {"uint32", 5},
-                                                   {"float", 6}, {"float32", 6}, {"double", 7}, {"float64", 7}};
+  static const std::map<std::string, int> types = {
+    {"char", 0},   {"int8", 0},    {"uchar", 1},  {"uint8", 1},   {"short", 2}, {"int16", 2},
+    {"ushort", 3}, {"uint16", 3},  {"int", 4},    {"int32", 4},   {"uint", 5},  {"uint32", 5},
+    {"float", 6},  {"float32", 6}, {"double", 7}, {"float64", 7}, {"int64", 8}, {"uint64", 9}};
   expect(types.count(type) == 1, "no such type");
   switch (types.at(type)) {
   case 0:
@@ -362,8 +362,12 @@ inline double ply_number(const std::string& bytes, std::size_t& at, const std::s
     return take(std::uint32_t());
   case 6:
     return take(float());
-  default:
+  case 7:
     return take(double());
+  case 8:
+    return take(std::int64_t());
+  default:
+    return take(std::uint64_t());
   }
 }
 

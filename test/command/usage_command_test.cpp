@@ -195,7 +195,7 @@ TEST_F(Command_usage, a_converter_is_named)
                                                         {"b c.FBX", "assimp export 'b c.FBX' 'b c.obj'"},
                                                         {"-a.mesh", "meshio convert './-a.mesh' './-a.ply'"},
                                                         {"a.vtu", "meshio convert a.vtu a.ply"},
-                                                        {"a.vtk", "ParaView saves its surface as PLY"},
+                                                        {"a.vtk", "VTK reads it: python3 -c"},
                                                         {"a.step", "gmsh a.step -2 -o a.stl"},
                                                         {"a.ply.gz", "gunzip a.ply.gz"}}) {
     write(name, "x");

@@ -772,6 +772,17 @@ std::vector<Case> cases()
      [](S& s, E&) {
        return ply_text(s, {"binary_little_endian", "double", "int", "short", "uchar", "vertex_index"});
      }},
+    {"ply", "long integers",
+     [](S& s, E&) {
+       return ply_text(s, {"binary_little_endian", "double", "int64", "uint64", "int64", "vertex_indices"});
+     }},
+    {"ply", "a long integer that is no vertex, though its lower half is one",
+     [](S& s, E& e) {
+       e.error = "element face 0: the list vertex_indices has 4294967296.000000 where an integer is needed";
+       std::string text = ply_text(s, {"binary_little_endian", "double", "uchar", "int64"});
+       text[text.find("end_header\n") + 11 + 24 * s.points.size() + 1 + 4] = 1;
+       return text;
+     }},
     {"ply", "binary, fewer faces announced",
      [](S& s, E& e) {
        e.error = "on there are 13 bytes behind the elements that the header announces (" + s.number_of_points() +

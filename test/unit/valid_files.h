@@ -131,6 +131,8 @@ inline void append_ply_number(std::string& text, const double value, const std::
     append_ply(text, float(value), form);
   else if (type == "int" || type == "int32" || type == "uint" || type == "uint32")
     append_ply(text, std::int32_t(value), form);
+  else if (contains(type, "64"))
+    append_ply(text, std::int64_t(value), form);
   else if (contains(type, "short") || contains(type, "16"))
     append_ply(text, std::int16_t(value), form);
   else
@@ -221,6 +223,7 @@ inline std::vector<Valid_file> valid_files(std::uint32_t n = 2)
                                                  {"double", "uint8", "uint32", "", "vertex_index"},
                                                  {"float32", "int", "ushort", "uchar", "vertex_indices"},
                                                  {"float64", "short", "int16", "", "vertex_indices"},
+                                                 {"double", "uint64", "int64", "uint64", "vertex_indices"},
                                                  {"float", "uchar", "char", "double", "vertex_index"}})
       files.push_back(
         {"ply", format + " " + index, ply_text(sheet, {format, real, size, index, extra, name}), format != "ascii"});

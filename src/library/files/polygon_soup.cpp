@@ -130,10 +130,15 @@ std::string conversion_advice(const std::string& file_name)
     return by_nibabel("n.load(\"" + from + "\").agg_data((\"pointset\", \"triangle\"))");
   if (is_one_of(".white .pial .inflated .smoothwm .orig .sphere ") && from == file_name)
     return by_nibabel("n.freesurfer.read_geometry(\"" + from + "\")");
-  if (is_one_of(".vtk "))
-    return "; ParaView saves its surface as PLY (File > Save Data), and if it is an unstructured grid, meshio converts "
-           "it: meshio convert " +
-           from + ' ' + word(stem + ".ply");
+  if (is_one_of(".vtk ") && from == file_name)
+    return "; VTK reads it: python3 -c 'import vtk as k; r = k.vtkGenericDataObjectReader(); r.SetFileName(\"" + from +
+           "\"); s = k.vtkDataSetSurfaceFilter(); s.SetInputConnection(r.GetOutputPort()); "
+           "t = k.vtkTriangleFilter(); t.PassVertsOff(); t.PassLinesOff(); t.SetInputConnection(s.GetOutputPort()); "
+           "t.Update(); p = t.GetOutput(); "
+           R"(print(*("v %.17g %.17g %.17g" % p.GetPoint(i) for i in range(p.GetNumberOfPoints())), )"
+           R"(*("f %d %d %d" % tuple(p.GetCell(i).GetPointId(j) + 1 for j in range(3)) for i in range(p.GetNumberOfCells())), )"
+           R"(sep="\n")' > )" +
+           word(stem + ".obj");
   if (is_one_of(".msh .mesh .meshb .vtu .inp .med .nas .bdf .xdmf .exo .e .cgns .su2 .ugrid .avs .vol "))
     return "; meshio reads its faces: meshio convert " + from + ' ' + word(stem + ".ply");
   if (is_one_of(".step .stp .iges .igs .brep "))

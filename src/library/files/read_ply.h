@@ -35,7 +35,8 @@ struct Ply_type
   const char* name = "";
   std::size_t size = 0; // in bytes
   bool is_real = false;
-  long long least = 0, greatest = 0; // of the integers; of reals that stand for integers, as in lists of some programs
+  // Of the integers; of reals and long integers, of those that a list may have, as in files of some programs.
+  long long least = 0, greatest = 0;
 
   bool is_signed() const { return least < 0; }
 };
@@ -44,10 +45,11 @@ template <class Number>
 constexpr Ply_type ply_type_as(const char* name)
 {
   using Limits = std::numeric_limits<Number>;
-  if constexpr (Limits::is_integer)
+  if constexpr (Limits::is_integer && sizeof(Number) < 8)
     return {name, sizeof(Number), false, (Limits::min)(), (Limits::max)()};
   else
-    return {name, sizeof(Number), true, (std::numeric_limits<std::int32_t>::min)(),
+    return {name, sizeof(Number), !Limits::is_integer,
+            Limits::is_signed ? (std::numeric_limits<std::int32_t>::min)() : 0,
             (std::numeric_limits<std::uint32_t>::max)()};
 }
 
@@ -58,8 +60,8 @@ inline Ply_type ply_type(const std::string& name)
     ply_type_as<std::uint8_t>("uint8"),   ply_type_as<std::int16_t>("short"),   ply_type_as<std::int16_t>("int16"),
     ply_type_as<std::uint16_t>("ushort"), ply_type_as<std::uint16_t>("uint16"), ply_type_as<std::int32_t>("int"),
     ply_type_as<std::int32_t>("int32"),   ply_type_as<std::uint32_t>("uint"),   ply_type_as<std::uint32_t>("uint32"),
-    ply_type_as<float>("float"),          ply_type_as<float>("float32"),        ply_type_as<double>("double"),
-    ply_type_as<double>("float64")};
+    ply_type_as<std::int64_t>("int64"),   ply_type_as<std::uint64_t>("uint64"), ply_type_as<float>("float"),
+    ply_type_as<float>("float32"),        ply_type_as<double>("double"),        ply_type_as<double>("float64")};
   const auto found =
     std::find_if(std::begin(types), std::end(types), [&name](const Ply_type& type) { return type.name == name; });
   return found == std::end(types) ? Ply_type() : *found;
@@ -322,11 +324,14 @@ private:
   {
     if (type.is_real)
       return type.size == 8 ? load<double>(p) : static_cast<double>(load<float>(p));
+    if (type.size == 8)
+      return type.is_signed() ? static_cast<double>(load<std::int64_t>(p))
+                              : static_cast<double>(load<std::uint64_t>(p));
     const std::uint32_t bits = load_integer(p, type);
     return type.is_signed() ? static_cast<double>(static_cast<std::int32_t>(bits)) : static_cast<double>(bits);
   }
 
-  // An integer of any type, modulo 2^32 if it is negative.
+  // An integer of up to four bytes, modulo 2^32 if it is negative.
   static std::uint32_t load_integer(const char* const p, const Ply_type& type)
   {
     const bool is_signed = type.is_signed();
@@ -486,7 +491,7 @@ private:
                              announced() + ")" + hint());
       };
       const auto integer = [&](const char* const p, const Ply_type& type) {
-        if (!type.is_real)
+        if (!type.is_real && type.size < 8)
           return load_integer(p, type);
         const double number = load_number(p, type);
         if (!(number >= double(type.least) && number <= double(type.greatest) && number == std::trunc(number)))
