@@ -39,8 +39,9 @@ function find_parts(element) {
   const largest = parts.reduce((best, part) => (size_of(places_of(part)) > size_of(places_of(best)) ? part : best));
   const box = new THREE.Box3();
   (element.vertex === undefined ? parts : triangles.map(corners_of)).forEach(part => places_of(part).forEach(p => box.expandByPoint(p)));
-  return { triangles, largest, center: places_of(largest).reduce((sum, p) => sum.addScaledVector(p, 1 / largest.length), new THREE.Vector3()),
-    size: Math.max(box.getSize(new THREE.Vector3()).length(), 1e-4 * page.radius) };
+  const size = box.getSize(new THREE.Vector3()).length();
+  return { triangles, largest, is_small: size < 2e-6 * page.radius, center: places_of(largest).reduce((sum, p) => sum.addScaledVector(p, 1 / largest.length), new THREE.Vector3()),
+    size: Math.max(size, 1e-4 * page.radius) };
 }
 
 // How far one sees from a place in each direction, before a triangle is in the way. \param own triangles at the place, which are not
@@ -78,7 +79,7 @@ function directions_around(normal) {
 // Turns the camera to an element: to its outside, or if something is in the way there, to where it is seen from farthest away; the camera
 // stays before the first obstacle.
 function fly_to(picture, element) {
-  const { triangles, largest, center, size } = find_parts(element), triangle = Math.floor(largest[0] / 3);
+  const { triangles, largest, is_small, center, size } = find_parts(element), triangle = Math.floor(largest[0] / 3);
   const normals = picture.surface.geometry.getAttribute("direction").array, normal = new THREE.Vector3();
   triangles.forEach(t => normal.add(new THREE.Vector3().fromArray(normals, 9 * t)));
   if (normal.length() === 0)
@@ -94,5 +95,6 @@ function fly_to(picture, element) {
   if (picture.cut.x * center.x + picture.cut.y * center.y + picture.cut.z * center.z > picture.cut.w)
     picture.cut.set(0, 0, 0, 0);
   picture.control.fly(center, direction, Math.min(distance, 0.98 * reach));
-  Object.assign(element, { triangle, layer: triangulations.length - 1, weights: [0, 1, 2].map(i => (largest.includes(3 * triangle + i) ? 1 / largest.length : 0)) });
+  Object.assign(element, { triangle, layer: triangulations.length - 1, weights: [0, 1, 2].map(i => (largest.includes(3 * triangle + i) ? 1 / largest.length : 0)),
+    corner: is_small ? surface.corners[largest[0]] : undefined });
 }

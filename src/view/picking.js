@@ -79,5 +79,6 @@ function mark_element(picture, element) {
     for (let s = 3 * element.faces[t]; s < 3 * element.faces[t] + 3; ++s)
       segments.push(...segments_of(t, triangulations[t].sides[s]));
   }
-  picture.mark(segments, element && element.vertex !== undefined ? [element.vertex] : []);
+  // A point stands for what is smaller than a pixel.
+  picture.mark(segments, element ? [element.vertex, element.corner].filter(v => v !== undefined) : []);
 }
