@@ -410,6 +410,22 @@ TEST(Repaired_solids, rooms_that_share_walls_stay_closed)
       }
 }
 
+// Two rooms that share a wall, and two cells that touch them along an edge.
+TEST(Repaired_solids, rooms_and_cells_that_touch_them_may_differ_in_direction)
+{
+  for (const std::set<Cell>& cells : {std::set<Cell>{{0, 0, 0}, {0, 0, 2}, {0, 1, 1}, {0, 2, 1}},
+                                      {{0, 0, 0}, {0, 1, 1}, {0, 1, 2}, {1, 1, 3}},
+                                      {{0, 0, 0}, {0, 1, 1}, {1, 0, 2}, {1, 1, 1}}})
+    for (std::size_t are_turned = 0; are_turned < 16; ++are_turned) {
+      SCOPED_TRACE(testing::PrintToString(cells) + " turned " + std::to_string(are_turned));
+      Mesh mesh = boundary(cells, Walls::TWICE);
+      for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+        if ((are_turned >> f / 12 & 1) != 0)
+          turn_over(mesh.faces[f]);
+      expect_rooms(mesh.points, mesh.faces, cells.size());
+    }
+}
+
 TEST(Repaired_solids, what_is_really_doubled_goes)
 {
   std::mt19937 random(11);

@@ -41,7 +41,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 //   Such faces are glued, and what they enclose is left out; then the next ones, until none is left. So each pair
 //   bounds a set where the winding number has some least value, and a solid that touches itself comes apart along the
 //   edge. Of several that could be glued where solids overlap, faces of the same piece are.
-// - If the solid is inside out, which its volume tells, material is on the other sides.
+// - If the solid is inside out, which its volume tells, material is on the other sides. Solids that only touch may
+//   differ in this.
 // - Pieces that hang on others by one edge alone, as a fin does, are glued after all others. If their number at an
 //   edge is odd, as of three sheets, only faces are that belong to the same piece, or to pieces that were glued
 //   elsewhere: else they would be left as a slit in the surface.
@@ -221,10 +222,26 @@ private:
         tie_around(entries);
     if (are_hanging || crowded_edges_.empty())
       return;
-    const std::vector<bool> is_inside_out = find_inside_out(networks);
-    for (Crowded_edge& edge : crowded_edges_)
-      if (const Entries entries = entries_left(edge, false); !entries.empty())
-        edge.is_inside_out = is_inside_out[networks.find(entries[0]->piece)];
+    // Pieces that do not close each other may be inside out or not.
+    Disjoint_sets solids(n);
+    std::vector<Index> open_piece(crowded_edges_.size(), none);
+    for (std::size_t e = 0; e < crowded_edges_.size(); ++e) {
+      std::map<Index, int> balance;
+      for (const Entry* entry : entries_left(crowded_edges_[e], false))
+        balance[entry->piece] += runs_backward(*entry) ? 1 : -1;
+      for (const auto& [piece, number] : balance)
+        if (number != 0) {
+          if (open_piece[e] != none)
+            solids.unite(open_piece[e], piece);
+          open_piece[e] = piece;
+        }
+    }
+    const std::vector<bool> is_network_inside_out = find_inside_out(networks), is_inside_out = find_inside_out(solids);
+    for (std::size_t e = 0; e < crowded_edges_.size(); ++e)
+      if (const Entries entries = entries_left(crowded_edges_[e], false); !entries.empty())
+        crowded_edges_[e].is_inside_out = open_piece[e] == none
+                                            ? is_network_inside_out[networks.find(entries[0]->piece)]
+                                            : is_inside_out[solids.find(open_piece[e])];
   }
 
   // Whether two faces with the same corners have the same direction.
