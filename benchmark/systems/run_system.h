@@ -14,7 +14,7 @@
 
 #include "Interchange.h"
 
-#include <chrono>
+#include <ctime>
 #include <exception>
 #include <iostream>
 #include <string>
@@ -33,18 +33,18 @@ struct Not_offered
   const char* why;
 };
 
-// Runs while it lives; the time is added to the result.
+// Runs while it lives; its processor time is added to the result, since the machine may be busy. All systems use one thread.
 class Stopwatch
 {
 public:
-  explicit Stopwatch(double& seconds) : seconds_(seconds), start_(std::chrono::steady_clock::now()) {}
+  explicit Stopwatch(double& seconds) : seconds_(seconds), start_(std::clock()) {}
   Stopwatch(const Stopwatch&) = delete;
   Stopwatch& operator=(const Stopwatch&) = delete;
-  ~Stopwatch() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  ~Stopwatch() { seconds_ += double(std::clock() - start_) / CLOCKS_PER_SEC; }
 
 private:
   double& seconds_;
-  std::chrono::steady_clock::time_point start_;
+  std::clock_t start_;
 };
 
 template <class Run>
