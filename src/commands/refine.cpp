@@ -232,6 +232,34 @@ Triangulation_result refine_surface(Surface surface, Run_options run_options, co
   return result;
 }
 
+IT::Straight_mesh straight_mesh(const Triangulation_result& result)
+{
+  const Refinement_options& refinement = *result.options.refinement;
+  const double maximum = refinement.criteria.maximum_deviation;
+  return IT::straight_mesh(*result.outcome.subdivision, result.surface.points, refinement.is_constrained,
+                           Triangulation_result::thin_angle, std::isfinite(maximum) ? maximum : 0,
+                           ends(refinement.is_whole, result.surface.connectivity));
+}
+
+// A larger deviation for which refinement leads to good triangles, found by trying, with two digits; or 0.
+double sufficient_deviation(const Surface& surface, Run_options run_options, const Refine_options& options,
+                            double suggestion)
+{
+  double& deviation = run_options.refinement->criteria.maximum_deviation;
+  const double first = deviation;
+  for (double d = (std::max)(suggestion, 2 * first); d < 100 * first; d *= 2) {
+    const double digit = std::pow(10, std::floor(std::log10(d)) - 1);
+    deviation = std::ceil(d / digit) * digit;
+    std::istringstream(in_short(deviation)) >> deviation; // as it is written
+    const Triangulation_result result = refine_surface(surface, run_options, options);
+    if (!result.outcome.subdivision)
+      return 0;
+    if (straight_mesh(result).is_good())
+      return deviation;
+  }
+  return 0;
+}
+
 Exit_status refine_file(const std::string& path, const Refine_options& options)
 {
   Surface surface = load_surface(path, options.repair);
@@ -253,15 +281,16 @@ Exit_status refine_file(const std::string& path, const Refine_options& options)
   run_options.wanted.overlay = run_options.wanted.overlay || makes_triangles;
   run_options.wanted.shapes = true;
   run_options.wanted.verification = options.is_verified;
+  const bool is_bounded = !options.maximum_deviation.empty();
+  const std::optional<Surface> copy = is_bounded ? std::optional<Surface>(surface) : std::nullopt;
   Triangulation_result result = refine_surface(std::move(surface), run_options, options);
   result.flat_tolerance = options.flat_tolerance;
   result.flat_deviation = deviation;
   if (makes_triangles && result.outcome.subdivision) {
-    const double maximum = result.options.refinement->criteria.maximum_deviation;
-    result.straight =
-      IT::straight_mesh(*result.outcome.subdivision, result.surface.points, result.options.refinement->is_constrained,
-                        Triangulation_result::thin_angle, std::isfinite(maximum) ? maximum : 0,
-                        ends(result.options.refinement->is_whole, result.surface.connectivity));
+    result.straight = straight_mesh(result);
+    if (is_bounded && !result.straight->is_good())
+      result.straight->sufficient_deviation =
+        sufficient_deviation(*copy, run_options, options, result.straight->sufficient_deviation);
     write_file(options.flattened,
                [&](std::ostream& os) { write_straight_mesh(os, *result.straight, options.flattened); });
   }

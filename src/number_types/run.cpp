@@ -245,12 +245,16 @@ std::optional<Shape_summary> summarize_shapes(const Triangulation& triangulation
   return summary;
 }
 
+// Of all edges but those that are kept; with a maximum deviation, these are parts of any edges of the input.
 template <class Triangulation>
-IT::Delaunay_verification verify(const Triangulation& triangulation, const Outcome& outcome)
+IT::Delaunay_verification verify(const Triangulation& triangulation, const Job& job, const Outcome& outcome)
 {
   if constexpr (Triangulation::uses_exact_geometry)
     if (outcome.refinement) {
-      const std::vector<bool> is_constrained = constrained_parts(triangulation, outcome.refinement->is_constrained);
+      const bool keeps_folds = std::isfinite(job.options.refinement->criteria.maximum_deviation);
+      const std::vector<bool> is_constrained =
+        constrained_parts(triangulation, keeps_folds ? std::vector<bool>(triangulation.input().number_of_edges(), true)
+                                                     : outcome.refinement->is_constrained);
       return IT::verify_Delaunay<Concurrency_tag>(
         triangulation, CGAL::parameters::edge_is_constrained_map(edge_flags(is_constrained)));
     }
@@ -305,7 +309,7 @@ void relate_to_input(const Triangulation& triangulation, const Job& job, Outcome
       outcome.crossing_summary->seconds = stopwatch.restart();
     }
     if (wanted.verification)
-      outcome.verification = verify(triangulation, outcome);
+      outcome.verification = verify(triangulation, job, outcome);
     const bool is_Delaunay = outcome.verification ? outcome.verification->is_Delaunay()
                                                   : Triangulation::Traits::Has_exact_decisions::value &&
                                                       outcome.report.status == IT::Flip_status::DELAUNAY;

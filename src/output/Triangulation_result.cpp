@@ -81,7 +81,7 @@ std::string describe_straight_triangles(const Triangulation_result& result)
   return text + "; " +
          (std::isinf(maximum) ? "try --maximum-deviation 0.1%"
           : mesh.sufficient_deviation > 0
-            ? "try --maximum-deviation " + in_short(mesh.sufficient_deviation) + ", or a larger --minimum-size"
+            ? "--maximum-deviation " + in_short(mesh.sufficient_deviation) + " suffices, as was tried"
             : "try a larger --minimum-size") +
          "; only the intrinsic triangulation is ";
 }
@@ -205,7 +205,10 @@ std::string describe_status(const Triangulation_result& result)
   switch (report.status) {
   case IT::Flip_status::DELAUNAY:
     return describe_refinement(result) + describe_straight_triangles(result) +
-           (outcome.verification ? "Delaunay, verified" : "Delaunay");
+           (!outcome.verification ? "Delaunay"
+            : result.options.refinement && std::isfinite(result.options.refinement->criteria.maximum_deviation)
+              ? "Delaunay but for folds that are kept, verified"
+              : "Delaunay, verified");
   case IT::Flip_status::INCONSISTENT:
     // Either diagonal of a tie is right, whatever rounding does.
     return std::string(outcome.verification ? "verified Delaunay, but only by chance: " : "not Delaunay: ") +

@@ -154,6 +154,8 @@ std::string straight_text(const CGAL::Intrinsic_triangulations::Straight_mesh& m
             in_short(mesh.points[mesh.points_of_vertices[mesh.merged_vertices.front().idx()]]);
   if (mesh.number_of_removed_pieces > 0)
     text += ", " + counted(mesh.number_of_removed_pieces, "piece", "pieces") + " along others left out";
+  if (mesh.number_of_rods > 0)
+    text += ", " + counted(mesh.number_of_rods, "wire or point", "wires or points") + " without thickness made rods";
   if (!mesh.thin_triangles.empty())
     text += ", below 10 in " + counted(mesh.thin_triangles.size(), "triangle", "triangles") + ", " +
             with_separators(mesh.number_of_sharp_corners) + " of them at corners of kept edges";

@@ -31,6 +31,8 @@ struct Straight_mesh
   std::vector<std::uint32_t> points_of_vertices;
   std::vector<Vertex_index> merged_vertices; ///< those that have the point of another one
   std::size_t number_of_removed_pieces = 0;  ///< how many connected pieces were left out that lie along others
+  /// how many pieces without thickness lie along nothing, and became rods that are as thick as the deviation allows
+  std::size_t number_of_rods = 0;
   /// the faces with three different corners, in order
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<Face_index> faces; ///< for each triangle, the face of the triangulation that it is, or where it belongs
@@ -53,7 +55,8 @@ struct Straight_mesh
   std::vector<std::uint32_t> thin_triangles; ///< those with an angle below the given bound
   /// how many of them have it between two marked edges, where every mesh has that angle
   std::size_t number_of_sharp_corners = 0;
-  /// a maximum deviation with which the other thin triangles might be merged, by their shortest sides; 0 if there are none
+  /// a larger maximum deviation, at most 64 times the given one, with which the triangles are good, as was tried; 0 if they
+  /// are good, or there is none
   double sufficient_deviation = 0;
 
   /// edges of the triangulation whose ends are the same: their faces are left out
@@ -64,6 +67,9 @@ struct Straight_mesh
 
   /// returns whether the only thin triangles are at sharp corners. Complexity: constant.
   bool has_good_angles() const { return thin_triangles.size() == number_of_sharp_corners; }
+
+  /// returns whether they are a surface with good angles. Complexity: constant.
+  bool is_good() const { return is_surface() && has_good_angles(); }
 
   /// returns whether the triangles are a manifold without holes that the surface does not have, and no two of them have
   /// the same corners. Complexity: constant.
@@ -78,13 +84,14 @@ struct Straight_mesh
 /// \brief makes straight triangles of the faces of an intrinsic triangulation, for programs that know no others.
 ///
 /// The distance from the surface is the maximum of |x − φ(x)| for the map φ that is linear on each intrinsic face. It is
-/// attained at a vertex of the overlay: x − φ(x) is linear on each of its faces, as these lie in a plane of the input.
+/// attained at a vertex of the overlay: x − φ(x) is linear on each of its faces, as these lie in a plane of the input. Where
+/// triangles are changed, parts of both surfaces are divided until each is near one triangle of the other surface.
 ///
 /// CAD models have edges and gaps that are shorter than any useful triangle. With `maximum_deviation`, vertices are
-/// merged where that makes thin triangles better, and the longest sides of others are bent to their third corners. Thin
-/// tubes, where four triangles would meet at an edge, are cut there and closed, and pieces without any thickness that lie
-/// along others are left out. The triangulation and the surface stay as they are, the triangles stay closed where the
-/// surface is, and the deviation stays within that bound.
+/// merged or moved and edges flipped where that makes thin triangles better, or where edges are shorter than that and
+/// nothing does. Thin tubes are cut and closed, pieces without any thickness that lie along others are left out, and wires
+/// that do not become rods. The triangulation and the surface stay as they are, and the triangles stay closed where the
+/// surface is. Distances are measured between both surfaces; the deviation stays within that bound.
 ///
 /// \param subdivision the common subdivision of the triangulation and its input
 /// \param points the positions of the vertices of the input
@@ -100,7 +107,7 @@ struct Straight_mesh
 ///   coordinate is not finite
 ///
 /// Complexity: linear in the size of the overlay, and O(n log n) for n edges, for vertices of bounded degree; O(n) for
-/// each piece that is left out.
+/// each piece that is left out. If the triangles are not good, larger deviations are tried, at most six.
 Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::vector<std::array<double, 3>>& points,
                             const std::vector<bool>& is_marked = {}, double thin_angle = 10,
                             double maximum_deviation = 0, const std::vector<bool>& is_fixed = {});

@@ -46,11 +46,12 @@ inline std::pair<double, std::size_t> smallest_angle(const std::array<std::array
   return result;
 }
 
-// Each vertex of the triangulation has an image, which is a vertex as well: itself, unless vertices are merged.
+// It is known where the surface is below each face, and where its vertices are, and others that are added.
 class Straight_map
 {
 public:
   using Point = std::array<double, 3>;
+  using Corners = std::array<Point, 3>;
 
   struct Distance
   {
@@ -60,91 +61,67 @@ public:
 
   // \param points those of the input
   Straight_map(const Common_subdivision& subdivision, const std::vector<Point>& points)
-    : subdivision_(subdivision), overlay_(subdivision.overlay()), complex_(subdivision.intrinsic()),
-      input_points_(points)
+    : subdivision_(subdivision), overlay_(subdivision.overlay()), complex_(subdivision.intrinsic())
   {
-    for (Vertex_index v : complex_.vertices()) { // which the overlay begins with
-      points_.push_back(subdivision_.point(Overlay::Vertex(v.idx()), points));
-      images_.push_back(v.idx());
-      merged_.push_back({v.idx()});
-    }
-    for (const Point& p : input_points_) // which are the corners of all others
+    for (Overlay::Vertex x : overlay_.vertices())
+      positions_.push_back(subdivision_.point(x, points));
+    points_.assign(positions_.begin(), positions_.begin() + std::ptrdiff_t(complex_.number_of_vertices()));
+    for (const Point& p : points) // which are the corners of all others
       for (double x : p)
         largest_coordinate_ = (std::max)(largest_coordinate_, std::abs(x));
   }
 
   const std::vector<Point>& points() const { return points_; }
-  std::uint32_t image(Vertex_index v) const { return images_[v.idx()]; }
-  std::array<Point, 3> corners(const std::array<std::uint32_t, 3>& t) const
+  Corners corners(const std::array<std::uint32_t, 3>& t) const { return {points_[t[0]], points_[t[1]], points_[t[2]]}; }
+  std::uint32_t add_vertex(const Point& p)
   {
-    return {points_[t[0]], points_[t[1]], points_[t[2]]};
-  }
-
-  // \return another vertex at the place of v. No vertex of the triangulation has it as its image
-  std::uint32_t add_copy(std::uint32_t v)
-  {
-    points_.push_back(Point(points_[v]));
-    merged_.emplace_back();
+    points_.push_back(Point(p)); // which may be one of them
     return std::uint32_t(points_.size()) - 1;
   }
+  void move_vertex(std::uint32_t v, const Point& p) { points_[v] = p; }
 
-  struct Undo
-  {
-    std::uint32_t from, to;
-    std::size_t number;
-  };
-  // All vertices whose image is `from` then have the image `to`.
-  Undo merge(std::uint32_t from, std::uint32_t to)
-  {
-    const Undo result{from, to, merged_[from].size()};
-    for (std::uint32_t v : merged_[from])
-      images_[v] = to;
-    merged_[to].insert(merged_[to].end(), merged_[from].begin(), merged_[from].end());
-    merged_[from].clear();
-    return result;
-  }
-  // \pre this was the last merge
-  void undo(const Undo& merge)
-  {
-    std::vector<std::uint32_t>& both = merged_[merge.to];
-    merged_[merge.from].assign(both.end() - std::ptrdiff_t(merge.number), both.end());
-    both.resize(both.size() - merge.number);
-    for (std::uint32_t v : merged_[merge.from])
-      images_[v] = merge.from;
-  }
-
-  // How far points of the surface are from their images, where the image of a vertex is `v`, without the rounding.
-  Distance distance_around(std::uint32_t v) const
-  {
-    Distance result;
-    for (std::uint32_t w : merged_[v]) {
-      add(result, points_[w], points_[v]);
-      if (complex_.halfedge(Vertex_index(w)).is_valid())
-        for (Halfedge_index h : Halfedges_around(complex_, Vertex_index(w)))
-          add_crossings(result, complex_.edge(h));
-    }
-    return result;
-  }
-  // The same of the points of a face.
+  // How far points of a face are from its images, if its vertices are where they were, without the rounding.
   Distance distance_on(Face_index f) const
   {
     Distance result;
-    Halfedge_index h = complex_.halfedge(f);
-    for (int i = 0; i < 3; ++i, h = complex_.next(h)) {
-      add(result, points_[complex_.source(h).idx()], points_[image(complex_.source(h))]);
-      add_crossings(result, complex_.edge(h));
+    const Halfedge_index first = complex_.halfedge(f);
+    for (Halfedge_index h : {first, complex_.next(first), complex_.prev(first)}) {
+      const Halfedge_index along = complex_.halfedge(complex_.edge(h));
+      const Point &p = positions_[complex_.source(along).idx()], &q = positions_[complex_.target(along).idx()];
+      for (Overlay::Vertex x : overlay_.intrinsic_crossings(complex_.edge(h))) {
+        const double t = subdivision_.positions().on_intrinsic_edge(x);
+        const Point& at = positions_[x.idx()];
+        const double d = std::hypot(at[0] - ((1 - t) * p[0] + t * q[0]), at[1] - ((1 - t) * p[1] + t * q[1]),
+                                    at[2] - ((1 - t) * p[2] + t * q[2]));
+        if (d > result.value)
+          result = {d, at};
+      }
     }
     return result;
   }
-  Distance largest_distance() const
+
+  // The surface in a face, as triangles.
+  std::vector<Corners> surface_in(Face_index f)
   {
-    Distance result;
-    for (Vertex_index v : complex_.vertices())
-      add(result, points_[v.idx()], points_[image(v)]);
-    for (Edge_index e : complex_.edges())
-      add_crossings(result, e);
+    if (overlay_faces_.empty()) {
+      overlay_faces_.resize(complex_.number_of_faces());
+      for (Overlay::Face g : overlay_.faces())
+        overlay_faces_[overlay_.intrinsic_face(g).idx()].push_back(g);
+    }
+    std::vector<Corners> result;
+    for (Overlay::Face g : overlay_faces_[f.idx()]) {
+      const Overlay::Halfedge first = overlay_.halfedge(g);
+      Point before = position(overlay_.target(overlay_.next(first)));
+      for (Overlay::Halfedge h = overlay_.next(overlay_.next(first)); h != first; h = overlay_.next(h)) {
+        const Point& at = position(overlay_.target(h));
+        result.push_back({position(overlay_.target(first)), before, at});
+        before = at;
+      }
+    }
     return result;
   }
+
+  const Point& position(Overlay::Vertex x) const { return positions_[x.idx()]; }
 
   // A bound for the distance that includes all rounding.
   //
@@ -159,31 +136,13 @@ public:
   }
 
 private:
-  static void add(Distance& distance, const Point& p, const Point& image)
-  {
-    const double d = std::hypot(p[0] - image[0], p[1] - image[1], p[2] - image[2]);
-    if (d > distance.value)
-      distance = {d, p};
-  }
-  void add_crossings(Distance& distance, Edge_index e) const
-  {
-    const Halfedge_index h = complex_.halfedge(e);
-    const Point &p = points_[image(complex_.source(h))], &q = points_[image(complex_.target(h))];
-    for (Overlay::Vertex x : overlay_.intrinsic_crossings(e)) {
-      const double t = subdivision_.positions().on_intrinsic_edge(x);
-      add(distance, subdivision_.point(x, input_points_),
-          {(1 - t) * p[0] + t * q[0], (1 - t) * p[1] + t * q[1], (1 - t) * p[2] + t * q[2]});
-    }
-  }
-
   const Common_subdivision& subdivision_;
   const Overlay& overlay_;
   const Delta_complex& complex_;
-  const std::vector<Point>& input_points_;
-  std::vector<Point> points_; // of the vertices, and of copies
+  std::vector<Point> positions_; // of the vertices of the overlay, which those of the triangulation come first of
+  std::vector<Point> points_;    // of the vertices of the triangles
+  std::vector<std::vector<Overlay::Face>> overlay_faces_; // in each face
   double largest_coordinate_ = 0;
-  std::vector<std::uint32_t> images_;
-  std::vector<std::vector<std::uint32_t>> merged_; // the vertices of the triangulation with each image
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

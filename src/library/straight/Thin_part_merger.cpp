@@ -3,26 +3,36 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Definitions of Thin_part_merger: the order of its steps, and the contraction of edges.
+// Definitions of Thin_part_merger: the order of its steps, what a change must bring, contractions, flips and moves.
 
 #include "Thin_part_merger.h"
 
+#include <CGAL/Intrinsic_triangulations/Point_location.h>
+
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <tuple>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-static constexpr double not_moved = -1;
+// Refinement leaves the rest of the deviation to us.
+static constexpr double usual_part = 0.8;
 
 Thin_part_merger::Thin_part_merger(Straight_map& map, Straight_triangles& mesh, double thin_angle,
                                    double maximum_deviation)
   : map_(map), mesh_(mesh), thin_angle_(thin_angle), maximum_deviation_(maximum_deviation),
-    at_vertex_(map.points().size()), marked_(map.points().size()), moved_(mesh.triangles.size(), not_moved)
+    most_((2 * maximum_deviation - map.bound(maximum_deviation)) * (1 - 1e-9)), at_vertex_(map.points().size()),
+    marked_(map.points().size()), images_(map.points().size()), is_waiting_(mesh.triangles.size()),
+    is_stuck_(mesh.triangles.size())
 {
-  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+  std::iota(images_.begin(), images_.end(), 0u);
+  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
     for (std::uint32_t v : mesh_.triangles[t])
       at_vertex_[v].push_back(t);
+    stand_for_face_.resize((std::max)(stand_for_face_.size(), std::size_t(mesh_.faces[t].idx()) + 1));
+    stand_for_face_[mesh_.faces[t].idx()].push_back(t);
+  }
   for (const auto& [v, w] : mesh_.marked_edges) {
     marked_[v].push_back(w);
     marked_[w].push_back(v);
@@ -37,17 +47,26 @@ Straight_map::Distance Thin_part_merger::operator()()
     if (is_bad(t))
       bad.emplace_back(smallest_angle(map_.corners(mesh_.triangles[t])).first, t);
   std::sort(bad.rbegin(), bad.rend());
-  for (const auto& [angle, t] : bad)
+  for (const auto& [angle, t] : bad) {
     to_look_at_.push_back(t);
-  while (!to_look_at_.empty()) {
-    const std::uint32_t t = to_look_at_.back();
-    to_look_at_.pop_back();
-    if (is_bad(t))
-      improve(t);
+    is_waiting_[t] = true;
+  }
+  // Where nothing improves, short sides are contracted nevertheless: what is left is coarser.
+  std::vector<std::uint32_t> stuck;
+  while (!to_look_at_.empty() || !stuck.empty()) {
+    is_forced_ = to_look_at_.empty();
+    std::vector<std::uint32_t>& list = is_forced_ ? stuck : to_look_at_;
+    const std::uint32_t t = list.back();
+    list.pop_back();
+    (is_forced_ ? is_stuck_ : is_waiting_)[t] = false;
+    if (is_bad(t) && !improve(t) && !is_forced_ && !is_stuck_[t]) {
+      stuck.push_back(t);
+      is_stuck_[t] = true;
+    }
   }
   remove_pieces();
   const Straight_map::Distance result = largest_distance();
-  merge_removed_vertices();
+  finish_images();
   mesh_.marked_edges.clear();
   for (std::uint32_t v = 0; v < marked_.size(); ++v)
     for (std::uint32_t w : marked_[v])
@@ -58,15 +77,28 @@ Straight_map::Distance Thin_part_merger::operator()()
   return result;
 }
 
-Straight_map::Distance Thin_part_merger::largest_distance() const
+// Vertices of removed pieces get the place of the nearest vertex that is left.
+void Thin_part_merger::finish_images()
 {
-  Straight_map::Distance result = map_.largest_distance();
-  if (removed_.value > result.value)
-    result = removed_;
-  for (std::uint32_t t = 0; t < moved_.size(); ++t)
-    if (moved_[t] > result.value && !is_removed(mesh_.triangles[t]))
-      result = {moved_[t], map_.points()[mesh_.triangles[t][0]]};
-  return result;
+  std::sort(removed_vertices_.begin(), removed_vertices_.end());
+  removed_vertices_.erase(std::unique(removed_vertices_.begin(), removed_vertices_.end()), removed_vertices_.end());
+  for (std::uint32_t v : removed_vertices_) {
+    std::uint32_t nearest = v;
+    for (std::uint32_t w = 0; w < at_vertex_.size(); ++w)
+      if (!at_vertex_[w].empty() && (nearest == v || length(v, w) < length(v, nearest)))
+        nearest = w;
+    if (v < images_.size())
+      images_[v] = nearest;
+  }
+  for (std::uint32_t& image : images_)
+    while (image < images_.size() && images_[image] != image)
+      image = images_[image];
+}
+
+bool Thin_part_merger::is_thin(std::uint32_t t, double angle) const
+{
+  constexpr double smallest_corner = 0.1;
+  return angle < thin_angle_ && !(mesh_.is_kept[t] && angle > smallest_corner);
 }
 
 // Whether a triangle is thin, or has a side with too many others.
@@ -74,7 +106,7 @@ bool Thin_part_merger::is_bad(std::uint32_t t) const
 {
   const Triangle& corners = mesh_.triangles[t];
   return !is_removed(corners) &&
-         ((!mesh_.is_kept[t] && smallest_angle(map_.corners(corners)).first < thin_angle_) ||
+         (is_thin(t, smallest_angle(map_.corners(corners)).first) ||
           number_of_triangles_at(corners[0], corners[1]) > 2 || number_of_triangles_at(corners[1], corners[2]) > 2 ||
           number_of_triangles_at(corners[2], corners[0]) > 2);
 }
@@ -106,6 +138,11 @@ bool Thin_part_merger::is_on_border(std::uint32_t v) const
   return std::any_of(around.begin(), around.end(), [&](std::uint32_t w) { return number_of_triangles_at(v, w) == 1; });
 }
 
+bool Thin_part_merger::is_marked(std::uint32_t v, std::uint32_t w) const
+{
+  return std::count(marked_[v].begin(), marked_[v].end(), w) != 0;
+}
+
 double Thin_part_merger::length(std::uint32_t v, std::uint32_t w) const
 {
   const Point &p = map_.points()[v], &q = map_.points()[w];
@@ -114,7 +151,11 @@ double Thin_part_merger::length(std::uint32_t v, std::uint32_t w) const
 
 void Thin_part_merger::look_at(std::uint32_t v)
 {
-  to_look_at_.insert(to_look_at_.end(), at_vertex_[v].begin(), at_vertex_[v].end());
+  for (std::uint32_t t : at_vertex_[v])
+    if (!is_waiting_[t]) {
+      to_look_at_.push_back(t);
+      is_waiting_[t] = true;
+    }
 }
 
 void Thin_part_merger::replace(std::uint32_t t, const Triangle& corners)
@@ -129,37 +170,221 @@ void Thin_part_merger::replace(std::uint32_t t, const Triangle& corners)
       at_vertex_[v].push_back(t);
 }
 
-// How far points have moved at most whose images a triangle has.
-double Thin_part_merger::moved(std::uint32_t t) const
+// It gets corners later, and stands for nothing.
+// \param beside another triangle of the same face
+std::uint32_t Thin_part_merger::add_triangle(std::uint32_t beside)
 {
-  if (moved_[t] != not_moved)
-    return moved_[t];
-  double result = map_.distance_on(mesh_.faces[t]).value;
-  if (const auto taken = taken_.find(t); taken != taken_.end())
-    for (Face_index f : taken->second)
-      result = (std::max)(result, map_.distance_on(f).value);
+  const auto t = std::uint32_t(mesh_.triangles.size());
+  mesh_.triangles.push_back({0, 0, 0});
+  mesh_.faces.push_back(mesh_.faces[beside]);
+  mesh_.is_kept.push_back(false);
+  is_waiting_.push_back(false);
+  is_stuck_.push_back(false);
+  stands_for_[t];
+  return t;
+}
+
+std::uint32_t Thin_part_merger::add_vertex(const Point& p)
+{
+  at_vertex_.emplace_back();
+  marked_.emplace_back();
+  return map_.add_vertex(p);
+}
+
+// ------------------------------------------------------------------ distances
+
+std::vector<Face_index> Thin_part_merger::faces_of(const std::vector<std::uint32_t>& triangles) const
+{
+  std::vector<Face_index> result;
+  for (std::uint32_t t : triangles)
+    if (const auto faces = stands_for_.find(t); faces != stands_for_.end())
+      result.insert(result.end(), faces->second.begin(), faces->second.end());
+    else
+      result.push_back(mesh_.faces[t]);
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
 
-// Gives what a triangle stands for, that has shrunk to the edge vw, to another one there.
-void Thin_part_merger::hand_on(std::uint32_t t, std::uint32_t v, std::uint32_t w)
+Thin_part_merger::Surface_part Thin_part_merger::surface_in(const std::vector<Face_index>& faces)
 {
-  const std::vector<std::uint32_t> there = triangles_at(v, w);
-  if (there.empty() || (moved_[t] != not_moved)) {
-    const double distance = moved(t);
-    if (!there.empty())
-      moved_[there[0]] = (std::max)(moved(there[0]), distance);
-    else if (distance > removed_.value)
-      removed_ = {distance, map_.points()[v]};
-    return;
+  Surface_part result;
+  for (Face_index f : faces) {
+    const std::vector<Space_triangle> one = map_.surface_in(f);
+    result.triangles.insert(result.triangles.end(), one.begin(), one.end());
+    result.faces.resize(result.triangles.size(), f);
   }
-  std::vector<Face_index>& faces = taken_[there[0]];
-  faces.push_back(mesh_.faces[t]);
-  if (const auto own = taken_.find(t); own != taken_.end()) {
-    const std::vector<Face_index> of_t = own->second;
-    taken_[there[0]].insert(taken_[there[0]].end(), of_t.begin(), of_t.end());
-  }
+  return result;
 }
+
+std::vector<Space_triangle> Thin_part_merger::in_space(const std::vector<Triangle>& triangles) const
+{
+  std::vector<Space_triangle> result;
+  for (const Triangle& t : triangles)
+    if (!is_removed(t))
+      result.push_back(map_.corners(t));
+  return result;
+}
+
+// The largest distance, or not much more.
+Straight_map::Distance Thin_part_merger::largest_distance()
+{
+  Straight_map::Distance result;
+  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+    if (!is_removed(mesh_.triangles[t]) && stands_for_.count(t) == 0)
+      if (const Straight_map::Distance own = map_.distance_on(mesh_.faces[t]); own.value > result.value)
+        result = own;
+  std::vector<std::uint32_t> changed;
+  for (const auto& [t, faces] : stands_for_)
+    changed.push_back(t);
+  const auto are_all_near = [&](double distance) {
+    std::vector<std::array<std::uint32_t, 2>> pairs;
+    for (Face_index f : faces_of(changed)) {
+      std::vector<Triangle> corners;
+      for (std::uint32_t t : stand_for_face_[f.idx()])
+        corners.push_back(mesh_.triangles[t]);
+      if (!are_near(map_.surface_in(f), in_space(corners), distance, pairs))
+        return false;
+    }
+    return std::all_of(changed.begin(), changed.end(), [&](std::uint32_t t) {
+      return are_near(in_space({mesh_.triangles[t]}), surface_in(stands_for_[t]).triangles, distance, pairs);
+    });
+  };
+  if (changed.empty())
+    return result;
+  double distance = (std::max)(result.value, usual_part * most_);
+  for (double step = (most_ - distance) / 4; distance < most_ && !are_all_near(distance);)
+    distance += step;
+  return {(std::min)(distance, most_), map_.points()[mesh_.triangles[changed[0]][0]]};
+}
+
+static std::array<double, 3> normal_of(const Space_triangle& p)
+{
+  std::array<double, 3> result{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    result[i] = (p[1][j] - p[0][j]) * (p[2][k] - p[0][k]) - (p[1][k] - p[0][k]) * (p[2][j] - p[0][j]);
+  }
+  return result;
+}
+
+// Whether fewer angles are small, or the smallest one grows, and no triangle turns over. The normals of thin ones mean
+// nothing.
+// \param before where the triangles were
+bool Thin_part_merger::improves(const Change& change, const std::vector<Space_triangle>& before) const
+{
+  double old_angle = 180, new_angle = 180;
+  int number_of_thin = 0; // how many there are less
+  std::vector<Point> normals;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const double angle = smallest_angle(before[i]).first;
+    number_of_thin += is_thin(change.triangles[i], angle);
+    if (!mesh_.is_kept[change.triangles[i]])
+      old_angle = (std::min)(old_angle, angle);
+    if (angle >= thin_angle_)
+      normals.push_back(normal_of(before[i]));
+  }
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (is_removed(change.corners[i]))
+      continue;
+    const Space_triangle now = map_.corners(change.corners[i]);
+    const double angle = smallest_angle(now).first;
+    const auto is_turned = [n = normal_of(now)](const Point& m) { return m[0] * n[0] + m[1] * n[1] + m[2] * n[2] < 0; };
+    if (angle >= thin_angle_ && (smallest_angle(before[i]).first >= thin_angle_
+                                   ? is_turned(normal_of(before[i]))
+                                   : !normals.empty() && std::all_of(normals.begin(), normals.end(), is_turned)))
+      return false;
+    number_of_thin -= is_thin(change.triangles[i], angle);
+    if (!mesh_.is_kept[change.triangles[i]])
+      new_angle = (std::min)(new_angle, angle);
+  }
+  return is_forced_ || number_of_thin > 0 || (number_of_thin == 0 && new_angle > old_angle * 1.01);
+}
+
+bool Thin_part_merger::is_within(Change& change, double distance)
+{
+  change.stands_for.clear();
+  const std::vector<Face_index> faces = faces_of(change.triangles);
+  const Surface_part surface = surface_in(faces);
+  std::vector<std::uint32_t> triangles;
+  for (std::size_t i = 0; i < change.triangles.size(); ++i)
+    if (!is_removed(change.corners[i]))
+      triangles.push_back(change.triangles[i]);
+  std::vector<Space_triangle> now = in_space(change.corners);
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  if (!are_near(now, surface.triangles, distance, pairs))
+    return false;
+  for (const auto& [t, f] : pairs)
+    change.stands_for.emplace_back(triangles[t], surface.faces[f]);
+  std::vector<std::uint32_t> changed = change.triangles, others = change.beside;
+  std::sort(changed.begin(), changed.end());
+  for (Face_index f : faces)
+    for (std::uint32_t t : stand_for_face_[f.idx()])
+      if (!std::binary_search(changed.begin(), changed.end(), t))
+        others.push_back(t);
+  std::sort(others.begin(), others.end());
+  others.erase(std::unique(others.begin(), others.end()), others.end());
+  triangles.insert(triangles.end(), others.begin(), others.end());
+  for (std::uint32_t t : others)
+    now.push_back(map_.corners(mesh_.triangles[t]));
+  pairs.clear();
+  if (!are_near(surface.triangles, now, distance, pairs))
+    return false;
+  for (const auto& [f, t] : pairs)
+    change.stands_for.emplace_back(triangles[t], surface.faces[f]);
+  std::sort(change.stands_for.begin(), change.stands_for.end());
+  change.stands_for.erase(std::unique(change.stands_for.begin(), change.stands_for.end()), change.stands_for.end());
+  return true;
+}
+
+// \pre is_near_enough(change)
+void Thin_part_merger::make(const Change& change)
+{
+  std::vector<std::uint32_t> changed = change.triangles;
+  std::sort(changed.begin(), changed.end());
+  for (Face_index f : faces_of(changed)) {
+    std::vector<std::uint32_t>& all = stand_for_face_[f.idx()];
+    const auto is_changed = [&](std::uint32_t t) { return std::binary_search(changed.begin(), changed.end(), t); };
+    all.erase(std::remove_if(all.begin(), all.end(), is_changed), all.end());
+  }
+  for (std::size_t i = 0; i < change.triangles.size(); ++i) {
+    replace(change.triangles[i], change.corners[i]);
+    if (is_removed(change.corners[i]))
+      stands_for_.erase(change.triangles[i]);
+    else
+      stands_for_[change.triangles[i]].clear();
+  }
+  for (const auto& [t, f] : change.stands_for)
+    add_face(t, f);
+}
+
+void Thin_part_merger::add_face(std::uint32_t t, Face_index f)
+{
+  std::vector<Face_index>& own = stands_for_.try_emplace(t, std::vector<Face_index>{mesh_.faces[t]}).first->second;
+  if (std::find(own.begin(), own.end(), f) != own.end())
+    return;
+  own.push_back(f);
+  stand_for_face_[f.idx()].push_back(t);
+}
+
+bool Thin_part_merger::try_to_make(Change& change)
+{
+  std::vector<Space_triangle> before;
+  for (std::uint32_t t : change.triangles)
+    before.push_back(map_.corners(mesh_.triangles[t]));
+  if (!improves(change, before) || !is_near_enough(change))
+    return false;
+  make(change);
+  return true;
+}
+
+// Triangles should not be chosen farther away than needed.
+bool Thin_part_merger::is_near_enough(Change& change)
+{
+  return is_within(change, usual_part * most_) || is_within(change, most_);
+}
+
+// ---------------------------------------------------------------------- steps
 
 bool Thin_part_merger::improve(std::uint32_t t)
 {
@@ -173,15 +398,28 @@ bool Thin_part_merger::improve(std::uint32_t t)
     if (number_of_triangles_at(v, w) > 2)
       return separate(v, w) || separate(w, v);
   for (const auto& [length, v, w] : sides)
-    if (length <= maximum_deviation_ && (contract(v, w) || contract(w, v)))
+    if ((!is_forced_ || length <= maximum_deviation_) && (contract(v, w) || contract(w, v)))
       return true;
-  return cut_cap(t);
+  if (is_forced_)
+    return false;
+  for (const auto& [length, v, w] : sides)
+    if (length <= maximum_deviation_ && cut_tube(v, w))
+      return true;
+  for (std::size_t i = 3; i-- > 0;) // the longest first
+    if (flip(t, std::get<1>(sides[i]), std::get<2>(sides[i])))
+      return true;
+  const Triangle corners = mesh_.triangles[t];
+  return std::any_of(corners.begin(), corners.end(), [this](std::uint32_t v) { return move(v); });
 }
 
 // Whether the triangles stay a manifold of the same kind: the links of both vertices have nothing in common but the link
 // of the edge. (T. Dey, H. Edelsbrunner, S. Guha, D. Nekhayev, "Topology preserving edge contraction", 1999.)
 bool Thin_part_merger::is_contractible(std::uint32_t from, std::uint32_t to)
 {
+  // Marked edges stay where they are, but for parts that are shorter than the deviation.
+  if (length(from, to) > maximum_deviation_ && !marked_[from].empty() &&
+      !(marked_[from].size() == 2 && is_marked(from, to)))
+    return false;
   const std::vector<std::uint32_t> a = neighbors(from), b = neighbors(to);
   std::vector<std::uint32_t> both;
   std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
@@ -203,95 +441,125 @@ bool Thin_part_merger::is_contractible(std::uint32_t from, std::uint32_t to)
   return number == 1 || !(is_on_border(from) && is_on_border(to));
 }
 
-static std::array<double, 3> normal_of(const std::array<std::array<double, 3>, 3>& p)
-{
-  std::array<double, 3> result{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    result[i] = (p[1][j] - p[0][j]) * (p[2][k] - p[0][k]) - (p[1][k] - p[0][k]) * (p[2][j] - p[0][j]);
-  }
-  return result;
-}
-
-// Whether a triangle that is not thin turns over; the normals of thin ones mean nothing.
-static bool turns_over(const std::array<std::array<double, 3>, 3>& before,
-                       const std::array<std::array<double, 3>, 3>& after, double thin_angle)
-{
-  const auto m = normal_of(before), n = normal_of(after);
-  return smallest_angle(before).first >= thin_angle && smallest_angle(after).first >= thin_angle &&
-         m[0] * n[0] + m[1] * n[1] + m[2] * n[2] < 0;
-}
-
-// Whether fewer angles around the edge are small, or the smallest one grows, and no triangle turns over.
-bool Thin_part_merger::improves(std::uint32_t from, std::uint32_t to) const
-{
-  double before = 180, after = 180;
-  int number_of_thin = 0; // how many there are less
-  for (std::uint32_t v : {from, to})
-    for (std::uint32_t t : at_vertex_[v]) {
-      const Triangle& corners = mesh_.triangles[t];
-      const auto at_from = std::find(corners.begin(), corners.end(), from);
-      const bool vanishes = at_from != corners.end() && std::count(corners.begin(), corners.end(), to) != 0;
-      if (vanishes && v == to)
-        continue;
-      const std::array<Point, 3> old = map_.corners(corners);
-      const double angle = smallest_angle(old).first;
-      if (!mesh_.is_kept[t]) {
-        before = (std::min)(before, angle);
-        number_of_thin += angle < thin_angle_;
-      }
-      if (vanishes)
-        continue;
-      std::array<Point, 3> points = old;
-      if (at_from != corners.end())
-        points[std::size_t(at_from - corners.begin())] = map_.points()[to];
-      if (turns_over(old, points, thin_angle_))
-        return false;
-      if (const double moved = smallest_angle(points).first; !mesh_.is_kept[t]) {
-        if (at_from != corners.end())
-          after = (std::min)(after, moved);
-        number_of_thin -= moved < thin_angle_;
-      }
-    }
-  return number_of_thin > 0 || (number_of_thin == 0 && after > before);
-}
-
 bool Thin_part_merger::contract(std::uint32_t from, std::uint32_t to)
 {
-  if (!is_contractible(from, to) || !improves(from, to))
+  if (!is_contractible(from, to))
     return false;
-  const double step = length(from, to);
-  for (std::uint32_t t : at_vertex_[from])
-    if (moved_[t] != not_moved && map_.bound(moved_[t] + step) > maximum_deviation_)
-      return false;
-  Straight_map::Undo undo = map_.merge(from, to);
-  if (map_.bound(map_.distance_around(to).value) > maximum_deviation_) {
-    map_.undo(undo);
-    return false;
-  }
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> vanished; // and their third corners
-  for (std::uint32_t t : std::vector<std::uint32_t>(at_vertex_[from])) {
+  Change change;
+  change.triangles = at_vertex_[from];
+  for (std::uint32_t t : change.triangles) {
     Triangle corners = mesh_.triangles[t];
-    if (moved_[t] != not_moved)
-      moved_[t] += step;
-    if (std::count(corners.begin(), corners.end(), to) != 0) {
-      vanished.emplace_back(
-        t, *std::find_if(corners.begin(), corners.end(), [&](std::uint32_t v) { return v != from && v != to; }));
-      corners = {to, to, to};
-    } else {
-      *std::find(corners.begin(), corners.end(), from) = to;
-    }
-    replace(t, corners);
+    std::replace(corners.begin(), corners.end(), from, to);
+    const bool vanishes = std::count(corners.begin(), corners.end(), to) == 2;
+    change.corners.push_back(vanishes ? Triangle{to, to, to} : corners);
   }
-  for (const auto& [t, w] : vanished)
-    hand_on(t, to, w);
+  for (std::uint32_t t : at_vertex_[to])
+    if (std::count(change.triangles.begin(), change.triangles.end(), t) == 0)
+      change.beside.push_back(t);
+  if (!try_to_make(change))
+    return false;
+  if (from < images_.size())
+    images_[from] = to;
   for (std::uint32_t w : std::exchange(marked_[from], {})) {
     std::replace(marked_[w].begin(), marked_[w].end(), from, to);
     if (w != to)
       marked_[to].push_back(w);
   }
+  marked_[to].erase(std::remove(marked_[to].begin(), marked_[to].end(), to), marked_[to].end());
   look_at(to);
   return true;
+}
+
+std::uint32_t Thin_part_merger::after(const Triangle& corners, std::uint32_t v)
+{
+  return corners[std::size_t(std::find(corners.begin(), corners.end(), v) - corners.begin() + 1) % 3];
+}
+
+// Replaces the side ab of a triangle by the line from its third corner c to that of the triangle beyond. A marked side is
+// bent to c, and so is one of the border, where the triangle vanishes.
+bool Thin_part_merger::flip(std::uint32_t t, std::uint32_t a, std::uint32_t b)
+{
+  if (after(mesh_.triangles[t], a) != b)
+    std::swap(a, b);
+  const std::uint32_t c = after(mesh_.triangles[t], b);
+  const std::vector<std::uint32_t> there = triangles_at(a, b);
+  const bool is_bent = is_marked(a, b);
+  if (there.size() > 2 || number_of_triangles_at(b, c) > 2 || number_of_triangles_at(c, a) > 2 ||
+      (is_fixed(a) && is_fixed(b)))
+    return false;
+  if (is_bent || there.size() == 1) { // the height of c
+    Space_triangle seen = map_.corners({a, b, b});
+    for (Point& p : seen)
+      for (std::size_t i = 0; i < 3; ++i)
+        p[i] -= map_.points()[c][i];
+    if (nearest_to_origin(seen).second > maximum_deviation_ * maximum_deviation_)
+      return false;
+  }
+  Change change;
+  if (there.size() == 1) {
+    if (number_of_triangles_at(b, c) != 2 || number_of_triangles_at(c, a) != 2 || is_on_border(c))
+      return false;
+    change = {{t}, {{a, a, a}}, {}};
+    for (std::uint32_t v : {a, b})
+      for (std::uint32_t n : triangles_at(v, c))
+        if (n != t)
+          change.beside.push_back(n);
+  } else {
+    const std::uint32_t n = there[there[0] == t];
+    const std::uint32_t d = after(mesh_.triangles[n], a);
+    if (after(mesh_.triangles[n], b) != a || d == c || number_of_triangles_at(c, d) != 0 ||
+        (mesh_.is_kept[n] && smallest_angle(map_.corners(mesh_.triangles[n])).first < thin_angle_))
+      return false;
+    change = {{t, n}, {{a, d, c}, {d, b, c}}, {}};
+  }
+  if (!try_to_make(change))
+    return false;
+  number_of_bent_border_edges_ += there.size() == 1;
+  for (std::uint32_t n : change.triangles)
+    mesh_.is_kept[n] = false;
+  if (is_bent && there.size() == 2)
+    mesh_.faces[t] = mesh_.faces[there[there[0] == t]];
+  if (is_bent)
+    for (std::uint32_t v : {a, b}) {
+      marked_[v].push_back(c);
+      marked_[c].push_back(v);
+      marked_[v].erase(std::remove(marked_[v].begin(), marked_[v].end(), v == a ? b : a), marked_[v].end());
+    }
+  for (std::uint32_t v : {a, b, c})
+    look_at(v);
+  return true;
+}
+
+// Moves a vertex toward the mean of its neighbors.
+bool Thin_part_merger::move(std::uint32_t v)
+{
+  if (is_fixed(v) || !marked_[v].empty() || is_on_border(v))
+    return false;
+  const Point old = map_.points()[v];
+  Point mean{};
+  const std::vector<std::uint32_t> around = neighbors(v);
+  for (std::uint32_t w : around)
+    for (std::size_t i = 0; i < 3; ++i)
+      mean[i] += map_.points()[w][i] / double(around.size());
+  Change change{at_vertex_[v], {}, {}};
+  std::vector<Space_triangle> before;
+  for (std::uint32_t t : change.triangles) {
+    change.corners.push_back(mesh_.triangles[t]);
+    before.push_back(map_.corners(mesh_.triangles[t]));
+  }
+  for (double part = 1; part > 0.2; part /= 2) {
+    Point p = old;
+    for (std::size_t i = 0; i < 3; ++i)
+      p[i] += part * (mean[i] - old[i]);
+    map_.move_vertex(v, p);
+    if (improves(change, before) && is_near_enough(change)) {
+      make(change);
+      look_at(v);
+      return true;
+    }
+  }
+  map_.move_vertex(v, old);
+  return false;
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

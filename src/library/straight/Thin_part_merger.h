@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_STRAIGHT_THIN_PART_MERGER_H
 
 #include "Straight_map.h"
+#include "nearness.h"
 
 #include <array>
 #include <cstddef>
@@ -31,15 +32,15 @@ struct Straight_triangles
   std::vector<bool> is_fixed; // whether a vertex must not move, or empty
 };
 
-// Improves thin triangles, as long as no point of the surface moves farther than the bound:
-// - It contracts edges. As vertices are merged, the map from the surface stays linear on each intrinsic face, so its
-//   deviation is known as before.
-// - It cuts caps: the longest side of a triangle is bent to the corner near it, which the triangle beyond follows.
-// - Where four triangles meet at an edge, as around a thin tube, it separates the two sheets.
-// - It removes pieces that then lie beside others.
+// Improves thin triangles, as long as surface and triangles stay within the bound of each other:
+// - It contracts edges, flips them, and moves vertices. A marked edge, or one of the border, is flipped by bending it to a
+//   corner near it.
+// - Where four triangles meet at an edge, as around a thin tube, it separates the two sheets. Where three short edges run
+//   around a tube, it cuts the tube and closes both ends.
+// - It removes pieces that then lie beside others, and makes rods of wires that do not.
 //
-// From the second on, each triangle has a bound for how far the points have moved whose images it has, and each later
-// step adds its own distance.
+// Each triangle stands for faces of the triangulation: each point of it is near one of them, and each of their points is
+// near one of the triangles that stand for that face. At first, a triangle stands for its own face.
 class Thin_part_merger
 {
 public:
@@ -47,65 +48,90 @@ public:
 
   Thin_part_merger(Straight_map& map, Straight_triangles& mesh, double thin_angle, double maximum_deviation);
 
-  // \return the largest distance of a point of the surface from its image
+  // \return the largest distance of the two surfaces
   Straight_map::Distance operator()();
+  // For each vertex of the triangulation, the vertex that it was merged with, or itself.
+  const std::vector<std::uint32_t>& images() const { return images_; }
   std::size_t number_of_removed_pieces() const { return number_of_removed_pieces_; }
-  // A deviation with which other pieces would be removed, or 0.
-  double sufficient_deviation() const { return sufficient_deviation_; }
+  std::size_t number_of_rods() const { return number_of_rods_; }
   // How many edges of the border were replaced by two.
   std::size_t number_of_bent_border_edges() const { return number_of_bent_border_edges_; }
 
 private:
   using Point = std::array<double, 3>;
-  using Side = std::pair<std::uint32_t, std::uint32_t>;
+  // Triangles that get other corners; equal ones if they vanish.
+  struct Change
+  {
+    std::vector<std::uint32_t> triangles;
+    std::vector<Triangle> corners;
+    std::vector<std::uint32_t> beside; // triangles that stay, and may stand for more faces
+    std::vector<std::pair<std::uint32_t, Face_index>> stands_for = {}; // which triangles stand for which faces then
+  };
+  // The surface in faces, as triangles.
+  struct Surface_part
+  {
+    std::vector<Space_triangle> triangles;
+    std::vector<Face_index> faces; // of each triangle
+  };
 
   static bool is_removed(const Triangle& t) { return t[0] == t[1]; }
+  static std::uint32_t after(const Triangle& corners, std::uint32_t v);
+  bool is_thin(std::uint32_t t, double angle) const;
   bool is_bad(std::uint32_t t) const;
   bool improve(std::uint32_t t);
+  void finish_images();
 
-  Straight_map::Distance largest_distance() const;
-  bool contract(std::uint32_t from, std::uint32_t to);
+  Straight_map::Distance largest_distance();
+  Surface_part surface_in(const std::vector<Face_index>& faces);
+  std::vector<Face_index> faces_of(const std::vector<std::uint32_t>& triangles) const;
+
+  std::vector<Space_triangle> in_space(const std::vector<Triangle>& triangles) const;
+  bool improves(const Change& change, const std::vector<Space_triangle>& before) const;
+  bool is_near_enough(Change& change);
+  bool is_within(Change& change, double distance);
+  void make(const Change& change);
+  void add_face(std::uint32_t t, Face_index f);
+  bool try_to_make(Change& change);
+
   bool is_contractible(std::uint32_t from, std::uint32_t to);
-  bool improves(std::uint32_t from, std::uint32_t to) const;
+  bool contract(std::uint32_t from, std::uint32_t to);
+  bool flip(std::uint32_t t, std::uint32_t a, std::uint32_t b);
+  bool move(std::uint32_t v);
 
-  bool cut_cap(std::uint32_t t);
-
+  bool cut_tube(std::uint32_t v, std::uint32_t w);
+  std::vector<std::uint32_t> fan_between(std::uint32_t first, std::uint32_t v, std::uint32_t to) const;
   bool separate(std::uint32_t v, std::uint32_t w);
   void separate_fans(std::uint32_t v);
   void move_to_copy(std::uint32_t v, const std::vector<std::uint32_t>& triangles);
 
   std::vector<std::vector<std::uint32_t>> bad_pieces() const;
   void remove_pieces();
-  void merge_removed_vertices();
-  bool is_near_others(const std::array<Point, 3>& corners, const std::vector<std::uint32_t>& others, double distance,
-                      int depth) const;
-
-  double moved(std::uint32_t t) const;
-  void set_moved(std::uint32_t t, double distance) { moved_[t] = distance; }
-  void hand_on(std::uint32_t t, std::uint32_t v, std::uint32_t w);
+  bool replace_by_rod(const std::vector<std::uint32_t>& piece);
 
   double length(std::uint32_t v, std::uint32_t w) const;
   std::vector<std::uint32_t> neighbors(std::uint32_t v) const;
   std::vector<std::uint32_t> triangles_at(std::uint32_t v, std::uint32_t w) const;
   std::size_t number_of_triangles_at(std::uint32_t v, std::uint32_t w) const { return triangles_at(v, w).size(); }
   bool is_on_border(std::uint32_t v) const;
+  bool is_marked(std::uint32_t v, std::uint32_t w) const;
   bool is_fixed(std::uint32_t v) const { return v < mesh_.is_fixed.size() && mesh_.is_fixed[v]; }
   void replace(std::uint32_t t, const Triangle& corners);
+  std::uint32_t add_triangle(std::uint32_t beside);
+  std::uint32_t add_vertex(const Point& p);
   void look_at(std::uint32_t v);
 
   Straight_map& map_;
   Straight_triangles& mesh_;
-  const double thin_angle_, maximum_deviation_;
-  std::vector<std::vector<std::uint32_t>> at_vertex_; // the triangles
-  std::vector<std::vector<std::uint32_t>> marked_;    // the vertices at the other ends of marked edges
-  std::vector<double> moved_;                         // of a triangle, if it is not what the map says
-  // Faces whose images lie on an edge of a triangle, which has taken them from one that vanished.
-  std::unordered_map<std::uint32_t, std::vector<Face_index>> taken_;
-  std::vector<std::uint32_t> to_look_at_;
-  Straight_map::Distance removed_; // of pieces that were removed
-  std::vector<std::uint32_t> removed_vertices_;
-  double sufficient_deviation_ = 0;
-  std::size_t number_of_removed_pieces_ = 0, number_of_bent_border_edges_ = 0;
+  const double thin_angle_, maximum_deviation_, most_; // a little less, for rounding
+  std::vector<std::vector<std::uint32_t>> at_vertex_;  // the triangles
+  std::vector<std::vector<std::uint32_t>> marked_;     // the vertices at the other ends of marked edges
+  // The faces that a triangle stands for, if it is not its own face as at first.
+  std::unordered_map<std::uint32_t, std::vector<Face_index>> stands_for_;
+  std::vector<std::vector<std::uint32_t>> stand_for_face_; // the other way round
+  std::vector<std::uint32_t> images_, to_look_at_, removed_vertices_;
+  std::vector<bool> is_waiting_, is_stuck_; // whether a triangle is to be looked at, or waits for a forced step
+  bool is_forced_ = false;                  // whether steps need not improve anything
+  std::size_t number_of_removed_pieces_ = 0, number_of_rods_ = 0, number_of_bent_border_edges_ = 0;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

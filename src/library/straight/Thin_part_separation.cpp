@@ -3,95 +3,25 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Definitions of Thin_part_merger: caps, edges of four triangles, and pieces that are left.
+// Definitions of Thin_part_merger: thin tubes, and pieces that are left.
 
 #include "Thin_part_merger.h"
 
-#include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
-
-static std::uint32_t after(const Straight_triangles::Triangle& corners, std::uint32_t v)
-{
-  return corners[std::size_t(std::find(corners.begin(), corners.end(), v) - corners.begin() + 1) % 3];
-}
-
-// Bends the longest side ab of a triangle to the third corner c: the triangle vanishes, and that beyond is divided. No
-// point moves farther than the height of c.
-bool Thin_part_merger::cut_cap(std::uint32_t t)
-{
-  const Triangle corners = mesh_.triangles[t];
-  std::size_t i = 0;
-  for (std::size_t k = 1; k < 3; ++k)
-    if (length(corners[k], corners[(k + 1) % 3]) > length(corners[i], corners[(i + 1) % 3]))
-      i = k;
-  const std::uint32_t a = corners[i], b = corners[(i + 1) % 3], c = corners[(i + 2) % 3];
-  const std::vector<std::uint32_t> there = triangles_at(a, b);
-  if (there.size() > 2 || number_of_triangles_at(b, c) > 2 || number_of_triangles_at(c, a) > 2 ||
-      (is_fixed(a) && is_fixed(b)))
-    return false;
-  const double height =
-    std::sin(smallest_angle(map_.corners(corners)).first * CGAL_PI / 180) * (std::max)(length(b, c), length(c, a));
-  const bool is_marked = std::count(marked_[a].begin(), marked_[a].end(), b) != 0;
-  if (there.size() == 1) { // on the border
-    const double distance = moved(t) + height;
-    if (number_of_triangles_at(b, c) != 2 || number_of_triangles_at(c, a) != 2 || is_on_border(c) ||
-        map_.bound(distance) > maximum_deviation_)
-      return false;
-    replace(t, {a, a, a});
-    ++number_of_bent_border_edges_;
-    for (std::uint32_t v : {a, b}) {
-      const std::uint32_t n = triangles_at(v, c)[0];
-      set_moved(n, (std::max)(moved(n), distance));
-    }
-  } else {
-    const std::uint32_t n = there[there[0] == t];
-    const std::uint32_t d = after(mesh_.triangles[n], a);
-    const double distance = (std::max)(moved(t), moved(n)) + height;
-    if (after(mesh_.triangles[n], b) != a || d == c || number_of_triangles_at(c, d) != 0 ||
-        map_.bound(distance) > maximum_deviation_)
-      return false;
-    const double angle_beyond = smallest_angle(map_.corners(mesh_.triangles[n])).first;
-    if (mesh_.is_kept[n] && angle_beyond < thin_angle_)
-      return false;
-    const Triangle first{a, d, c}, second{d, b, c};
-    const double before = (std::min)(smallest_angle(map_.corners(corners)).first, angle_beyond);
-    if (!((std::min)(smallest_angle(map_.corners(first)).first, smallest_angle(map_.corners(second)).first) > before) ||
-        turns_over(map_.corners(mesh_.triangles[n]), map_.corners(first), thin_angle_) ||
-        turns_over(map_.corners(mesh_.triangles[n]), map_.corners(second), thin_angle_))
-      return false;
-    set_moved(t, distance);
-    set_moved(n, distance);
-    replace(t, first);
-    replace(n, second);
-    mesh_.faces[t] = mesh_.faces[n];
-    mesh_.is_kept[t] = mesh_.is_kept[n] = false;
-  }
-  if (is_marked)
-    for (std::uint32_t v : {a, b}) {
-      marked_[v].push_back(c);
-      marked_[c].push_back(v);
-      marked_[v].erase(std::remove(marked_[v].begin(), marked_[v].end(), v == a ? b : a), marked_[v].end());
-    }
-  for (std::uint32_t v : {a, b, c})
-    look_at(v);
-  return true;
-}
 
 // Some triangles around v get a vertex of their own at the same place.
 void Thin_part_merger::move_to_copy(std::uint32_t v, const std::vector<std::uint32_t>& triangles)
 {
-  const std::uint32_t copy = map_.add_copy(v);
-  at_vertex_.emplace_back();
-  marked_.emplace_back();
+  const std::uint32_t copy = add_vertex(map_.points()[v]);
   for (std::uint32_t t : triangles) {
-    set_moved(t, moved(t));
     Triangle corners = mesh_.triangles[t];
     *std::find(corners.begin(), corners.end(), v) = copy;
     replace(t, corners);
@@ -103,6 +33,73 @@ void Thin_part_merger::move_to_copy(std::uint32_t v, const std::vector<std::uint
     }
 }
 
+// The triangles around v from one of them counterclockwise to the edge between v and another vertex; none if the border is
+// between.
+std::vector<std::uint32_t> Thin_part_merger::fan_between(std::uint32_t first, std::uint32_t v, std::uint32_t to) const
+{
+  std::vector<std::uint32_t> result{first};
+  std::uint32_t end = after(mesh_.triangles[first], after(mesh_.triangles[first], v));
+  while (end != to) {
+    const std::vector<std::uint32_t> there = triangles_at(v, end);
+    const auto next = std::find_if(there.begin(), there.end(), [&](std::uint32_t t) {
+      return after(mesh_.triangles[t], v) == end && std::count(result.begin(), result.end(), t) == 0;
+    });
+    if (next == there.end())
+      return {};
+    result.push_back(*next);
+    end = after(mesh_.triangles[*next], after(mesh_.triangles[*next], v));
+  }
+  return result;
+}
+
+// Where the edge vw and two others run around a tube, cuts it there and closes both ends by triangles.
+bool Thin_part_merger::cut_tube(std::uint32_t v, std::uint32_t w)
+{
+  const std::vector<std::uint32_t> a = neighbors(v), b = neighbors(w);
+  std::vector<std::uint32_t> both;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(both));
+  for (std::uint32_t x : both) {
+    if ((std::max)(length(w, x), length(x, v)) > maximum_deviation_)
+      continue;
+    const Triangle around{v, w, x};
+    std::array<std::vector<std::uint32_t>, 3> fans; // left of these edges
+    std::vector<std::uint32_t> beside;
+    bool is_tube = true;
+    for (std::size_t i = 0; i < 3 && is_tube; ++i) {
+      const std::uint32_t p = around[i], next = around[(i + 1) % 3], previous = around[(i + 2) % 3];
+      const std::vector<std::uint32_t> there = triangles_at(p, next);
+      is_tube = there.size() == 2 && !is_fixed(p);
+      for (std::uint32_t t : there) {
+        const Triangle& corners = mesh_.triangles[t];
+        is_tube = is_tube && std::count(corners.begin(), corners.end(), previous) == 0;
+        if (after(corners, p) == next)
+          fans[i] = fan_between(t, p, previous);
+      }
+      beside.insert(beside.end(), there.begin(), there.end());
+      is_tube = is_tube && !fans[i].empty() && fans[i].size() < at_vertex_[p].size();
+    }
+    const Surface_part surface = is_tube ? surface_in(faces_of(beside)) : Surface_part{};
+    std::vector<std::array<std::uint32_t, 2>> pairs;
+    if (!is_tube || !are_near({map_.corners(around)}, surface.triangles, most_, pairs))
+      continue;
+    Triangle copy = around;
+    for (std::size_t i = 0; i < 3; ++i) {
+      copy[i] = std::uint32_t(at_vertex_.size());
+      move_to_copy(around[i], fans[i]);
+    }
+    for (const Triangle& cap : {around, Triangle{copy[1], copy[0], copy[2]}}) {
+      const std::uint32_t t = add_triangle(at_vertex_[cap[0]][0]);
+      replace(t, cap);
+      for (const auto& [number, f] : pairs)
+        add_face(t, surface.faces[f]);
+      for (std::uint32_t p : cap)
+        look_at(p);
+    }
+    return true;
+  }
+  return false;
+}
+
 // An edge of four triangles is two that coincide, as a thin part of the surface is between them. The triangles around v
 // from one of them to the next one get a copy of v: the surface is cut along both edges, and closed again on each side.
 bool Thin_part_merger::separate(std::uint32_t v, std::uint32_t w)
@@ -112,19 +109,8 @@ bool Thin_part_merger::separate(std::uint32_t v, std::uint32_t w)
   for (std::uint32_t first : triangles_at(v, w)) {
     if (after(mesh_.triangles[first], v) != w)
       continue;
-    std::vector<std::uint32_t> fan{first};
-    std::uint32_t end = after(mesh_.triangles[first], w);
-    while (end != w) {
-      const std::vector<std::uint32_t> there = triangles_at(v, end);
-      const auto next = std::find_if(there.begin(), there.end(), [&](std::uint32_t t) {
-        return after(mesh_.triangles[t], v) == end && std::count(fan.begin(), fan.end(), t) == 0;
-      });
-      if (next == there.end()) // the border
-        break;
-      fan.push_back(*next);
-      end = after(mesh_.triangles[*next], end);
-    }
-    if (end != w || fan.size() == at_vertex_[v].size())
+    const std::vector<std::uint32_t> fan = fan_between(first, v, w);
+    if (fan.empty() || fan.size() == at_vertex_[v].size())
       continue;
     move_to_copy(v, fan);
     const std::uint32_t copy = std::uint32_t(at_vertex_.size()) - 1;
@@ -160,53 +146,6 @@ void Thin_part_merger::separate_fans(std::uint32_t v)
   }
 }
 
-// Whether each point of a triangle is within a distance of one of the others. The distance from a convex set is convex, so
-// it is largest at a corner.
-bool Thin_part_merger::is_near_others(const std::array<Point, 3>& corners, const std::vector<std::uint32_t>& others,
-                                      double distance, int depth) const
-{
-  // Those whose boxes are near the box of the triangle.
-  std::vector<std::uint32_t> candidates;
-  std::copy_if(others.begin(), others.end(), std::back_inserter(candidates), [&](std::uint32_t t) {
-    const std::array<Point, 3> other = map_.corners(mesh_.triangles[t]);
-    for (std::size_t i = 0; i < 3; ++i)
-      if ((std::min)({other[0][i], other[1][i], other[2][i]}) - distance >
-            (std::max)({corners[0][i], corners[1][i], corners[2][i]}) ||
-          (std::max)({other[0][i], other[1][i], other[2][i]}) + distance <
-            (std::min)({corners[0][i], corners[1][i], corners[2][i]}))
-        return false;
-    return true;
-  });
-  const auto is_near = [&](std::uint32_t t) {
-    return std::all_of(corners.begin(), corners.end(), [&](const Point& p) {
-      std::array<Point, 3> seen = map_.corners(mesh_.triangles[t]);
-      for (Point& q : seen)
-        for (std::size_t i = 0; i < 3; ++i)
-          q[i] -= p[i];
-      return nearest_to_origin(seen).second <= distance * distance;
-    });
-  };
-  if (std::any_of(candidates.begin(), candidates.end(), is_near))
-    return true;
-  if (depth == 0 || candidates.empty())
-    return false;
-  std::size_t i = 0; // the longest side is divided
-  const auto squared = [&](std::size_t k) {
-    double sum = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      sum += std::pow(corners[k][axis] - corners[(k + 1) % 3][axis], 2);
-    return sum;
-  };
-  for (std::size_t k = 1; k < 3; ++k)
-    if (squared(k) > squared(i))
-      i = k;
-  std::array<Point, 3> first = corners, second = corners;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    first[i][axis] = second[(i + 1) % 3][axis] = (corners[i][axis] + corners[(i + 1) % 3][axis]) / 2;
-  return is_near_others(first, candidates, distance, depth - 1) &&
-         is_near_others(second, candidates, distance, depth - 1);
-}
-
 // Connected triangles, some of them bad, or two with the same corners; more triangles come first.
 std::vector<std::vector<std::uint32_t>> Thin_part_merger::bad_pieces() const
 {
@@ -234,67 +173,119 @@ std::vector<std::vector<std::uint32_t>> Thin_part_merger::bad_pieces() const
 void Thin_part_merger::remove_pieces()
 {
   constexpr std::size_t most_triangles = 64;
-  constexpr int deepest = 10;
   const std::vector<std::vector<std::uint32_t>> pieces = bad_pieces();
   std::vector<bool> is_other(mesh_.triangles.size(), true);
   for (const std::vector<std::uint32_t>& piece : pieces)
     for (std::uint32_t t : piece)
       is_other[t] = false;
   std::vector<std::uint32_t> others;
-  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+  for (std::uint32_t t = 0; t < is_other.size(); ++t)
     if (is_other[t] && !is_removed(mesh_.triangles[t]))
       others.push_back(t);
   for (const std::vector<std::uint32_t>& piece : pieces) {
-    double distance = 0;
+    Change change{piece, std::vector<Triangle>(piece.size(), Triangle{0, 0, 0}), {}};
     bool is_movable = piece.size() <= most_triangles;
-    for (std::uint32_t t : piece) {
-      distance = (std::max)(distance, moved(t));
-      for (std::uint32_t v : mesh_.triangles[t])
+    std::vector<std::uint32_t> vertices;
+    for (std::uint32_t t : piece)
+      for (std::uint32_t v : mesh_.triangles[t]) {
         is_movable = is_movable && !is_fixed(v);
+        vertices.push_back(v);
+      }
+    if (is_movable) {
+      Space_box box(map_.corners(mesh_.triangles[piece[0]]));
+      for (std::uint32_t t : piece)
+        box.add(Space_box(map_.corners(mesh_.triangles[t])));
+      std::copy_if(others.begin(), others.end(), std::back_inserter(change.beside), [&](std::uint32_t t) {
+        return Space_box(map_.corners(mesh_.triangles[t])).is_near(box, 2 * maximum_deviation_);
+      });
     }
-    if (!is_movable || others.empty()) {
+    if (is_movable && is_near_enough(change)) {
+      make(change);
+      ++number_of_removed_pieces_;
+    } else if (is_movable && replace_by_rod(piece)) {
+      ++number_of_rods_;
+    } else {
       others.insert(others.end(), piece.begin(), piece.end());
       continue;
     }
-    const auto is_near = [&](double rest) {
-      return rest > 0 && std::all_of(piece.begin(), piece.end(), [&](std::uint32_t t) {
-               return is_near_others(map_.corners(mesh_.triangles[t]), others, rest, deepest);
-             });
-    };
-    double rest = (maximum_deviation_ - map_.bound(distance)) * (1 - 1e-9);
-    if (is_near(rest)) {
-      while (is_near(rest / 2) && rest > maximum_deviation_ / 1024)
-        rest /= 2;
-      if (distance + rest > removed_.value)
-        removed_ = {distance + rest, map_.points()[mesh_.triangles[piece[0]][0]]};
-      for (std::uint32_t t : piece) {
-        removed_vertices_.insert(removed_vertices_.end(), mesh_.triangles[t].begin(), mesh_.triangles[t].end());
-        replace(t, {0, 0, 0});
-      }
-      ++number_of_removed_pieces_;
-    } else {
-      double sufficient = maximum_deviation_;
-      for (int i = 0; i < 20 && !is_near(sufficient); ++i)
-        sufficient *= 1.5;
-      sufficient_deviation_ = (std::max)(sufficient_deviation_, distance + sufficient);
-      others.insert(others.end(), piece.begin(), piece.end());
-    }
+    removed_vertices_.insert(removed_vertices_.end(), vertices.begin(), vertices.end());
   }
 }
 
-// They get the place of the nearest vertex that is left.
-void Thin_part_merger::merge_removed_vertices()
+// Triangles around a segment: rings of three vertices, turned by 60 degrees one after the other. Each angle is above 25
+// degrees. Those at the ends are at most radius / 2 beyond.
+static std::pair<std::vector<std::array<double, 3>>, std::vector<Straight_triangles::Triangle>>
+rod_around(const std::array<double, 3>& p, const std::array<double, 3>& q, double radius)
 {
-  std::sort(removed_vertices_.begin(), removed_vertices_.end());
-  removed_vertices_.erase(std::unique(removed_vertices_.begin(), removed_vertices_.end()), removed_vertices_.end());
-  for (std::uint32_t v : removed_vertices_) {
-    std::uint32_t nearest = v;
-    for (std::uint32_t w = 0; w < at_vertex_.size(); ++w)
-      if (!at_vertex_[w].empty() && (nearest == v || length(v, w) < length(v, nearest)))
-        nearest = w;
-    if (nearest != v)
-      map_.merge(v, nearest);
+  using Point = std::array<double, 3>;
+  const double length = std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]);
+  const auto number = std::uint32_t(std::ceil(length / (3.5 * radius))) + 1 + (length == 0);
+  const double step = (std::max)(length / (number - 1), radius), begin = (length - step * (number - 1)) / 2;
+  std::array<Point, 3> axes{};
+  std::size_t smallest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    axes[0][i] = length > 0 ? (q[i] - p[i]) / length : i == 0;
+    if (std::abs(axes[0][i]) < std::abs(axes[0][smallest]))
+      smallest = i;
   }
+  const auto across = [](const Point& x, const Point& y) {
+    const Point z{x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
+    const double norm = std::hypot(z[0], z[1], z[2]);
+    return Point{z[0] / norm, z[1] / norm, z[2] / norm};
+  };
+  Point unit{};
+  unit[smallest] = 1;
+  axes[1] = across(axes[0], unit);
+  axes[2] = across(axes[0], axes[1]);
+  std::vector<Point> points;
+  std::vector<Straight_triangles::Triangle> triangles{{0, 2, 1}};
+  for (std::uint32_t k = 0; k < number; ++k)
+    for (std::uint32_t i = 0; i < 3; ++i) {
+      const double angle = CGAL_PI / 3 * (2 * i + k);
+      points.push_back(p);
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        points.back()[axis] += (begin + step * k) * axes[0][axis] +
+                               radius * (std::cos(angle) * axes[1][axis] + std::sin(angle) * axes[2][axis]);
+      if (k > 0) {
+        const std::uint32_t next = (i + 1) % 3, here = 3 * k, before = here - 3;
+        triangles.push_back({before + i, before + next, here + i});
+        triangles.push_back({here + i, before + next, here + next});
+      }
+    }
+  triangles.push_back({3 * number - 3, 3 * number - 2, 3 * number - 1});
+  return {points, triangles};
+}
+
+// Replaces a piece that is a wire, or a point, by a rod around it that is as thick as the distance allows.
+bool Thin_part_merger::replace_by_rod(const std::vector<std::uint32_t>& piece)
+{
+  Point first{}, last{};
+  double longest = -1;
+  for (std::uint32_t t : piece)
+    for (std::uint32_t s : piece)
+      for (std::uint32_t v : mesh_.triangles[t])
+        for (std::uint32_t w : mesh_.triangles[s])
+          if (const double l = length(v, w); l > longest) {
+            longest = l;
+            first = map_.points()[v];
+            last = map_.points()[w];
+          }
+  for (double radius = maximum_deviation_ * 0.7; radius > maximum_deviation_ / 8; radius *= 0.7) {
+    const auto [points, triangles] = rod_around(first, last, radius);
+    Change change{piece, std::vector<Triangle>(piece.size(), Triangle{0, 0, 0}), {}};
+    const auto begin = std::uint32_t(at_vertex_.size());
+    for (const Point& p : points)
+      add_vertex(p);
+    for (const Triangle& t : triangles) {
+      change.triangles.push_back(add_triangle(piece[0]));
+      change.corners.push_back({begin + t[0], begin + t[1], begin + t[2]});
+    }
+    if (is_near_enough(change)) {
+      make(change);
+      return true;
+    }
+  }
+  return false;
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

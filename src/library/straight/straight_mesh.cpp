@@ -16,6 +16,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <tuple>
@@ -32,15 +33,14 @@ class Straight_mesh_maker
 public:
   Straight_mesh_maker(const Common_subdivision& subdivision, const std::vector<Point>& points,
                       const std::vector<bool>& is_fixed)
-    : subdivision_(subdivision), overlay_(subdivision.overlay()), complex_(subdivision.intrinsic()), points_(points),
-      map_(subdivision, points), is_fixed_(is_fixed)
+    : overlay_(subdivision.overlay()), complex_(subdivision.intrinsic()), map_(subdivision, points), is_fixed_(is_fixed)
   {}
 
   Straight_mesh make(const std::vector<bool>& is_marked, double thin_angle, double maximum_deviation)
   {
     find_regions(is_marked);
     find_triangles(thin_angle, maximum_deviation);
-    measure_angles(thin_angle, maximum_deviation);
+    measure_angles(thin_angle);
     find_multiple_edges();
     mesh_.surface = examine_polygons(mesh_.points, mesh_.triangles);
     const auto edges = complex_.edges();
@@ -84,10 +84,15 @@ private:
       Thin_part_merger merger(map_, triangles, thin_angle, maximum_deviation);
       distance = merger();
       mesh_.number_of_removed_pieces = merger.number_of_removed_pieces();
-      mesh_.sufficient_deviation = merger.sufficient_deviation();
+      mesh_.number_of_rods = merger.number_of_rods();
       number_of_bent_border_edges_ = merger.number_of_bent_border_edges();
+      images_ = merger.images();
     } else {
-      distance = map_.largest_distance();
+      images_.resize(complex_.number_of_vertices());
+      std::iota(images_.begin(), images_.end(), 0u);
+      for (Face_index f : complex_.faces())
+        if (const Straight_map::Distance own = map_.distance_on(f); own.value > distance.value)
+          distance = own;
     }
     mesh_.deviation = map_.bound(distance.value);
     mesh_.deviation_place = distance.place;
@@ -112,8 +117,8 @@ private:
       for (std::uint32_t v : triangle)
         is_used[v] = true;
     for (Vertex_index v : complex_.vertices()) {
-      is_used[v.idx()] = is_used[v.idx()] || map_.image(v) == v.idx();
-      if (map_.image(v) != v.idx())
+      is_used[v.idx()] = is_used[v.idx()] || images_[v.idx()] == v.idx();
+      if (images_[v.idx()] != v.idx())
         mesh_.merged_vertices.push_back(v);
     }
     for (std::uint32_t v = 0; v < is_used.size(); ++v) {
@@ -122,7 +127,7 @@ private:
         mesh_.points.push_back(map_.points()[v]);
     }
     for (Vertex_index v : complex_.vertices())
-      mesh_.points_of_vertices.push_back(numbers_[map_.image(v)]);
+      mesh_.points_of_vertices.push_back(numbers_[images_[v.idx()]]);
     for (Triangle& triangle : mesh_.triangles)
       for (std::uint32_t& v : triangle)
         v = numbers_[v];
@@ -135,10 +140,10 @@ private:
     std::vector<double> largest(result.size(), -1);
     for (Overlay::Face f : overlay_.faces()) {
       const Overlay::Halfedge first = overlay_.halfedge(f);
-      const Point p = subdivision_.point(overlay_.target(first), points_);
+      const Point p = map_.position(overlay_.target(first));
       Point q = p, sum{}; // of the areas of the triangles at p, as a vector
       for (Overlay::Halfedge h = overlay_.next(first); h != first; h = overlay_.next(h)) {
-        const Point r = subdivision_.point(overlay_.target(h), points_);
+        const Point& r = map_.position(overlay_.target(h));
         for (std::size_t i = 0; i < 3; ++i) {
           const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
           sum[i] += (q[j] - p[j]) * (r[k] - p[k]) - (q[k] - p[k]) * (r[j] - p[j]);
@@ -210,35 +215,24 @@ private:
     mesh_.lines.assign(lines.begin(), lines.end());
   }
 
-  void measure_angles(double thin_angle, double maximum_deviation)
+  void measure_angles(double thin_angle)
   {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      std::array<Point, 3> corners;
-      for (std::size_t i = 0; i < 3; ++i)
-        corners[i] = mesh_.points[mesh_.triangles[t][i]];
-      const double angle = smallest_angle(corners).first;
+      const Triangle& corners = mesh_.triangles[t];
+      const auto smallest =
+        smallest_angle({mesh_.points[corners[0]], mesh_.points[corners[1]], mesh_.points[corners[2]]});
+      const double angle = smallest.first;
+      const std::size_t at = smallest.second;
       mesh_.minimum_angle = (std::min)(mesh_.minimum_angle, angle);
       if (angle >= thin_angle)
         continue;
       mesh_.thin_triangles.push_back(t);
-      std::array<double, 3> sides{};
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Point &p = corners[i], &q = corners[(i + 1) % 3];
-        sides[i] = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-      }
-      std::sort(sides.begin(), sides.end());
-      const double height = sides[1] * std::sin(angle * CGAL_PI / 180); // over the longest side
-      const std::size_t at = smallest_angle(corners).second;
       const auto is_marked = [&](std::size_t side) { // which are in order
-        const auto [v, w] = std::minmax(mesh_.triangles[t][side % 3], mesh_.triangles[t][(side + 1) % 3]);
+        const auto [v, w] = std::minmax(corners[side % 3], corners[(side + 1) % 3]);
         return std::binary_search(mesh_.marked_edges.begin(), mesh_.marked_edges.end(),
                                   std::array<std::uint32_t, 2>{v, w});
       };
-      if (is_marked(at) && is_marked(at + 2))
-        ++mesh_.number_of_sharp_corners;
-      else
-        mesh_.sufficient_deviation =
-          (std::max)(mesh_.sufficient_deviation, 1.1 * (std::max)((std::min)(sides[0], height), maximum_deviation));
+      mesh_.number_of_sharp_corners += is_marked(at) && is_marked(at + 2);
     }
   }
 
@@ -261,15 +255,14 @@ private:
     std::sort(mesh_.multiple_edges.begin(), mesh_.multiple_edges.end());
   }
 
-  const Common_subdivision& subdivision_;
   const Overlay& overlay_;
   const Delta_complex& complex_;
-  const std::vector<Point>& points_;
   Straight_map map_;
   std::vector<bool> is_marked_;
   std::vector<std::size_t> region_of_face_;
   const std::vector<bool>& is_fixed_; // the vertices that must not be merged
   std::size_t number_of_bent_border_edges_ = 0;
+  std::vector<std::uint32_t> images_;  // of vertices of the triangulation, among the vertices before they are numbered
   std::vector<std::uint32_t> numbers_; // of the points of vertices and their copies
   Straight_mesh mesh_;
 };
@@ -294,7 +287,17 @@ Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::ve
       throw Invalid_argument_error("straight_mesh(): a coordinate of a point is not finite");
   if (!is_fixed.empty())
     check(is_fixed.size(), "marks of fixed vertices", subdivision.input().number_of_vertices(), "vertices");
-  return internal::Straight_mesh_maker(subdivision, points, is_fixed).make(is_marked, thin_angle, maximum_deviation);
+  const auto make = [&](double deviation) {
+    return internal::Straight_mesh_maker(subdivision, points, is_fixed).make(is_marked, thin_angle, deviation);
+  };
+  Straight_mesh result = make(maximum_deviation);
+  if (maximum_deviation > 0 && !result.is_good())
+    for (double d = 2 * maximum_deviation; d < 100 * maximum_deviation; d *= 2)
+      if (make(d).is_good()) {
+        result.sufficient_deviation = d;
+        break;
+      }
+  return result;
 }
 
 std::string message(const Straight_mesh& mesh)

@@ -111,7 +111,7 @@ class StraightMesh(NamedTuple):
     sharp_corners: int
     """How many of them have it between two marked edges, where every mesh has that angle."""
     sufficient_deviation: float
-    """A maximum deviation with which the other thin triangles might be merged; 0 if there are none."""
+    """A larger maximum deviation with which the triangles are good, as was tried; 0 if they are, or there is none."""
     loops: numpy.ndarray
     """The edges of the triangulation whose ends are the same: their faces are left out."""
     multiple_edges: numpy.ndarray
@@ -122,6 +122,8 @@ class StraightMesh(NamedTuple):
     """What makes them no surface, in words."""
     removed_pieces: int
     """How many connected pieces were left out that lie along others."""
+    rods: int
+    """How many pieces without thickness lie along nothing, and became rods that are as thick as the deviation allows."""
 
 
 class Triangulation:

@@ -1,0 +1,36 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Author(s)     : The Intrinsic_triangulations developers
+//
+// Whether triangles in space lie near others.
+
+#ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_STRAIGHT_NEARNESS_H
+#define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_STRAIGHT_NEARNESS_H
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Intrinsic_triangulations::internal {
+
+using Space_triangle = std::array<std::array<double, 3>, 3>;
+
+struct Space_box
+{
+  explicit Space_box(const Space_triangle& triangle);
+  bool is_near(const Space_box& other, double distance) const;
+  void add(const Space_box& other);
+
+  std::array<double, 3> low, high;
+};
+
+// Whether each point of the triangles is within a distance of one of the others. They are divided for that, down to
+// points; "no" is also the answer where too many parts would be needed. Everything is rounded.
+// \param pairs gets pairs of a triangle and another one, by their numbers, that suffice to see it
+bool are_near(const std::vector<Space_triangle>& triangles, const std::vector<Space_triangle>& others, double distance,
+              std::vector<std::array<std::uint32_t, 2>>& pairs);
+
+} // namespace CGAL::Intrinsic_triangulations::internal
+
+#endif // CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_STRAIGHT_NEARNESS_H
