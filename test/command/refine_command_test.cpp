@@ -426,6 +426,10 @@ TEST_F(Refine_command, flattens)
   EXPECT_EQ(stats()["flattened"]["lines"], 3);
   EXPECT_EQ(stats()["flattened"]["triangles"], stats()["faces"]);
   EXPECT_TRUE(contains(content(folder_ / "f.vtp"), "<VTKFile"));
+  // A ridge that is kept for the deviation is no defect.
+  run = idt("refine roof.off --maximum-deviation 1% --verify");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "Delaunay but for folds that are kept, verified")) << run.out;
   EXPECT_EQ(idt("refine roof.off --flatten f.txt").status, 2);
   EXPECT_EQ(idt("refine roof.off --flatten roof.off").status, 2);
   ASSERT_EQ(idt("sample one-vertex-torus -o t.gluing").status, 0);
