@@ -64,6 +64,8 @@ void check(const Simplify_options& options)
 {
   if (options.maximum_change && !(*options.maximum_change >= 0))
     throw Usage_error("--maximum-change: C has to be a number that is not negative");
+  if (options.number_of_vertices && *options.number_of_vertices == 0)
+    throw Usage_error("--vertices: N has to be positive; without it, --maximum-change alone decides");
   if (options.constrained_angle && !(*options.constrained_angle >= 0 && *options.constrained_angle <= 180))
     throw Usage_error("--constrain-angle: D is between 0 and 180 degrees");
   if (!options.output.empty() && !is_saved_triangulation(name_with_format(options.output, "idt"))) {
@@ -107,6 +109,22 @@ std::vector<bool> constrained_edges(const Surface& surface, const Triangulation&
 // The possible change of distances, as a percentage.
 double percentage(const IT::Metric_change& change) { return 100 * ((std::max)(change.stretch, 1 / change.shrink) - 1); }
 
+// Rounded away from what is proven of all distances. Near 1, the difference tells more.
+std::string bound_text(double factor, bool is_upper)
+{
+  const double off = factor - 1;
+  const auto rounded = [](double x, bool is_up) { return is_up ? in_short_not_below(x) : in_short_not_above(x); };
+  if (off == 0 || std::abs(off) > 1e-3)
+    return rounded(factor, is_upper);
+  return (off > 0 ? "1 + " : "1 - ") + rounded(std::abs(off), (off > 0) == is_upper);
+}
+
+std::string proven_text(const IT::Simplified_surface& result)
+{
+  return "distances are between " + bound_text(result.shrink, false) + " and " + bound_text(result.stretch, true) +
+         " times what they were, proven";
+}
+
 // The edges of the result on the input, coloured by the possible change of distances beside them.
 View view_of(const Simplify_options& options, const Surface& surface, const Triangulation& fine,
              const IT::Element_numbers& input_numbers, const IT::Simplified_surface& result)
@@ -144,9 +162,10 @@ View view_of(const Simplify_options& options, const Surface& surface, const Tria
     }
   }
   if (!changes.empty())
-    view.path_name = "edges of the result: lengths there changed by at most " +
-                     in_short(*std::min_element(changes.begin(), changes.end())) + " % (dark) to " +
-                     in_short(*std::max_element(changes.begin(), changes.end())) + " % (light)";
+    view.path_name = "edges of the result, which has " + counted(result.kept.size(), "vertex", "vertices") + "; " +
+                     proven_text(result) + ". Lengths beside them changed by at most " +
+                     in_short_not_below(*std::min_element(changes.begin(), changes.end())) + " % (dark) to " +
+                     in_short_not_below(*std::max_element(changes.begin(), changes.end())) + " % (light)";
   return view;
 }
 
@@ -197,11 +216,16 @@ void write_report(std::ostream& os, const Simplify_options& options, std::size_t
   const IT::Kept_vertices& reasons = result.reasons;
   os << options.input << "\n  input             " << counted(number_of_vertices, "vertex", "vertices")
      << "\n  result            " << counted(result.kept.size(), "vertex", "vertices")
-     << "\n  distances         between " << in_short(result.shrink) << " and " << in_short(result.stretch)
-     << " times what they were, proven";
+     << "\n  distances         between " << bound_text(result.shrink, false) << " and "
+     << bound_text(result.stretch, true) << " times what they were, proven";
+  const bool has_bound = options.maximum_change || !options.number_of_vertices;
   const std::pair<const char*, std::size_t> kept[] = {
-    {"for the bound", reasons.by_bound}, {"by request", reasons.by_request},   {"as corners", reasons.as_corners},
-    {"for loops", reasons.for_gluing},   {"as the number", reasons.by_number}, {"isolated", reasons.isolated}};
+    {has_bound ? "for the bound" : "as nothing could be proven without them", reasons.by_bound},
+    {"by request", reasons.by_request},
+    {"as corners", reasons.as_corners},
+    {"for loops, or fewer than three faces", reasons.for_gluing},
+    {"as so many were asked for", reasons.by_number},
+    {"isolated", reasons.isolated}};
   for (const auto& [name, n] : kept)
     if (n > 0)
       os << "\n  kept              " << with_separators(n) << ' ' << name;
@@ -282,8 +306,10 @@ void add_simplify_command(CLI::App& app, Selected_command& selected)
     "proven, and reported. Every subcommand reads the result. Flat vertices go first, and cost nothing.\n");
   command.add_option("INPUT", options->input, "as for `idt triangulate`")->required();
   add_option(command, "-o,--output", options->output, "F.idt", "write the result as a saved triangulation");
-  add_option(command, "--maximum-change", options->maximum_change, "C",
-             "by which part a distance may change: 0.05 for 5 percent, the default without --vertices");
+  add_option(
+    command, "--maximum-change", options->maximum_change, "C",
+    "by which part a distance may change, to 1/(1+C) or 1+C times what it was: 0.05 for 5 percent, the default "
+    "without --vertices. Rounding may take up to 1e-12");
   add_option(command, "--vertices", options->number_of_vertices, "N", "stop when N vertices are left")
     ->transform(whole_number());
   add_option(command, "--keep", options->kept, "F.csv",

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <limits>
 
 namespace idt {
 namespace {
@@ -45,6 +48,28 @@ std::string quoted(const std::string& text)
 std::string in_full(double number) { return formatted(number, 17); }
 
 std::string in_short(double number) { return formatted(number, 4); }
+
+namespace {
+
+// \param toward the infinity in whose direction
+std::string rounded(double number, double toward)
+{
+  const auto is_right = [&](const std::string& text) {
+    const double value = std::strtod(text.c_str(), nullptr);
+    return toward > 0 ? value >= number : value <= number;
+  };
+  std::string result = in_short(number);
+  // By less than the last of four digits, until the text changes.
+  for (double x = number; std::isfinite(x) && !is_right(result); result = in_short(x))
+    x += std::copysign(std::abs(number) * 1e-4, toward);
+  return result;
+}
+
+} // namespace
+
+std::string in_short_not_below(double number) { return rounded(number, std::numeric_limits<double>::infinity()); }
+
+std::string in_short_not_above(double number) { return rounded(number, -std::numeric_limits<double>::infinity()); }
 
 std::string in_short(const std::array<double, 3>& point)
 {

@@ -29,6 +29,9 @@ std::string in_full(double number);
 
 // With a few digits, for people.
 std::string in_short(double number);
+// Rounded upward or downward, so that what is proven of the number is true of the text.
+std::string in_short_not_below(double number);
+std::string in_short_not_above(double number);
 std::string in_short(const std::array<double, 3>& point);
 
 // "0.012 s"

@@ -118,7 +118,35 @@ TEST_F(Simplify_command, shows_its_edges_on_the_input)
   ASSERT_EQ(idt("sample bumpy-sphere -o m").status, 0);
   EXPECT_EQ(idt("simplify m.off --view p.html").status, 0);
   EXPECT_TRUE(contains(content(folder_ / "p.html"), "before the simplification"));
-  EXPECT_TRUE(contains(content(folder_ / "p.html"), "edges of the result: lengths there changed by at most"));
+  EXPECT_TRUE(contains(content(folder_ / "p.html"), "edges of the result, which has "));
+  EXPECT_TRUE(contains(content(folder_ / "p.html"), "Lengths beside them changed by at most"));
+}
+
+// The printed bounds are rounded outward, also where they are near 1.
+TEST_F(Simplify_command, prints_bounds_that_are_proven)
+{
+  ASSERT_EQ(idt("sample bumpy-sphere -o m").status, 0);
+  for (const char* change : {"0.05", "0.02", "0.003", "1e-13", "2"}) {
+    const Command_run run = idt(std::string("simplify m.off --stats s.json --maximum-change ") + change);
+    ASSERT_EQ(run.status, 0) << run.err;
+    std::istringstream words(run.out.substr(run.out.find("between ") + 8));
+    const auto next = [&words] {
+      std::string word, sign;
+      words >> word >> sign;
+      double difference = 0;
+      if (sign == "+" || sign == "-")
+        words >> difference >> word; // then "and" or "times"
+      return sign == "+" ? 1 + difference : sign == "-" ? 1 - difference : std::stod(word);
+    };
+    const double shrink = next(), stretch = next();
+    EXPECT_LE(shrink, double(stats()["shrink"])) << run.out;
+    EXPECT_GE(stretch, double(stats()["stretch"])) << run.out;
+    EXPECT_NEAR(shrink, double(stats()["shrink"]), 1e-3 * shrink) << run.out;
+    EXPECT_NEAR(stretch, double(stats()["stretch"]), 1e-3 * stretch) << run.out;
+  }
+  const Command_run run = idt("simplify m.off --vertices 1");
+  EXPECT_TRUE(contains(run.out, "as nothing could be proven without them")) << run.out;
+  EXPECT_EQ(idt("simplify m.off --vertices 0").status, 2);
 }
 
 } // namespace

@@ -55,6 +55,29 @@ def test_values_of_a_refined_surface_return():
     assert abs(found - s.prolongation @ values).max() < 0.5 * numpy.ptp(values)
 
 
+def test_values_come_from_a_triangulation_of_the_simplified_surface_alone():
+    V, F = bumpy_sheet()
+    t = it.Triangulation(V, F)
+    s = t.simplify(maximum_change=0.1)
+    for other in (t, s.triangulation.simplify(maximum_change=0.5).triangulation):
+        with pytest.raises(it.InvalidArgumentError, match="vertices, where the simplified surface has"):
+            s.prolongation_from(other)
+
+
+def test_the_right_side_keeps_what_lies_between_the_vertices_that_are_left():
+    V, F = bumpy_sheet(30)
+    t = it.Triangulation(V, F)
+    s = t.simplify(maximum_change=0.2)
+    s.triangulation.refine()
+    P = s.prolongation_from(s.triangulation)
+    f = numpy.zeros(len(V))
+    f[next(v for v in range(len(V)) if v not in s.kept)] = 1
+    b = P.T @ (t.mass * f)
+    assert abs(b.sum() - t.mass @ f) < 1e-12 * b.sum()
+    L, M = s.triangulation.laplacian()
+    assert len(b) == L.shape[0]
+
+
 def test_the_default_is_five_percent_or_the_number():
     V, F = bumpy_sheet()
     t = it.Triangulation(V, F)

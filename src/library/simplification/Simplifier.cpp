@@ -208,15 +208,18 @@ private:
     star_.spokes.clear();
     std::size_t line[2] = {0, 0}, number_of_lines = 0;
     Obstacle obstacle = Obstacle::NONE;
-    for_each_halfedge_from(complex_, v, [&](Halfedge_index h) {
+    const Halfedge_index first = complex_.opposite(complex_.halfedge(v));
+    for (Halfedge_index h = first;;) {
       if (complex_.target(h) == v || star_.spokes.size() == largest_degree)
-        obstacle = Obstacle::GLUING;
-      else if (!complex_.is_border(h) && faces_[complex_.face(h).idx()].is_thin && obstacle == Obstacle::NONE)
+        return Obstacle::GLUING; // at once: a vertex of high degree is asked again after each removal beside it
+      if (!complex_.is_border(h) && faces_[complex_.face(h).idx()].is_thin)
         obstacle = Obstacle::BOUND;
       if (is_constrained_[complex_.edge(h).idx()] && !complex_.is_border(complex_.edge(h)) && ++number_of_lines <= 2)
         line[number_of_lines - 1] = star_.spokes.size();
       star_.spokes.push_back(h);
-    });
+      if (complex_.is_border(h) || (h = complex_.next_around_source(h)) == first)
+        break;
+    }
     if (obstacle != Obstacle::NONE)
       return obstacle;
     if (number_of_lines != 0 && (number_of_lines != 2 || is_on_border))

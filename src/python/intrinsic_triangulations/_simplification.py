@@ -41,7 +41,8 @@ class SimplifiedSurface(NamedTuple):
     stretch: float
     """How much distances may have become longer."""
     prolongation: scipy.sparse.csc_matrix
-    """(n, c) matrix: carries values at its vertices to the given vertices, linearly. Rows sum to 1."""
+    """(n, c) matrix: carries values at its vertices to the given vertices, linearly. Rows sum to 1, but those of isolated vertices
+    are empty."""
 
     def prolongation_from(self, triangulation: "Triangulation") -> scipy.sparse.csc_matrix:
         """Find the same matrix for a refined triangulation of the simplified surface.
@@ -55,11 +56,21 @@ class SimplifiedSurface(NamedTuple):
         -------
         (n, c') scipy.sparse.csc_matrix
             It carries values at the c' vertices of that triangulation to the given vertices, linearly. The row of an isolated
-            vertex is empty.
+            vertex is empty, and so is the column of a vertex near which there is no given vertex.
+
+        Raises
+        ------
+        InvalidArgumentError
+            If the input of the triangulation has another number of vertices than the simplified surface.
         """
         faces, coordinates = self.places
         rows = numpy.flatnonzero(faces >= 0)
-        at, weights = triangulation.common_subdivision().to_intrinsic(faces[rows], coordinates[rows])
+        subdivision = triangulation.common_subdivision()
+        if subdivision.number_of_input_vertices != len(self.kept):
+            raise _core.InvalidArgumentError(
+                f"the input of the triangulation has {subdivision.number_of_input_vertices} vertices, where the simplified "
+                f"surface has {len(self.kept)}: give its member `triangulation`, or a copy, refined or not")
+        at, weights = subdivision.to_intrinsic(faces[rows], coordinates[rows])
         entries = weights.ravel(), (numpy.repeat(rows, 3), triangulation.faces[at].ravel())
         return scipy.sparse.csc_matrix(entries, shape=(len(faces), triangulation.number_of_vertices))
 

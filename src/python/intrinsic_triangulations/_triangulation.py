@@ -527,9 +527,10 @@ class Triangulation:
         Parameters
         ----------
         maximum_change : float, optional
-            By which part a distance may change. Default: 0.05, and no limit if `number_of_vertices` is given.
+            By which part c a distance may change: `1/(1 + c) <= shrink` and `stretch <= 1 + c`, where rounding takes up to
+            1e-12. Default: 0.05, and no limit if `number_of_vertices` is given.
         number_of_vertices : int
-            No more vertices are removed when so many are left.
+            No more vertices are removed when so many are left. Default: 0, which is not given.
         kept : (n,) array of bool, optional
             The vertices to keep.
         constrained : (k,) array of bool, optional
