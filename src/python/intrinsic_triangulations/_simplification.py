@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 
 from . import _arrays, _core
 from ._documented import documented
+from ._errors import InvalidArgumentError
 from ._rebuilt import Rebuilt
 
 if TYPE_CHECKING:
@@ -67,7 +68,7 @@ class SimplifiedSurface(NamedTuple):
         rows = numpy.flatnonzero(faces >= 0)
         subdivision = triangulation.common_subdivision()
         if subdivision.number_of_input_vertices != len(self.kept):
-            raise _core.InvalidArgumentError(
+            raise InvalidArgumentError(
                 f"the input of the triangulation has {subdivision.number_of_input_vertices} vertices, where the simplified "
                 f"surface has {len(self.kept)}: give its member `triangulation`, or a copy, refined or not")
         at, weights = subdivision.to_intrinsic(faces[rows], coordinates[rows])
