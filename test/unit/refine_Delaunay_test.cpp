@@ -328,6 +328,33 @@ TEST(Refine_Delaunay, estimates_how_many_vertices_are_needed)
   }
 }
 
+// Fifty pairs of vertices close to each other need many close vertices, but few for the whole surface.
+TEST(Refine_Delaunay, takes_no_smallest_size_where_all_faces_need_few_vertices)
+{
+  constexpr std::uint32_t n = 40;
+  samples::Indexed_triangles sheet;
+  for (std::uint32_t y = 0; y <= n; ++y)
+    for (std::uint32_t x = 0; x <= n; ++x)
+      sheet.points.push_back({double(x), double(y), 0});
+  for (std::uint32_t y = 0; y < n; ++y)
+    for (std::uint32_t x = 0; x < n; ++x) {
+      const std::uint32_t i = y * (n + 1) + x, j = i + 1, k = j + n + 1, l = k - 1;
+      if ((x * n + y) % 32 != 0) {
+        sheet.triangles.insert(sheet.triangles.end(), {{i, j, k}, {i, k, l}});
+        continue;
+      }
+      const auto a = std::uint32_t(sheet.points.size()), b = a + 1;
+      sheet.points.push_back({x + 0.5 - 5e-5, y + 0.5, 0});
+      sheet.points.push_back({x + 0.5 + 5e-5, y + 0.5, 0});
+      sheet.triangles.insert(sheet.triangles.end(), {{i, j, b}, {i, b, a}, {j, k, b}, {k, l, a}, {k, a, b}, {l, i, a}});
+    }
+  Triangulation triangulation = triangulation_of(sheet);
+  const IT::Refinement_report report = IT::refine_Delaunay(triangulation);
+  EXPECT_EQ(report.minimum_size, 0);
+  EXPECT_TRUE(report.unrefined.empty());
+  EXPECT_GT(report.insertions, 1000u);
+}
+
 // A smallest size also ends the splitting of edges for their own sake.
 TEST(Refine_Delaunay, splits_no_edge_below_the_smallest_size)
 {

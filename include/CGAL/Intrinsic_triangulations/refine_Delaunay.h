@@ -157,7 +157,9 @@ Refinement_report refine_by_trial(Refinement_run<Traits, Observer>& run,
         trial.maximum_number = (std::numeric_limits<std::uint64_t>::max)();
       auto result = run(trial);
       const std::uint64_t points = result.report.insertions + result.report.segment_splits;
-      const bool is_last = i == levels.size() || result.number_of_close_vertices <= 100 + (n + points) / 50;
+      // Without a size, only what takes unusually many vertices leaves faces instead.
+      const bool is_last = i == levels.size() || result.number_of_close_vertices <= 100 + (n + points) / 50 ||
+                           (i == 0 && std::isfinite(result.cost) && points <= 4 * std::uint64_t(n));
       if (!best_result || result.cost < best_result->cost || !std::isfinite(best_result->cost)) {
         best_result = std::move(result);
         if (!is_last)
@@ -195,9 +197,10 @@ Refinement_report refine_by_trial(Refinement_run<Traits, Observer>& run,
 ///
 /// No vertex is inserted for a face with a side shorter than the smallest size, nor for a lower one unless it is too
 /// long. If none is given, refinement begins with 0. CAD programs leave slivers, sheets and tubes by mistake that need
-/// many vertices: if many come closer to each other than 2^-14 of the longest side of the bounding box (or of the
-/// longest edge of a surface without points), refinement begins anew with 2^-21, 2^-20, 2^-17 and 2^-14 of it in turn. The
-/// result is the run with the fewest vertices and the fewest faces left; the report has its size.
+/// many vertices: if more than four for each vertex are needed, and many come closer to each other than 2^-14 of the
+/// longest side of the bounding box (or of the longest edge of a surface without points), refinement begins anew with
+/// 2^-21, 2^-20, 2^-17 and 2^-14 of it in turn. The result is the run with the fewest vertices and the fewest faces left;
+/// the report has its size.
 ///
 /// A vertex inside the surface whose angles sum to less than 60 degrees gets one neighbor close to it, and the triangle
 /// between them is kept. Two edges that are not flipped and form a corner of less than 60 degrees are split at powers
