@@ -4,8 +4,6 @@
 
 import numpy as np
 from matplotlib import pyplot
-from matplotlib.cm import ScalarMappable
-from matplotlib.colors import LogNorm
 from matplotlib.lines import Line2D
 
 from idt_files import read_obj
@@ -219,26 +217,3 @@ def interpolations(parameterization, camera):
     titles = ["over the input: distortion " + _distortion_text(parameterization.report["over_input"]),
               "over the iDT: distortion " + _distortion_text(parameterization.report["over_intrinsic"])]
     return page_of_images(images, titles, columns=2)
-
-
-def circle_patterns(clipped, intrinsic, camera):
-    """Figure 10: circle patterns with the angles of the input, clipped, and with those of the iDT."""
-    norm, shades = LogNorm(1, 10), pyplot.get_cmap("YlOrRd")
-    images, titles = [], []
-    for parameterization, column, key, title in [(clipped, 0, "over_input", "input"),
-                                                 (intrinsic, 1, "over_intrinsic", "iDT")]:
-        points, _, faces = read_obj(parameterization.over_intrinsic)
-        values = np.minimum(parameterization.distortion[:, column], 10)
-        images.append(render([polygons(points, faces, shades(norm(values)))], camera))
-        edges = parameterization.report["circle_pattern"]["clipped_edges"]
-        titles.append(f"{title} ({edges} edges clipped): "
-                      + _distortion_text(parameterization.report[key]))
-    page = page_of_images(images, titles, columns=2)
-    _, height = page.get_size_inches()
-    bar = page.add_axes([0.3, 0.3 / height, 0.4, 0.12 / height])
-    page.colorbar(ScalarMappable(norm, shades), cax=bar, orientation="horizontal",
-                  ticks=[1, 2, 3, 5, 10], format="%g")
-    bar.tick_params(labelsize=8, pad=1, length=2)
-    bar.minorticks_off()
-    page.text(0.29, 0.36 / height, "distortion", horizontalalignment="right", verticalalignment="center")
-    return page

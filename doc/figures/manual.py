@@ -48,7 +48,6 @@ SAMPLES = {
     "weights": Subject(sample("bumpy-sphere")),
     "maps": Subject(DOME),
     "interpolation": Subject(DOME, Camera((1, -1.2, 0.1), center=(0.6, -0.7, -0.15), height=0.95)),
-    "circle-patterns": Subject(DOME, Camera((1, -1.2, 0.9))),
     "refinement": Subject(DOME, Camera((1, -1.2, 0.9), size=(400, 360)), 0.0012),
     "geodesics": [Subject(sample("torus"), Camera((1, -1.2, 1.6)), 0.003),
                   Subject(sample("bumpy-sphere"), Camera((1, -1, 0.7)), 0.0022)],
@@ -62,9 +61,6 @@ def table_1(folder):
     def model(name):
         return lambda idt: read_off(folder / f"{name}.off")
 
-    def upper_half_of_hygeia(idt):
-        return surfaces.half(model("hygeia")(idt), idt.folder / "half-of-hygeia.off", axis=1, fraction=0.5)
-
     return {
         "edges": Subject(model("cathead"), Camera((0.3, 0.3, 1), up=(0, 1, 0))),
         "overlays": [Subject(model("bunnyhead"), Camera((0.3, 0.3, 1), up=(0, 1, 0))),
@@ -75,7 +71,6 @@ def table_1(folder):
         "refinement": Subject(model("bunnyhead"), Camera((0.3, 0.3, 1), up=(0, 1, 0), size=(400, 360))),
         "maps": Subject(model("beautiful_freak")),
         "interpolation": Subject(model("bunnyhead"), Camera((0.3, 0.3, 1), up=(0, 1, 0))),
-        "circle-patterns": Subject(upper_half_of_hygeia, Camera((0.3, 0.3, -1), up=(0, 1, 0))),
     }
 
 
@@ -189,22 +184,15 @@ def draw_interpolation(idt, subject):
     return figures.interpolations(idt.parameterize(subject.surface(idt), "map"), subject.camera)
 
 
-def draw_circle_patterns(idt, subject):
-    surface = subject.surface(idt)
-    patterns = [idt.parameterize(surface, operator, "--method", "circle-pattern", "--laplacian", operator)
-                for operator in ("extrinsic", "intrinsic")]
-    return figures.circle_patterns(*patterns, subject.camera)
-
-
 def draw_kernels(idt, _):
     return kernels.comparison(idt.compare_samples(
         "half-angle-double", "float", "double", "long-double", "float128", "interval", "mpfr", "core",
         "filtered"))
 
 
-# The names of the pictures: that of README, those of the paper, figures 1, 2, 6, 7, 8, 9 and 10, and four more.
+# The names of the pictures: that of README, those of the paper, figures 1, 2, 6, 7, 8 and 9, and four more.
 DRAW = {"solutions": draw_solutions, "edges": draw_edges, "thin-tube": draw_edges, "weights": draw_weights, "overlays": draw_overlays,
-        "maps": draw_maps, "interpolation": draw_interpolation, "circle-patterns": draw_circle_patterns,
+        "maps": draw_maps, "interpolation": draw_interpolation,
         "refinement": draw_refinement, "geodesics": draw_geodesics, "distances": draw_distances, "kernels": draw_kernels}
 LINE_DRAWINGS = ("weights", "maps", "kernels")  # these have few colors
 

@@ -40,10 +40,3 @@ def folded_sheet(path, strips=6, along=60, slant=20, slope=0.6):
 def wave_on_sheet(points, slope=0.6):
     """cos πx cos πy on the sheet, laid flat."""
     return np.cos(np.pi * points[:, 0] / cos(slope)) * np.cos(np.pi * points[:, 1])
-
-
-def half(surface, path, axis, fraction):
-    """The triangles beyond a plane, at a fraction of the extent along an axis."""
-    x = surface.points[:, axis]
-    beyond = x > x.min() + fraction * np.ptp(x)
-    return write_off(path, surface.points, surface.faces[beyond[surface.faces].all(axis=1)])

@@ -19,6 +19,7 @@
 #include "view/View.h"
 
 #include <CGAL/Intrinsic_triangulations/conformal_parameterization.h>
+#include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
 
 #include <nlohmann/json.hpp>
 
@@ -135,6 +136,37 @@ View view_of(const Conformal_map_options& options, const IT::Conformal_map& map,
   return view;
 }
 
+struct Distortion
+{
+  std::vector<double> ratios, scales; // of lengths, and of areas, of each triangle
+  IT::Distortion_summary ratio, scale;
+};
+
+Distortion distortion_of(const IT::Conformal_map& map)
+{
+  Distortion result;
+  std::vector<double> areas; // on the surface
+  for (std::size_t i = 0; i < map.triangles.size(); ++i) {
+    const auto& [most, least] = map.stretch[i];
+    const auto& [p, q, r] = map.uv[i];
+    result.ratios.push_back(most / least);
+    result.scales.push_back(most * least);
+    const double area = std::abs((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) / (most * least);
+    areas.push_back(std::isfinite(area) ? area : 0);
+  }
+  result.ratio = IT::summarize_distortion(result.ratios, areas);
+  result.scale = IT::summarize_distortion(result.scales, areas);
+  return result;
+}
+
+void write_distortion(std::ostream& os, const IT::Conformal_map& map, const Distortion& distortion)
+{
+  const auto text = [](double x) { return std::isfinite(x) ? in_full(x) : std::string(); };
+  os << "input_face,distortion,area_scale\n";
+  for (std::size_t i = 0; i < map.triangles.size(); ++i)
+    os << map.input_faces[i].idx() << ',' << text(distortion.ratios[i]) << ',' << text(distortion.scales[i]) << '\n';
+}
+
 // Of the lengths of edges, at the vertices.
 std::array<double, 2> range_of_scale(const IT::Conformal_map& map)
 {
@@ -142,8 +174,8 @@ std::array<double, 2> range_of_scale(const IT::Conformal_map& map)
   return {std::exp(*least), std::exp(*most)};
 }
 
-Json statistics(const Conformal_map_options& options, const IT::Conformal_map& map, const Surface& surface,
-                double seconds)
+Json statistics(const Conformal_map_options& options, const IT::Conformal_map& map, const Distortion& distortion,
+                const Surface& surface, double seconds)
 {
   Json cones = Json::array(), turned = Json::array();
   for (std::size_t i = 0; i < map.metric.cones.size(); ++i)
@@ -162,6 +194,10 @@ Json statistics(const Conformal_map_options& options, const IT::Conformal_map& m
           {"range_of_u", map.metric.range_of_u},
           {"smallest_scale", scale[0]},
           {"largest_scale", scale[1]},
+          {"mean_distortion", distortion.ratio.mean},
+          {"percentile_99_distortion", distortion.ratio.percentile_99},
+          {"mean_area_scale", distortion.scale.mean},
+          {"percentile_99_area_scale", distortion.scale.percentile_99},
           {"seam", map.seam},
           {"certified", map.is_certified},
           {"overlaps", map.overlaps},
@@ -172,17 +208,21 @@ Json statistics(const Conformal_map_options& options, const IT::Conformal_map& m
           {"seconds", seconds}};
 }
 
-void write_report(std::ostream& os, const Conformal_map_options& options, const IT::Conformal_map& map, double seconds)
+void write_report(std::ostream& os, const Conformal_map_options& options, const IT::Conformal_map& map,
+                  const Distortion& distortion, double seconds)
 {
   const std::array<double, 2> scale = range_of_scale(map);
   os << options.input << "\n  map               conformal, boundary " << options.boundary << "\n  cones             "
      << with_separators(map.metric.cones.size()) << "\n  angles            within " << in_short(map.metric.residual)
      << " of the wanted sums, proven\n  lengths           between " << in_short(scale[0]) << " and "
-     << in_short(scale[1]) << " times those of the surface\n  triangles         "
+     << in_short(scale[1]) << " times those of the surface\n  distortion        " << in_short(distortion.ratio.mean)
+     << " in the mean, " << in_short(distortion.ratio.percentile_99) << " at 99 % of the area; areas "
+     << in_short(distortion.scale.mean) << " times those of the surface in the mean, "
+     << in_short(distortion.scale.percentile_99) << " at 99 %\n  triangles         "
      << with_separators(map.triangles.size()) << ", of which " << with_separators(map.turned.size())
      << " turned over\n  input triangles   " << with_separators(map.turned_input.size())
      << " would turn over if the map were linear on them; " << with_separators(map.divided_input.size())
-     << " more are cut, where it cannot be\n  locally injective "
+     << " are cut, and follow one side\n  locally injective "
      << (!map.is_certified    ? "no"
          : map.turned.empty() ? "yes, proven"
                               : "on the ideal Delaunay triangles only, proven")
@@ -230,10 +270,12 @@ Exit_status run_conformal_map(const Conformal_map_options& options)
       write_textured_mesh(options.uv, mesh_of(map, surface));
     if (!options.uv_input.empty())
       write_textured_mesh(options.uv_input, input_of(map, surface));
+    const Distortion distortion = distortion_of(map);
+    write_file(options.distortion, [&](std::ostream& os) { write_distortion(os, map, distortion); });
     if (!options.view.empty())
       write_view(options.view, view_of(options, map, surface));
-    write_json(options.stats, statistics(options, map, surface, seconds));
-    write_report(std::cout, options, map, seconds);
+    write_json(options.stats, statistics(options, map, distortion, surface, seconds));
+    write_report(std::cout, options, map, distortion, seconds);
     flush_standard_output();
     return Exit_status::DONE;
   });

@@ -17,7 +17,7 @@ namespace idt {
 
 struct Conformal_map_options
 {
-  std::string input, boundary, cone_angles, boundary_angles, uv, uv_input, view, stats;
+  std::string input, boundary, cone_angles, boundary_angles, uv, uv_input, distortion, view, stats;
   std::optional<std::uint64_t> cones;
   Repair_options repair;
 };

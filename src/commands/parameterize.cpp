@@ -18,7 +18,6 @@
 #include "output/Textured_mesh.h"
 #include "view/View.h"
 
-#include <CGAL/Intrinsic_triangulations/circle_pattern_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
 
@@ -67,25 +66,20 @@ struct Result
 {
   Triangulation_result triangulation;
   IT::Planar_points uv;
-  std::optional<IT::Circle_pattern> pattern;
   Quality on_input, on_intrinsic;
   double seconds = 0;
 };
 
 void check(Parameterize_options& options)
 {
-  if (options.method == "circle-pattern") {
-    if (options.boundary == "disk")
-      throw Usage_error("--boundary disk: the boundary of a circle pattern is free: omit it");
-    options.boundary = "natural";
-  } else if (options.boundary.empty()) {
+  if (options.boundary.empty())
     options.boundary = options.method != "conformal"          ? "disk"
                        : options.boundary_angles_path.empty() ? "free"
                                                               : "angles";
-  }
   if (options.method == "conformal") {
-    if (!options.distortion_path.empty() || options.Laplacian == "extrinsic")
-      throw Usage_error("--distortion and --laplacian: a conformal map has neither; omit them");
+    if (options.Laplacian == "extrinsic")
+      throw Usage_error(
+        "--laplacian extrinsic: a conformal map is that of the intrinsic Delaunay triangulation; omit it");
   } else {
     if (options.cones || !options.cone_angles_path.empty() || !options.boundary_angles_path.empty())
       throw Usage_error(
@@ -115,12 +109,6 @@ void find_map(const Parameterize_options& options, Result& result, const IT::Pro
   const Outcome& outcome = result.triangulation.outcome;
   const IT::Delta_complex& complex = is_intrinsic ? outcome.connectivity : result.triangulation.surface.connectivity;
   const IT::Element_numbers& numbers = is_intrinsic ? outcome.numbers : outcome.input_numbers;
-  if (options.method == "circle-pattern") {
-    result.pattern = IT::circle_pattern_parameterization(complex, numbers.lengths, numbers.areas,
-                                                         CGAL::parameters::visitor(std::ref(progress)));
-    result.uv = result.pattern->uv;
-    return;
-  }
   require_finite_weights(result.triangulation.surface, complex, numbers);
   if (options.boundary == "natural") {
     result.uv = IT::natural_parameterization(complex, numbers.cotangent_weights, numbers.lengths, numbers.areas);
@@ -150,16 +138,6 @@ Json json_value(const Quality& quality)
           {"max_distortion", quality.summary.maximum}};
 }
 
-Json json_value(const std::optional<IT::Circle_pattern>& pattern)
-{
-  if (!pattern)
-    return nullptr;
-  return {{"clipped_edges", pattern->number_of_clipped_edges},
-          {"largest_change_of_angle", pattern->largest_change},
-          {"gradient", pattern->gradient},
-          {"iterations", pattern->iterations}};
-}
-
 Json json_value(const std::optional<IT::Weight_summary>& weights)
 {
   Json json;
@@ -183,7 +161,6 @@ Json json_value(const Parameterize_options& options, const Result& result)
   json["weights_after"] = json_value(outcome.weights_after);
   json["over_input"] = json_value(result.on_input);
   json["over_intrinsic"] = json_value(result.on_intrinsic);
-  json["circle_pattern"] = json_value(result.pattern);
   json["repair"] = to_json_value(repairs(result.triangulation.surface));
   json["warnings"] = result.triangulation.surface.warnings;
   json["seconds"] = result.seconds;
@@ -194,8 +171,6 @@ Json json_value(const Parameterize_options& options, const Result& result)
 // demanding map.
 std::string alternative(const Parameterize_options& options)
 {
-  if (options.method == "circle-pattern")
-    return "--method harmonic --boundary natural";
   if (options.boundary == "natural")
     return "--boundary disk";
   return options.Laplacian == "extrinsic" ? "--laplacian intrinsic" : "";
@@ -240,9 +215,6 @@ void write_report(std::ostream& os, const Parameterize_options& options, const R
      << with_separators(outcome.report.flips) << "\n  negative weights  "
      << with_separators(outcome.weights_before->negative) << " before, "
      << with_separators(outcome.weights_after->negative) << " after\n";
-  if (result.pattern)
-    os << "  circle pattern    " << counted(result.pattern->number_of_clipped_edges, "edge", "edges")
-       << " clipped, gradient " << in_short(result.pattern->gradient) << '\n';
   os << "  over the input    " << text(result.on_input) << "\n  over the iDT      " << text(result.on_intrinsic)
      << "\n  time              " << seconds_text(result.seconds) << '\n';
 }
@@ -286,8 +258,8 @@ Exit_status run_parameterize(Parameterize_options options)
   check(options);
   if (options.method == "conformal")
     return run_conformal_map({options.input, options.boundary, options.cone_angles_path, options.boundary_angles_path,
-                              options.uv_path, options.uv_input_path, options.view_path, options.json_path,
-                              options.cones, options.repair});
+                              options.uv_path, options.uv_input_path, options.distortion_path, options.view_path,
+                              options.json_path, options.cones, options.repair});
   Result result;
   Run_options run_options;
   run_options.wanted.weights = run_options.wanted.numbers = run_options.wanted.input_numbers = true;
@@ -336,8 +308,7 @@ void add_parameterize_command(CLI::App& app, Selected_command& selected)
                  "that is linear on the intrinsic Delaunay triangles. Distortion is the ratio of the\n"
                  "singular values: 1 where a triangle keeps its shape.\n");
   command.add_option("INPUT", options->input, "as for `idt triangulate`")->required();
-  set_words(command.add_option("--laplacian", options->Laplacian,
-                               "the triangulation whose cotangents, or whose circles, are used"),
+  set_words(command.add_option("--laplacian", options->Laplacian, "the triangulation whose cotangents are used"),
             {"intrinsic", "extrinsic"})
     ->capture_default_str();
   set_words(command.add_option("--boundary", options->boundary,
@@ -346,9 +317,8 @@ void add_parameterize_command(CLI::App& app, Selected_command& selected)
                                "(default), or angles, straight where --boundary-angles has none"),
             {"disk", "natural", "free", "angles"});
   set_words(command.add_option("--method", options->method,
-                               "harmonic; circle-pattern: discrete conformal, boundary natural; conformal: for any "
-                               "surface, proven to be locally injective"),
-            {"harmonic", "circle-pattern", "conformal"})
+                               "harmonic; conformal: for any surface, proven to be locally injective"),
+            {"harmonic", "conformal"})
     ->capture_default_str();
   add_option(command, "--cones", options->cones, "N",
              "conformal: choose N cones in each component; by default, so many that no length changes too much")
@@ -363,7 +333,8 @@ void add_parameterize_command(CLI::App& app, Selected_command& selected)
   add_option(command, "--uv-input", options->uv_input_path, "F.obj", "the same, linear on the input triangles");
   add_option(command, "--distortion", options->distortion_path, "F.csv",
              "write the distortion of both on each face of the overlay: "
-             "input_face,intrinsic_face,over_input,over_intrinsic");
+             "input_face,intrinsic_face,over_input,over_intrinsic; of a conformal map, on each triangle of --uv: "
+             "input_face,distortion,area_scale");
   add_view_option(command, options->view_path);
   add_option(command, "--stats,--json", options->json_path, "F.json", "write the report as a JSON object");
   add_repair_option(command, options->repair);

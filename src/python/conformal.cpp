@@ -65,12 +65,12 @@ py::tuple conformal_map(Surface& surface, const Indices& cones, const Doubles& c
     return to_array(std::move(result));
   };
   std::vector<std::array<bool, 3>> is_cut = std::move(map.is_cut);
-  return py::make_tuple(places.to_arrays(), to_numbers(map.triangles), to_array(std::move(uv)),
-                        numbers(map.input_faces), to_array(std::move(is_cut)), to_array(std::move(input_uv)),
-                        to_array(std::move(map.weights)), to_array(std::move(map.metric.u)), numbers(map.metric.cones),
-                        to_array(std::move(map.metric.cone_angles)), map.metric.residual, map.metric.range_of_u,
-                        map.metric.steps, map.seam, map.is_certified, map.overlaps, to_numbers(map.turned),
-                        numbers(map.turned_input), numbers(map.divided_input));
+  return py::make_tuple(
+    places.to_arrays(), to_numbers(map.triangles), to_array(std::move(uv)), numbers(map.input_faces),
+    to_array(std::move(is_cut)), to_array(std::move(input_uv)), to_array(std::move(map.weights)),
+    to_array(std::move(map.stretch)), to_array(std::move(map.metric.u)), numbers(map.metric.cones),
+    to_array(std::move(map.metric.cone_angles)), map.metric.residual, map.metric.range_of_u, map.metric.steps, map.seam,
+    map.is_certified, map.overlaps, to_numbers(map.turned), numbers(map.turned_input), numbers(map.divided_input));
 }
 
 } // namespace

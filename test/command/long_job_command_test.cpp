@@ -237,7 +237,7 @@ TEST_F(Command_long_job, can_be_interrupted_within_a_decision)
 TEST_F(Command_long_job, can_be_interrupted_while_a_map_is_found)
 {
   write_sheet("sheet.ply", 70, 0.3);
-  const double whole = time("parameterize sheet.ply --method circle-pattern --uv result.obj --json result.json");
+  const double whole = time("parameterize sheet.ply --method conformal --uv result.obj --json result.json");
   const std::vector<std::string> all = files();
   std::mt19937 random(std::random_device{}());
   for (int run = 0; run < 8; ++run) {
@@ -245,8 +245,7 @@ TEST_F(Command_long_job, can_be_interrupted_while_a_map_is_found)
     const double delay = std::uniform_real_distribution<double>(0.01, whole)(random);
     SCOPED_TRACE(delay);
     const int status = interrupt(
-      {"parameterize", "sheet.ply", "--method", "circle-pattern", "--uv", "result.obj", "--json", "result.json"},
-      delay);
+      {"parameterize", "sheet.ply", "--method", "conformal", "--uv", "result.obj", "--json", "result.json"}, delay);
     EXPECT_TRUE(status == 0 || status == 4) << status << ": " << content(folder_ / ".err");
     expect_nothing_temporary();
     if (status == 0) {

@@ -5,8 +5,8 @@
 
 #include "samples/sample_surfaces.h"
 
-#include <CGAL/Intrinsic_triangulations/circle_pattern_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/conformal_parameterization.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
@@ -238,10 +238,8 @@ TEST(Conformal_map, of_a_hemisphere_is_as_good_as_other_maps_of_disks)
   const double free = distance_from(IT::conformal_parameterization(t), surface, stereographic);
   IT::flip_to_Delaunay(t);
   const double harmonic = distance_from(IT::harmonic_parameterization(t), surface, stereographic),
-               natural = distance_from(IT::natural_parameterization(t), surface, stereographic),
-               pattern = distance_from(IT::circle_pattern_parameterization(t).uv, surface, stereographic);
+               natural = distance_from(IT::natural_parameterization(t), surface, stereographic);
   EXPECT_LT(10 * free, harmonic);
-  EXPECT_LT(100 * free, pattern);
   EXPECT_LT(100 * free, natural);
 }
 
@@ -408,6 +406,57 @@ TEST(Conformal_map, needs_a_face)
   const Triangulation t(IT::make_Delta_complex_from_triangles(3, std::vector<std::array<std::uint32_t, 3>>()),
                         {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   EXPECT_THROW(IT::conformal_parameterization(t), IT::Invalid_surface_error);
+}
+
+// Triangles that a cut crosses have images like those of their neighbors: each is as conformal as the map.
+TEST(Conformal_map, gives_images_to_input_triangles_that_a_cut_crosses)
+{
+  const Indexed_triangles surface = samples::bumpy_sphere(40, 30, 0.2);
+  const Triangulation t = triangulation_of(surface);
+  const Conformal_map map = IT::conformal_parameterization(t);
+  EXPECT_GT(map.divided_input.size(), 10u);
+  EXPECT_LT(map.turned_input.size(), t.input().number_of_faces() / 50);
+  std::vector<double> of_divided, of_others;
+  for (IT::Face_index f : t.input().faces()) {
+    const IT::Halfedge_index h = t.input().halfedge(f);
+    double least = 1e9, most = 0; // the change of a side's length
+    for (IT::Halfedge_index side : {h, t.input().next(h), t.input().prev(h)}) {
+      const auto &p = map.input_uv[side.idx()], &q = map.input_uv[t.input().next(side).idx()];
+      const double change =
+        std::hypot(p[0] - q[0], p[1] - q[1]) /
+        std::sqrt(t.input_metric().squared_length_double_double(t.input(), t.input().edge(side)).hi());
+      least = (std::min)(least, change);
+      most = (std::max)(most, change);
+    }
+    const bool is_divided = std::find(map.divided_input.begin(), map.divided_input.end(), f) != map.divided_input.end();
+    (is_divided ? of_divided : of_others).push_back(most / least);
+  }
+  std::sort(of_divided.begin(), of_divided.end());
+  std::sort(of_others.begin(), of_others.end());
+  EXPECT_LT(of_divided[of_divided.size() * 9 / 10], of_others[of_others.size() * 99 / 100]);
+}
+
+// The factors are those of the areas, and 1 on a plane.
+TEST(Conformal_map, knows_how_much_it_stretches)
+{
+  const Conformal_map flat = IT::conformal_parameterization(triangulation_of(samples::sheared_grid(9, 7, 1)));
+  for (const auto& [most, least] : flat.stretch) {
+    EXPECT_NEAR(most, 1, 1e-9);
+    EXPECT_NEAR(least, 1, 1e-9);
+  }
+  const Triangulation t = triangulation_of(samples::bumpy_dome(14, 10, 0.2));
+  const Conformal_map map = IT::conformal_parameterization(t);
+  ASSERT_EQ(map.stretch.size(), map.triangles.size());
+  double on_surface = 0, in_faces = 0;
+  for (std::size_t i = 0; i < map.triangles.size(); ++i) {
+    const auto& [p, q, r] = map.uv[i];
+    on_surface +=
+      ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) / 2 / (map.stretch[i][0] * map.stretch[i][1]);
+    EXPECT_GE(map.stretch[i][0], map.stretch[i][1]);
+  }
+  for (double area : IT::face_areas(t))
+    in_faces += area;
+  EXPECT_NEAR(on_surface / in_faces, 1, 1e-9);
 }
 
 TEST(Conformal_map, of_a_symmetric_surface_is_symmetric)

@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/insert_vertex.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/surface_features.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -19,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <ctime>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <random>
@@ -168,7 +170,10 @@ TEST(Discrete_conformal_metric, has_the_cones_that_were_asked_for)
 TEST(Discrete_conformal_metric, does_not_depend_on_the_triangles)
 {
   for (bool is_closed : {true, false}) {
-    const Indexed_triangles surface = is_closed ? samples::bumpy_sphere(20, 15, 0.3) : samples::bumpy_dome(14, 10, 0.2);
+    Indexed_triangles surface = is_closed ? samples::bumpy_sphere(20, 15, 0.3) : samples::bumpy_dome(14, 10, 0.2);
+    for (auto& p : surface.points) // so that middles are exact
+      for (double& x : p)
+        x = std::ldexp(std::round(std::ldexp(x, 30)), -30);
     const Conformal_options options = is_closed ? with_four_cones(surface) : Conformal_options();
     const std::vector<double> u = metric_of(surface, options).u;
     ASSERT_GT(largest_magnitude(u), 0.1);
@@ -195,6 +200,29 @@ TEST(Discrete_conformal_metric, does_not_depend_on_the_triangles)
       angle.first = Vertex_index(number[angle.first.idx()]);
     const std::vector<double> u_of_renumbered = metric_of(renumbered, of_renumbered).u;
 
+    // With a vertex in the middle of each edge, where it is flat and needs no scale of its own. On the border, it has one.
+    Indexed_triangles subdivided = surface;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+    const auto middle = [&](std::uint32_t i, std::uint32_t j) {
+      const auto [place, is_new] = middles.insert({std::minmax(i, j), std::uint32_t(subdivided.points.size())});
+      if (is_new) {
+        const auto &p = surface.points[i], &q = surface.points[j];
+        subdivided.points.push_back({(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2});
+      }
+      return place->second;
+    };
+    subdivided.triangles.clear();
+    for (const auto& [i, j, k] : surface.triangles) {
+      const std::uint32_t a = middle(i, j), b = middle(j, k), c = middle(k, i);
+      for (const std::array<std::uint32_t, 3>& t : {std::array{i, a, c}, {j, b, a}, {k, c, b}, {a, b, c}})
+        subdivided.triangles.push_back(t);
+    }
+    IT::Delta_complex coarse = IT::make_Delta_complex_from_triangles(subdivided.points.size(), subdivided.triangles);
+    const std::size_t left = IT::remove_flat_vertices(coarse, subdivided.points).size();
+    EXPECT_TRUE(left == surface.points.size() || !is_closed);
+    const std::vector<double> u_of_subdivided =
+      is_closed ? metric_of(Triangulation(coarse, subdivided.points), options).u : u;
+
     // The same surface from another triangulation of it: random flips, then lengths alone.
     Triangulation flipped = triangulation_of(surface);
     for (int i = 0; i < 200; ++i) {
@@ -208,6 +236,7 @@ TEST(Discrete_conformal_metric, does_not_depend_on_the_triangles)
       EXPECT_NEAR(u_of_mirrored[v], u[v], 1e-9);
       EXPECT_NEAR(u_of_renumbered[number[v]], u[v], 1e-9);
       EXPECT_NEAR(u_of_flipped[v], u[v], 1e-9);
+      EXPECT_NEAR(u_of_subdivided[v], u[v], 1e-9);
     }
   }
 }

@@ -7,9 +7,9 @@
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
-#include <CGAL/Intrinsic_triangulations/circle_pattern_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/eigenvalues.h>
+#include <CGAL/Intrinsic_triangulations/conformal_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/transfer_matrices.h>
 #include <CGAL/Intrinsic_triangulations/tufted_Laplacian.h>
@@ -130,10 +130,11 @@ void map_naturally(const Surface& surface)
   expect_map(t, IT::natural_parameterization(t));
 }
 
-void map_by_circles(const Surface& surface)
+void map_conformally(const Surface& surface)
 {
-  const Triangulation t = Delaunay_triangulation(surface);
-  expect_map(t, IT::circle_pattern_parameterization(t).uv);
+  const IT::Conformal_map map = IT::conformal_parameterization(Delaunay_triangulation(surface));
+  EXPECT_TRUE(map.is_certified);
+  EXPECT_LE(map.metric.residual, 1e-9);
 }
 
 } // namespace
@@ -145,7 +146,7 @@ std::vector<Algorithm> operator_algorithms()
   return {{"stiffness", stiffness},        {"mass", mass},
           {"condition", condition_number}, {"project", project},
           {"circle", map_to_circle},       {"triangle", map_to_triangle},
-          {"natural", map_naturally},      {"circles", map_by_circles}};
+          {"natural", map_naturally},      {"conformal", map_conformally}};
 }
 
 } // namespace garden

@@ -69,7 +69,7 @@ std::vector<Algorithm> algorithms()
 
 // Columns, from the left: the operator of a tufted cover; examine, double, half angles, filtered; verify, overlay,
 // positions, transfer, locate, mesh, gluing file, mollify; stiffness, mass, condition, project; maps to the circle, to
-// the triangle, with natural boundary, by circle patterns. Rows are surfaces. `-` is for what takes points and gets
+// the triangle, with natural boundary, conformally. Rows are surfaces. `-` is for what takes points and gets
 // lengths, and `=` for all cells further to the right as the one before.
 const char* const expected_table = R"(
 one triangle               | ok     ok     ok     ok     ok     ok     ok     ok     ok     ok     ok     ok     ok     ok     ok     TOPO   ok     =

@@ -10,7 +10,6 @@
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Laplace_Beltrami.h>
-#include <CGAL/Intrinsic_triangulations/circle_pattern_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/eigenvalues.h>
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
@@ -65,34 +64,6 @@ Mesh read(const std::filesystem::path& path)
   Mesh mesh;
   EXPECT_TRUE(CGAL::IO::read_OFF(path.string(), mesh)) << path;
   return mesh;
-}
-
-// The faces with each corner in the upper half of the mesh; a disk where the cut is a curve.
-Mesh upper_half(const Mesh& mesh)
-{
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (Mesh::Vertex_index v : mesh.vertices()) {
-    low = std::min(low, mesh.point(v).y());
-    high = std::max(high, mesh.point(v).y());
-  }
-  samples::Indexed_triangles half;
-  std::vector<std::uint32_t> number(mesh.number_of_vertices(), 0); // from 1
-  for (Mesh::Face_index f : mesh.faces()) {
-    const auto corners = mesh.vertices_around_face(mesh.halfedge(f));
-    if (std::any_of(corners.begin(), corners.end(),
-                    [&](Mesh::Vertex_index v) { return mesh.point(v).y() <= (low + high) / 2; }))
-      continue;
-    std::array<std::uint32_t, 3>& triangle = half.triangles.emplace_back();
-    auto corner = triangle.begin();
-    for (Mesh::Vertex_index v : corners) {
-      if (number[v.idx()] == 0) {
-        half.points.push_back({mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()});
-        number[v.idx()] = std::uint32_t(half.points.size());
-      }
-      *corner++ = number[v.idx()] - 1;
-    }
-  }
-  return mesh_of(half);
 }
 
 // Properties of a map that is linear on the faces of a triangulation.
@@ -297,42 +268,6 @@ TEST(Operators, distortion_of_the_disks_of_the_paper)
     EXPECT_NEAR(intrinsic.percentile_99, row.intrinsic_percentile, 5e-3);
     // The same positions, interpolated over the input.
     EXPECT_LT(intrinsic.mean, distortion(input, uv).mean);
-  }
-}
-
-// Figure 10: the angles of the input have to be clipped, those of the intrinsic Delaunay
-// triangulation hardly.
-TEST(Operators, circle_patterns_of_the_disks_of_the_paper_and_of_a_surface_cut_open)
-{
-  if (evaluation_data().empty())
-    GTEST_SKIP() << "no evaluation meshes: set IDT_DATA_DIR";
-  struct Row
-  {
-    const char* name;
-    bool is_cut;
-    double input_mean, input_percentile, intrinsic_mean, intrinsic_percentile;
-  };
-  for (const Row& row :
-       {Row{"cathead.off", false, 1.511, 3.18, 1.412, 2.56}, Row{"bunnyhead.off", false, 1.542, 5.05, 1.303, 2.08},
-        Row{"beautiful_freak.off", false, 2.444, 5.67, 1.064, 1.51},
-        Row{"hygeia.off", true, 1.448, 2.99, 1.030, 1.12}}) {
-    SCOPED_TRACE(row.name);
-    const Mesh whole = read(evaluation_data() / "table1" / row.name);
-    const Mesh mesh = row.is_cut ? upper_half(whole) : whole;
-    const Triangulation input = IT::intrinsic_triangulation(mesh);
-    const auto result = IT::intrinsic_Delaunay_triangulation(mesh).triangulation;
-    const IT::Circle_pattern clipped = IT::circle_pattern_parameterization(input),
-                             pattern = IT::circle_pattern_parameterization(result);
-    EXPECT_LE(clipped.gradient, 1e-10);
-    EXPECT_LE(pattern.gradient, 1e-10);
-    EXPECT_LT(50 * pattern.number_of_clipped_edges, clipped.number_of_clipped_edges);
-    EXPECT_TRUE(IT::check_parameterization(result.connectivity(), pattern.uv).is_locally_injective());
-    const IT::Distortion_summary of_input = distortion(input, clipped.uv),
-                                 of_intrinsic = distortion(result, pattern.uv);
-    EXPECT_NEAR(of_input.mean, row.input_mean, 1e-3);
-    EXPECT_NEAR(of_input.percentile_99, row.input_percentile, 1e-2);
-    EXPECT_NEAR(of_intrinsic.mean, row.intrinsic_mean, 1e-3);
-    EXPECT_NEAR(of_intrinsic.percentile_99, row.intrinsic_percentile, 1e-2);
   }
 }
 

@@ -1,12 +1,11 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Maps of disks to the plane: harmonic ones, circle patterns, and their checks.
+// Maps of disks to the plane: harmonic ones, and their checks.
 
 #include "property/flip_test_surfaces.h"
 
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
-#include <CGAL/Intrinsic_triangulations/circle_pattern_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/harmonic_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
@@ -338,88 +337,4 @@ TEST(Parameterization_quality, mean_and_percentile_are_weighted_with_area)
   EXPECT_EQ(s.maximum, 5);
 }
 
-TEST(Circle_pattern, a_flat_Delaunay_sheet_comes_out_similar)
-{
-  const samples::Indexed_triangles sheet = flat_sheet();
-  const Planar_points points = plane_points(sheet);
-  const Triangulation t = triangulation_of(sheet, true);
-  const IT::Circle_pattern pattern = IT::circle_pattern_parameterization(t);
-  EXPECT_EQ(pattern.number_of_clipped_edges, 0u);
-  EXPECT_LE(pattern.gradient, 1e-10);
-  EXPECT_LE(largest_distance(aligned(pattern.uv, points), points), 1e-4);
-}
-
-// The result is checked without the energy: the circumcircles of the image meet at the requested angles, and each inner
-// vertex is surrounded once.
-TEST(Circle_pattern, circles_meet_at_the_given_angles)
-{
-  for (bool is_Delaunay : {false, true}) {
-    const Triangulation t = triangulation_of(samples::disk_with_spike(16, 10, 1, 0.3), is_Delaunay);
-    const IT::Delta_complex& c = t.connectivity();
-    const IT::Circle_pattern pattern = IT::circle_pattern_parameterization(t);
-    EXPECT_LE(pattern.gradient, 1e-10);
-    EXPECT_TRUE(IT::check_parameterization(c, pattern.uv).is_locally_injective());
-    const auto angle = [&](IT::Halfedge_index h) {
-      const auto &i = pattern.uv[c.source(h).idx()], &j = pattern.uv[c.target(h).idx()],
-                 &k = pattern.uv[c.target(c.next(h)).idx()];
-      return std::arg(std::complex<double>(j[0] - k[0], j[1] - k[1]) / std::complex<double>(i[0] - k[0], i[1] - k[1]));
-    };
-    std::vector<double> around(c.number_of_vertices(), 0);
-    for (IT::Edge_index e : c.edges()) {
-      const IT::Halfedge_index h = c.halfedge(e), g = c.opposite(h);
-      double sum = 0, wanted = 0;
-      for (IT::Halfedge_index side : {h, g}) {
-        if (c.is_border(side))
-          continue;
-        sum += angle(side);
-        wanted += pattern.angles[side.idx()];
-        around[c.target(c.next(side)).idx()] += angle(side);
-      }
-      EXPECT_NEAR(sum, wanted, 1e-8) << e;
-    }
-    for (IT::Vertex_index v : c.vertices())
-      if (!c.is_border(c.halfedge(v))) {
-        EXPECT_NEAR(around[v.idx()], 2 * M_PI, 1e-8) << v;
-      }
-  }
-}
-
-TEST(Circle_pattern, an_inner_vertex_with_two_corners_cannot_be_flat)
-{
-  // Two triangles glued along two sides: vertex 1 has two corners.
-  const IT::Delta_complex complex =
-    IT::make_Delta_complex_from_gluing(2, std::vector<std::array<std::size_t, 2>>{{0, 4}, {1, 3}});
-  const Triangulation t = Triangulation::from_lengths(complex, std::vector<double>(complex.number_of_edges(), 1.));
-  expect_topology_error([&] { IT::circle_pattern_parameterization(t); }, "inner vertex");
-}
-
-TEST(Circle_pattern, its_angles_are_all_that_is_asked_of_them_and_as_near_as_can_be)
-{
-  const Triangulation t = triangulation_of(samples::disk_with_spike(12, 6, 1, 0.3), false);
-  const IT::Delta_complex& c = t.connectivity();
-  const std::vector<double> given = IT::opposite_angles(t);
-  const IT::Circle_pattern found = IT::circle_pattern_parameterization(t);
-  EXPECT_GT(found.number_of_clipped_edges, 0u);
-  std::vector<double> around(c.number_of_vertices(), 0);
-  for (IT::Face_index f : c.faces()) {
-    const IT::Halfedge_index h = c.halfedge(f);
-    EXPECT_NEAR(found.angles[h.idx()] + found.angles[c.next(h).idx()] + found.angles[c.prev(h).idx()], M_PI, 1e-11);
-    EXPECT_NEAR(given[h.idx()] + given[c.next(h).idx()] + given[c.prev(h).idx()], M_PI, 1e-9);
-  }
-  for (IT::Halfedge_index h : c.halfedges())
-    if (!c.is_border(h)) {
-      EXPECT_GT(found.angles[h.idx()], 0);
-      around[c.target(c.next(h)).idx()] += found.angles[h.idx()];
-    }
-  for (IT::Vertex_index v : c.vertices())
-    if (!c.is_border(c.halfedge(v))) {
-      EXPECT_NEAR(around[v.idx()], 2 * M_PI, 1e-11);
-    }
-  for (IT::Edge_index e : c.edges())
-    if (!c.is_border(e)) {
-      const IT::Halfedge_index h = c.halfedge(e);
-      EXPECT_LE(found.angles[h.idx()] + found.angles[c.opposite(h).idx()], M_PI - 0.999e-3);
-    }
-  // Projection onto a convex set: points of the set stay unchanged.
-  EXPECT_LE(IT::internal::find_coherent_angles(c, found.angles).largest_change, 1e-4);
-}
+} // namespace

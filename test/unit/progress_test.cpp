@@ -8,7 +8,6 @@
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Overlay.h>
-#include <CGAL/Intrinsic_triangulations/circle_pattern_parameterization.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
@@ -65,16 +64,6 @@ TEST(Progress, overlay)
   expect_progress(find_positions, 3);
   expect_progress(
     [&](const IT::Progress_function& progress) { IT::Common_subdivision(t, CGAL::parameters::visitor(progress)); }, 11);
-}
-
-TEST(Progress, circle_pattern)
-{
-  const Triangulation t = Delaunay_triangulation(samples::disk_with_spike(16, 10, 1, 0.3));
-  expect_progress(
-    [&](const IT::Progress_function& progress) {
-      IT::circle_pattern_parameterization(t, CGAL::parameters::visitor(progress));
-    },
-    5);
 }
 
 } // namespace

@@ -39,6 +39,9 @@ struct Conformal_map
   std::vector<std::array<std::uint32_t, 3>> triangles; ///< the vertices of the triangles, counterclockwise
   std::vector<std::array<Point, 3>> uv;                ///< the images of their corners
   std::vector<Face_index> input_faces;                 ///< for each triangle, the input face that contains it
+  /// for each triangle, the factors by which the map stretches it most and least: their ratio is the distortion, which is 1
+  /// where shapes are kept, and their product is the scale of areas
+  std::vector<std::array<double, 2>> stretch;
   /// for each triangle, whether its side i, from corner i to the next, is a part of a cut: it has two images
   std::vector<std::array<bool, 3>> is_cut;
   /// the triangles of the mesh that are not counterclockwise in the plane: exactly
@@ -51,10 +54,11 @@ struct Conformal_map
   /// whether two sides of the image's border have a common point that is no common end, exactly. Where the images of both
   /// sides of a cut agree to 10<sup>-12</sup> of the image's size, the image has no border
   bool overlaps = false;
-  /// for each halfedge of the input, the image of its source in its face; (0, 0) if it has none
+  /// for each halfedge of the input, the image of its source in its face; (0, 0) if it has none. A triangle that a cut crosses
+  /// has the image that its largest part, extended linearly, gives it
   std::vector<Point> input_uv;
   std::vector<Face_index> turned_input;  ///< the input triangles that turn over if the map is linear on them: exactly
-  std::vector<Face_index> divided_input; ///< the input triangles that a cut crosses, which are not counted there
+  std::vector<Face_index> divided_input; ///< the input triangles that a cut crosses
 
   /// \brief returns the image of a point of the input. O(number of triangles in its face).
   /// \exception Invalid_point_error if the halfedge is a border halfedge or out of range, or the coordinates are not

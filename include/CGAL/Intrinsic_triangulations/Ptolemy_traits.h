@@ -65,7 +65,7 @@ struct Ptolemy_numbers<double>
     const double difference = right - left;
     if (is_in_range && !(difference <= error * (left + right) && -difference <= error * (left + right)))
       return difference > 0;
-    return exact_sign_of_Ptolemy_test({h.ij, h.jk, h.ki, h.il, h.lj}) != POSITIVE;
+    return is_Delaunay_exactly({h.ij, h.jk, h.ki, h.il, h.lj});
   }
   template <class Hinge>
   static Edge_data flipped(const Hinge& h)
@@ -90,9 +90,8 @@ struct Ptolemy_numbers<double>
 /// A triangulation with these traits is constructed by `Intrinsic_triangulation::from_lengths()`, not from points.
 ///
 /// \tparam FT_ a model of `Field` and `RealEmbeddable`. With `double`, decisions are exact for the doubles given as
-///   lengths: each length knows the flips that made it, so where error bounds do not decide, more digits do. A tie is
-///   accepted with an error probability below 2<sup>-128</sup>, by finite fields. With an exact number type decisions are
-///   exact; an interval that cannot decide gives an uncertain answer
+///   lengths: where error bounds do not decide, rational numbers do, which are computed when they are needed. With an exact
+///   number type decisions are exact; an interval that cannot decide gives an uncertain answer
 ///
 /// \cgalModels{IntrinsicTriangulationTraits}
 ///

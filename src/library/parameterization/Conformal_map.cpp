@@ -25,6 +25,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -127,8 +128,8 @@ public:
       make_overlay();
     add_triangles(*overlay, layout);
     map_.overlaps = have_common_points(mark_cuts());
-    map_.input_uv = input_uv_;
-    check_input();
+    find_stretch();
+    finish_input();
     return std::move(map_);
   }
 
@@ -165,7 +166,7 @@ private:
     const auto face = [&](std::size_t i) { return given_face(overlay.pieces()[i].input).idx(); };
     std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return face(i) < face(j); });
     map_.first_of_face.assign(map_.input.number_of_faces() + 1, 0);
-    input_uv_.assign(map_.input.number_of_halfedges(), {0, 0});
+    map_.input_uv.assign(map_.input.number_of_halfedges(), {0, 0});
     is_divided_.assign(map_.input.number_of_faces(), false);
     const auto at = [&](const Triple_overlay::Ideal_point& p) {
       const Halfedge_index h = p.side, next = map_.metric.triangulation.next(h);
@@ -294,18 +295,100 @@ private:
     for (std::size_t i = 0; i < piece.corners.size(); ++i)
       for (Halfedge_index h : {first, map_.input.next(first), map_.input.prev(first)})
         if (map_.input.source(h).idx() == vertices[i])
-          input_uv_[h.idx()] = uv[i];
+          map_.input_uv[h.idx()] = uv[i];
   }
 
-  void check_input()
+  // The corners of a triangle, as parts of its face.
+  std::array<std::array<double, 3>, 3> corners_in_face(std::size_t i) const
+  {
+    std::array<std::array<double, 3>, 3> result;
+    for (std::size_t k = 0; k < 3; ++k)
+      result[k] = map_.coordinates_in_face(map_.places[map_.triangles[i][k]], map_.input_faces[i]);
+    return result;
+  }
+
+  void find_stretch()
+  {
+    for (std::size_t i = 0; i < map_.triangles.size(); ++i) {
+      const Halfedge_index h = map_.input.halfedge(map_.input_faces[i]);
+      const auto squared = [&](Halfedge_index side) {
+        return surface_.input_metric().squared_length_double_double(map_.input, map_.input.edge(side)).hi();
+      };
+      // The face, with its first side on the x-axis.
+      const double s = squared(h), width = std::sqrt(s),
+                   x = (s + squared(map_.input.prev(h)) - squared(map_.input.next(h))) / (2 * width),
+                   y = std::sqrt((std::max)(0., squared(map_.input.prev(h)) - x * x));
+      const auto b = corners_in_face(i);
+      const auto side = [&](std::size_t k) {
+        return Planar_point{(b[k][1] - b[0][1]) * width + (b[k][2] - b[0][2]) * x, (b[k][2] - b[0][2]) * y};
+      };
+      const auto image = [&](std::size_t k) {
+        return Planar_point{map_.uv[i][k][0] - map_.uv[i][0][0], map_.uv[i][k][1] - map_.uv[i][0][1]};
+      };
+      const Planar_point p = side(1), q = side(2), u = image(1), v = image(2);
+      const double area = p[0] * q[1] - p[1] * q[0];
+      const double a = (u[0] * q[1] - v[0] * p[1]) / area, c = (u[1] * q[1] - v[1] * p[1]) / area,
+                   d = (v[1] * p[0] - u[1] * q[0]) / area, e = (v[0] * p[0] - u[0] * q[0]) / area;
+      const double half_sum = std::hypot(a + d, c - e) / 2, half_difference = std::hypot(a - d, e + c) / 2;
+      map_.stretch.push_back({half_sum + half_difference, std::abs(half_sum - half_difference)});
+    }
+  }
+
+  void finish_input()
   {
     for (Face_index f : map_.input.faces()) {
       const Halfedge_index h = map_.input.halfedge(f);
-      if (is_divided_[f.idx()])
+      if (is_divided_[f.idx()]) {
         map_.divided_input.push_back(f);
-      else if (!turns_left(map_.input_uv[h.idx()], map_.input_uv[map_.input.next(h).idx()],
-                           map_.input_uv[map_.input.prev(h).idx()]))
+        extend_largest_part(f);
+      }
+      if (!turns_left(map_.input_uv[h.idx()], map_.input_uv[map_.input.next(h).idx()],
+                      map_.input_uv[map_.input.prev(h).idx()]))
         map_.turned_input.push_back(f);
+    }
+  }
+
+  // Of the parts into which cuts divide an input triangle.
+  void extend_largest_part(Face_index f)
+  {
+    const std::size_t first = map_.first_of_face[f.idx()], n = map_.first_of_face[f.idx() + 1] - first;
+    Disjoint_sets parts(n);
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> open; // sides
+    std::vector<double> areas(n), sums(n, 0.);
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto& t = map_.triangles[first + i];
+      for (std::size_t k = 0; k < 3; ++k)
+        if (!map_.is_cut[first + i][k]) {
+          const auto [other, is_new] = open.insert({std::minmax(t[k], t[(k + 1) % 3]), i});
+          if (!is_new)
+            parts.unite(std::uint32_t(i), std::uint32_t(other->second));
+        }
+      const auto b = corners_in_face(first + i);
+      areas[i] = (b[1][1] - b[0][1]) * (b[2][2] - b[0][2]) - (b[1][2] - b[0][2]) * (b[2][1] - b[0][1]);
+    }
+    for (std::size_t i = 0; i < n; ++i)
+      sums[parts.find(std::uint32_t(i))] += areas[i];
+    if (n == 0)
+      return;
+    const auto part = std::uint32_t(std::max_element(sums.begin(), sums.end()) - sums.begin());
+    std::size_t largest = part;
+    for (std::size_t i = 0; i < n; ++i)
+      if (parts.find(std::uint32_t(i)) == part && areas[i] > areas[largest])
+        largest = i;
+    const auto b = corners_in_face(first + largest);
+    const auto& uv = map_.uv[first + largest];
+    Halfedge_index h = map_.input.halfedge(f);
+    for (std::size_t c = 0; c < 3; ++c, h = map_.input.next(h)) {
+      // Its coordinates with respect to the largest triangle of the part.
+      const double x = (c == 1) - b[0][1], y = (c == 2) - b[0][2];
+      const double s = (x * (b[2][2] - b[0][2]) - y * (b[2][1] - b[0][1])) / areas[largest],
+                   t = (y * (b[1][1] - b[0][1]) - x * (b[1][2] - b[0][2])) / areas[largest];
+      for (std::size_t k = 0; k < 2; ++k)
+        map_.input_uv[h.idx()][k] = uv[0][k] + s * (uv[1][k] - uv[0][k]) + t * (uv[2][k] - uv[0][k]);
+      for (std::size_t i = 0; i < n; ++i) // a corner of the part itself
+        for (std::size_t k = 0; k < 3; ++k)
+          if (parts.find(std::uint32_t(i)) == part && map_.triangles[first + i][k] == map_.input.source(h).idx())
+            map_.input_uv[h.idx()] = map_.uv[first + i][k];
     }
   }
 
@@ -316,7 +399,6 @@ private:
   const Progress_function& progress_;
   const Delta_complex& input_;
   std::vector<Halfedge_index> given_halfedge_; // of the surface's input, for each halfedge of the first copy
-  std::vector<Planar_point> input_uv_;
   std::vector<bool> is_divided_;
   Conformal_map map_;
 };

@@ -22,20 +22,27 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-// The angles opposite to the sides, half their cotangents, and the area. Where rounding makes a side longer than the others
-// together, its angle is π.
+// The angles opposite to the sides, half their cotangents, and the area. With a >= b >= c, a - b is exact where there is a
+// triangle, so sums and differences of sides are rounded twice at most, and the tangent of half an angle is known to 10 units
+// in the last place; with those of the arc tangent, an angle is to 2^-49 (Kahan, "Miscalculating area and angles of a
+// needle-like triangle"). Where rounding makes a side longer than the others together, its angle is π.
 struct Measured_triangle
 {
   explicit Measured_triangle(const std::array<double, 3>& sides)
   {
-    const double s = sides[0] + sides[1] + sides[2];
-    std::array<double, 3> t;
-    for (std::size_t i = 0; i < 3; ++i)
-      t[i] = (std::max)(sides[(i + 1) % 3] + sides[(i + 2) % 3] - sides[i], 0.);
-    area = std::sqrt(s * t[0]) * std::sqrt(t[1] * t[2]) / 4;
+    std::array<std::size_t, 3> order{0, 1, 2};
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return sides[i] > sides[j]; });
+    const double a = sides[order[0]], b = sides[order[1]], c = sides[order[2]], s = a + (b + c);
+    std::array<double, 3> t; // the sum of the other sides minus this one
+    t[order[0]] = (std::max)(c - (a - b), 0.);
+    t[order[1]] = c + (a - b);
+    t[order[2]] = a + (b - c);
+    is_triangle = c >= a - b;
+    const double root = std::sqrt(s);
+    const std::array<double, 3> roots{std::sqrt(t[0]), std::sqrt(t[1]), std::sqrt(t[2])};
+    area = root * roots[0] * roots[1] * roots[2] / 4;
     for (std::size_t i = 0; i < 3; ++i) {
-      const double x = std::sqrt(t[(i + 1) % 3] * t[(i + 2) % 3]),
-                   y = std::sqrt(s * t[i]); // x / y = tan of half the angle
+      const double x = roots[(i + 1) % 3] * roots[(i + 2) % 3], y = root * roots[i]; // x / y = tan of half the angle
       angles[i] = 2 * std::atan2(x, y);
       constexpr double most = 1e10;
       half_cotangents[i] =
@@ -44,6 +51,7 @@ struct Measured_triangle
   }
   std::array<double, 3> angles, half_cotangents;
   double area;
+  bool is_triangle;
 };
 
 // Notes the flips, and ends a run as soon as a length has an error bound of 2^-40 of itself.
@@ -78,18 +86,14 @@ std::string shown(double x)
   return text;
 }
 
-std::vector<double> Conformal_system::scaled_lengths(const std::vector<double>& u) const
+void Conformal_system::scale_lengths(const std::vector<double>& scales)
 {
-  const std::vector<double> scales = scales_of(u);
-  std::vector<double> lengths;
-  lengths.reserve(lengths_.size());
+  scaled_.resize(lengths_.size());
   for (Edge_index e : complex_.edges()) {
-    lengths.push_back(lengths_[e.idx()] * scale(e, scales));
-    if (!(lengths.back() >= (std::numeric_limits<double>::min)() &&
-          lengths.back() <= (std::numeric_limits<double>::max)()))
+    scaled_[e.idx()] = lengths_[e.idx()] * scale(e, scales);
+    if (!(scaled_[e.idx()] > 0x1p-900 && scaled_[e.idx()] < 0x1p900)) // products of roots remain normal
       throw Numerical_error("lengths leave the range of double");
   }
-  return lengths;
 }
 
 // Of the ends of edges.
@@ -121,7 +125,7 @@ void Conformal_system::flip(const std::vector<double>& u)
   using Triangulation = Intrinsic_triangulation<Ptolemy_traits<double>>;
   const std::vector<double> scales = scales_of(u);
   for (bool is_settled = false; !is_settled;) {
-    scaled_ = scaled_lengths(u);
+    scale_lengths(scales);
     Triangulation triangulation = Triangulation::from_lengths(complex_, scaled_);
     const std::size_t before = flips_.size();
     Flip_recorder<Triangulation> recorder{triangulation, options_.progress, flips_};
@@ -144,7 +148,9 @@ void Conformal_system::flip(const std::vector<double>& u)
 void Conformal_system::measure()
 {
   std::fill(sums_.begin(), sums_.end(), 0.);
+  corners_.assign(complex_.number_of_vertices(), {});
   areas_.assign(sums_.size(), 0.);
+  sensitivities_ = areas_;
   std::vector<double> weights(complex_.number_of_edges(), 0.);
   for (Face_index f : complex_.faces()) {
     const Halfedge_index h = complex_.halfedge(f);
@@ -154,7 +160,10 @@ void Conformal_system::measure()
       of_sides[i] = scaled_[complex_.edge(sides[i]).idx()];
     const Measured_triangle triangle(of_sides);
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::size_t v = vertex(complex_.target(complex_.next(sides[i])));
+      const Vertex_index corner = complex_.target(complex_.next(sides[i]));
+      const std::size_t v = vertex(corner);
+      corners_[corner.idx()] +=
+        {triangle.angles[i], triangle.is_triangle ? 0x1p-49 : std::numeric_limits<double>::infinity()};
       sums_[v] += triangle.angles[i];
       areas_[v] += triangle.area / 3;
       weights[complex_.edge(sides[i]).idx()] += triangle.half_cotangents[i];
@@ -164,9 +173,30 @@ void Conformal_system::measure()
   for (Edge_index e : complex_.edges()) {
     const Halfedge_index h = complex_.halfedge(e);
     const std::size_t i = vertex(complex_.source(h)), j = vertex(complex_.target(h));
-    if (i != j) // the derivatives of a loop cancel, and so do those of an edge between the copies of a vertex
-      pairs_.push_back({int(i), int(j), (std::max)(weights[e.idx()], 0.)});
+    if (i != j) { // the derivatives of a loop cancel, and so do those of an edge between the copies of a vertex
+      const double weight = (std::max)(weights[e.idx()], 0.);
+      pairs_.push_back({int(i), int(j), weight});
+      sensitivities_[i] += weight;
+      sensitivities_[j] += weight;
+    }
   }
+}
+
+double Conformal_system::residual(const Conformal_targets& targets) const
+{
+  std::vector<int> copies(sums_.size(), 0);
+  for (Vertex_index v : complex_.vertices())
+    ++copies[vertex(v)];
+  double result = 0;
+  for (Vertex_index v : complex_.vertices())
+    if (const std::size_t w = vertex(v); targets.has_angle(w)) {
+      const double wanted = targets.angle(w) * (copies[w] == 1 ? factor() : 1);
+      const auto& [sum, error] = corners_[v.idx()];
+      // Sums beyond 8 are rounded by more, and π is rounded, too.
+      result =
+        (std::max)({result, (std::abs(sum - wanted) + error * (std::max)(1., sum / 8)) * (1 + 0x1p-50) + 0x1p-50});
+    }
+  return result;
 }
 
 double Conformal_system::area(const Conformal_targets& targets, std::size_t component) const

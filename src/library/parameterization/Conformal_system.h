@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_LIBRARY_PARAMETERIZATION_CONFORMAL_SYSTEM_H
 
 #include <CGAL/Intrinsic_triangulations/Conformal_metric.h>
+#include <CGAL/Intrinsic_triangulations/internal/engine/Angle_sum.h>
 #include <CGAL/Intrinsic_triangulations/internal/parameterization/conformal_solver.h>
 #include "Conformal_targets.h"
 
@@ -33,10 +34,10 @@ public:
   // \exception Numerical_error if a length leaves the range of double
   void evaluate(const std::vector<double>& u);
 
-  // The ideal Delaunay triangulation of the last evaluation, and the flips that led to it.
+  // The ideal Delaunay triangulation of the last evaluation, the flips that led to it, and its lengths.
   const Delta_complex& complex() const { return complex_; }
   const std::vector<Edge_index>& flips() const { return flips_; }
-  std::vector<double> scaled_lengths(const std::vector<double>& u) const;
+  const std::vector<double>& lengths() const { return scaled_; }
 
   // By how much the sum of angles at a vertex, of all its copies, is too large.
   double excess(std::size_t v, const Conformal_targets& targets) const
@@ -44,6 +45,11 @@ public:
     return targets.has_angle(v) ? sums_[v] - doubled_.factor() * targets.angle(v) : 0;
   }
   double sum_of_angles(std::size_t v) const { return sums_[v]; }
+  // Proven: a bound of all differences between the sum of the angles at a copy of a vertex, with exactly the lengths of the
+  // last evaluation, and the wanted one.
+  double residual(const Conformal_targets& targets) const;
+  // The derivative of the excess by u.
+  double sensitivity(std::size_t v) const { return sensitivities_[v]; }
   double factor() const { return doubled_.factor(); }
   // The area of a component, of both copies, and by the scale of the last evaluation.
   double area(const Conformal_targets& targets, std::size_t component) const;
@@ -60,6 +66,7 @@ private:
   std::size_t vertex(Vertex_index v) const { return doubled_.vertices[v.idx()].idx(); }
   static std::vector<double> scales_of(const std::vector<double>& u);
   double scale(Edge_index e, const std::vector<double>& scales) const;
+  void scale_lengths(const std::vector<double>& scales);
   void flip(const std::vector<double>& u);
   void measure();
 
@@ -69,7 +76,9 @@ private:
   std::vector<Edge_index> flips_;
   const Conformal_options& options_;
   const Factorize& factorize_;
-  std::vector<double> sums_, areas_; // of the vertices of the surface; of a face, a third is at each corner
+  std::vector<Bounded_angle> corners_; // the sums of angles at the vertices of the double
+  std::vector<double> sums_, sensitivities_,
+    areas_; // of the vertices of the surface; of a face, a third is at each corner
   std::vector<Weighted_pair> pairs_;
   std::vector<int> unknown_;
   std::vector<std::size_t> vertex_of_; // of each unknown

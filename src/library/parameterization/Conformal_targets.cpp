@@ -156,11 +156,23 @@ void Conformal_targets::check_sums()
   for (std::size_t v : given_)
     last_of[component_of_[v]] = v;
   for (const Component& component : components_) {
-    if (component.keeps_scale || kinds_[component.vertices.front()] == Kind::ISOLATED)
+    if (kinds_[component.vertices.front()] == Kind::ISOLATED)
       continue;
-    double missing = component.total;
+    double missing = component.total, flat = 0; // the latter of vertices that keep their scale
     for (std::size_t v : component.vertices)
-      missing -= curvature(v);
+      if (has_angle(v))
+        missing -= curvature(v);
+      else
+        flat += is_on_border_[v] ? CGAL_PI : two_pi;
+    if (component.keeps_scale) {
+      if (!(flat - missing > 1e-9))
+        throw Invalid_argument_error(
+          "the angles of the cones in the component of vertex " + std::to_string(component.vertices.front()) +
+          " would have the sum " + in_full(flat - missing) +
+          ": by the theorem of Gauss and Bonnet, it is 2 pi for each cone, minus " + in_full(missing) + ": choose " +
+          std::to_string(std::size_t(missing / two_pi + 1e-9) + 1) + " cones or more, or give their angles");
+      continue;
+    }
     if (!(std::abs(missing) <= 1e-9 + 1e-14 * double(component.vertices.size())))
       throw Invalid_argument_error(
         "the angles wanted in the component of vertex " + std::to_string(component.vertices.front()) +

@@ -46,7 +46,7 @@ public:
   const std::vector<Component>& components() const { return components_; }
   const Component& component_of(std::size_t v) const { return components_[component_of_[v]]; }
 
-  // The theorem of Gauss and Bonnet, for each component without a vertex that keeps its scale.
+  // The theorem of Gauss and Bonnet: angles that are wanted have the right sum, and leave some for other vertices.
   void check_sums();
 
 private:

@@ -7,8 +7,6 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/parameterization/conformal_solver.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
-#include <CGAL/Intrinsic_triangulations/internal/engine/Angle_sum.h>
 #include "Conformal_system.h"
 #include "Conformal_targets.h"
 #include "Cone_chooser.h"
@@ -25,7 +23,7 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-constexpr double sufficient_error = 1e-12, tolerable_error = 1e-10;
+constexpr double tolerable_error = 1e-10;
 constexpr int maximum_number_of_steps = 100;
 
 std::vector<double> lengths_of_border(const Doubled_surface::Triangulation& surface)
@@ -55,17 +53,30 @@ public:
     choose_cones();
     targets_.check_sums();
     minimize();
+    bool is_scaled = false;
     for (std::size_t i = 0; i < areas.size(); ++i)
-      if (!targets_.components()[i].keeps_scale && areas[i] > 0)
+      if (!targets_.components()[i].keeps_scale && areas[i] > 0) {
+        is_scaled = true;
+        const double factor = areas[i] / system_.area(targets_, i);
         for (std::size_t v : targets_.components()[i].vertices)
-          u_[v] += 0.5 * std::log(areas[i] / system_.area(targets_, i));
-    const std::vector<double> lengths = scaled_lengths();
+          u_[v] += 0.5 * std::log(factor);
+      }
+    if (is_scaled)
+      evaluate();
     std::vector<double> cone_angles;
     for (Vertex_index v : targets_.cones())
       cone_angles.push_back(system_.sum_of_angles(v.idx()) / system_.factor());
-    return {
-      u_,      targets_.cones(),  cone_angles,        proven_residual(lengths), range_of(u_), steps_, system_.complex(),
-      lengths, doubled_.vertices, doubled_.halfedges, system_.flips()};
+    return {u_,
+            targets_.cones(),
+            cone_angles,
+            system_.residual(targets_),
+            range_of(u_),
+            steps_,
+            system_.complex(),
+            system_.lengths(),
+            doubled_.vertices,
+            doubled_.halfedges,
+            system_.flips()};
   }
 
 private:
@@ -73,14 +84,6 @@ private:
   {
     try {
       system_.evaluate(u_);
-    } catch (const Numerical_error& error) {
-      throw_not_converged(error.what());
-    }
-  }
-  std::vector<double> scaled_lengths() const
-  {
-    try {
-      return system_.scaled_lengths(u_);
     } catch (const Numerical_error& error) {
       throw_not_converged(error.what());
     }
@@ -107,6 +110,15 @@ private:
         worst = v;
     return worst;
   }
+  // Whether the excesses are as small as rounded lengths allow.
+  bool is_sufficient() const
+  {
+    for (std::size_t v = 0; v < u_.size(); ++v)
+      if (!(std::abs(system_.excess(v, targets_)) <=
+            (std::min)(1e-12 + 0x1p-51 * system_.sensitivity(v), tolerable_error)))
+        return false;
+    return true;
+  }
   double largest_excess() const { return std::abs(system_.excess(worst_vertex(), targets_)) / system_.factor(); }
 
   // The gradient of the convex energy is half the wanted minus the present angles. So the energy still falls at the end of
@@ -115,10 +127,9 @@ private:
   {
     double least = largest_excess();
     const double first = (std::max)(least, 1.);
-    for (int idle = 0; !(least <= sufficient_error); ++steps_) {
-      report_progress(options_.progress, fraction_of_digits(first, least, sufficient_error),
-                      "the search for a conformal metric");
-      if (idle == 2 && least <= tolerable_error)
+    for (int idle = 0; !is_sufficient(); ++steps_) {
+      report_progress(options_.progress, fraction_of_digits(first, least, 1e-12), "the search for a conformal metric");
+      if (idle > 0 && least <= tolerable_error)
         return;
       if (steps_ == maximum_number_of_steps || idle == 6)
         throw_not_converged("the sum of the angles at vertex " + std::to_string(worst_vertex()) + " still differs by " +
@@ -176,43 +187,6 @@ private:
     throw Numerical_error("the conformal metric does not converge: " + what + ", with a range of u of " +
                           shown(range_of(u_)) + ": allow more cones, the first at vertex " + std::to_string(largest) +
                           ", or repair triangles that are too thin");
-  }
-
-  // For triangles with exactly these lengths.
-  double proven_residual(const std::vector<double>& lengths) const
-  {
-    const Delta_complex& complex = system_.complex();
-    std::vector<Bounded_angle> sums(complex.number_of_vertices());
-    for (Face_index f : complex.faces()) {
-      const Halfedge_index h = complex.halfedge(f);
-      const std::array<Halfedge_index, 3> sides{h, complex.next(h), complex.prev(h)};
-      std::array<Bounded_double_double, 3> length;
-      for (std::size_t i = 0; i < 3; ++i)
-        length[i] = Bounded_double_double(lengths[complex.edge(sides[i]).idx()]);
-      std::array<Bounded_double_double, 3> sorted = length;
-      std::sort(sorted.begin(), sorted.end(), [](const auto& x, const auto& y) { return x.hi() > y.hi(); });
-      const auto& [a, b, c] = sorted;
-      const Double_with_bound four_areas(sqrt((a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c))));
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Bounded_double_double &l = length[i], &m = length[(i + 1) % 3], &n = length[(i + 2) % 3];
-        const Double_with_bound p(m * m + (n - l) * (n + l));
-        sums[complex.target(complex.next(sides[i])).idx()] += bounded_angle(p, four_areas);
-      }
-    }
-    std::vector<int> copies(u_.size(), 0);
-    for (Vertex_index v : complex.vertices())
-      ++copies[doubled_.vertices[v.idx()].idx()];
-    double result = 0;
-    for (Vertex_index v : complex.vertices()) {
-      const std::size_t w = doubled_.vertices[v.idx()].idx();
-      if (!targets_.has_angle(w))
-        continue;
-      const double wanted = targets_.angle(w) * (copies[w] == 1 ? doubled_.factor() : 1);
-      // The operations here are rounded, and so is π.
-      result =
-        (std::max)(result, (std::abs(sums[v.idx()].value - wanted) + sums[v.idx()].error) * (1 + 0x1p-50) + 0x1p-50);
-    }
-    return result;
   }
 
   const Doubled_surface& doubled_;

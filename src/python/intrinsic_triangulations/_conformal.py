@@ -38,10 +38,13 @@ class ConformalMap(NamedTuple):
     is_cut: numpy.ndarray
     """(k, 3) array of bool: whether the side from corner i to the next is a part of a cut."""
     input_uv: numpy.ndarray
-    """(f, 3, 2) array: the images of the corners of the input faces."""
+    """(f, 3, 2) array: the images of the corners of the input faces; those that a cut crosses follow one of its sides."""
     weights: numpy.ndarray
     """(m,) array: the weights w of the vertices of the mesh in homogeneous coordinates (w x, w y, w): interpolating them makes the
     map smoother than it is if it is linear on triangles."""
+    stretch: numpy.ndarray
+    """(k, 2) array: the factors by which the map stretches each triangle most and least. Their ratio is the distortion, 1 where
+    shapes are kept, and their product the scale of areas."""
     u: numpy.ndarray
     """(n,) array: the logarithms of the scale factors at the vertices of the surface."""
     cones: numpy.ndarray
@@ -65,7 +68,7 @@ class ConformalMap(NamedTuple):
     turned_input: numpy.ndarray
     """Array of int64: the input faces that turn over if the map is linear on them: exact."""
     divided_input: numpy.ndarray
-    """Array of int64: the input faces that a cut crosses; they are not counted there."""
+    """Array of int64: the input faces that a cut crosses."""
 
 
 def _angles(given: Any, what: str, number_of_vertices: int) -> Tuple[numpy.ndarray, numpy.ndarray]:

@@ -3,24 +3,22 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// A λ-length as a double with an error bound, and the flips that made it, from which its exact value is computed.
+// A λ-length as a double with an error bound, and its exact value, which is computed if it is needed.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_PTOLEMY_LENGTH_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_PTOLEMY_LENGTH_H
-
-#include <CGAL/enum.h>
 
 #include <memory>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-struct Ptolemy_flip;
+struct Exact_length;
 
 struct Ptolemy_length
 {
   double value = 0;
-  double relative_error = 0;          // of `value`
-  std::shared_ptr<Ptolemy_flip> flip; // null if the value is exact
+  double relative_error = 0;                 // of `value`
+  std::shared_ptr<const Exact_length> exact; // null if the value is
 };
 
 // The five lengths around an edge: those of `Hinge`.
@@ -33,12 +31,8 @@ struct Ptolemy_hinge
 // value.
 Ptolemy_length flipped_length(const Ptolemy_hinge& hinge);
 
-// The exact sign of λ_ij² (λ_jk λ_ki + λ_il λ_lj) − (λ_jk λ_il + λ_ki λ_lj) (λ_ki λ_il + λ_jk λ_lj). Slow. A zero is
-// wrong with a probability below 2^-128.
-Sign exact_sign_of_Ptolemy_test(const Ptolemy_hinge& hinge);
-
-// The same length, with a double that is the nearest to the exact value, or one beside it.
-Ptolemy_length rounded_once(const Ptolemy_length& length);
+// In rational numbers, if intervals do not decide.
+bool is_Delaunay_exactly(const Ptolemy_hinge& hinge);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
 
