@@ -336,5 +336,3 @@ TEST(Parameterization_quality, mean_and_percentile_are_weighted_with_area)
   EXPECT_EQ(s.percentile_99, 2);
   EXPECT_EQ(s.maximum, 5);
 }
-
-} // namespace
