@@ -445,6 +445,135 @@ TEST(Sides_of_curve, are_those_of_the_plane)
     EXPECT_EQ(sides[v], v % 7 == 3 ? CGAL::ZERO : v % 7 < 3 ? CGAL::POSITIVE : CGAL::NEGATIVE) << v;
 }
 
+// Two triangles over the unit square, (0, 0, 0) to (1, 1, 0), and points of the lower right and the upper left one.
+struct Square
+{
+  const Mesh mesh = grid(1, 1, [](double x, double y) -> Point { return {x, y, 0}; });
+  const IT::Delta_complex input = IT::make_Delta_complex_from_triangles(4, mesh.triangles);
+
+  IT::Surface_point at(double x, double y) const { return at(x, y, x < y); }
+  IT::Surface_point at(double x, double y, bool is_in_upper_left) const
+  {
+    const Halfedge_index h = input.halfedge(Face_index(is_in_upper_left ? 1 : 0));
+    std::array<double, 3> result;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Halfedge_index k = i == 0 ? h : i == 1 ? input.next(h) : input.prev(h);
+      const Point& corner = mesh.points[input.source(k).idx()];
+      result[i] = corner[0] == corner[1] ? (corner[0] == 0 ? 1 - (std::max)(x, y) : (std::min)(x, y)) : std::abs(x - y);
+    }
+    return {h, result};
+  }
+  Curve curve(const std::vector<std::array<double, 2>>& places) const
+  {
+    Curve result;
+    for (std::size_t i = 0; i < places.size(); ++i) { // a point of the diagonal lies in the face of the next one
+      const auto [x, y] = places[i];
+      const auto [to_x, to_y] = places[x == y && i + 1 < places.size() ? i + 1 : i];
+      result.push_back(at(x, y, to_x < to_y));
+    }
+    return result;
+  }
+};
+
+TEST(Sides_of_curve, of_many_points_in_a_face)
+{
+  const Square square;
+  std::mt19937 random(5);
+  const auto uniform = [&random](double low, double high) {
+    return low + (high - low) * double(random() % 4096) / 4096;
+  };
+  const double pi = std::acos(-1.);
+  for (std::size_t n : {3, 4, 10, 300}) { // a star around (0.7, 0.3)
+    std::vector<std::array<double, 2>> corners;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double angle = 2 * pi * double(i) / double(n), radius = uniform(0.05, 0.18);
+      corners.push_back({0.7 + radius * std::cos(angle), 0.3 + radius * std::sin(angle)});
+    }
+    corners.push_back(corners.front());
+    Curve star = square.curve(corners);
+    Curve points;
+    std::vector<CGAL::Sign> expected;
+    for (int i = 0; i < 300; ++i) {
+      const double x = uniform(0.5, 0.9), y = uniform(0.1, 0.5);
+      double turns = 0;
+      for (std::size_t k = 0; k < n; ++k) {
+        const auto [ax, ay] = corners[k];
+        const auto [bx, by] = corners[k + 1];
+        turns += std::atan2((ax - x) * (by - y) - (ay - y) * (bx - x), (ax - x) * (bx - x) + (ay - y) * (by - y));
+      }
+      points.push_back(square.at(x, y));
+      expected.push_back(turns > pi && x > y ? CGAL::POSITIVE : CGAL::NEGATIVE);
+    }
+    EXPECT_EQ(IT::sides_of_curve(square.input, star, points), expected) << n;
+    EXPECT_EQ(IT::sides_of_curve(square.input, star), std::vector<CGAL::Sign>(4, CGAL::NEGATIVE)) << n;
+    std::reverse(star.begin(), star.end());
+    for (CGAL::Sign& sign : expected)
+      sign = CGAL::opposite(sign);
+    EXPECT_EQ(IT::sides_of_curve(square.input, star, points), expected) << n;
+  }
+}
+
+TEST(Sides_of_curve, where_it_touches_itself_sides_and_corners)
+{
+  const Square square;
+  const auto sides = [&](const Curve& curve) { return IT::sides_of_curve(square.input, curve); };
+  using Signs = std::vector<CGAL::Sign>;
+  const auto side_at = [&](const Curve& curve, double x, double y) {
+    return IT::sides_of_curve(square.input, curve, {square.at(x, y)}).front();
+  };
+  // From border to border with turns back inside the faces; (0.5, 0.5) is on the edge.
+  const Curve wave = square.curve({{1, 0.25},
+                                   {0.9, 0.6},
+                                   {0.8, 0.1},
+                                   {0.7, 0.2},
+                                   {0.5, 0.5},
+                                   {0.3, 0.6},
+                                   {0.1, 0.9},
+                                   {0.4, 0.8},
+                                   {0.3, 0.9},
+                                   {0.35, 1}});
+  EXPECT_EQ(sides(wave), (Signs{CGAL::POSITIVE, CGAL::POSITIVE, CGAL::POSITIVE, CGAL::NEGATIVE}));
+  EXPECT_EQ(side_at(wave, 0.82, 0.15), CGAL::POSITIVE);
+  EXPECT_EQ(side_at(wave, 0.78, 0.3), CGAL::NEGATIVE);
+  EXPECT_EQ(side_at(wave, 0.79, 0.05), CGAL::POSITIVE);
+  // Two triangles that meet at a corner, one inside of the other.
+  const Curve two = square.curve({{0.5, 0.1}, {0.9, 0.1}, {0.9, 0.6}, {0.5, 0.1}, {0.8, 0.15}, {0.8, 0.3}, {0.5, 0.1}});
+  EXPECT_THROW(sides(two), IT::Invalid_argument_error);
+  const Curve ring =
+    square.curve({{0.5, 0.1}, {0.9, 0.1}, {0.9, 0.6}, {0.5, 0.1}, {0.8, 0.3}, {0.8, 0.15}, {0.5, 0.1}});
+  EXPECT_EQ(side_at(ring, 0.85, 0.3), CGAL::POSITIVE);
+  EXPECT_EQ(side_at(ring, 0.7, 0.18), CGAL::NEGATIVE);
+  EXPECT_EQ(side_at(ring, 0.2, 0.1), CGAL::NEGATIVE);
+  // Along a side, and through corners.
+  EXPECT_EQ(sides(square.curve({{0.25, 0}, {0.25, 0.125}, {0.5, 0}, {1, 0}, {1, 0.5}})),
+            (Signs{CGAL::POSITIVE, CGAL::ZERO, CGAL::POSITIVE, CGAL::POSITIVE}));
+  EXPECT_EQ(sides(square.curve({{0, 0}, {0.5, 0.25}, {1, 1}})),
+            (Signs{CGAL::ZERO, CGAL::NEGATIVE, CGAL::POSITIVE, CGAL::ZERO}));
+  // A point exactly on a segment.
+  EXPECT_EQ(side_at(square.curve({{0.25, 0}, {0.75, 0.5}, {1, 0.5}}), 0.9, 0.1), CGAL::NEGATIVE);
+  const Curve over = square.curve({{0.25, 0}, {0.75, 0.5}, {0.75, 0.25}, {0.5, 0.25}, {0.5, 0}});
+  EXPECT_EQ(side_at(over, 0.45, 0.1), CGAL::NEGATIVE);
+  EXPECT_THROW(sides(square.curve({{0.5, 0.1}, {0.9, 0.2}, {0.6, 0.3}, {0.7, 0.05}, {0.5, 0.1}})),
+               IT::Invalid_point_error);
+}
+
+TEST(Sides_of_curve, offset_curves_of_a_comb_in_a_face)
+{
+  const Square square;
+  const Curve comb =
+    square.curve({{0.6, 0}, {0.6, 0.3}, {0.7, 0.3}, {0.7, 0.1}, {0.8, 0.1}, {0.8, 0.5}, {0.9, 0.5}, {0.9, 0}});
+  const Triangulation triangulation = square.mesh.Delaunay();
+  const auto found =
+    IT::offset_curves(triangulation, comb, {0.02, -0.02}, CGAL::parameters::tolerance(0).maximum_deviation(1e-5));
+  ASSERT_EQ(found.lines.size(), 2u);
+  for (const IT::Surface_line& line : found.lines)
+    for (const IT::Surface_point& p : line.points) {
+      const Point q = IT::point_in_space(square.input, square.mesh.points, p);
+      const bool is_right = q[0] > 0.6 && q[0] < 0.9 && q[1] < (q[0] < 0.7 ? 0.3 : q[0] < 0.8 ? 0.1 : 0.5);
+      EXPECT_EQ(is_right, line.distance < 0) << q[0] << ' ' << q[1];
+    }
+}
+
 TEST(Geodesic_distance_matrix, has_the_distances_from_each_source)
 {
   const Mesh mesh = hills(15, 2);

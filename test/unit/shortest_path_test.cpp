@@ -360,6 +360,37 @@ TEST(Cut_along_path, opens_the_surface_on_both_sides)
   }
 }
 
+TEST(Cut_along_path, with_many_points_in_a_face)
+{
+  const samples::Indexed_triangles surface{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{0, 1, 2}}};
+  const Delta_complex input = IT::make_Delta_complex_from_triangles(3, surface.triangles);
+  const Halfedge_index h = input.halfedge(IT::Face_index(0));
+  std::vector<Surface_point> spiral;
+  double length = 0;
+  for (int i = 0; i <= 200; ++i) {
+    const double angle = 0.2 * i, radius = 0.004 * i;
+    spiral.push_back({h, {0, (1.1 + radius * std::cos(angle)) / 4, (1.1 + radius * std::sin(angle)) / 4}});
+    spiral.back().coordinates[0] = 1 - spiral.back().coordinates[1] - spiral.back().coordinates[2];
+    if (i > 0) {
+      const auto p = IT::point_in_space(input, surface.points, spiral[std::size_t(i) - 1]),
+                 q = IT::point_in_space(input, surface.points, spiral[std::size_t(i)]);
+      length += std::hypot(p[0] - q[0], p[1] - q[1]);
+    }
+  }
+  const IT::Cut_surface opened = cut(surface, spiral);
+  EXPECT_EQ(opened.points.size(), 3u + 201 + 199);
+  EXPECT_NEAR(border_length(opened), 8 + 4 * std::sqrt(2.) + 2 * length, 1e-12);
+  EXPECT_NEAR(area(opened), 8, 1e-12);
+  // Along a side, over a point where the path has been.
+  const auto at = [&](double x, double y) { return Surface_point{h, {1 - (x + y) / 4, x / 4, y / 4}}; };
+  const IT::Cut_surface cut_off = cut(surface, {at(1, 0), at(1, 1), at(0, 0), at(2, 0), at(2, 1)});
+  EXPECT_EQ(cut_off.points.size(), 3u + 4 + 4);
+  EXPECT_NEAR(border_length(cut_off), 8 + 4 * std::sqrt(2.) + 2 * (1 + std::sqrt(2.) + 1), 1e-12);
+  EXPECT_NEAR(area(cut_off), 8, 1e-12);
+  std::swap(spiral[100], spiral[130]);
+  EXPECT_THROW(cut(surface, spiral), IT::Invalid_point_error);
+}
+
 // A torus of two triangles: all edges join its vertex with itself.
 TEST(Cut_along_path, refuses_edges_with_the_same_ends)
 {

@@ -56,7 +56,7 @@ Cut_surface cut_along_paths(const Delta_complex& complex, const std::vector<std:
 /// \exception Invalid_point_error if a point does not lie on the surface, or two consecutive ones do not lie in the
 ///   face of the first, or segments cross
 ///
-/// O(size), and for each face O(number of its segments times number of its pieces).
+/// O(size), and in a face with k points mostly O(k log k).
 template <class PointRange>
 Cut_surface cut_along_path(const Delta_complex& complex, const PointRange& points,
                            const std::vector<Surface_point>& path)

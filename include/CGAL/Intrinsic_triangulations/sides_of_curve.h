@@ -31,7 +31,7 @@ namespace CGAL::Intrinsic_triangulations {
 /// \exception Invalid_point_error if a point does not lie on the surface, or two consecutive ones do not lie in the face
 ///   of the first, or segments cross
 ///
-/// O(size), and for each face O(number of its segments times number of its pieces).
+/// O(size), and in a face with k points mostly O(k log k).
 std::vector<Sign> sides_of_curve(const Delta_complex& input, const std::vector<Surface_point>& curve);
 
 /// \ingroup PkgIntrinsicTriangulationsHeat

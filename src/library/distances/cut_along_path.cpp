@@ -8,16 +8,13 @@
 #include <CGAL/Intrinsic_triangulations/cut_along_path.h>
 #include "../gluing/Cut_faces.h"
 #include <CGAL/Intrinsic_triangulations/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <string>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -28,25 +25,14 @@ Cut_surface cut_along_paths(const Delta_complex& complex, const std::vector<std:
   const Cut_faces faces(complex, paths);
   const std::vector<std::array<std::uint32_t, 3>>& triangles = faces.triangles();
   constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
-  const auto key = [](std::uint32_t from, std::uint32_t to) { return (std::uint64_t(from) << 32) | to; };
-  std::unordered_map<std::uint64_t, std::uint32_t> sides;
+  std::unordered_map<std::uint64_t, std::uint32_t> sides = faces.sides();
   Large_vector<std::uint32_t> corners;
   for (const auto& triangle : triangles)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t from = triangle[i], to = triangle[(i + 1) % 3];
-      if (!sides.insert({key(from, to), std::uint32_t(corners.size())}).second)
-        throw Invalid_surface_error(Invalid_surface_error::Defect::WRONG_TOPOLOGY, from, 1,
-                                    "two edges join vertex " + std::to_string(from) + " and vertex " +
-                                      std::to_string(to) + ": the corners of triangles do not tell them apart");
-      corners.push_back(triangle[i]);
-    }
-  for (const auto& [from, to] : faces.seam())
-    if (sides.count(key(from, to)) + sides.count(key(to, from)) == 0)
-      throw Invalid_point_error("a surface cannot be cut along paths that cross each other or themselves: let both "
-                                "have the point where they cross");
+    for (std::uint32_t v : triangle)
+      corners.push_back(v);
   for (const auto& [from, to] : faces.seam()) {
-    sides.erase(key(from, to));
-    sides.erase(key(to, from));
+    sides.erase(Cut_faces::key(from, to));
+    sides.erase(Cut_faces::key(to, from));
   }
   Large_vector<std::uint32_t> glued_to(corners.size(), none);
   for (const auto& side : sides) {

@@ -16,8 +16,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <string>
-#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
@@ -29,17 +27,7 @@ namespace {
 std::vector<Sign> sides_of_triangles(const internal::Cut_faces& faces)
 {
   const std::vector<std::array<std::uint32_t, 3>>& triangles = faces.triangles();
-  const auto key = [](std::uint32_t from, std::uint32_t to) { return (std::uint64_t(from) << 32) | to; };
-  std::unordered_map<std::uint64_t, std::uint32_t> left_of; // the triangle to the left of a side
-  for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t from = triangles[t][i], to = triangles[t][(i + 1) % 3];
-      if (!left_of.insert({key(from, to), t}).second)
-        throw Invalid_surface_error(Invalid_surface_error::Defect::WRONG_TOPOLOGY, from, 1,
-                                    "two edges join vertex " + std::to_string(from) + " and vertex " +
-                                      std::to_string(to) + ": the corners of triangles do not tell them apart");
-    }
-
+  const auto key = internal::Cut_faces::key;
   std::vector<Sign> of_triangle(triangles.size(), ZERO);
   std::unordered_set<std::uint64_t> seam;
   std::vector<std::uint32_t> open;
@@ -52,15 +40,11 @@ std::vector<Sign> sides_of_triangles(const internal::Cut_faces& faces)
     of_triangle[t] = sign;
   };
   const auto mark_beside = [&](std::uint32_t from, std::uint32_t to, Sign sign) {
-    const auto beside = left_of.find(key(from, to));
-    if (beside != left_of.end())
-      mark(beside->second, sign);
+    const auto beside = faces.sides().find(key(from, to));
+    if (beside != faces.sides().end())
+      mark(beside->second / 3, sign);
   };
   for (const auto& [from, to] : faces.seam()) {
-    if (left_of.count(key(from, to)) + left_of.count(key(to, from)) == 0)
-      throw Invalid_argument_error(
-        "the curve has several points in a row inside one face, where its sides are not found: "
-        "give a curve whose corners are vertices or lie on edges");
     seam.insert({key(from, to), key(to, from)});
     mark_beside(from, to, POSITIVE);
     mark_beside(to, from, NEGATIVE);
@@ -97,14 +81,9 @@ double depth_in_triangle(const internal::Cut_faces& faces, const Surface_point& 
 
 } // namespace
 
-// How a curve turns inside a face does not matter to the vertices, unless it never leaves it.
 std::vector<Sign> sides_of_curve(const Delta_complex& input, const std::vector<Surface_point>& curve)
 {
-  std::vector<Surface_point> path;
-  for (std::size_t i = 0; i < curve.size(); ++i)
-    if (i == 0 || i + 1 == curve.size() || curve[i].dimension() < 2)
-      path.push_back(curve[i]);
-  const internal::Cut_faces faces(input, {path.size() > 2 ? path : curve});
+  const internal::Cut_faces faces(input, {curve});
   const std::vector<Sign> of_triangle = sides_of_triangles(faces);
   std::vector<Sign> result(faces.number_of_vertices(), POSITIVE);
   for (std::size_t t = 0; t < of_triangle.size(); ++t)

@@ -8,17 +8,17 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_CUT_FACES_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_GLUING_CUT_FACES_H
 
+#include "Divided_face.h"
+
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Index.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/convex_polygon_triangulation.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <string>
 #include <tuple>
@@ -33,15 +33,29 @@ class Cut_faces
 {
   using Coordinates = std::array<double, 3>;
   using Node = std::uint32_t; // a vertex
+  struct Is_before            // of points inside of one face, by the ratios of their coordinates
+  {
+    bool operator()(const Coordinates& p, const Coordinates& q) const
+    {
+      const Sign sign = compare_products(p[1], q[0], q[1], p[0]);
+      return sign == NEGATIVE || (sign == ZERO && compare_products(p[2], q[0], q[2], p[0]) == NEGATIVE);
+    }
+  };
 
 public:
-  // \exception Invalid_point_error
+  // \exception Invalid_point_error if a point does not lie on the surface, two consecutive ones do not lie in the face of
+  //   the first, or segments cross elsewhere than at a point that one of them has
+  // \exception Invalid_surface_error if two edges have the same ends
   Cut_faces(const Delta_complex& complex, const std::vector<std::vector<Surface_point>>& paths) : complex_(complex)
   {
     for (const std::vector<Surface_point>& path : paths)
       add_path(path);
     for (Face_index f : complex.faces())
       divide(f);
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t)
+      for (std::uint32_t i = 0; i < 3; ++i)
+        if (!sides_.insert({key(triangles_[t][i], triangles_[t][(i + 1) % 3]), 3 * t + i}).second)
+          throw_same_ends(triangles_[t][i], triangles_[t][(i + 1) % 3]);
   }
 
   const std::vector<std::array<std::uint32_t, 3>>& triangles() const { return triangles_; }
@@ -73,7 +87,10 @@ public:
     return complex.source(sides_from(complex, p.halfedge)[std::size_t(corner)]);
   }
 
-  // The segments of the paths.
+  static std::uint64_t key(Node from, Node to) { return (std::uint64_t(from) << 32) | to; }
+  // Of the triangles by their keys: three times the triangle, plus the number of the side.
+  const std::unordered_map<std::uint64_t, std::uint32_t>& sides() const { return sides_; }
+  // The edges of the triangles that the paths consist of.
   const std::vector<std::pair<Node, Node>>& seam() const { return seam_; }
   std::size_t number_of_vertices() const { return complex_.number_of_vertices() + new_points_.size(); }
   Surface_point location(Node v) const
@@ -91,9 +108,6 @@ public:
   }
 
 private:
-  // A convex part of a face: its corners, counterclockwise.
-  using Piece = std::vector<Node>;
-
   void add_path(std::vector<Surface_point> path)
   {
     for (std::size_t i = 0; i < path.size(); ++i)
@@ -135,14 +149,13 @@ private:
     if (dimension == 0)
       return Node(vertex_at(complex_, p).idx());
     const Node next = Node(number_of_vertices());
-    if (dimension == 2) {
-      std::vector<Node>& inner_nodes = inner_nodes_[complex_.face(p.halfedge).idx()];
-      for (Node other : inner_nodes) // the path may end where it begins
-        if (are_same_points(complex_, location(other), p))
-          return other;
-      new_points_.push_back(p);
-      inner_nodes.push_back(next);
-      return next;
+    if (dimension == 2) { // the path may end where it begins
+      const Face_index f = complex_.face(p.halfedge);
+      const auto [place, is_new] =
+        inner_nodes_[f.idx()].insert({coordinates_from(complex_, p, complex_.halfedge(f)), next});
+      if (is_new)
+        new_points_.push_back(p);
+      return place->second;
     }
     const Edge_index e = complex_.edge(side_of(complex_, p));
     const auto [at_source, at_target] = coordinates_on_edge(complex_, p, complex_.halfedge(e));
@@ -173,115 +186,68 @@ private:
     Coordinates a, b;
     if (!find_coordinates(complex_, h, location(from), a) || !find_coordinates(complex_, h, location(to), b))
       throw_apart(i);
-    seam_.emplace_back(from, to);
-    for (std::size_t k = 0; k < 3; ++k)
-      if (a[k] == 0 && b[k] == 0) // along a side
-        return;
     segments_[complex_.face(h).idx()].emplace_back(from, to);
+  }
+
+  [[noreturn]] static void throw_same_ends(Node a, Node b)
+  {
+    throw Invalid_surface_error(Invalid_surface_error::Defect::WRONG_TOPOLOGY, a, 1,
+                                "two edges join vertex " + std::to_string(a) + " and vertex " + std::to_string(b) +
+                                  ": the corners of triangles do not tell them apart");
   }
 
   void divide(Face_index f)
   {
     const Halfedge_index first = complex_.halfedge(f);
-    Piece face;
-    for (Halfedge_index h : sides_from(complex_, first)) {
-      face.push_back(Node(complex_.source(h).idx()));
-      append_nodes(h, face);
+    const std::array<Halfedge_index, 3> sides = sides_from(complex_, first);
+    std::array<Node, 3> corners;
+    std::vector<Node> nodes;
+    for (std::size_t i = 0; i < 3; ++i) {
+      corners[i] = Node(complex_.source(sides[i]).idx());
+      const auto on_edge = edge_nodes_.find(complex_.edge(sides[i]).idx());
+      if (on_edge != edge_nodes_.end())
+        for (const auto& place : on_edge->second)
+          nodes.push_back(place.second);
     }
-    std::vector<Piece> pieces{face};
-    const auto segments = segments_.find(f.idx());
-    if (segments != segments_.end())
-      for (const auto& [from, to] : segments->second)
-        split(pieces, from, to);
     const auto inner = inner_nodes_.find(f.idx());
     if (inner != inner_nodes_.end())
-      for (Node v : inner->second)
-        split_around(pieces, first, v);
-    for (const Piece& piece : pieces)
-      triangulate(piece, first);
-  }
-
-  // The new vertices on an edge, in the direction of h.
-  void append_nodes(Halfedge_index h, Piece& piece) const
-  {
-    const auto found = edge_nodes_.find(complex_.edge(h).idx());
-    if (found == edge_nodes_.end())
-      return;
-    const std::size_t n = piece.size();
-    for (const auto& place : found->second)
-      piece.push_back(place.second);
-    if (h != complex_.halfedge(complex_.edge(h)))
-      std::reverse(piece.begin() + std::ptrdiff_t(n), piece.end());
-  }
-
-  // Between two corners that are not neighbors.
-  static void split(std::vector<Piece>& pieces, Node from, Node to)
-  {
-    for (Piece& piece : pieces) {
-      const auto first = std::find(piece.begin(), piece.end(), from),
-                 second = std::find(piece.begin(), piece.end(), to);
-      if (first == piece.end() || second == piece.end())
-        continue;
-      const auto begin = (std::min)(first, second), end = (std::max)(first, second);
-      if (end - begin == 1 || (begin == piece.begin() && end + 1 == piece.end()))
-        return;
-      Piece other(begin, end + 1);
-      piece.erase(begin + 1, end);
-      pieces.push_back(std::move(other));
+      for (const auto& place : inner->second)
+        nodes.push_back(place.second);
+    std::sort(nodes.begin(), nodes.end()); // along the paths: each one is near the one before
+    const auto segments = segments_.find(f.idx());
+    if (nodes.empty() && segments == segments_.end()) {
+      add_triangle(f, corners);
       return;
     }
+    for (std::size_t i = 0; i < 3; ++i)
+      if (corners[i] == corners[(i + 1) % 3])
+        throw_same_ends(corners[i], corners[i]);
+    Divided_face divided(corners);
+    for (Node v : nodes)
+      divided.insert(v, coordinates(first, v));
+    if (segments != segments_.end())
+      for (const auto& [from, to] : segments->second)
+        if (divided.insert_segment(from, to, [this](Node a, Node b) { seam_.emplace_back(a, b); }))
+          throw Invalid_point_error("segments cross inside face " + std::to_string(f.idx()) +
+                                    ": let both have the point where they cross");
+    divided.improve();
+    divided.for_each_triangle([&](const std::array<Node, 3>& t) { add_triangle(f, t); });
   }
 
-  // Into triangles around a new vertex inside.
-  void split_around(std::vector<Piece>& pieces, Halfedge_index first, Node v) const
+  void add_triangle(Face_index f, const std::array<Node, 3>& triangle)
   {
-    std::size_t best = 0;
-    double depth = -std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      double smallest = std::numeric_limits<double>::infinity();
-      for (std::size_t k = 0; k < pieces[i].size(); ++k)
-        smallest = (std::min)(smallest, area(first, pieces[i][k], pieces[i][(k + 1) % pieces[i].size()], v));
-      if (smallest > depth) {
-        depth = smallest;
-        best = i;
-      }
-    }
-    const Piece around = pieces[best];
-    pieces.erase(pieces.begin() + std::ptrdiff_t(best));
-    for (std::size_t k = 0; k < around.size(); ++k)
-      pieces.push_back({around[k], around[(k + 1) % around.size()], v});
-  }
-
-  // As a part of the face.
-  double area(Halfedge_index first, Node a, Node b, Node c) const
-  {
-    const Coordinates p = coordinates(first, a), q = coordinates(first, b), r = coordinates(first, c);
-    return (q[1] - p[1]) * (r[2] - p[2]) - (q[2] - p[2]) * (r[1] - p[1]);
-  }
-
-  void triangulate(const Piece& piece, Halfedge_index first)
-  {
-    const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
-      triangles_.push_back({piece[a], piece[b], piece[c]});
-      input_faces_.push_back(complex_.face(first).idx());
-    };
-    if (piece.size() == 3) {
-      add(0, 1, 2);
-      return;
-    }
-    std::vector<Coordinates> corners;
-    for (Node v : piece)
-      corners.push_back(coordinates(first, v));
-    Convex_polygon_triangulation(corners).for_each_triangle(add);
+    triangles_.push_back(triangle);
+    input_faces_.push_back(std::uint32_t(f.idx()));
   }
 
   const Delta_complex& complex_;
   std::vector<Surface_point> new_points_;
   std::unordered_map<std::size_t, std::map<double, Node>> edge_nodes_; // of an edge, from the source of its halfedge
-  std::unordered_map<std::size_t, std::vector<Node>> inner_nodes_;     // of a face
-  std::unordered_map<std::size_t, std::vector<std::pair<Node, Node>>> segments_; // through a face
+  std::unordered_map<std::size_t, std::map<Coordinates, Node, Is_before>> inner_nodes_; // of a face
+  std::unordered_map<std::size_t, std::vector<std::pair<Node, Node>>> segments_;        // through a face
   std::vector<std::pair<Node, Node>> seam_;
   std::vector<std::array<std::uint32_t, 3>> triangles_;
+  std::unordered_map<std::uint64_t, std::uint32_t> sides_;
   std::vector<std::uint32_t> input_faces_;
 };
 
