@@ -10,9 +10,11 @@
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/Vector_heat_method.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
+#include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/refine_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
+#include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
 #include <gtest/gtest.h>
 
@@ -48,6 +50,20 @@ Triangulation Delaunay(const Points& points, const Triangles& triangles)
 {
   Triangulation result(IT::make_Delta_complex_from_triangles(points.size(), triangles), points);
   IT::flip_to_Delaunay(result);
+  return result;
+}
+
+std::vector<IT::Point_in_triangle> in_triangles(const IT::Delta_complex& complex, const Triangles& triangles,
+                                                const std::vector<IT::Surface_point>& points)
+{
+  std::vector<IT::Point_in_triangle> result;
+  for (const IT::Surface_point& p : points) {
+    const std::size_t f = complex.face(p.halfedge).idx();
+    IT::Halfedge_index h = p.halfedge;
+    while (complex.source(h).idx() != triangles[f][0])
+      h = complex.next(h);
+    result.push_back({f, IT::coordinates_from(complex, p, h)});
+  }
   return result;
 }
 
@@ -722,6 +738,63 @@ TEST(Heat_method, other_number_types)
     EXPECT_NEAR(heat.distances()[v], grid.distance(v, 4, 4), 1.2);
 }
 
+// From points in faces, curves and regions: the method is of first order in the length of the edges.
+TEST(Heat_method, from_points_curves_and_regions)
+{
+  const samples::Indexed_triangles sphere = samples::bumpy_sphere(48, 32),
+                                   flat = samples::random_diagonal_grid(40, 40, 3);
+  for (const samples::Indexed_triangles& surface : {sphere, flat}) {
+    const Triangulation triangulation = Delaunay(surface.points, surface.triangles);
+    const IT::Delta_complex& input = triangulation.input();
+    IT::Tufted_cover cover = IT::make_tufted_cover(surface.points, surface.triangles);
+    IT::flip_to_Delaunay(cover.triangulation);
+    const IT::Halfedge_index h = input.halfedge(IT::Face_index(700));
+    const IT::Geodesic_source point{{{{h, {0.2, 0.3, 0.5}}}}, 0};
+    const IT::Geodesic_source curve{{IT::trace_geodesic(triangulation, {{h, {0.2, 0.3, 0.5}}, {0.3, -0.2}},
+                                                        20 * triangulation.length(IT::Edge_index(0)))
+                                       .points},
+                                    0};
+    std::vector<IT::Face_index> faces;
+    for (std::uint32_t f = 300; f < 340; ++f)
+      faces.push_back(IT::Face_index(f));
+    const IT::Geodesic_source region = IT::source_of_region(input, faces);
+    const IT::Geodesic_source late{{{{h, {0.2, 0.3, 0.5}}}}, 2 * triangulation.length(IT::Edge_index(0))};
+    const IT::Geodesic_source vertex = IT::source_at_vertex(input, input.source(h));
+    const std::vector<std::vector<IT::Geodesic_source>> all{{vertex}, {point},         {curve},
+                                                            {region}, {point, region}, {late, region}};
+    for (const std::vector<IT::Geodesic_source>& sources : all) {
+      const auto exact = IT::geodesic_distances_from(triangulation, sources, CGAL::parameters::tolerance(0)).distances;
+      IT::Heat_method<> heat(triangulation), on_cover(cover);
+      heat.add_sources(triangulation, sources);
+      EXPECT_EQ(heat.number_of_sources(), sources.size());
+      std::vector<IT::Geodesic_source> of_cover = sources;
+      for (IT::Geodesic_source& source : of_cover)
+        for (std::vector<IT::Surface_point>& part : source.parts)
+          part = IT::points_of_cover(cover, surface.triangles, in_triangles(input, surface.triangles, part));
+      on_cover.add_sources(cover, of_cover);
+      for (IT::Heat_method<>* method : {&heat, &on_cover}) {
+        double sum = 0, most = 0;
+        for (std::size_t v = 0; v < exact.size(); ++v) {
+          sum += std::abs(method->distances()[v] - exact[v]);
+          most = (std::max)(most, std::abs(method->distances()[v] - exact[v]));
+          if (exact[v] == 0)
+            EXPECT_EQ(method->distances()[v], 0);
+        }
+        EXPECT_LT(sum, method->mean_edge_length() * double(exact.size()));
+        EXPECT_LT(most, 3 * method->mean_edge_length());
+      }
+      if (&sources == &all.front()) {
+        IT::Heat_method<> from_vertex(triangulation);
+        from_vertex.add_source(input.source(h));
+        EXPECT_EQ(from_vertex.distances(), heat.distances());
+      }
+      heat.clear_sources();
+      EXPECT_EQ(heat.number_of_sources(), 0u);
+      EXPECT_EQ(heat.distances()[5], infinity);
+    }
+  }
+}
+
 TEST(Heat_method, what_it_refuses)
 {
   const Grid grid(2, 2);
@@ -730,6 +803,12 @@ TEST(Heat_method, what_it_refuses)
   EXPECT_THROW(heat.add_source(Vertex_index(9)), IT::Invalid_argument_error);
   EXPECT_THROW(heat.add_source(Vertex_index()), IT::Invalid_argument_error);
   EXPECT_THROW(heat.extend({{Vertex_index(9), 1.}}), IT::Invalid_argument_error);
+  const IT::Halfedge_index h = triangulation.input().halfedge(IT::Face_index(0));
+  EXPECT_THROW(heat.add_sources(triangulation, {{{{{h, {1, -1, 1}}}}, 0}}), IT::Invalid_point_error);
+  EXPECT_THROW(heat.add_sources(triangulation, {{{{{h, {1, 0, 0}}}}, -1}}), IT::Invalid_argument_error);
+  EXPECT_EQ(heat.number_of_sources(), 0);
+  heat.add_sources(triangulation, {{{{{h, {1, 0, 0}}}}, 0}});
+  heat.clear_sources();
   EXPECT_FALSE(heat.remove_source(Vertex_index(9)));
   EXPECT_EQ(heat.number_of_sources(), 0);
   for (double coefficient : {0., -1., infinity, std::numeric_limits<double>::quiet_NaN()})

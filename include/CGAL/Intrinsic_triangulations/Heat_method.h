@@ -9,12 +9,14 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_HEAT_METHOD_H
 
 #include <CGAL/Intrinsic_triangulations/internal/require_Eigen.h>
+#include <CGAL/Intrinsic_triangulations/Geodesic_source.h>
 #include <CGAL/Intrinsic_triangulations/Index.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
 #include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/distances/Distance_bounds.h>
+#include <CGAL/Intrinsic_triangulations/internal/distances/Distance_search.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_diffusion.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Heat_surface.h>
 #include <CGAL/Intrinsic_triangulations/internal/heat/Pinned_system.h>
@@ -42,6 +44,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -217,6 +220,26 @@ public:
     point_sources_.push_back(corners);
     is_changed_ = true;
   }
+  /// \brief makes points, curves and regions of the input sources, as for `geodesic_distances_from()`.
+  ///
+  /// Heat starts at the corners of the faces in which they lie. These get their exact distances, and as much less heat
+  /// as they are farther away. Directions are therefore less accurate near sources whose offsets differ by many edges.
+  /// \param triangulation the argument of the constructor, which keeps its input
+  /// \param sources the sources
+  /// \exception Invalid_argument_error, Invalid_point_error, Cancelled_error, Undecided_error as
+  ///   `geodesic_distances_from()`; also Invalid_argument_error by `distances()` if offsets differ so much that the heat
+  ///   of some source vanishes
+  template <class Traits>
+  void add_sources(const Intrinsic_triangulation<Traits>& triangulation, const std::vector<Geodesic_source>& sources)
+  {
+    place(triangulation, internal::Row_of_vertex(triangulation.connectivity()), sources);
+  }
+  /// \brief as above, on a cover. \param cover the argument of the constructor
+  /// \param sources points of `cover.triangulation.input()`, as given by `points_of_cover()`
+  void add_sources(const Tufted_cover& cover, const std::vector<Geodesic_source>& sources)
+  {
+    place(cover.triangulation, internal::Row_of_cover_vertex(cover), sources);
+  }
   /// removes the source `v`; returns true if it was a source.
   bool remove_source(Vertex_index v)
   {
@@ -224,15 +247,17 @@ public:
     is_changed_ |= was_source;
     return was_source;
   }
-  /// removes all sources, vertices and points.
+  /// removes all sources.
   void clear_sources()
   {
     vertex_sources_.clear();
     point_sources_.clear();
+    placed_ = {};
+    number_of_placed_ = 0;
     is_changed_ = true;
   }
   /// returns the number of sources.
-  std::size_t number_of_sources() const { return vertex_sources_.size() + point_sources_.size(); }
+  std::size_t number_of_sources() const { return vertex_sources_.size() + point_sources_.size() + number_of_placed_; }
   /// @}
 
   /// \brief returns the distance of each vertex from the nearest source.
@@ -313,6 +338,26 @@ private:
     return row_of_input(v.idx());
   }
 
+  template <class Traits, class Row>
+  void place(const Intrinsic_triangulation<Traits>& triangulation, const Row& row,
+             const std::vector<Geodesic_source>& sources)
+  {
+    const auto go_further = [this] {
+      interruption_->check();
+      return true;
+    };
+    const internal::Distance_search<Traits, Row> search(triangulation, row,
+                                                        CGAL::parameters::tolerance(0.).visitor(go_further));
+    const internal::Distances_near_sources near = search.near(search.at_points(sources));
+    for (const auto& [near_row, distance] : near.of_rows) {
+      const auto [known, is_new] = placed_.of_rows.insert({near_row, distance});
+      known->second = (std::min)(known->second, distance);
+    }
+    placed_.farther = (std::max)(placed_.farther, near.farther);
+    number_of_placed_ += sources.size();
+    is_changed_ = true;
+  }
+
   Eigen::VectorXd zero_heat() const { return Eigen::VectorXd::Zero(Eigen::Index(surface_->size())); }
 
   // The distances at the sources: zero, and for points the distances of the corners of their faces.
@@ -321,13 +366,16 @@ private:
     internal::Pins result;
     for (const auto& source : vertex_sources_)
       result[source.second] = 0;
+    const auto add = [&](std::uint32_t row, double distance) {
+      const auto [pin, is_new] = result.insert({row, surface_->from_input_unit(distance, row)});
+      if (!is_new)
+        pin->second = (std::min)(pin->second, surface_->from_input_unit(distance, row));
+    };
     for (const auto& corners : point_sources_)
-      for (const internal::Source_corner& corner : corners) {
-        const double distance = surface_->from_input_unit(corner.distance, row_of(corner.vertex));
-        const auto [pin, is_new] = result.insert({row_of(corner.vertex), distance});
-        if (!is_new)
-          pin->second = (std::min)(pin->second, distance);
-      }
+      for (const internal::Source_corner& corner : corners)
+        add(row_of(corner.vertex), corner.distance);
+    for (const auto& [row, distance] : placed_.of_rows)
+      add(row, distance);
     return result;
   }
 
@@ -366,7 +414,7 @@ private:
     std::vector<double> result(before.begin(), before.end());
     for (auto& pin : pins)
       pin.second *= surface_->units[pin.first];
-    bounds_->apply(result, pins);
+    bounds_->apply(result, pins, std::ldexp(placed_.farther, -surface_->exponent));
     number_of_bounded_distances_ = 0;
     for (std::size_t row = 0; row < result.size(); ++row)
       number_of_bounded_distances_ += std::abs(result[row] - before[Eigen::Index(row)]) > 0.05 * result[row];
@@ -379,13 +427,20 @@ private:
   // draw it from their neighbors.
   internal::Pins heat_of_sources(const internal::Pins& pins) const
   {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const auto& pin : pins)
-      nearest = (std::min)(nearest, pin.second);
+    std::map<std::uint32_t, double> nearest; // of each component
+    for (const auto& [row, distance] : pins) {
+      const auto [known, is_new] = nearest.insert({surface_->component[row], distance});
+      known->second = (std::min)(known->second, distance);
+    }
     const double rate = 2 * std::asinh(1 / (2 * std::sqrt(time_coefficient_)));
     internal::Pins result;
-    for (const auto& [row, distance] : pins)
-      result[row] = std::exp((nearest - distance) * rate);
+    for (const auto& [row, distance] : pins) {
+      result[row] = std::exp((nearest.at(surface_->component[row]) - distance) * rate);
+      if (!(result[row] > 0))
+        throw Invalid_argument_error("the offsets of the sources differ by more than " +
+                                     std::to_string(int(700 / rate)) +
+                                     " mean edge lengths, too much for heat: use geodesic_distances_from()");
+    }
     return result;
   }
 
@@ -431,6 +486,8 @@ private:
   std::vector<std::uint32_t> representative_;
   std::map<Vertex_index, std::uint32_t> vertex_sources_; // with their rows
   std::vector<std::array<internal::Source_corner, 3>> point_sources_;
+  internal::Distances_near_sources placed_; // in the unit of the input
+  std::size_t number_of_placed_ = 0;
   bool is_changed_ = true;
   std::vector<double> distances_;
   std::size_t number_of_bounded_distances_ = 0;

@@ -21,16 +21,10 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 namespace {
 
-// Rows near the sources with the distances known there, and how much farther a point of a source may be.
-struct Known_distances
+// Within the faces of the sources, in the unit of the faces.
+Distances_near_sources known_distances(const Laid_out_faces& faces, const Window_sources& sources)
 {
-  std::map<std::uint32_t, double> of_rows;
-  double farther = 0;
-};
-
-Known_distances known_distances(const Laid_out_faces& faces, const Window_sources& sources)
-{
-  Known_distances result;
+  Distances_near_sources result;
   const auto add = [&](std::uint32_t row, double distance) {
     const auto [known, is_new] = result.of_rows.insert({row, distance});
     known->second = (std::min)(known->second, distance);
@@ -59,10 +53,27 @@ Window_distances bounded_distances(const Laid_out_faces& faces, const Distance_b
                                    const std::vector<std::uint32_t>& goals)
 {
   Window_distances result = propagate_windows(faces, tolerance, sources, most, interruption, goals);
-  const Known_distances known = known_distances(faces, sources);
+  const Distances_near_sources known = known_distances(faces, sources);
   bounds.apply(result.distances, known.of_rows, known.farther);
   for (double& d : result.distances)
     d = std::ldexp(d, faces.exponent());
+  return result;
+}
+
+Distances_near_sources distances_near_sources(const Laid_out_faces& faces, const Distance_bounds& bounds,
+                                              const Window_sources& sources, std::uint64_t most,
+                                              const Interruption& interruption)
+{
+  Distances_near_sources result = known_distances(faces, sources);
+  std::vector<std::uint32_t> rows;
+  for (const auto& known : result.of_rows)
+    rows.push_back(known.first);
+  if (rows.empty())
+    return result;
+  const Window_distances found = bounded_distances(faces, bounds, 0, sources, most, interruption, rows);
+  for (auto& [row, distance] : result.of_rows)
+    distance = found.distances[row];
+  result.farther = std::ldexp(result.farther, faces.exponent());
   return result;
 }
 

@@ -25,6 +25,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -43,6 +44,18 @@ std::uint64_t number_of_ways(const NamedParameters& np, const Delta_complex& com
 Window_distances bounded_distances(const Laid_out_faces& faces, const Distance_bounds& bounds, double tolerance,
                                    const Window_sources& sources, std::uint64_t most, const Interruption& interruption,
                                    const std::vector<std::uint32_t>& goals);
+
+// Rows near the sources with their distances, and how much farther a point of a source may be from a row.
+struct Distances_near_sources
+{
+  std::map<std::uint32_t, double> of_rows;
+  double farther = 0;
+};
+
+// Of the corners of the faces in which there are sources, in the unit of the input.
+Distances_near_sources distances_near_sources(const Laid_out_faces& faces, const Distance_bounds& bounds,
+                                              const Window_sources& sources, std::uint64_t most,
+                                              const Interruption& interruption);
 
 // \tparam Row gives the row of a vertex, as Row_of_vertex
 template <class Traits, class Row>
@@ -91,6 +104,11 @@ public:
   Window_distances find(const Window_sources& sources, const std::vector<std::uint32_t>& goals = {}) const
   {
     return bounded_distances(faces_, bounds_, tolerance_, sources, most_, interruption_, goals);
+  }
+
+  Distances_near_sources near(const Window_sources& sources) const
+  {
+    return distances_near_sources(faces_, bounds_, sources, most_, interruption_);
   }
 
   // The waves up to a distance in the unit of the input.
