@@ -11,6 +11,7 @@
 #include "system/text.h"
 
 #include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/sides_of_curve.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +35,7 @@ void check_path(const std::string& option, const std::string& path)
     throw Usage_error(option + ": " + path + ": lines are written as a file whose name ends in .csv, .vtp or .obj");
 }
 
-std::vector<double> multiples(double step, double largest, bool are_signed)
+std::vector<double> multiples(double step, double largest)
 {
   const double n = std::floor(largest / step);
   if (n > most_steps)
@@ -42,21 +43,9 @@ std::vector<double> multiples(double step, double largest, bool are_signed)
                       in_short(n) + " steps of " + in_short(step) + ": give a larger one, " +
                       with_separators(std::uint64_t(most_steps)) + " steps are the most");
   std::vector<double> result;
-  for (double i = 1; i <= n; ++i) {
+  for (double i = 1; i <= n; ++i)
     result.push_back(i * step);
-    if (are_signed)
-      result.push_back(-i * step);
-  }
   return result;
-}
-
-// A distance is expected to be there if it was given, and not made from a step.
-void check_found(const std::vector<double>& distances, const std::vector<IT::Surface_line>& lines, double largest)
-{
-  for (double d : distances)
-    if (std::none_of(lines.begin(), lines.end(), [d](const IT::Surface_line& line) { return line.distance == d; }))
-      throw Usage_error("--isolines: no point has the distance " + in_short(d) + ": the largest one of a vertex is " +
-                        in_short(largest));
 }
 
 struct Line_writer
@@ -228,10 +217,41 @@ void Distance_lines::write(const Line_options& options, const Points& points) co
     Line_writer{input, points, borders->lines, false}.write(options.borders_path);
 }
 
+void Distance_lines::set_signs(const std::vector<IT::Surface_point>& curve)
+{
+  if (!isolines)
+    return;
+  std::vector<IT::Surface_point> points;
+  for (const IT::Surface_line& line : isolines->lines)
+    points.push_back(line.points.front());
+  const std::vector<CGAL::Sign> sides = IT::sides_of_curve(input, curve, points);
+  for (std::size_t i = 0; i < sides.size(); ++i)
+    if (sides[i] == CGAL::NEGATIVE)
+      isolines->lines[i].distance = -isolines->lines[i].distance;
+}
+
+// A distance is expected to be there if it was given, and not made from a step.
+void Distance_lines::keep_wanted(const Line_options& options, bool are_signed, double largest)
+{
+  if (!isolines || options.step)
+    return;
+  std::vector<IT::Surface_line>& lines = isolines->lines;
+  if (are_signed)
+    lines.erase(std::remove_if(lines.begin(), lines.end(),
+                               [&](const IT::Surface_line& line) {
+                                 return std::count(options.distances.begin(), options.distances.end(), line.distance) ==
+                                        0;
+                               }),
+                lines.end());
+  for (double d : options.distances)
+    if (std::none_of(lines.begin(), lines.end(), [d](const IT::Surface_line& line) { return line.distance == d; }))
+      throw Usage_error("--isolines: no point has the distance " + in_short(d) + ": the largest one of a vertex is " +
+                        in_short(largest));
+}
+
 Distance_lines find_lines(const Line_options& options,
                           const IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>& triangulation,
-                          const std::vector<IT::Geodesic_source>& sources, bool are_signed, double tolerance,
-                          double largest)
+                          const std::vector<IT::Geodesic_source>& sources, double tolerance, double largest)
 {
   const auto np = CGAL::parameters::tolerance(tolerance)
                     .maximum_deviation(options.chord_tolerance.value_or(std::numeric_limits<double>::infinity()))
@@ -239,11 +259,10 @@ Distance_lines find_lines(const Line_options& options,
   Distance_lines result;
   result.input = triangulation.input();
   if (options.has_isolines()) {
-    const std::vector<double> distances =
-      options.step ? multiples(*options.step, largest, are_signed) : options.distances;
-    result.isolines = are_signed ? IT::offset_curves(triangulation, sources.front().parts.front(), distances, np)
-                                 : IT::isolines(triangulation, sources, distances, np);
-    check_found(options.distances, result.isolines->lines, largest);
+    std::vector<double> distances = options.step ? multiples(*options.step, largest) : options.distances;
+    for (double& d : distances)
+      d = std::abs(d);
+    result.isolines = IT::isolines(triangulation, sources, distances, np);
   }
   if (!options.borders_path.empty())
     result.borders = IT::borders_of_cells(triangulation, sources, np);

@@ -44,6 +44,13 @@ struct Distance_lines
   std::optional<CGAL::Intrinsic_triangulations::Surface_lines> isolines, borders;
   CGAL::Intrinsic_triangulations::Delta_complex input; // where they lie, if there are any
 
+  // Gives isolines to the right of a curve a negative distance.
+  void set_signs(const std::vector<CGAL::Intrinsic_triangulations::Surface_point>& curve);
+
+  // Drops isolines that have the opposite of a wanted distance.
+  // \exception Usage_error if no point has one of the wanted distances
+  void keep_wanted(const Line_options& options, bool are_signed, double largest);
+
   // Adds them to the view. \param points of the vertices of the input
   void show(View& view, const std::vector<std::array<double, 3>>& points) const;
 
@@ -55,14 +62,15 @@ struct Distance_lines
   std::string text() const;
 };
 
+// On the input of the triangulation, without signs.
 // \param tolerance as of the distances
 // \param largest the largest distance of a vertex
-// \exception Usage_error if no point has one of the distances, or there are too many
+// \exception Usage_error if there are too many
 Distance_lines find_lines(const Line_options& options,
                           const CGAL::Intrinsic_triangulations::Intrinsic_triangulation<
                             CGAL::Intrinsic_triangulations::Filtered_edge_length_traits>& triangulation,
-                          const std::vector<CGAL::Intrinsic_triangulations::Geodesic_source>& sources, bool are_signed,
-                          double tolerance, double largest);
+                          const std::vector<CGAL::Intrinsic_triangulations::Geodesic_source>& sources, double tolerance,
+                          double largest);
 
 } // namespace idt
 

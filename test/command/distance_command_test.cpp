@@ -200,7 +200,7 @@ TEST_F(Distance_command, begins_at_points_edges_and_curves)
   EXPECT_NEAR(distances("d.csv")[1], 0, 1e-14);
   // Bad input.
   EXPECT_EQ(idt("distance strip.off").status, 2);
-  EXPECT_EQ(idt("distance strip.off --source-edges edges.csv --method heat").status, 2);
+  EXPECT_EQ(idt("distance strip.off --source-edges edges.csv --method heat --labels l.csv").status, 2);
   write("bad.csv", "0,2,1\n");
   const Command_run edges = idt("distance strip.off --source-edges bad.csv");
   EXPECT_NE(edges.status, 0);
@@ -234,20 +234,35 @@ TEST_F(Distance_command, has_a_sign_beside_a_curve_that_cuts_something_off)
   write("up.csv", "x,y,z\n0.75,0,0\n0.75,1,0\n");
   write("down.csv", "x,y,z\n0.75,1,0\n0.75,0,0\n");
   write("slit.csv", "x,y,z\n0.75,0,0\n0.75,0.5,0\n");
-  for (const std::string method : {"", " --method exact"}) {
-    ASSERT_EQ(idt("distance strip.off --cover none --signed --source-curve up.csv -o left.csv" + method).status, 0);
-    ASSERT_EQ(idt("distance strip.off --cover none --signed --source-curve down.csv -o right.csv" + method).status, 0);
+  for (const std::string method : {"", " --method exact", " --method heat"}) {
+    ASSERT_EQ(idt("distance strip.off --signed --source-curve up.csv -o left.csv" + method).status, 0);
+    ASSERT_EQ(idt("distance strip.off --signed --source-curve down.csv -o right.csv" + method).status, 0);
     const std::vector<double> left = distances("left.csv"), right = distances("right.csv");
     for (std::size_t v = 0; v < 6; ++v) {
       EXPECT_NEAR(left[v], 0.75 - double(v % 3), 1e-14) << v;
       EXPECT_NEAR(right[v], double(v % 3) - 0.75, 1e-14) << v;
     }
   }
-  const Command_run slit = idt("distance strip.off --cover none --signed --source-curve slit.csv");
+  const Command_run slit = idt("distance strip.off --signed --source-curve slit.csv");
   EXPECT_NE(slit.status, 0);
   EXPECT_TRUE(contains(slit.err, "does not separate")) << slit.err;
-  EXPECT_EQ(idt("distance strip.off --signed --source-curve up.csv").status, 2);
-  EXPECT_EQ(idt("distance strip.off --cover none --signed --source 0").status, 2);
+  EXPECT_EQ(idt("distance strip.off --signed --refine --source-curve up.csv").status, 2);
+  EXPECT_EQ(idt("distance strip.off --signed --source 0").status, 2);
+  // Beside a barrier, whose vertices lie on either side of the curve.
+  write("across.csv", "x,y,z\n0.5,0.5,0\n1.5,0.5,0\n");
+  write("ends.csv", "x,y,z\n0.75,0,0\n0.75,0.5,0\n0.75,1,0\n");
+  const std::string beside = "distance strip.off --signed --source-curve ends.csv --barrier across.csv ";
+  ASSERT_EQ(idt(beside + "-o left.csv --overlay o.ply --isolines 0.125,-0.125,-0.5 --lines l.csv").status, 0);
+  for (std::size_t v = 0; v < 6; ++v)
+    EXPECT_NEAR(distances("left.csv")[v], 0.75 - double(v % 3), 1e-12) << v;
+  for (const std::string& row : lines(content(folder_ / "l.csv")))
+    if (row.substr(0, 4) != "line") {
+      std::vector<double> cells;
+      std::istringstream text(row);
+      for (std::string cell; std::getline(text, cell, ',');)
+        cells.push_back(std::stod(cell));
+      EXPECT_NEAR(0.75 - cells.at(8), cells.at(11), 1e-3) << row;
+    }
 }
 
 TEST_F(Distance_command, writes_a_matrix_between_two_sets)
@@ -306,9 +321,26 @@ TEST_F(Distance_command, walks_around_barriers)
   ASSERT_EQ(idt("distance strip.off --source 1 --barrier-edges edge.csv -o d.csv --method heat").status, 0);
   EXPECT_EQ(distances("d.csv")[1], 0);
   EXPECT_TRUE(std::isfinite(distances("d.csv")[2]) && std::isfinite(distances("d.csv")[0]));
-  for (const std::string options : {"--matrix m.csv --target 1", "--refine", "--overlay o.ply", "--vectors -o v.csv"})
-    EXPECT_EQ(idt("distance strip.off --source 0 --barrier wall.csv " + options).status, 2) << options;
-  write("cross.csv", "x,y,z\n0.5,0.25,0\n1,0.25,0\n\nx,y,z\n0.75,0,0\n0.75,1,0\n");
+  // What else there is, on the cut surface.
+  for (const std::string options :
+       {"--refine", "--maximum-change 0.01", "--overlay o.ply --view p.html", "--vectors"}) {
+    const Command_run run = idt("distance strip.off --source 0 --barrier wall.csv -o d.csv " + options);
+    ASSERT_EQ(run.status, 0) << run.err;
+    const std::vector<std::string> rows = lines(content(folder_ / "d.csv"));
+    ASSERT_EQ(rows.size(), 7u);
+    EXPECT_NEAR(std::stod(rows[3].substr(2)), around, 1e-12) << options;
+  }
+  EXPECT_TRUE(contains(content(folder_ / "o.ply"), "element vertex 15")) << content(folder_ / "o.ply");
+  ASSERT_EQ(idt("distance strip.off --source 1,0 --target 2,1,3 --barrier-edges edge.csv --matrix m.csv").status, 0);
+  EXPECT_EQ(content(folder_ / "m.csv").substr(0, 27), "source,2,1,3\n1,1,0,1.414213");
+  EXPECT_TRUE(contains(content(folder_ / "m.csv"), "\n0,inf,1,1\n")) << content(folder_ / "m.csv");
+  const Command_run vectors = idt("distance strip.off --source 1 --barrier-edges edge.csv --vectors -o v.csv");
+  EXPECT_EQ(vectors.status, 2);
+  EXPECT_TRUE(contains(vectors.err, "vertex 1 lies on a barrier")) << vectors.err;
+  const Command_run far = idt("distance strip.off --source 0 --barrier wall.csv --farthest 2 --samples s.csv");
+  EXPECT_EQ(far.status, 2);
+  EXPECT_TRUE(contains(far.err, "has a distance on each of its sides")) << far.err;
+  write("cross.csv", "x,y,z\n0.55,0.25,0\n1,0.25,0\n\nx,y,z\n0.75,0,0\n0.75,1,0\n");
   EXPECT_TRUE(contains(idt("distance strip.off --source 0 --barrier cross.csv").err, "cross"));
   write("bad.csv", "0,5\n");
   EXPECT_TRUE(contains(idt("distance strip.off --source 0 --barrier-edges bad.csv").err, "no edge joins"));
@@ -381,7 +413,8 @@ TEST_F(Distance_command, writes_lines_at_distances_and_between_cells)
   EXPECT_TRUE(
     contains(message("--isoline-step 1e-9 --lines l.csv", 2), "give a larger one, 10,000 steps are the most"));
   EXPECT_TRUE(contains(message("--isolines 0.5 --lines l.csv --chord-tolerance 0", 2), "T is a positive number"));
-  EXPECT_TRUE(contains(idt("distance strip.off --source 0 --isolines 1 --lines l.csv --method heat").err, "omit heat"));
+  EXPECT_TRUE(
+    contains(idt("distance strip.off --source 0 --isolines 1 --lines l.csv --method heat").err, "omit --method heat"));
   EXPECT_TRUE(contains(message("--isolines 0.5 --lines l.csv -o l.csv", 2), "l.csv"));
 }
 

@@ -35,8 +35,9 @@ struct Geodesic_distances
   std::vector<double> distances; ///< of all vertices, in the unit of the input; infinite where no source is connected
   std::uint64_t number_of_ways = 0; ///< how often a bundle of straight lines was followed to the next face
   bool is_complete = true;          ///< whether all were followed; if not, distances may be as large as along edges
-  /// only of `geodesic_distances_from()`: for each vertex, the number of the nearest `Geodesic_source` from which a
-  /// straight way leads there, or 0 if none does
+  static constexpr std::uint32_t no_source = std::uint32_t(-1); ///< in `nearest_sources`
+  /// only of `geodesic_distances_from()`: for each vertex, the number of the nearest `Geodesic_source`, or `no_source` if
+  /// no straight way leads there
   std::vector<std::uint32_t> nearest_sources;
 };
 

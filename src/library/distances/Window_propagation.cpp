@@ -43,7 +43,7 @@ public:
                      std::vector<Wave>* waves = nullptr, const std::vector<double>* rests = nullptr)
     : surface_(surface), points_(points), waves_(waves), tolerance_(tolerance),
       distances_(surface.number_of_rows(), infinity), arrivals_(surface.number_of_rows()),
-      origins_(surface.number_of_rows(), 0), splits_(surface.sides().size()), waiting_(surface, tolerance, rests),
+      origins_(surface.number_of_rows(), none), splits_(surface.sides().size()), waiting_(surface, tolerance, rests),
       at_narrow_edges_(surface.number_of_narrow_edges())
   {
     // Of two ways to a corner, the longer one ends what lies beyond the other, because they have crossed in the face
