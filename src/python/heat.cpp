@@ -44,10 +44,18 @@ public:
 
   std::vector<double> distances(const std::vector<std::uint32_t>& sources)
   {
+    return distances_from([&sources](IT::Heat_method<>& method) {
+      for (std::uint32_t v : sources)
+        method.add_source(IT::Vertex_index(v));
+    });
+  }
+  // \param add adds the sources
+  template <class Add>
+  std::vector<double> distances_from(const Add& add)
+  {
     const std::lock_guard<std::mutex> lock(mutex_);
     method_.clear_sources();
-    for (std::uint32_t v : sources)
-      method_.add_source(IT::Vertex_index(v));
+    add(method_);
     return method_.distances();
   }
   std::vector<double> extend(const std::vector<std::pair<IT::Vertex_index, double>>& values, double elsewhere)
@@ -135,10 +143,67 @@ std::vector<IT::Surface_point> points_in_triangles(const IT::Delta_complex& comp
   return result;
 }
 
-// \param places a row for each point: the number of a triangle, and barycentric coordinates
-// \param first where the points of each source begin, and their number: one is a point, more are a curve
-// \return the distances, and the numbers of the nearest sources
+// Sources and barriers as rows: for each point the number of a triangle, and barycentric coordinates.
+class Placed_rows
+{
+public:
+  // \param first where the points of each source begin, and their number: one is a point, more are a curve
+  Placed_rows(const Indices& numbers, const Doubles& coordinates, const Indices& first, const Doubles& offsets)
+    : begins_(copied(first)), offsets_(copied(offsets))
+  {
+    const auto in_faces = copied(numbers);
+    const Rows<double> in_face(coordinates);
+    for (std::size_t i = 0; i < in_faces.size(); ++i)
+      places_.push_back({in_faces[i], {in_face[i][0], in_face[i][1], in_face[i][2]}});
+  }
+
+  const std::vector<IT::Point_in_triangle>& places() const { return places_; }
+  std::vector<std::vector<IT::Surface_point>> curves(const std::vector<IT::Surface_point>& placed) const
+  {
+    std::vector<std::vector<IT::Surface_point>> result;
+    for (std::size_t i = 0; i + 1 < begins_.size(); ++i)
+      result.push_back({placed.begin() + begins_[i], placed.begin() + begins_[i + 1]});
+    return result;
+  }
+  std::vector<IT::Geodesic_source> sources(const std::vector<IT::Surface_point>& placed) const
+  {
+    const auto parts = curves(placed);
+    std::vector<IT::Geodesic_source> result;
+    for (std::size_t i = 0; i < offsets_.size(); ++i)
+      result.push_back({{parts[i]}, offsets_[i]});
+    return result;
+  }
+
+private:
+  std::vector<IT::Point_in_triangle> places_;
+  std::vector<std::uint32_t> begins_;
+  std::vector<double> offsets_;
+};
+
+// \param is_on_cover how the heat was made
+py::array heat_distances_from(Heat& heat, const Doubles& points, const Indices& triangles, bool is_on_cover,
+                              const Indices& numbers, const Doubles& coordinates, const Indices& first,
+                              const Doubles& offsets)
+{
+  const Rows<double> rows(points);
+  const auto corners = copied_rows(points);
+  const auto faces = copied_rows(triangles);
+  const Placed_rows placed(numbers, coordinates, first, offsets);
+  return to_array(without_lock([&] {
+    return heat.distances_from([&](IT::Heat_method<>& method) {
+      if (is_on_cover) {
+        const IT::Tufted_cover cover = Delaunay_cover(rows, faces, IT::Surface_cover::TUFTED);
+        return method.add_sources(cover, placed.sources(IT::points_of_cover(cover, faces, placed.places())));
+      }
+      const Triangulation triangulation(IT::make_Delta_complex_from_triangles(corners.size(), faces), corners);
+      method.add_sources(triangulation,
+                         placed.sources(points_in_triangles(triangulation.input(), faces, placed.places())));
+    });
+  }));
+}
+
 // \param number_of_barriers how many of the last ones are barriers instead
+// \return the distances, and the numbers of the nearest sources
 std::pair<py::array, py::array> geodesic_distances_from(const Doubles& points, const Indices& triangles,
                                                         const Indices& numbers, const Doubles& coordinates,
                                                         const Indices& first, const Doubles& offsets, double tolerance,
@@ -146,39 +211,26 @@ std::pair<py::array, py::array> geodesic_distances_from(const Doubles& points, c
 {
   const Rows<double> rows(points);
   const auto faces = copied_rows(triangles);
-  const auto in_faces = copied(numbers);
-  const Rows<double> in_face(coordinates);
-  std::vector<IT::Point_in_triangle> places;
-  for (std::size_t i = 0; i < in_faces.size(); ++i)
-    places.push_back({in_faces[i], {in_face[i][0], in_face[i][1], in_face[i][2]}});
-  const auto begins = copied(first);
-  const auto starts = copied(offsets);
+  const Placed_rows placed(numbers, coordinates, first, offsets);
   const auto options = CGAL::parameters::tolerance(tolerance).visitor(&Signal_watch::goes_on);
   const auto corners = copied_rows(points);
-  const auto curves = [&](const std::vector<IT::Surface_point>& placed) {
-    std::vector<std::vector<IT::Surface_point>> result;
-    for (std::size_t i = 0; i + 1 < begins.size(); ++i)
-      result.push_back({placed.begin() + begins[i], placed.begin() + begins[i + 1]});
-    return result;
-  };
-  const auto sources = [&](const std::vector<std::vector<IT::Surface_point>>& placed) {
-    std::vector<IT::Geodesic_source> result;
-    for (std::size_t i = 0; i < starts.size(); ++i)
-      result.push_back({{placed[i]}, starts[i]});
-    return result;
-  };
   IT::Geodesic_distances found = without_lock([&] {
     if (number_of_barriers == 0) {
       const IT::Tufted_cover cover = Delaunay_cover(rows, faces, IT::Surface_cover::SHEETS);
-      return IT::geodesic_distances_from(cover, sources(curves(IT::points_of_cover(cover, faces, places))), options);
+      return IT::geodesic_distances_from(cover, placed.sources(IT::points_of_cover(cover, faces, placed.places())),
+                                         options);
     }
     const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(corners.size(), faces);
-    const auto placed = curves(points_in_triangles(complex, faces, places));
+    const auto on_input = points_in_triangles(complex, faces, placed.places());
+    const auto parts = placed.curves(on_input);
     const IT::Surface_with_barriers surface(complex, corners,
-                                            {placed.end() - std::ptrdiff_t(number_of_barriers), placed.end()});
-    return IT::geodesic_distances_from(surface, sources(placed), options);
+                                            {parts.end() - std::ptrdiff_t(number_of_barriers), parts.end()});
+    return IT::geodesic_distances_from(surface, placed.sources(on_input), options);
   });
-  return {to_array(std::move(found.distances)), to_array(std::move(found.nearest_sources))};
+  std::vector<std::int64_t> nearest;
+  for (std::uint32_t source : found.nearest_sources)
+    nearest.push_back(source == IT::Geodesic_distances::no_source ? -1 : std::int64_t(source));
+  return {to_array(std::move(found.distances)), to_array(std::move(nearest))};
 }
 
 // The vertices, and their distances. \param sources vertices
@@ -266,6 +318,9 @@ void add_heat(py::module_& module)
              py::arg("tolerance"));
   py::class_<Heat>(module, "Heat")
     .def("distances", &distances, py::arg("sources").noconvert())
+    .def("distances_from", &heat_distances_from, py::arg("points").noconvert(), py::arg("triangles").noconvert(),
+         py::arg("is_on_cover"), py::arg("numbers").noconvert(), py::arg("coordinates").noconvert(),
+         py::arg("first").noconvert(), py::arg("offsets").noconvert())
     .def("extend", &extend, py::arg("vertices").noconvert(), py::arg("values").noconvert(), py::arg("elsewhere"));
 }
 

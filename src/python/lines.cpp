@@ -1,7 +1,7 @@
 // Copyright (c) 2026 The Intrinsic_triangulations developers.
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Lines at a distance, and the borders of cells.
+// Lines at a distance, the sides of curves, and the borders of cells.
 
 #include "python/Surface.h"
 #include "python/arrays.h"
@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/isolines.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/sides_of_curve.h>
 
 #include <limits>
 
@@ -79,6 +80,30 @@ py::tuple surface_lines(const Doubles& points, const Indices& triangles, const I
                         to_array(std::move(result.sources)));
 }
 
+// 1 for each vertex to the left of the curve, -1 to its right, 0 on it.
+py::array sides_of_curve(const Doubles& points, const Indices& triangles, const Indices& numbers,
+                         const Doubles& coordinates)
+{
+  const auto number_of_points = copied_rows(points).size();
+  const auto faces = copied_rows(triangles);
+  const auto in_faces = copied(numbers);
+  const auto in_face = copied_rows(coordinates);
+  return to_array(without_lock([&] {
+    const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(number_of_points, faces);
+    std::vector<IT::Surface_point> curve;
+    for (std::size_t k = 0; k < in_faces.size(); ++k) {
+      IT::Halfedge_index h = complex.halfedge(IT::Face_index(in_faces[k]));
+      while (complex.source(h).idx() != faces[in_faces[k]][0])
+        h = complex.next(h);
+      curve.push_back({h, in_face[k]});
+    }
+    std::vector<std::int64_t> result;
+    for (CGAL::Sign side : IT::sides_of_curve(complex, curve))
+      result.push_back(side);
+    return result;
+  }));
+}
+
 } // namespace
 
 void add_lines(py::module_& module)
@@ -87,6 +112,8 @@ void add_lines(py::module_& module)
              py::arg("numbers").noconvert(), py::arg("coordinates").noconvert(), py::arg("first").noconvert(),
              py::arg("offsets").noconvert(), py::arg("kind"), py::arg("distances").noconvert(), py::arg("tolerance"),
              py::arg("chord_tolerance"));
+  module.def("sides_of_curve", &sides_of_curve, py::arg("points").noconvert(), py::arg("triangles").noconvert(),
+             py::arg("numbers").noconvert(), py::arg("coordinates").noconvert());
 }
 
 } // namespace idt_python

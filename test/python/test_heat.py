@@ -93,6 +93,28 @@ def test_distances_from_curves():
         it.geodesic_distances_from(V, F, [0], offsets=[-1])
 
 
+def test_heat_from_curves():
+    V, F = grid(16)
+    triangle = 2 * 16 * 7 + 14
+    curve = numpy.array([[triangle, 0.2, 0.3, 0.5], [triangle, 0.6, 0.3, 0.1]])
+    step = numpy.linalg.norm(V[F[0][0]] - V[F[0][1]])
+    for robust in (True, False):
+        solver = it.MeshHeatMethodDistanceSolver(V, F, use_robust=robust)
+        for sources, offsets in (([curve], None), ([curve, 5], [0, step]), ([F[triangle][:2]], None)):
+            exact, _ = it.geodesic_distances_from(V, F, sources, 0, offsets=offsets)
+            found = solver.compute_distance_from(sources, offsets)
+            assert abs(found - exact).mean() < step
+            assert (found[exact == 0] == 0).all()
+        vertex = int(F[triangle][0])
+        assert numpy.array_equal(solver.compute_distance_from([vertex]), solver.compute_distance(vertex))
+        with pytest.raises(ValueError):
+            solver.compute_distance_from([len(V)])
+        with pytest.raises(ValueError, match="too much for heat"):
+            solver.compute_distance_from([0, 5], [0, 1e6 * step])
+    with pytest.raises(ValueError):
+        it.MeshHeatMethodDistanceSolver.from_triangulation(it.Triangulation(V, F)).compute_distance_from([0])
+
+
 def test_barriers():
     V, F = grid(8)
     column = int(numpy.flatnonzero((V[:, 1] == 0) & (V[:, 0] > V[:, 0].min()))[2])

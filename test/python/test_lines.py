@@ -35,8 +35,14 @@ def test_a_line_is_a_source():
     line, = it.isolines(V, F, [60], [3], tolerance=0, chord_tolerance=1e-4)
     distances, _ = it.geodesic_distances_from(V, F, [line.places], tolerance=0)
     assert numpy.allclose(distances, abs(numpy.linalg.norm(V - V[60], axis=1) - 3), rtol=0, atol=2e-4)
-    with pytest.raises(it.InvalidArgumentError, match="inside one face"):
-        it.offset_curves(V, F, line.places, [1, -1])
+    radii = numpy.linalg.norm(V - V[60], axis=1)
+    clear = abs(radii - 3) > 1e-3
+    assert numpy.array_equal(it.sides_of_curve(V, F, line.places)[clear], numpy.where(radii < 3, 1, -1)[clear])
+    assert numpy.allclose(it.signed_distances(V, F, line.places, 0), 3 - radii, rtol=0, atol=2e-4)
+    for found in it.offset_curves(V, F, line.places, [1, -1], chord_tolerance=1e-3):
+        assert numpy.allclose(numpy.linalg.norm(found.positions - V[60], axis=1), 3 - found.distance, rtol=0, atol=5e-3)
+    with pytest.raises(it.InvalidArgumentError, match="does not separate"):
+        it.sides_of_curve(V, F, line.places[:5])
 
 
 def test_offset_curves():

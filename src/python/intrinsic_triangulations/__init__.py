@@ -23,7 +23,7 @@ from ._geodesics import (CutSurface, EdgeFlipGeodesicSolver, GeodesicPath, Geode
 from ._heat import (MeshHeatMethodDistanceSolver, compute_distance, compute_distance_multisource, farthest_vertices,
                     geodesic_distance_matrix, geodesic_distances, geodesic_distances_from)
 from ._laplacian import laplacian, mesh_laplacian, point_cloud_laplacian, solve_poisson
-from ._lines import SurfaceLine, borders_of_cells, isolines, offset_curves
+from ._lines import SurfaceLine, borders_of_cells, isolines, offset_curves, sides_of_curve, signed_distances
 from ._mesh import border_edges, border_vertices, component_labels, cotan_laplacian, face_areas, vertex_areas
 from ._simplification import DistanceIntervals, SimplifiedDistances, SimplifiedSurface
 from ._subdivision import CommonSubdivision
@@ -88,6 +88,8 @@ __all__ = [
     "read_mesh",
     "repair",
     "shortest_path",
+    "sides_of_curve",
+    "signed_distances",
     "solve_poisson",
     "vertex_areas",
     "view",

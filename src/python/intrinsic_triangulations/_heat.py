@@ -53,11 +53,12 @@ class MeshHeatMethodDistanceSolver(Rebuilt):
 
     def __init__(self, V: ArrayLike, F: ArrayLike, t_coef: float = 1.0, use_robust: bool = True, *, boundary: Boundary = "neumann",
                  keeps_ridges: bool = True) -> None:
-        points, faces = _arrays.points_and_faces(V, F)
+        points, faces = (array.copy() for array in _arrays.points_and_faces(V, F))
         options = _options(t_coef, boundary, keeps_ridges)
-        self._remember(MeshHeatMethodDistanceSolver.__init__, points.copy(), faces.copy(), t_coef, use_robust, boundary=boundary,
+        self._remember(MeshHeatMethodDistanceSolver.__init__, points, faces, t_coef, use_robust, boundary=boundary,
                        keeps_ridges=keeps_ridges)
         self._number_of_vertices = len(points)
+        self._surface = points, faces, bool(use_robust)
         if use_robust:
             self._heat = _core.heat_on_any_triangles(points, faces, *options)
         else:
@@ -89,6 +90,7 @@ class MeshHeatMethodDistanceSolver(Rebuilt):
     def _begin(self, triangulation: Triangulation, t_coef: float, boundary: Boundary, keeps_ridges: bool) -> None:
         self._remember(MeshHeatMethodDistanceSolver._begin, triangulation, t_coef, boundary, keeps_ridges)
         self._number_of_vertices = triangulation.number_of_vertices
+        self._surface = None
         self._heat = _core.heat_on_surface(triangulation._surface, *_options(t_coef, boundary, keeps_ridges))
 
     def compute_distance(self, v_ind: int) -> numpy.ndarray:
@@ -121,6 +123,30 @@ class MeshHeatMethodDistanceSolver(Rebuilt):
             As for `compute_distance`: exactly zero at each source.
         """
         return self._heat.distances(_arrays.indices(v_inds, "v_inds", (None,), self._number_of_vertices))
+
+    def compute_distance_from(self, sources: Sequence[Any], offsets: Optional[ArrayLike] = None) -> numpy.ndarray:
+        """Return the distance of each vertex from the nearest of several points, edges and curves.
+
+        Parameters
+        ----------
+        sources, offsets
+            As for `geodesic_distances_from`. The triangulation is made again to place them.
+
+        Returns
+        -------
+        (n,) array
+            As for `compute_distance`.
+
+        Raises
+        ------
+        ValueError
+            As `geodesic_distances_from`; also if the solver was made from a triangulation, or offsets differ so much that
+            the heat of a source vanishes.
+        """
+        if self._surface is None:
+            raise ValueError("a solver that was made from a triangulation takes vertices as sources only")
+        points, faces, is_on_cover = self._surface
+        return self._heat.distances_from(points, faces, is_on_cover, *_placed(points, faces, sources, offsets))
 
     def extend_scalar(self, v_inds: ArrayLike, values: ArrayLike) -> numpy.ndarray:
         """Extend values at some vertices to all: elsewhere, to about the value at the nearest of these vertices.
@@ -200,7 +226,7 @@ def geodesic_distances_from(V: ArrayLike, F: ArrayLike, sources: Sequence[Any], 
     distances : (n,) array
         In the unit of the input: infinite where no source is connected.
     nearest : (n,) array of integers
-        The number of the nearest source.
+        The number of the nearest source; -1 where no source is connected.
 
     Raises
     ------

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from . import _arrays, _core
 from ._documented import documented
-from ._heat import _placed, _tolerance
+from ._heat import _placed, _tolerance, geodesic_distances_from
 
 
 @documented
@@ -105,6 +105,60 @@ def offset_curves(V: ArrayLike, F: ArrayLike, curve: ArrayLike, distances: Array
         If the curve does not separate its sides, or a distance is 0.
     """
     return _lines(V, F, [curve], None, 1, distances, tolerance, chord_tolerance)
+
+
+def sides_of_curve(V: ArrayLike, F: ArrayLike, curve: ArrayLike) -> numpy.ndarray:
+    """Return for each vertex whether it lies to the left of a curve, or to its right.
+
+    Parameters
+    ----------
+    V, F, curve
+        As for `offset_curves`.
+
+    Returns
+    -------
+    (n,) array of int64
+        1 to the left, -1 to the right, 0 on the curve.
+
+    Raises
+    ------
+    InvalidArgumentError
+        If the curve does not separate its sides.
+    ValueError
+        If its segments cross, or do not lie on the surface.
+    """
+    points, faces = _arrays.points_and_faces(V, F)
+    numbers, coordinates, _, _ = _placed(points, faces, [curve], None)
+    return _core.sides_of_curve(points, faces, numbers, coordinates)
+
+
+def signed_distances(V: ArrayLike, F: ArrayLike, curve: ArrayLike, tolerance: float = 0.001) -> numpy.ndarray:
+    """Return the distance of each vertex from a curve: negative to its right.
+
+    Parameters
+    ----------
+    V, F, curve, tolerance
+        As for `offset_curves`.
+
+    Returns
+    -------
+    (n,) array of floats
+
+    Raises
+    ------
+    InvalidArgumentError, ValueError
+        As for `sides_of_curve`.
+
+    Examples
+    --------
+    >>> import intrinsic_triangulations as it
+    >>> V, F = [[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]], [[0, 1, 2], [0, 2, 3]]
+    >>> it.signed_distances(V, F, [[0, 1, 0, 0], [0, 0, 0, 1]], 0).round(3)
+    array([ 0.   , -1.414,  0.   ,  1.414])
+    """
+    sides = sides_of_curve(V, F, curve)
+    distances, _ = geodesic_distances_from(V, F, [curve], tolerance)
+    return numpy.where(sides < 0, -distances, distances)
 
 
 def borders_of_cells(V: ArrayLike, F: ArrayLike, sources: Sequence[Any], tolerance: float = 0.001, *,
