@@ -11,6 +11,7 @@
 #include "plane_vectors.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/insertion/Piece_search.h>
 #include <CGAL/Intrinsic_triangulations/internal/numbers/Accurate_shapes.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
@@ -220,6 +221,13 @@ private:
     result.end = end;
     const std::array<Vector, 3> c = corners(start.halfedge);
     result.direction = plane::unit(plane::difference(position(c, end.coordinates), position(c, start.coordinates)));
+    if (const Halfedge_index kept = kept_side(start.halfedge); kept.is_valid()) {
+      result.located = {kept, start.coordinates};
+      result.pieces = {piece_in_kept_face(result.located, end.coordinates)};
+      if (result.pieces.front().length > 0)
+        return result;
+      result.pieces.clear();
+    }
     const Surface_direction onward = direction(start, end.coordinates);
     // Up to the end of the first face, because the direction of a short piece would be rounded; if that is near, the
     // longest piece tells it.
@@ -253,6 +261,33 @@ private:
     for (std::size_t i = longest; i > 0; --i)
       if (points[i].dimension() == 1)
         result.pieces[i - 1].direction = plane::turned(result.pieces[i].direction, -turn(result.pieces, points, i));
+    return result;
+  }
+
+  // The halfedge of the triangulation along one of the input, if its face was not changed; otherwise invalid.
+  Halfedge_index kept_side(Halfedge_index of_input) const
+  {
+    const Correspondence& correspondence = engine_.correspondence();
+    const auto is_along = [&](Halfedge_index h, Halfedge_index k) {
+      return crossings(correspondence, complex_.edge(h)) < 0 && !correspondence.is_inserted(complex_.source(h)) &&
+             !correspondence.is_inserted(complex_.target(h)) && correspondence.input_halfedge(h) == k;
+    };
+    Halfedge_index h = piece_at_source(complex_, correspondence, of_input).side;
+    for (std::size_t i = 0; i < 3; ++i, h = complex_.next(h))
+      if (is_along(h, of_input) && is_along(complex_.next(h), input_.next(of_input)) &&
+          is_along(complex_.prev(h), input_.prev(of_input)))
+        return h;
+    return {};
+  }
+
+  Face_source piece_in_kept_face(const Surface_point& start, const Coordinates& end) const
+  {
+    Face_source result = piece({start}, 0);
+    const Laid_out_faces::Side& base = faces_.side(result.side);
+    const double second = end[1] - start.coordinates[1], third = end[2] - start.coordinates[2];
+    const Vector way{second * base.length + third * base.apex_x, third * base.apex_y};
+    result.length = std::hypot(way[0], way[1]);
+    result.direction = {way[0] / result.length, way[1] / result.length};
     return result;
   }
 
@@ -327,6 +362,8 @@ private:
       at_row(row_of_[Cut_faces::vertex_at(input_, p).idx()]).is_isolated = true;
       return;
     }
+    if (const Halfedge_index kept = kept_side(p.halfedge); kept.is_valid())
+      return add_place({kept, p.coordinates}, {});
     // Traced nowhere, toward a corner.
     Coordinates corner{0, 0, 0};
     corner[largest(p.coordinates)] = 1;
