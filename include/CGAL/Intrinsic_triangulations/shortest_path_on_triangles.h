@@ -155,12 +155,13 @@ Path_on_triangles shortest_path_on_triangles(const PointRange& points, const Tri
     network.shorten(options);
     const std::vector<Surface_point> line = geodesic_points(sheets, network.halfedges(number));
     result.length += network.length(number);
-    result.is_complete = result.is_complete && path.is_complete;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
       result.triangles.push_back(cover.face_of[input.face(line[i].halfedge).idx()]);
       result.positions.push_back(point_in_space(input, places, line[i + 1]));
     }
   }
+  // Where a part was not traced back, another path may be as short.
+  result.is_complete = result.is_complete && std::abs(result.length - result.distance) <= 1e-9 * result.distance;
   return result;
 }
 
