@@ -78,13 +78,17 @@ std::string accuracy(const Distance_options& options, const Distance_result& res
            (options.method == "exact" || options.is_compared
               ? "without exact distances there are fewer"
               : "--method heat needs none, and idt refine makes faces that need fewer");
-  if (result.change && !result.errors)
-    return "proven up to rounding: at most " + in_short(100 * (1 - result.change->shrink)) + " % too short and " +
-           in_short(100 * (result.change->stretch - 1)) + " % too long, found on " +
-           counted(result.number_of_simplified_vertices, "vertex", "vertices");
+  std::string measured;
   if (result.errors)
-    return "mean error " + in_short(100 * (*result.errors)[0]) + " %, largest " + in_short(100 * (*result.errors)[1]) +
-           " %";
+    measured =
+      "mean error " + in_short(100 * (*result.errors)[0]) + " %, largest " + in_short(100 * (*result.errors)[1]) + " %";
+  if (result.change)
+    return "proven up to rounding: at most " + in_short_not_below(100 * (1 - result.change->shrink)) +
+           " % too short and " + in_short_not_below(100 * (result.change->stretch - 1)) + " % too long, found on " +
+           counted(result.number_of_simplified_vertices, "vertex", "vertices") +
+           (result.errors ? "; " + measured : std::string());
+  if (result.errors)
+    return measured;
   if (result.is_far_from_right())
     return "poor: see the warning";
   if (options.is_by_heat())

@@ -109,6 +109,8 @@ TEST_F(Simplify_command, distances_come_with_intervals_that_contain_the_exact_on
   }
   EXPECT_TRUE(is_simplified);
   EXPECT_LT(stats()["simplification"]["vertices"], exact.size());
+  const std::string both = idt("distance m.off --source 3 --maximum-change 0.1 --compare-exact").out;
+  EXPECT_TRUE(contains(both, "proven up to rounding: at most") && contains(both, "; mean error ")) << both;
   EXPECT_EQ(idt("distance m.off --source 3 --maximum-change -1").status, 2);
   EXPECT_EQ(idt("distance m.off --source 3 --maximum-change 0.1 --method heat").status, 2);
 }

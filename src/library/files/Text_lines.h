@@ -78,7 +78,8 @@ public:
     return true;
   }
   // Skips the word at p, which ends at a comment, unless it is one of the words with that letter.
-  std::string_view take_word()
+  // Inline: a call for each word would take 4 % of the reading of short numbers.
+  BOOST_FORCEINLINE std::string_view take_word()
   {
     const char* const begin = p;
     const char* const end = skip_word(begin, last);
