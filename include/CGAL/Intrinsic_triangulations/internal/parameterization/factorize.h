@@ -28,6 +28,8 @@ class Sparse_factorizer
 public:
   Solve operator()(int n, const std::vector<Weighted_pair>& sum)
   {
+    if (n == 0) // Eigen has no factor then
+      return [](const std::vector<double>& right) { return right; };
     if (order_.size() != n)
       find_order(n, sum);
     const auto cholesky =
