@@ -6,8 +6,11 @@
 #include "commands/command_line.h"
 #include "system/Interruption.h"
 
+#include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
+#include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
 #include <CGAL/Intrinsic_triangulations/Point_location.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
@@ -165,17 +168,25 @@ private:
       result_.sources.push_back({{given}});
       return;
     }
-    Triangulation copy = triangulation_;
+    // Points on edges of the input are inserted before these are flipped. Faces beside new vertices may be slivers, which
+    // ways do not cross well: Delaunay faces are not.
+    Triangulation copy =
+      points_.size() == input_.number_of_vertices() ? Triangulation(input_, points_) : Triangulation(triangulation_);
     std::vector<IT::Vertex_index> stops;
     for (const IT::Surface_point& p : given)
       stops.push_back(IT::vertex_at_point(copy, p));
+    const auto goes_on = [] { return !is_interrupted(); };
+    IT::flip_to_Delaunay(copy, CGAL::parameters::visitor(goes_on));
     std::vector<IT::Surface_point> curve{given.front()};
     for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
       if (stops[i] == stops[i + 1])
         continue;
-      const IT::Shortest_path path =
-        IT::shortest_path(copy, stops[i], stops[i + 1], CGAL::parameters::visitor([] { return !is_interrupted(); }));
-      std::vector<IT::Surface_point> part = IT::geodesic_points(copy, path.halfedges);
+      IT::Geodesic_path_network<IT::Filtered_edge_length_traits> network(
+        copy); // straight, even if not all ways could be followed
+      const std::size_t path =
+        network.add_path(IT::shortest_path(copy, stops[i], stops[i + 1], CGAL::parameters::visitor(goes_on)).halfedges);
+      network.shorten(CGAL::parameters::visitor(goes_on));
+      const std::vector<IT::Surface_point> part = IT::geodesic_points(copy, network.halfedges(path));
       curve.pop_back();
       curve.insert(curve.end(), part.begin(), part.end());
     }

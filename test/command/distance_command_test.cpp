@@ -566,4 +566,25 @@ TEST_F(Distance_command, refuses_what_makes_no_sense)
   EXPECT_EQ(idt("distance t.gluing --source 0 -o t.csv").status, 0);
 }
 
+// The second point lies on an edge that a flip gives, up to rounding: the face beside it is a sliver, through which the
+// path was not found, and the curve went along edges, by way of a vertex.
+TEST_F(Distance_command, joins_points_in_space_by_straight_lines)
+{
+  write("square.off",
+        "OFF\n9 8 0\n0 0 0\n0 .5 0\n0 1 0\n.5 0 0\n0.3693434757117272 0.618195863432808 0\n.5 1 0\n1 0 0\n1 .5 0\n"
+        "1 1 0\n3 0 3 4\n3 0 4 1\n3 1 4 5\n3 1 5 2\n3 3 6 7\n3 3 7 4\n3 4 7 8\n3 4 8 5\n");
+  for (const char* curve : {"x,y,z\n.5,.125,0\n.125,.375,0\n", "x,y,z\n.125,.375,0\n.5,.125,0\n"}) {
+    write("curve.csv", curve);
+    ASSERT_EQ(idt("distance square.off --method exact --source-curve curve.csv -o d.csv").status, 0);
+    EXPECT_NEAR(distances("d.csv")[3], 0.125, 1e-12);
+    EXPECT_NEAR(distances("d.csv")[6], std::hypot(0.5, 0.125), 1e-12);
+  }
+  // On an edge of the input that is flipped.
+  write("kite.off", "OFF\n4 2 0\n0 0 0\n2 0 0\n1 .3 0\n1 -.3 0\n3 0 1 2\n3 0 3 1\n");
+  write("curve.csv", "x,y,z\n.5,0,0\n1.5,0,0\n");
+  ASSERT_EQ(idt("distance kite.off --method exact --source-curve curve.csv -o d.csv").status, 0);
+  EXPECT_NEAR(distances("d.csv")[1], 0.5, 1e-12);
+  EXPECT_NEAR(distances("d.csv")[2], 0.3, 1e-12);
+}
+
 } // namespace
