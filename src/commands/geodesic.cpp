@@ -373,6 +373,7 @@ std::vector<Point_in_face> points_in_faces(const IT::Delta_complex& input, const
   return result;
 }
 
+// Along the longest side by projection, across it by areas: so the point that they give is right in thin faces, too.
 std::vector<Point_in_face> points_in_faces(const Triangle_soup& soup, const IT::Path_on_triangles& path)
 {
   using Vector = std::array<double, 3>;
@@ -380,17 +381,25 @@ std::vector<Point_in_face> points_in_faces(const Triangle_soup& soup, const IT::
   const auto area = [](const Vector& a, const Vector& b) {
     return std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
   };
+  const auto product = [](const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
   std::vector<Point_in_face> result;
   for (std::size_t i = 0; i < path.positions.size() && !path.triangles.empty(); ++i) {
     const std::size_t f = path.triangles[(std::min)(i, path.triangles.size() - 1)];
     const auto& t = soup.triangles[f];
     Point_in_face point{f, {t[0], t[1], t[2]}, {}};
-    double sum = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      sum += point.coordinates[k] = area(from(path.positions[i], soup.points[t[(k + 1) % 3]]),
-                                         from(path.positions[i], soup.points[t[(k + 2) % 3]]));
-    for (double& c : point.coordinates)
-      c /= sum;
+    const auto side = [&](std::size_t k) { return from(soup.points[t[k]], soup.points[t[(k + 1) % 3]]); };
+    std::size_t longest = 0;
+    for (std::size_t k = 1; k < 3; ++k)
+      if (product(side(k), side(k)) > product(side(longest), side(longest)))
+        longest = k;
+    const Vector base = side(longest), to_point = from(soup.points[t[longest]], path.positions[i]),
+                 to_apex = from(soup.points[t[longest]], soup.points[t[(longest + 2) % 3]]);
+    const double whole = area(base, to_apex), across = whole > 0 ? (std::min)(area(base, to_point) / whole, 1.) : 0,
+                 along = (product(base, to_point) - across * product(base, to_apex)) / product(base, base),
+                 second = (std::min)((std::max)(along, 0.), 1 - across);
+    point.coordinates[longest] = 1 - across - second;
+    point.coordinates[(longest + 1) % 3] = second;
+    point.coordinates[(longest + 2) % 3] = across;
     result.push_back(point);
   }
   return result;

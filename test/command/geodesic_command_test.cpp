@@ -7,7 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -202,6 +204,37 @@ TEST_F(Geodesic_command, to_itself_is_an_empty_path)
     ASSERT_EQ(idt(std::string("geodesic sheet.off --from 7 --to 7 -o p.csv --stats s.json") + option).status, 0);
     EXPECT_EQ(json::parse(content(folder_ / "s.json")).at("length"), 0);
     EXPECT_EQ(lines(content(folder_ / "p.csv")).size(), 1u);
+  }
+}
+
+TEST_F(Geodesic_command, has_coordinates_in_triangles_of_zero_area)
+{
+  // The first triangle is flat: on its longest side, and within rounding of it.
+  write("flat.off", "OFF\n6 4 0\n0 0 0\n2 0 0\n1 0 0\n1 1 0\n1 -1 0\n1.5 2 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n3 2 1 5\n");
+  write("thin.off", "OFF\n5 3 0\n0 0 0\n.9 .3 0\n.3 .1 0\n.1 3 0\n.7 -2 0\n3 0 1 2\n3 0 1 3\n3 2 1 4\n");
+  const std::vector<std::vector<std::array<double, 3>>> corners{
+    {{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, -1, 0}, {1.5, 2, 0}},
+    {{0, 0, 0}, {.9, .3, 0}, {.3, .1, 0}, {.1, 3, 0}, {.7, -2, 0}}};
+  for (const std::size_t mesh : {0u, 1u}) {
+    ASSERT_EQ(
+      idt(mesh == 0 ? "geodesic flat.off --from 2 --to 0 -o p.csv" : "geodesic thin.off --from 3 --to 4 -o p.csv")
+        .status,
+      0);
+    const std::vector<std::string> rows = lines(content(folder_ / "p.csv"));
+    ASSERT_GT(rows.size(), 2u);
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+      std::vector<double> numbers;
+      std::istringstream cells(rows[i]);
+      for (std::string cell; std::getline(cells, cell, ',');)
+        numbers.push_back(std::stod(cell));
+      ASSERT_EQ(numbers.size(), 10u);
+      for (std::size_t k = 0; k < 3; ++k) {
+        double x = 0;
+        for (std::size_t c = 0; c < 3; ++c)
+          x += numbers[4 + c] * corners[mesh][std::size_t(numbers[1 + c])][k];
+        EXPECT_NEAR(x, numbers[7 + k], 1e-14) << rows[i];
+      }
+    }
   }
 }
 
