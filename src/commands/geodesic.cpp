@@ -377,7 +377,11 @@ std::vector<Point_in_face> points_in_faces(const IT::Delta_complex& input, const
 std::vector<Point_in_face> points_in_faces(const Triangle_soup& soup, const IT::Path_on_triangles& path)
 {
   using Vector = std::array<double, 3>;
-  const auto from = [](const Vector& p, const Vector& q) { return Vector{q[0] - p[0], q[1] - p[1], q[2] - p[2]}; };
+  int exponent = 0; // of the triangle: its sides are brought near 1, so that products neither overflow nor vanish
+  const auto from = [&exponent](const Vector& p, const Vector& q) {
+    return Vector{std::ldexp(q[0] - p[0], -exponent), std::ldexp(q[1] - p[1], -exponent),
+                  std::ldexp(q[2] - p[2], -exponent)};
+  };
   const auto area = [](const Vector& a, const Vector& b) {
     return std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
   };
@@ -388,6 +392,12 @@ std::vector<Point_in_face> points_in_faces(const Triangle_soup& soup, const IT::
     const auto& t = soup.triangles[f];
     Point_in_face point{f, {t[0], t[1], t[2]}, {}};
     const auto side = [&](std::size_t k) { return from(soup.points[t[k]], soup.points[t[(k + 1) % 3]]); };
+    exponent = 0;
+    double size = 0;
+    for (std::size_t k = 0; k < 2; ++k)
+      for (double x : side(k))
+        size = (std::max)(size, std::abs(x));
+    exponent = std::ilogb(size);
     std::size_t longest = 0;
     for (std::size_t k = 1; k < 3; ++k)
       if (product(side(k), side(k)) > product(side(longest), side(longest)))

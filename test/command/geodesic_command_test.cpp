@@ -238,6 +238,22 @@ TEST_F(Geodesic_command, has_coordinates_in_triangles_of_zero_area)
   }
 }
 
+TEST_F(Geodesic_command, has_coordinates_in_triangles_of_every_size)
+{
+  for (const char* unit : {"e-170", "e0", "e160"}) {
+    std::string file = "OFF\n5 3 0\n";
+    for (const char* row : {"0 0 0", "0 0 1", "1 0 1", "-1 2 1", "-1 -2 1"}) {
+      std::istringstream numbers(row);
+      for (std::string x; numbers >> x;)
+        file += x + unit + ' ';
+      file += '\n';
+    }
+    write("fan.off", file + "3 0 1 2\n3 0 1 3\n3 1 0 4\n");
+    ASSERT_EQ(idt("geodesic fan.off --from 2 --to 3 -o p.csv").status, 0) << unit;
+    EXPECT_FALSE(contains(content(folder_ / "p.csv"), "nan") || contains(content(folder_ / "p.csv"), "inf")) << unit;
+  }
+}
+
 TEST_F(Geodesic_command, refuses_what_makes_no_sense)
 {
   write_sheet("sheet.off");

@@ -26,7 +26,8 @@ struct Space_box
 };
 
 // Whether each point of the triangles is within a distance of one of the others. They are divided for that, down to
-// points; "no" is also the answer where too many parts would be needed. Everything is rounded.
+// points; "no" is also the answer where too many parts would be needed. Everything is rounded:
+// callers give a little less than the distance that they prove.
 // \param pairs gets pairs of a triangle and another one, by their numbers, that suffice to see it
 bool are_near(const std::vector<Space_triangle>& triangles, const std::vector<Space_triangle>& others, double distance,
               std::vector<std::array<std::uint32_t, 2>>& pairs);
