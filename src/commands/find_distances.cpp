@@ -40,6 +40,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <string>
@@ -105,10 +106,11 @@ void find_by_ways(const Distance_options& options, const Any_surface& surface, c
     finder.follow_ways();
   if (options.is_compared)
     finder.compare();
-  progress.begin("choosing vertices");
-  if (!options.samples_path.empty())
+  if (!options.samples_path.empty()) {
+    progress.begin("choosing vertices");
     result.samples =
       IT::farthest_vertices(surface, from.places, options.number_of_samples, geodesic_options(options.tolerance()));
+  }
 }
 
 // The first axis of the tangent plane of each source, transported to the vertices nearest to it; and for a single
@@ -343,9 +345,10 @@ private:
       find_lines_on_input();
     if (result_.subdivision)
       result_.overlay_distances.values = IT::interpolate_intrinsic_values(*result_.subdivision, result_.distances);
-    progress_.begin("factoring and solving for vectors");
-    if (options_.has_vectors)
+    if (options_.has_vectors) {
+      progress_.begin("factoring and solving for vectors");
       find_vectors(from_.vertices, triangulation_, cut_ ? cut_->points() : surface_.points, result_);
+    }
     keep_vertices_of_input();
   }
 
@@ -412,13 +415,13 @@ private:
   // A vertex on a barrier has what is found on its nearer side.
   void keep_vertices_of_input()
   {
-    std::vector<std::size_t> kept;
-    for (IT::Vertex_index v : input_.vertices()) {
-      kept.push_back(v.idx());
-      for (IT::Vertex_index copy : with_copies({v}))
-        if (std::abs(result_.distances[copy.idx()]) < std::abs(result_.distances[kept.back()]))
-          kept.back() = copy.idx();
-    }
+    std::vector<std::size_t> kept(input_.number_of_vertices());
+    std::iota(kept.begin(), kept.end(), std::size_t(0));
+    if (cut_)
+      for (std::size_t& v : kept)
+        for (IT::Vertex_index copy : cut_->copies(IT::Vertex_index(IT::Vertex_index::size_type(v))))
+          if (std::abs(result_.distances[copy.idx()]) < std::abs(result_.distances[v]))
+            v = copy.idx();
     const auto keep = [&kept](auto& values, std::size_t components) {
       std::remove_reference_t<decltype(values)> of_input;
       for (std::size_t v : kept)

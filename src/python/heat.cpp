@@ -3,6 +3,7 @@
 //
 // Distances by the heat method, and functions extended from vertices.
 
+#include "python/Placed_rows.h"
 #include "python/Surface.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
@@ -129,57 +130,6 @@ py::tuple shortest_path(const Doubles& points, const Indices& triangles, std::si
                         path.distance, path.is_complete);
 }
 
-std::vector<IT::Surface_point> points_in_triangles(const IT::Delta_complex& complex,
-                                                   const std::vector<std::array<std::uint32_t, 3>>& triangles,
-                                                   const std::vector<IT::Point_in_triangle>& places)
-{
-  std::vector<IT::Surface_point> result;
-  for (const IT::Point_in_triangle& p : places) {
-    IT::Halfedge_index h = complex.halfedge(IT::Face_index(IT::Face_index::size_type(p.triangle)));
-    while (complex.source(h).idx() != triangles[p.triangle][0])
-      h = complex.next(h);
-    result.push_back({h, p.coordinates});
-  }
-  return result;
-}
-
-// Sources and barriers as rows: for each point the number of a triangle, and barycentric coordinates.
-class Placed_rows
-{
-public:
-  // \param first where the points of each source begin, and their number: one is a point, more are a curve
-  Placed_rows(const Indices& numbers, const Doubles& coordinates, const Indices& first, const Doubles& offsets)
-    : begins_(copied(first)), offsets_(copied(offsets))
-  {
-    const auto in_faces = copied(numbers);
-    const Rows<double> in_face(coordinates);
-    for (std::size_t i = 0; i < in_faces.size(); ++i)
-      places_.push_back({in_faces[i], {in_face[i][0], in_face[i][1], in_face[i][2]}});
-  }
-
-  const std::vector<IT::Point_in_triangle>& places() const { return places_; }
-  std::vector<std::vector<IT::Surface_point>> curves(const std::vector<IT::Surface_point>& placed) const
-  {
-    std::vector<std::vector<IT::Surface_point>> result;
-    for (std::size_t i = 0; i + 1 < begins_.size(); ++i)
-      result.push_back({placed.begin() + begins_[i], placed.begin() + begins_[i + 1]});
-    return result;
-  }
-  std::vector<IT::Geodesic_source> sources(const std::vector<IT::Surface_point>& placed) const
-  {
-    const auto parts = curves(placed);
-    std::vector<IT::Geodesic_source> result;
-    for (std::size_t i = 0; i < offsets_.size(); ++i)
-      result.push_back({{parts[i]}, offsets_[i]});
-    return result;
-  }
-
-private:
-  std::vector<IT::Point_in_triangle> places_;
-  std::vector<std::uint32_t> begins_;
-  std::vector<double> offsets_;
-};
-
 // \param is_on_cover how the heat was made
 py::array heat_distances_from(Heat& heat, const Doubles& points, const Indices& triangles, bool is_on_cover,
                               const Indices& numbers, const Doubles& coordinates, const Indices& first,
@@ -196,8 +146,7 @@ py::array heat_distances_from(Heat& heat, const Doubles& points, const Indices& 
         return method.add_sources(cover, placed.sources(IT::points_of_cover(cover, faces, placed.places())));
       }
       const Triangulation triangulation(IT::make_Delta_complex_from_triangles(corners.size(), faces), corners);
-      method.add_sources(triangulation,
-                         placed.sources(points_in_triangles(triangulation.input(), faces, placed.places())));
+      method.add_sources(triangulation, placed.sources(placed.on(triangulation.input(), faces)));
     });
   }));
 }
@@ -221,7 +170,7 @@ std::pair<py::array, py::array> geodesic_distances_from(const Doubles& points, c
                                          options);
     }
     const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(corners.size(), faces);
-    const auto on_input = points_in_triangles(complex, faces, placed.places());
+    const auto on_input = placed.on(complex, faces);
     const auto parts = placed.curves(on_input);
     const IT::Surface_with_barriers surface(complex, corners,
                                             {parts.end() - std::ptrdiff_t(number_of_barriers), parts.end()});

@@ -3,6 +3,7 @@
 //
 // Lines at a distance, the sides of curves, and the borders of cells.
 
+#include "python/Placed_rows.h"
 #include "python/Surface.h"
 #include "python/arrays.h"
 #include "python/bindings.h"
@@ -41,22 +42,14 @@ py::tuple surface_lines(const Doubles& points, const Indices& triangles, const I
 {
   const auto positions = copied_rows(points);
   const auto faces = copied_rows(triangles);
-  const auto in_faces = copied(numbers);
-  const auto in_face = copied_rows(coordinates);
-  const auto begins = copied(first);
-  const auto starts = copied(offsets);
+  const Placed_rows placed(numbers, coordinates, first, offsets);
   const auto levels = copied(distances);
   const auto options =
     CGAL::parameters::tolerance(tolerance).maximum_deviation(chord_tolerance).visitor(&Signal_watch::goes_on);
   Line_tables result = without_lock([&] {
     Surface surface(Triangulation(IT::make_Delta_complex_from_triangles(positions.size(), faces), positions));
-    std::vector<IT::Geodesic_source> sources;
-    for (std::size_t i = 0; i + 1 < begins.size(); ++i) {
-      sources.push_back({{{}}, starts[i]});
-      for (std::size_t k = begins[i]; k < begins[i + 1]; ++k)
-        sources.back().parts.front().push_back({surface.input_sides()[in_faces[k]], in_face[k]});
-    }
     return surface.use([&](Triangulation& t) {
+      const std::vector<IT::Geodesic_source> sources = placed.sources(placed.on(t.input(), faces));
       IT::flip_to_Delaunay(t, CGAL::parameters::visitor(Signal_visitor()));
       const IT::Surface_lines found = kind == ISOLINES ? IT::isolines(t, sources, levels, options)
                                       : kind == OFFSET_CURVES
@@ -82,23 +75,15 @@ py::tuple surface_lines(const Doubles& points, const Indices& triangles, const I
 
 // 1 for each vertex to the left of the curve, -1 to its right, 0 on it.
 py::array sides_of_curve(const Doubles& points, const Indices& triangles, const Indices& numbers,
-                         const Doubles& coordinates)
+                         const Doubles& coordinates, const Indices& first, const Doubles& offsets)
 {
   const auto number_of_points = copied_rows(points).size();
   const auto faces = copied_rows(triangles);
-  const auto in_faces = copied(numbers);
-  const auto in_face = copied_rows(coordinates);
+  const Placed_rows placed(numbers, coordinates, first, offsets);
   return to_array(without_lock([&] {
     const IT::Delta_complex complex = IT::make_Delta_complex_from_triangles(number_of_points, faces);
-    std::vector<IT::Surface_point> curve;
-    for (std::size_t k = 0; k < in_faces.size(); ++k) {
-      IT::Halfedge_index h = complex.halfedge(IT::Face_index(in_faces[k]));
-      while (complex.source(h).idx() != faces[in_faces[k]][0])
-        h = complex.next(h);
-      curve.push_back({h, in_face[k]});
-    }
     std::vector<std::int64_t> result;
-    for (CGAL::Sign side : IT::sides_of_curve(complex, curve))
+    for (CGAL::Sign side : IT::sides_of_curve(complex, placed.on(complex, faces)))
       result.push_back(side);
     return result;
   }));
@@ -113,7 +98,8 @@ void add_lines(py::module_& module)
              py::arg("offsets").noconvert(), py::arg("kind"), py::arg("distances").noconvert(), py::arg("tolerance"),
              py::arg("chord_tolerance"));
   module.def("sides_of_curve", &sides_of_curve, py::arg("points").noconvert(), py::arg("triangles").noconvert(),
-             py::arg("numbers").noconvert(), py::arg("coordinates").noconvert());
+             py::arg("numbers").noconvert(), py::arg("coordinates").noconvert(), py::arg("first").noconvert(),
+             py::arg("offsets").noconvert());
 }
 
 } // namespace idt_python

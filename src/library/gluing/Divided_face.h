@@ -25,6 +25,8 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
+// CGAL's constrained triangulations have another licence than this source.
+//
 // First all points, then the segments: a segment turns the edges that it crosses (S. W. Sloan, "A fast algorithm for
 // generating constrained Delaunay triangulations", 1993). All decisions are exact.
 class Divided_face

@@ -128,8 +128,7 @@ def sides_of_curve(V: ArrayLike, F: ArrayLike, curve: ArrayLike) -> numpy.ndarra
         If its segments cross, or do not lie on the surface.
     """
     points, faces = _arrays.points_and_faces(V, F)
-    numbers, coordinates, _, _ = _placed(points, faces, [curve], None)
-    return _core.sides_of_curve(points, faces, numbers, coordinates)
+    return _core.sides_of_curve(points, faces, *_placed(points, faces, [curve], None))
 
 
 def signed_distances(V: ArrayLike, F: ArrayLike, curve: ArrayLike, tolerance: float = 0.001) -> numpy.ndarray:

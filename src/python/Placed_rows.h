@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Intrinsic_triangulations developers.
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Sources and barriers in arrays.
+
+#ifndef IDT_PYTHON_PLACED_ROWS_H
+#define IDT_PYTHON_PLACED_ROWS_H
+
+#include "python/Signal_watch.h"
+#include "python/arrays.h"
+
+#include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/Geodesic_source.h>
+#include <CGAL/Intrinsic_triangulations/Surface_point.h>
+#include <CGAL/Intrinsic_triangulations/Tufted_cover.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace idt_python {
+
+// For each point the number of a triangle, and barycentric coordinates.
+class Placed_rows
+{
+public:
+  // \param first where the points of each source begin, and their number: one is a point, more are a curve
+  Placed_rows(const Indices& numbers, const Doubles& coordinates, const Indices& first, const Doubles& offsets)
+    : begins_(copied(first)), offsets_(copied(offsets))
+  {
+    const auto in_faces = copied(numbers);
+    const Rows<double> in_face(coordinates);
+    for (std::size_t i = 0; i < in_faces.size(); ++i)
+      places_.push_back({in_faces[i], {in_face[i][0], in_face[i][1], in_face[i][2]}});
+  }
+
+  const std::vector<IT::Point_in_triangle>& places() const { return places_; }
+  // \param triangles those of which the complex was made
+  std::vector<IT::Surface_point> on(const IT::Delta_complex& complex,
+                                    const std::vector<std::array<std::uint32_t, 3>>& triangles) const
+  {
+    std::vector<IT::Surface_point> result;
+    for (const IT::Point_in_triangle& p : places_) {
+      IT::Halfedge_index h = complex.halfedge(IT::Face_index(IT::Face_index::size_type(p.triangle)));
+      while (complex.source(h).idx() != triangles[p.triangle][0])
+        h = complex.next(h);
+      result.push_back({h, p.coordinates});
+    }
+    return result;
+  }
+  std::vector<std::vector<IT::Surface_point>> curves(const std::vector<IT::Surface_point>& placed) const
+  {
+    std::vector<std::vector<IT::Surface_point>> result;
+    for (std::size_t i = 0; i + 1 < begins_.size(); ++i)
+      result.push_back({placed.begin() + begins_[i], placed.begin() + begins_[i + 1]});
+    return result;
+  }
+  std::vector<IT::Geodesic_source> sources(const std::vector<IT::Surface_point>& placed) const
+  {
+    const auto parts = curves(placed);
+    std::vector<IT::Geodesic_source> result;
+    for (std::size_t i = 0; i < offsets_.size(); ++i)
+      result.push_back({{parts[i]}, offsets_[i]});
+    return result;
+  }
+
+private:
+  std::vector<IT::Point_in_triangle> places_;
+  std::vector<std::uint32_t> begins_;
+  std::vector<double> offsets_;
+};
+
+} // namespace idt_python
+
+#endif // IDT_PYTHON_PLACED_ROWS_H
