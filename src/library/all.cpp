@@ -54,6 +54,8 @@
 #include "parameterization/Conformal_targets.cpp"
 #include "parameterization/Doubled_surface.cpp"
 #include "parameterization/conformal_solver.cpp"
+#include "validation/close_places.cpp"
+#include "validation/report_messages.cpp"
 #include "validation/validate_triangles.cpp"
 #include "straight/Thin_part_merger.cpp"
 #include "straight/Thin_part_separation.cpp"

@@ -3,13 +3,12 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// The passes over a list of polygons that find its defects, and the sentences that report them.
+// The passes over a list of polygons that find its defects.
 
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 #include "../gluing/Surface_gluer.h"
-#include "Hanging_vertices.h"
+#include "Gap_search.h"
 #include "Polygon_sides.h"
-#include "Vertices_on_edges.h"
 #include <CGAL/Intrinsic_triangulations/internal/system/shown_text.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 
@@ -18,10 +17,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <sstream>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -54,24 +51,6 @@ inline std::string faces_text(const Polygon_sides& polygons, const std::size_t s
   for (std::size_t i = 0; i < faces.size() && i < 8; ++i)
     text += (i == 0 ? "" : ", ") + std::to_string(faces[i]);
   return text + (faces.size() > 8 ? ", ..." : "");
-}
-
-// Two vertices are close if their distance is at most this part of the edges there.
-constexpr double closeness = 0x1p-30;
-inline double close_distance(double length) { return std::isfinite(length) ? closeness * length : 0; }
-
-std::optional<std::size_t> shortest_side(std::array<std::array<double, 3>, 3> p)
-{
-  for (std::array<double, 3>& point : p)
-    for (double& x : point)
-      x /= 4; // so that differences do not overflow
-  std::array<double, 3> lengths;
-  for (std::size_t i = 0; i < 3; ++i)
-    lengths[i] = Vertices_on_edges::norm(Vertices_on_edges::difference(p[i], p[(i + 1) % 3]));
-  const auto [shortest, longest] = std::minmax_element(lengths.begin(), lengths.end());
-  if (*shortest > closeness * *longest)
-    return std::nullopt;
-  return std::size_t(shortest - lengths.begin());
 }
 
 // Examines one list of polygons, in passes over the flat arrays of Polygon_sides.
@@ -109,7 +88,7 @@ public:
         examine_use();
       if (all_finite_) {
         examine_spikes();
-        examine_gaps();
+        Gap_search(points_, polygons_, border_, report_).add_gaps(are_sheets_meeting_);
       }
     }
     if (only_gaps)
@@ -314,131 +293,6 @@ private:
   static bool is_between(const Coordinates& p, const Coordinates& q, const Coordinates& r)
   {
     return (q < p) != (r < p);
-  }
-
-  // T-junctions and close vertices. The first edge is described.
-  void examine_gaps()
-  {
-    std::vector<Narrow_place> junctions, close;
-    if (report_.exponent_of_longest_edge - report_.exponent_of_shortest_edge >= 28)
-      find_short_sides(close);
-    if (!border_.empty() || are_sheets_meeting_)
-      find_junctions(junctions);
-    if (!border_.empty())
-      find_close_vertices(close);
-    add_gaps(Gap_kind::T_JUNCTION, junctions, [](const Narrow_place& gap) {
-      const std::string edge = "edge " + std::to_string(gap.edge[0]) + "-" + std::to_string(gap.edge[1]) + " of face " +
-                               std::to_string(gap.face);
-      const std::string vertex = "vertex " + std::to_string(gap.vertex);
-      return gap.distance == 0
-               ? vertex + " lies within " + edge + ", which does not end there"
-               : vertex + " lies " + short_text(gap.distance) + " beside " + edge + ", which does not end there";
-    });
-    add_gaps(Gap_kind::CLOSE_VERTICES, close, [this](const Narrow_place& gap) {
-      const Coordinates& p = point(gap.edge[0]);
-      return "vertices " + std::to_string(gap.edge[0]) + " and " + std::to_string(gap.edge[1]) + " at (" +
-             short_text(p[0]) + ", " + short_text(p[1]) + ", " + short_text(p[2]) + ") are only " +
-             short_text(gap.distance) + " apart, beside an edge " + short_text(gap.length) + " long";
-    });
-    // One digit is enough.
-    if (const double needed = report_.stitching_tolerance * (1 + 0x1p-40); needed > 0) {
-      const double power = std::pow(10, std::floor(std::log10(needed)));
-      for (const double digit : {1, 2, 5, 10})
-        if (digit * power >= needed) {
-          report_.stitching_tolerance = digit * power;
-          break;
-        }
-    }
-  }
-
-  // A vertex in an edge, or a pair of vertices with an edge or a gap between them.
-  struct Narrow_place
-  {
-    std::array<std::size_t, 2> edge;
-    std::size_t face, vertex;
-    double distance, length; // of an edge there
-  };
-
-  static std::string short_text(const double x)
-  {
-    std::ostringstream text;
-    text.precision(3);
-    text << x;
-    return text.str();
-  }
-
-  void add_close(std::size_t v, std::size_t w, std::size_t face, double length, std::vector<Narrow_place>& close) const
-  {
-    if (point(v) != point(w))
-      close.push_back({{(std::min)(v, w), (std::max)(v, w)}, face, v, distance(v, w), length});
-  }
-  double distance(std::size_t v, std::size_t w) const
-  {
-    return Vertices_on_edges::norm(Vertices_on_edges::difference(point(v), point(w)));
-  }
-
-  void find_short_sides(std::vector<Narrow_place>& close) const
-  {
-    for (std::size_t f = 0; f < report_.number_of_faces; ++f) {
-      const std::size_t begin = polygons_.begin_of_face(f);
-      if (polygons_.degree(f) != 3 || polygons_.vertex(begin) == none_)
-        continue;
-      const std::array<std::size_t, 3> v = {polygons_.vertex(begin), polygons_.vertex(begin + 1),
-                                            polygons_.vertex(begin + 2)};
-      if (const std::optional<std::size_t> side = shortest_side({{point(v[0]), point(v[1]), point(v[2])}}))
-        add_close(v[*side], v[(*side + 1) % 3], f, distance(v[*side], v[(*side + 2) % 3]), close);
-    }
-  }
-
-  void find_junctions(std::vector<Narrow_place>& junctions) const
-  {
-    Hanging_vertices hanging(points_, report_.number_of_faces, polygons_);
-    hanging.find(
-      0, closeness,
-      [&](Index v, Index w, const std::vector<Index>& sides, Index vertex, double distance, double) {
-        junctions.push_back({{v, w}, polygons_.face_of_side(sides.front()), vertex, distance, 0});
-      },
-      [] {});
-  }
-
-  void find_close_vertices(std::vector<Narrow_place>& close) const
-  {
-    std::vector<Index> vertices;
-    for (const Index s : border_)
-      for (const std::size_t v : polygons_.ends(s))
-        vertices.push_back(Index(v));
-    const Vertices_on_edges near(points_, std::move(vertices));
-    for (const Index s : border_) {
-      const std::array<std::size_t, 2> ends = polygons_.ends(s);
-      const double length = distance(ends[0], ends[1]);
-      for (const std::size_t v : ends)
-        near.for_each_within(point(v), close_distance(length),
-                             [&](Index w, double) { add_close(v, w, polygons_.face_of_side(s), length, close); });
-    }
-  }
-
-  template <class Describe>
-  void add_gaps(const Gap_kind kind, std::vector<Narrow_place>& gaps, const Describe& describe)
-  {
-    const auto key = [kind](const Narrow_place& gap) {
-      return std::make_tuple(gap.edge[0], gap.edge[1], kind == Gap_kind::T_JUNCTION ? gap.vertex : 0);
-    };
-    std::sort(gaps.begin(), gaps.end(), [&](const Narrow_place& a, const Narrow_place& b) {
-      return std::make_pair(key(a), -a.length) < std::make_pair(key(b), -b.length);
-    });
-    gaps.erase(std::unique(gaps.begin(), gaps.end(),
-                           [&](const Narrow_place& a, const Narrow_place& b) { return key(a) == key(b); }),
-               gaps.end());
-    if (gaps.empty())
-      return;
-    Gap all{kind, {}, {}, gaps.size(), describe(gaps.front())};
-    for (std::size_t i = 0; i < gaps.size() && i < 10; ++i) {
-      all.edges.push_back(gaps[i].edge);
-      all.faces.push_back(gaps[i].face);
-    }
-    report_.gaps.push_back(std::move(all));
-    for (const Narrow_place& gap : gaps)
-      report_.stitching_tolerance = (std::max)(report_.stitching_tolerance, gap.distance);
   }
 
   void examine_edges()
@@ -652,63 +506,6 @@ private:
   Surface_report report_;
 };
 
-// The name of a defect, its number, and the remedy.
-struct Finding_words
-{
-  const char* singular; // the element that `count` counts
-  const char* plural;
-  const char* summary; // completes "3 ..."
-  const char* advice;
-};
-
-inline Finding_words words_of(const Finding& finding)
-{
-  switch (finding.defect) {
-  case Defect::EMPTY:
-    return {"file", "files", "without a face", "at least one triangle is needed"};
-  case Defect::BAD_INDEX:
-    return {"face", "faces", "with a bad index",
-            "vertices are counted from 0 here: remove the face, or add the missing vertices"};
-  case Defect::NOT_FINITE:
-    return {"vertex", "vertices", "not finite", "give every vertex finite coordinates"};
-  case Defect::NOT_A_TRIANGLE:
-    return {"face", "faces", "not a triangle", "triangulate the faces, as repair_polygons() does"};
-  case Defect::REPEATED_CORNER:
-    return {"face", "faces", "with a repeated corner",
-            "remove the face, or cut it into loops, as repair_polygons() does"};
-  case Defect::DUPLICATE_FACE:
-    return {"face", "faces", "repeating another", "remove all but one, as repair_polygons() does"};
-  case Defect::NON_MANIFOLD_EDGE:
-    return {"edge", "edges", "not manifold",
-            "remove the faces that do not belong there, or separate those that do, as repair_polygons() does"};
-  case Defect::INCONSISTENT_ORIENTATION:
-    return {"edge", "edges", "with faces of opposite orientation", "orient the faces, as repair_polygons() does"};
-  case Defect::NON_MANIFOLD_VERTEX:
-    return {"vertex", "vertices", "not manifold", "give each fan a vertex of its own, as repair_polygons() does"};
-  case Defect::ZERO_LENGTH_EDGE:
-    return {"edge", "edges", "of zero length",
-            "merge the two vertices and remove the faces that vanish, as repair_polygons() does, or move one of them"};
-  case Defect::OUT_OF_RANGE:
-    if (finding.elements.empty())
-      return {"element", "elements", "too many", "split the surface"};
-    if (finding.edges.empty())
-      return {"vertex", "vertices", "out of range",
-              "no scaling brings both into the range of double: round it to zero, or remove the outliers"};
-    return {
-      "edge", "edges", "out of range",
-      "no scaling brings both squared lengths, and their products, into the range of double: remove the outliers"};
-  case Defect::DEGENERATE_FACE:
-    if (finding.is_fatal)
-      return {"flat spike", "flat spikes", "with no room for triangles",
-              "remove the vertex and its faces, as repair_polygons() does: no area is lost"};
-    return {"face", "faces", "of zero area", ""};
-  case Defect::UNREFERENCED_VERTEX:
-    return {"vertex", "vertices", "not referenced by any face", ""};
-  default:
-    return {"component", "components", "in all", ""};
-  }
-}
-
 Surface_report examine(Polygon_copies polygons, bool only_gaps)
 {
   return Surface_examiner(std::move(polygons)).examine(only_gaps);
@@ -735,97 +532,7 @@ bool is_connected(const Delta_complex& complex)
   return number == n;
 }
 
-// Each end of a border edge begins another one.
-inline std::vector<std::uint32_t> even_numbers_below(std::size_t n)
-{
-  std::vector<std::uint32_t> result;
-  for (std::size_t i = 0; i < n; i += 2)
-    result.push_back(std::uint32_t(i));
-  return result;
-}
-
-Border_gaps::Border_gaps(const std::vector<std::array<double, 3>>& points)
-  : points_(points), near_(std::make_shared<Vertices_on_edges>(points, even_numbers_below(points.size())))
-{}
-
-bool Border_gaps::are_within(const std::array<double, 3>& p, const std::array<double, 3>& q) const
-{
-  bool result = false;
-  near_->for_each_within_edge(p, q, 0, closeness, [&](std::uint32_t, double, double) { result = true; });
-  return result;
-}
-
-bool Border_gaps::are_close() const
-{
-  bool result = false;
-  for (std::size_t i = 0; i < points_.size(); i += 2)
-    for (const std::size_t v : {i, i + 1})
-      near_->for_each_within(
-        points_[v], close_distance(Vertices_on_edges::norm(Vertices_on_edges::difference(points_[i], points_[i + 1]))),
-        [&](std::uint32_t w, double) { result = result || points_[v] != points_[w]; });
-  return result;
-}
-
 } // namespace internal
-
-std::string message(const Finding& finding, const std::optional<std::string>& advice)
-{
-  const internal::Finding_words words = internal::words_of(finding);
-  std::string text = finding.description;
-  if (finding.count > 1 && finding.defect != Invalid_surface_error::Defect::SEVERAL_COMPONENTS)
-    text += ", and " + std::to_string(finding.count - 1) + " more " +
-            (finding.count == 2 ? words.singular : words.plural) + " like it";
-  const std::string what_to_do = advice.value_or(words.advice);
-  if (!what_to_do.empty())
-    text += "; " + what_to_do;
-  return text;
-}
-
-std::string message(const Gap& gap, const std::optional<std::string>& advice)
-{
-  const bool is_junction = gap.kind == Gap_kind::T_JUNCTION;
-  std::string text = gap.description;
-  if (gap.count > 1)
-    text += ", and " + std::to_string(gap.count - 1) + " more " + (is_junction ? "T-junction" : "pair") +
-            (gap.count == 2 ? "" : "s") + " like it";
-  return text + "; " +
-         advice.value_or(is_junction ? "ways go around the gap: split the edge there, as repair_polygons() does if a "
-                                       "stitching tolerance is given"
-                                     : "merge them if they are to be one, as repair_polygons() does if a stitching "
-                                       "tolerance is given");
-}
-
-std::string message(const Surface_report& report, const std::string& name, const std::optional<std::string>& advice)
-{
-  std::string text;
-  const Finding* const fatal = report.first_fatal();
-  if (fatal != nullptr) {
-    text = message(*fatal, advice);
-    std::string others;
-    for (const Finding& finding : report.findings) {
-      if (!finding.is_fatal || &finding == fatal)
-        continue;
-      const internal::Finding_words words = internal::words_of(finding);
-      others += (others.empty() ? " (also: " : ", ") + std::to_string(finding.count) + " " +
-                (finding.count == 1 ? words.singular : words.plural) + " " + words.summary;
-    }
-    text += others.empty() ? others : others + ")";
-  } else {
-    for (const Finding& finding : report.findings)
-      text += (text.empty() ? "" : "; ") + message(finding);
-    for (const Gap& gap : report.gaps)
-      text += (text.empty() ? "" : "; ") + message(gap);
-  }
-  return name.empty() || text.empty() ? text : name + ": " + text;
-}
-
-void throw_if_fatal(const Surface_report& report, const std::string& name)
-{
-  const Finding* const fatal = report.first_fatal();
-  if (fatal != nullptr)
-    throw Invalid_surface_error(fatal->defect, fatal->elements.empty() ? 0 : fatal->elements.front(), fatal->count,
-                                message(report, name));
-}
 
 std::vector<std::size_t> turned_triangles(const std::vector<std::array<double, 3>>& points,
                                           const std::vector<std::array<std::uint32_t, 3>>& triangles)
