@@ -161,11 +161,9 @@ View view_of(const Simplify_options& options, const Surface& surface, const Tria
       add(in_space(to), i);
     }
   }
-  if (!changes.empty())
-    view.path_name = "edges of the result, which has " + counted(result.kept.size(), "vertex", "vertices") + "; " +
-                     proven_text(result) + ". Lengths beside them changed by at most " +
-                     in_short_not_below(*std::min_element(changes.begin(), changes.end())) + " % (dark) to " +
-                     in_short_not_below(*std::max_element(changes.begin(), changes.end())) + " % (light)";
+  view.path_unit = "% by which lengths beside the edges may have changed";
+  view.path_name =
+    "edges of the result, which has " + counted(result.kept.size(), "vertex", "vertices") + "; " + proven_text(result);
   return view;
 }
 

@@ -67,7 +67,12 @@ py::tuple simplify(Surface& surface, const std::optional<double>& maximum_change
   auto prolongation = without_lock([&] { return IT::prolongation_matrix(s.triangulation, s.places); });
   return py::make_tuple(std::make_unique<Surface>(std::move(s.triangulation), std::move(first_sides)),
                         to_array(std::move(kept)), to_array(std::move(faces)), to_array(std::move(coordinates)),
-                        s.shrink, s.stretch, to_sparse(std::move(prolongation)));
+                        s.shrink, s.stretch, to_sparse(std::move(prolongation)),
+                        py::dict(py::arg("by_bound") = s.reasons.by_bound, py::arg("by_request") = s.reasons.by_request,
+                                 py::arg("as_corners") = s.reasons.as_corners,
+                                 py::arg("for_gluing") = s.reasons.for_gluing,
+                                 py::arg("by_number") = s.reasons.by_number,
+                                 py::arg("isolated") = s.reasons.isolated));
 }
 
 std::unique_ptr<IT::Simplified_distances> simplified_distances(const Doubles& points, const Indices& triangles,

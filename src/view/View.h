@@ -60,6 +60,7 @@ struct View
   std::vector<std::array<double, 3>> path; // lines, with NaN between them
   std::string path_name = "the line";
   std::vector<double> path_numbers;         // which colour the lines: for each point, or none
+  std::string path_unit;                    // what they are
   std::vector<std::array<double, 3>> marks; // points
   std::string marks_name;
   View_plane plane; // without corners if there is none

@@ -5,6 +5,17 @@
 
 "use strict";
 
+// The bar in `box`, three numbers and the unit. Returns the texts of the numbers.
+function draw_scale(box, field, scale) {
+  box.querySelector(".scale").style.background = "linear-gradient(to right, " + scale.colours.map(css).join(", ") + ")";
+  const bound = (x, sign, is_beyond) => (is_beyond ? sign + " " : "") + text_of(x);
+  const ends = scale.is_flat ? ["", text_of(field.lowest), ""]
+    : [bound(scale.low, "≤", field.lowest < scale.low), text_of(scale.middle), bound(scale.high, "≥", field.highest > scale.high)];
+  box.querySelectorAll(".ends span").forEach((span, i) => (span.textContent = ends[i]));
+  box.querySelector("p").textContent = field.unit;
+  return ends;
+}
+
 class Legend {
   // \param on_change is called after a choice, with whether there are numbers
   constructor(picture, on_change) {
@@ -38,12 +49,7 @@ class Legend {
 
   show(kind) {
     const { field } = this, scale = this.scale = make_scale(field, kind);
-    by_id("scale").style.background = "linear-gradient(to right, " + scale.colours.map(css).join(", ") + ")";
-    const bound = (x, sign, is_beyond) => (is_beyond ? sign + " " : "") + text_of(x);
-    this.ends = scale.is_flat ? ["", text_of(field.lowest), ""]
-      : [bound(scale.low, "≤", field.lowest < scale.low), text_of(scale.middle), bound(scale.high, "≥", field.highest > scale.high)];
-    ["lowest", "middle", "highest"].forEach((id, i) => (by_id(id).textContent = this.ends[i]));
-    by_id("unit").textContent = field.unit;
+    this.ends = draw_scale(by_id("legend"), field, scale);
     by_id("isolines").parentElement.hidden = field.of_faces || !scale.step;
     by_id("step").textContent = scale.isolines || "";
     by_id("note").textContent = this.notes(scale).join("\n");

@@ -51,18 +51,17 @@ function make_line(segments, colour, width, options) {
     make_material(line_vertex_shader, line_fragment_shader, { colour: { value: colour }, width: { value: width } }, options));
 }
 
-// \param numbers for each point, to colour the lines; or none
-function make_path(path, numbers) {
-  const lowest = numbers.reduce((x, y) => Math.min(x, y), Infinity), highest = numbers.reduce((x, y) => Math.max(x, y), -Infinity);
-  const colours = numbers.length > 0 ? scale_colours : [path_colour], segments = colours.map(() => []);
+// \param scale of `numbers`, which are those of the points and colour the lines; or none
+function make_path(path, numbers, scale) {
+  const colours = scale ? scale.colours : [path_colour], segments = colours.map(() => []);
   for (let i = 3; i < path.length; i += 3)
     if (!isNaN(path[i]) && !isNaN(path[i - 3])) { // several lines have NaN between them
-      const class_of = numbers.length > 0 && highest > lowest ? Math.round((numbers[i / 3] - lowest) / (highest - lowest) * (colours.length - 1)) : 0;
+      const class_of = scale ? Math.round(Math.min(1, Math.max(0, scale.place(numbers[i / 3]))) * (colours.length - 1)) : 0;
       segments[class_of].push([new THREE.Vector3().fromArray(path, i - 3), new THREE.Vector3().fromArray(path, i)]);
     }
   const number = segments.reduce((sum, part) => sum + part.length, 0), width = !isNaN(path[0]) ? 5 : number < 3000 ? 3 : 2;
   const lines = segments.map((part, i) => make_line(part, colours[i], width));
-  return new THREE.Group().add(...numbers.length > 0 ? lines : lines.map(with_hidden_parts));
+  return new THREE.Group().add(...scale ? lines : lines.map(with_hidden_parts));
 }
 
 function make_points(places, colour, width, options) {

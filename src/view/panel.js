@@ -79,6 +79,9 @@ function start_switches(picture) {
   const inserted = result.number_of_vertices - page.vertices[0], is_line = picture.path && page.arrays.path[1] > 0 && !isNaN(read_floats("path")[0]);
   start_switch(picture, "points", inserted > 0 && "inserted vertices: " + inserted.toLocaleString("en"), inserted <= 1000);
   start_switch(picture, "path", picture.path && page.path + (is_line ? ", from the white point to the orange one" : ""));
+  by_id("path-legend").hidden = !picture.path_field;
+  if (picture.path_field)
+    picture.path_field.ends = draw_scale(by_id("path-legend"), picture.path_field, picture.path_field.scale);
   start_switch(picture, "marks", picture.places && page.marks);
   const split = is_split => {
     picture.is_split = is_split;

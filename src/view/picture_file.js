@@ -11,22 +11,28 @@ function copy_picture(picture, legend) {
   const from = picture.canvas, copy = document.createElement("canvas"), context = copy.getContext("2d"), ratio = from.width / from.clientWidth;
   [copy.width, copy.height] = [from.width, from.height];
   context.drawImage(from, 0, 0);
-  if (!legend.has_numbers)
-    return copy;
   context.scale(ratio, ratio);
-  const colour = getComputedStyle(document.body).color, [x, y, w] = [16, from.clientHeight - 34, 260];
-  const gradient = context.createLinearGradient(x, 0, x + w, 0), { colours } = legend.scale;
+  const { path_field } = picture, y = from.clientHeight - 34;
+  if (legend.has_numbers)
+    copy_legend(context, 16, y, legend.scale, legend.field.name, legend.ends);
+  if (path_field && picture.show_path)
+    copy_legend(context, legend.has_numbers ? 316 : 16, y, path_field.scale, path_field.unit, path_field.ends);
+  return copy;
+}
+
+function copy_legend(context, x, y, { colours }, name, ends) {
+  const colour = getComputedStyle(document.body).color, w = 260, gradient = context.createLinearGradient(x, 0, x + w, 0);
   colours.forEach((c, i) => gradient.addColorStop(i / (colours.length - 1), css(c)));
   context.fillStyle = gradient;
   context.fillRect(x, y, w, 10);
   context.fillStyle = colour;
   context.font = "12px system-ui, sans-serif";
-  context.fillText(legend.field.name, x, y - 6);
-  legend.ends.forEach((text, i) => {
+  context.textAlign = "left";
+  context.fillText(name, x, y - 6);
+  ends.forEach((text, i) => {
     context.textAlign = ["left", "center", "right"][i];
     context.fillText(text, x + i * w / 2, y + 24);
   });
-  return copy;
 }
 
 function save_picture(picture, legend) {

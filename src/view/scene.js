@@ -69,8 +69,14 @@ class Picture {
     if (inserted.length > 0)
       this.scene.add(this.points = make_points(inserted, [1, 1, 1], 4));
     const path = read_places("path"), ends = new THREE.Group(), marks = points_of(read_places("marks"));
-    if (path.length > 0)
-      this.scene.add(this.path = make_path(path, read_floats("path-numbers")));
+    if (path.length > 0) {
+      const numbers = read_floats("path-numbers"), field = this.path_field = numbers.length > 0 && { numbers: [numbers], unit: page.path_unit };
+      if (field) {
+        find_range(field);
+        field.scale = make_scale(field, best_scale(field));
+      }
+      this.scene.add(this.path = make_path(path, numbers, field.scale));
+    }
     if (path.length > 0 && !isNaN(path[0])) { // a single line
       const places = points_of(path), first = places[0], last = places[places.length - 1];
       this.path.add(with_hidden_parts(make_points([first], [1, 1, 1], 11)));
@@ -82,7 +88,7 @@ class Picture {
     this.on_plane = new THREE.Group(); // what is drawn there alone
     if (page.has_plane) {
       this.on_plane.add(make_points(points_of(read_floats("plane-marks")), highlight_colour, 9));
-      this.on_plane.add(make_path(read_floats("plane-path"), new Float32Array(0)));
+      this.on_plane.add(make_path(read_floats("plane-path")));
     }
     this.scene.add(this.on_plane);
   }

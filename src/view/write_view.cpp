@@ -184,7 +184,8 @@ Json description(const View& view, const Box& box)
 {
   Json json = {{"title", view.title},     {"result", view.result},  {"center", box.center},
                {"scale", box.scale},      {"radius", box.radius},   {"vertices", Json::array()},
-               {"fields", Json::array()}, {"path", view.path_name}, {"marks", view.marks_name}};
+               {"fields", Json::array()}, {"path", view.path_name}, {"path_unit", view.path_unit},
+               {"marks", view.marks_name}};
   for (const View_triangulation& t : view.triangulations)
     json["vertices"].push_back(t.number_of_vertices);
   for (const View_field& field : view.fields)

@@ -130,3 +130,11 @@ def test_bytes_are_not_believed(tmp_path):
         it.Triangulation.load(tmp_path / "nothing.idt")
     with pytest.raises(it.Error):
         t.save(tmp_path / "no_folder" / "t.idt")
+
+
+@pytest.mark.parametrize("name", ["t.off", "t.ply", "t", "idt"])
+def test_a_name_of_another_format_is_refused(tmp_path, name):
+    t = list(triangulations())[0]
+    with pytest.raises(it.InvalidArgumentError, match=f"has to end with .idt, not .*{name}.*write_mesh"):
+        t.save(tmp_path / name)
+    assert not list(tmp_path.iterdir())

@@ -29,6 +29,8 @@ def test_the_simplified_surface():
     assert faces.shape == (n,) and faces.min() >= 0 and faces.max() < s.triangulation.number_of_faces
     assert coordinates.shape == (n, 3) and coordinates.min() >= 0
     assert s.prolongation.shape == (n, c)
+    assert s.reasons["by_bound"] > 0 and sum(s.reasons.values()) == c
+    assert it.Triangulation(V, F).simplify(number_of_vertices=50).reasons["by_number"] > 0
     assert numpy.allclose(s.prolongation @ numpy.ones(c), 1)
     # Vertices that remain are where they are.
     assert numpy.array_equal(s.prolongation[s.kept] @ numpy.arange(c), numpy.arange(c))

@@ -20,6 +20,7 @@
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
+#include <boost/geometry/strategies/strategies.hpp> // the tree needs them with Boost 1.83
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple, Optional, Tuple
+from typing import TYPE_CHECKING, Dict, NamedTuple, Optional, Tuple
 
 import numpy
 import scipy.sparse
@@ -44,6 +44,9 @@ class SimplifiedSurface(NamedTuple):
     prolongation: scipy.sparse.csc_matrix
     """(n, c) matrix: carries values at its vertices to the given vertices, linearly. Rows sum to 1, but those of isolated vertices
     are empty."""
+    reasons: Dict[str, int]
+    """How many vertices were kept: `by_bound`, as the bound allows no less; `by_request`; `as_corners` of the border or of a line;
+    `for_gluing`, with a loop or fewer than three faces; `by_number`, as so many were asked for; `isolated`."""
 
     def prolongation_from(self, triangulation: "Triangulation") -> scipy.sparse.csc_matrix:
         """Find the same matrix for a refined triangulation of the simplified surface.

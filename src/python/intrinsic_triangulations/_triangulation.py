@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike
 from . import _arrays, _core
 from ._conformal import Boundary, ConformalMap, conformal_map
 from ._documented import documented
-from ._errors import reading, writing
+from ._errors import InvalidArgumentError, reading, writing
 from ._laplacian import Mass
 from ._simplification import SimplifiedSurface
 from ._subdivision import CommonSubdivision
@@ -292,10 +292,13 @@ class Triangulation:
         Parameters
         ----------
         path : str or os.PathLike
-            The name of the file. The command `idt` recognizes such files by the extension `.idt`.
+            The name of the file, which ends with `.idt`. For a mesh in space, give points and triangles of
+            `common_subdivision().mesh()` to `write_mesh`.
 
         Raises
         ------
+        InvalidArgumentError
+            If the name does not end with `.idt`.
         FileError
             If the file cannot be written. It is an `OSError`.
         UndecidedError
@@ -312,8 +315,12 @@ class Triangulation:
         ...     it.Triangulation.load(os.path.join(folder, "kite.idt")).lengths.tolist() == t.lengths.tolist()
         True
         """
-        with writing(os.fspath(path)):
-            self._surface.save(os.fspath(path))
+        name = os.fspath(path)
+        if os.path.splitext(os.fsdecode(name))[1].lower() != ".idt":
+            raise InvalidArgumentError(f"path has to end with .idt, not {name!r}: a saved triangulation is no mesh in space; to write "
+                                       "one, give points and triangles of common_subdivision().mesh() to write_mesh()")
+        with writing(name):
+            self._surface.save(name)
 
     @classmethod
     def load(cls, path: Union[str, os.PathLike]) -> "Triangulation":
@@ -565,11 +572,11 @@ class Triangulation:
         change = None if maximum_change is None else _arrays.number(maximum_change, "maximum_change")
         marks = [_arrays.marks(given, name, n) for given, name, n in
                  ((kept, "kept", self.number_of_vertices), (constrained, "constrained", self.number_of_edges))]
-        surface, vertices, faces, coordinates, shrink, stretch, prolongation = _core.simplify(
+        surface, vertices, faces, coordinates, shrink, stretch, prolongation, reasons = _core.simplify(
             self._surface, change, _arrays.integer(number_of_vertices, "number_of_vertices"),
             *(None if given is None else given.tolist() for given in marks), _arrays.number(sharp_angle, "sharp_angle"))
         return SimplifiedSurface(type(self)._of(surface), vertices, (faces, coordinates), shrink, stretch,
-                                 _arrays.sparse(prolongation))
+                                 _arrays.sparse(prolongation), reasons)
 
     def sharp_edges(self, degrees: float, minimum_size: float = 0) -> numpy.ndarray:
         """Find the sharp edges of the input, to be constrained in `refine` before any flip.
