@@ -6,8 +6,8 @@
 // Definitions of Conformal_layout.h.
 
 #include "Conformal_layout.h"
-#include "planar_predicates.h"
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/planar_orientation.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 
 #include <CGAL/number_type_config.h>
@@ -250,6 +250,7 @@ void Conformal_layout::merge_corners()
     corners_[h] = {sums[root][0] / counts[root], sums[root][1] / counts[root]};
     if (!std::isfinite(corners_[h][0]) || !std::isfinite(corners_[h][1]))
       throw Numerical_error("coordinates of the conformal map leave the range of double");
+    size_ = (std::max)({size_, std::abs(corners_[h][0]), std::abs(corners_[h][1])});
   }
 }
 
@@ -261,7 +262,7 @@ bool Conformal_layout::is_certified() const
     if (!is_inside(f))
       continue;
     const Halfedge_index first = complex_.halfedge(f);
-    if (!turns_left(corners_[first.idx()], corners_[complex_.next(first).idx()], corners_[complex_.prev(first).idx()]))
+    if (planar_orientation(corner(first), corner(complex_.next(first)), corner(complex_.prev(first))) != LEFT_TURN)
       return false;
     for (Halfedge_index h : {first, complex_.next(first), complex_.prev(first)}) {
       const Point &p = corners_[h.idx()], &q = corners_[complex_.next(h).idx()], &r = corners_[complex_.prev(h).idx()];
@@ -280,6 +281,15 @@ bool Conformal_layout::is_certified() const
   return true;
 }
 
+bool Conformal_layout::is_closed_slit(Halfedge_index h) const
+{
+  const Halfedge_index g = complex_.opposite(h);
+  const auto are_near = [this](const Point& p, const Point& q) {
+    return std::abs(p[0] - q[0]) + std::abs(p[1] - q[1]) <= 1e-12 * size_;
+  };
+  return are_near(corner(h), corner(complex_.next(g))) && are_near(corner(complex_.next(h)), corner(g));
+}
+
 double Conformal_layout::seam() const
 {
   double result = 0, longest = 0;
@@ -288,8 +298,8 @@ double Conformal_layout::seam() const
     return std::hypot(q[0] - p[0], q[1] - p[1]);
   };
   for (Edge_index e : complex_.edges())
-    if (is_cut(e)) {
-      const Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
+    if (const Halfedge_index h = complex_.halfedge(e); is_cut(h)) {
+      const Halfedge_index g = complex_.opposite(h);
       longest = (std::max)({longest, length(h), image(h), image(g)});
       result = (std::max)(
         {result, std::abs(image(h) - image(g)), std::abs(image(h) - length(h)), std::abs(image(g) - length(h))});

@@ -29,7 +29,9 @@ public:
   // The source of a halfedge, in its face.
   const Point& corner(Halfedge_index h) const { return corners_[h.idx()]; }
   // Whether the surface continues on the other side of an edge, but is cut there.
-  bool is_cut(Edge_index e) const { return is_inner(e) && is_cut_[e.idx()]; }
+  bool is_cut(Halfedge_index h) const { return is_inner(complex_.edge(h)) && is_cut_[complex_.edge(h).idx()]; }
+  // Whether both images of a cut edge agree to 10^-12 of the size, as those of a slit into a flat surface do.
+  bool is_closed_slit(Halfedge_index h) const;
   // Whether all triangles keep their orientation, exactly, and go around each vertex off the cuts once.
   bool is_certified() const;
   // The largest difference between the lengths of the images of a cut edge, or from its length.
@@ -56,6 +58,7 @@ private:
   const std::vector<bool>& is_inside_;
   std::vector<bool> is_cut_;
   std::vector<Point> corners_;
+  double size_ = 0; // the largest coordinate
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

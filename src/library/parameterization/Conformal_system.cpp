@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -209,29 +210,55 @@ double Conformal_system::area(const Conformal_targets& targets, std::size_t comp
 
 void Conformal_system::factorize(const Conformal_targets& targets)
 {
-  unknown_.assign(sums_.size(), -1);
-  vertex_of_.clear();
-  for (std::size_t v = 0; v < sums_.size(); ++v)
-    if (targets.has_angle(v) && !targets.component_of(v).is_pin(v)) {
-      unknown_[v] = int(vertex_of_.size());
-      vertex_of_.push_back(v);
-    }
   std::vector<Weighted_pair> pairs;
-  pairs.reserve(pairs_.size());
-  for (const Weighted_pair& pair : pairs_)
-    pairs.push_back({unknown_[std::size_t(pair.i)], unknown_[std::size_t(pair.j)], pair.weight});
-  solve_ = factorize_(int(vertex_of_.size()), pairs);
+  pairs.reserve(sums_.size() + pairs_.size());
+  is_fixed_.resize(sums_.size());
+  for (std::size_t v = 0; v < sums_.size(); ++v) {
+    is_fixed_[v] = !targets.has_angle(v) || targets.component_of(v).is_pin(v);
+    if (is_fixed_[v])
+      pairs.push_back({int(v), -1, 1});
+  }
+  const auto variable = [this](int v) { return is_fixed_[std::size_t(v)] ? -1 : v; };
+  for (const auto& [i, j, weight] : pairs_)
+    pairs.push_back({variable(i), variable(j), weight});
+  solve_ = factorize_(int(sums_.size()), pairs);
 }
 
-std::vector<double> Conformal_system::solve(const std::vector<double>& right) const
+std::vector<double> Conformal_system::solve(std::vector<double> right) const
 {
-  std::vector<double> packed, result(right.size(), 0.);
-  for (std::size_t v : vertex_of_)
-    packed.push_back(right[v]);
-  packed = solve_(packed);
-  for (std::size_t i = 0; i < packed.size(); ++i)
-    result[vertex_of_[i]] = packed[i];
-  return result;
+  for (std::size_t v = 0; v < right.size(); ++v)
+    if (is_fixed_[v])
+      right[v] = 0;
+  return solve_(right);
+}
+
+std::optional<std::vector<double>> Conformal_system::solve_by_last_factors(const std::vector<double>& right,
+                                                                           double precision) const
+{
+  constexpr int as_slow_as_factorization = 8;
+  const auto dot = [](const std::vector<double>& x, const std::vector<double>& y) {
+    return std::inner_product(x.begin(), x.end(), y.begin(), 0.);
+  };
+  std::vector<double> result(right.size(), 0.), left = right, direction = solve(left);
+  const double first = dot(left, direction);
+  double energy = first;
+  precision = (std::min)(0.1, (std::max)(precision, 1e-4));
+  for (int i = 0; i < as_slow_as_factorization; ++i) {
+    const std::vector<double> image = product(direction);
+    const double factor = energy / dot(direction, image);
+    for (std::size_t v = 0; v < left.size(); ++v) {
+      result[v] += factor * direction[v];
+      left[v] -= factor * image[v];
+    }
+    const std::vector<double> correction = solve(left);
+    const double last = energy;
+    energy = dot(left, correction);
+    if (energy <= precision * precision * first)
+      return result;
+    for (std::size_t v = 0; v < left.size(); ++v)
+      direction[v] = correction[v] + energy / last * direction[v];
+  }
+  return std::nullopt;
 }
 
 std::vector<double> Conformal_system::product(const std::vector<double>& u) const

@@ -14,6 +14,7 @@
 #include "Conformal_targets.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,11 +55,14 @@ public:
   // The area of a component, of both copies, and by the scale of the last evaluation.
   double area(const Conformal_targets& targets, std::size_t component) const;
 
-  // The variables of the vertices with a wanted angle, except for pins. Factorizes the linear model for them.
+  // Factorizes the linear model. Only vertices with a wanted angle are variable, except for pins.
   // \exception Numerical_error as `Factorize`
   void factorize(const Conformal_targets& targets);
   // Solves the linear model; zero for the other vertices. \pre it was factorized
-  std::vector<double> solve(const std::vector<double>& right) const;
+  std::vector<double> solve(std::vector<double> right) const;
+  // By conjugate gradients, with a relative error in energy of at most `precision`, or of 10^-4 if that is more: null if the
+  // last factorization is too far from the present model.
+  std::optional<std::vector<double>> solve_by_last_factors(const std::vector<double>& right, double precision) const;
   // The change of the excesses, times -1, that a small change of u makes.
   std::vector<double> product(const std::vector<double>& u) const;
 
@@ -80,8 +84,7 @@ private:
   std::vector<double> sums_, sensitivities_,
     areas_; // of the vertices of the surface; of a face, a third is at each corner
   std::vector<Weighted_pair> pairs_;
-  std::vector<int> unknown_;
-  std::vector<std::size_t> vertex_of_; // of each unknown
+  std::vector<bool> is_fixed_; // in the linear model
   Solve solve_;
 };
 

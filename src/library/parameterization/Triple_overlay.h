@@ -40,8 +40,7 @@ public:
     // Where it lies in the face of C: `(1 - t) from + t to`.
     Ideal_point from, to;
     double t = 0;
-    Halfedge_index ideal;  // of C, along the side to the next corner; null if there is none
-    bool is_input = false; // whether that side is part of an edge of A
+    Halfedge_index ideal, input; // of C and of A, along the side to the next corner; null if there is none
   };
   struct Piece
   {

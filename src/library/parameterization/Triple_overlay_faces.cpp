@@ -279,7 +279,6 @@ private:
   void add_piece(const std::vector<Dart>& darts)
   {
     Piece piece{{}, Face_index()};
-    const Delta_complex& input = whole_.subdivision_.input();
     for (std::size_t i = 0; i < darts.size(); ++i) {
       const Dart &before = darts[i == 0 ? darts.size() - 1 : i - 1], &d = darts[i];
       Corner corner;
@@ -297,12 +296,12 @@ private:
       corner.ideal = ideal_halfedge(d);
       if (d.chord == none) {
         const Overlay::Halfedge part = nodes_[d.source].input_part;
-        corner.is_input = overlay_.label(overlay_.segment(part)) == Segment_label::BOTH;
+        corner.input = overlay_.input_halfedge(part);
         piece.input = overlay_.input_face(overlay_.face(part));
       } else if (!is_ideal(d)) {
-        corner.is_input = true;
         const Overlay::Halfedge h = input_chords_[d.chord].halfedge;
-        piece.input = input.face(overlay_.input_halfedge(d.is_forward ? h : overlay_.opposite(h)));
+        corner.input = overlay_.input_halfedge(d.is_forward ? h : overlay_.opposite(h));
+        piece.input = whole_.subdivision_.input().face(corner.input);
       }
       piece.corners.push_back(corner);
     }

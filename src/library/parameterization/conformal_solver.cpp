@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -110,12 +111,14 @@ private:
         worst = v;
     return worst;
   }
-  // Whether the excesses are as small as rounded lengths allow.
+  // Whether the excesses are as small as rounded lengths allow. What a pin has is the sum of all rounding.
   bool is_sufficient() const
   {
     for (std::size_t v = 0; v < u_.size(); ++v)
       if (!(std::abs(system_.excess(v, targets_)) <=
-            (std::min)(1e-12 + 0x1p-51 * system_.sensitivity(v), tolerable_error)))
+            (targets_.component_of(v).is_pin(v)
+               ? tolerable_error
+               : (std::min)(1e-12 + 0x1p-51 * system_.sensitivity(v), tolerable_error))))
         return false;
     return true;
   }
@@ -134,7 +137,7 @@ private:
       if (steps_ == maximum_number_of_steps || idle == 6)
         throw_not_converged("the sum of the angles at vertex " + std::to_string(worst_vertex()) + " still differs by " +
                             shown(least) + " from the wanted one");
-      const std::vector<double> step = newton_step(steps_ == 0 || idle > 0 || least > 1e-6), before = u_;
+      const std::vector<double> step = newton_step(steps_ == 0 || idle > 0, least), before = u_;
       const double squares = sum_of_squares(), range = range_of(step);
       double part = 1;
       while (part * range > 10) // beyond that, the linear model is useless
@@ -155,15 +158,16 @@ private:
     }
   }
 
-  // Near the end, the last factorization serves, too.
-  std::vector<double> newton_step(bool factorizes)
+  std::vector<double> newton_step(bool factorizes, double least)
   {
     std::vector<double> excesses;
     for (std::size_t v = 0; v < u_.size(); ++v)
       excesses.push_back(system_.excess(v, targets_));
     try {
-      if (factorizes)
-        system_.factorize(targets_);
+      if (!factorizes)
+        if (std::optional<std::vector<double>> step = system_.solve_by_last_factors(excesses, least))
+          return *std::move(step);
+      system_.factorize(targets_);
       return system_.solve(excesses);
     } catch (const Numerical_error& error) {
       throw_not_converged(error.what());

@@ -30,14 +30,14 @@ struct Conformal_options
   Progress_function progress{};
 };
 
-// A sum of squares w (x_i − x_j)². A negative number of a variable stands for the value zero.
+// A term w (x_i − x_j)² of a sum. A negative number of a variable stands for the value zero.
 struct Weighted_pair
 {
   int i, j;
   double weight;
 };
 using Solve = std::function<std::vector<double>(const std::vector<double>&)>;
-// Factorizes the matrix of such a sum with n variables.
+// Factorizes the matrix of such a sum with n variables, the same number each time.
 // \exception Numerical_error if it is not positive definite after rounding
 using Factorize = std::function<Solve(int n, const std::vector<Weighted_pair>& sum)>;
 

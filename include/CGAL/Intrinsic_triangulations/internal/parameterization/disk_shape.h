@@ -11,9 +11,8 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/Sparse_Cholesky.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/planar_orientation.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -67,15 +66,6 @@ inline std::size_t number_of_vertices_with_faces(const Delta_complex& complex)
   for (Vertex_index v : complex.vertices())
     n += complex.halfedge(v).is_valid();
   return n;
-}
-
-using Planar_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-inline Orientation planar_orientation(const std::array<double, 2>& p, const std::array<double, 2>& q,
-                                      const std::array<double, 2>& r)
-{
-  using Point = Planar_kernel::Point_2;
-  return CGAL::orientation(Point(p[0], p[1]), Point(q[0], q[1]), Point(r[0], r[1]));
 }
 
 // The lengths divided by the largest, so that their sum does not overflow.

@@ -28,22 +28,25 @@ class Sparse_factorizer
 public:
   Solve operator()(int n, const std::vector<Weighted_pair>& sum)
   {
-    if (n == 0) // Eigen has no factor then
-      return [](const std::vector<double>& right) { return right; };
-    if (order_.size() != n)
-      find_order(n, sum);
+    if (order_.size() == 0) {
+      order_.setIdentity(n);
+      Order order;
+      Eigen::AMDOrdering<int>()(matrix(sum).selfadjointView<Eigen::Lower>(), order);
+      order_ = order.inverse();
+      size_ = 0;
+    }
     const auto cholesky =
-      std::make_shared<const Cholesky>(matrix(n, sum), "the Laplacian of the ideal Delaunay triangulation");
-    if (size_ == 0)
-      size_ = cholesky->size_of_factor();
-    const Order order = order_;
-    if (cholesky->size_of_factor() > size_ + size_ / 4)
-      order_.resize(0);
-    return [cholesky, order](const std::vector<double>& right) {
+      std::make_shared<const Cholesky>(matrix(sum), "the Laplacian of the ideal Delaunay triangulation");
+    const auto solve = [cholesky, order = order_](const std::vector<double>& right) {
       const Eigen::Map<const Eigen::VectorXd> given(right.data(), Eigen::Index(right.size()));
       const Eigen::VectorXd x = order.inverse() * cholesky->solve(Eigen::VectorXd(order * given));
       return std::vector<double>(x.data(), x.data() + x.size());
     };
+    if (size_ == 0)
+      size_ = cholesky->size_of_factor();
+    else if (cholesky->size_of_factor() > size_ + size_ / 4)
+      order_.resize(0);
+    return solve;
   }
 
 private:
@@ -51,36 +54,21 @@ private:
   using Cholesky = Sparse_Cholesky<double, Eigen::NaturalOrdering<int>>;
   using Order = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
 
-  void find_order(int n, const std::vector<Weighted_pair>& sum)
-  {
-    order_.setIdentity(n);
-    Order order;
-    if (n > 0)
-      Eigen::AMDOrdering<int>()(matrix(n, sum).selfadjointView<Eigen::Lower>(), order);
-    order_ = order.inverse();
-    size_ = 0;
-  }
-
   // The lower half.
-  Matrix matrix(int n, const std::vector<Weighted_pair>& sum) const
+  Matrix matrix(const std::vector<Weighted_pair>& sum) const
   {
-    std::vector<double> diagonal(std::size_t(n), 0.);
     std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(sum.size() + std::size_t(n));
-    const auto number = [&](int i) { return order_.indices()[i]; };
+    entries.reserve(3 * sum.size());
     for (const auto& [i, j, weight] : sum) {
-      if (i == j)
-        continue;
-      if (i >= 0)
-        diagonal[std::size_t(i)] += weight;
-      if (j >= 0)
-        diagonal[std::size_t(j)] += weight;
-      if (i >= 0 && j >= 0)
-        entries.emplace_back((std::max)(number(i), number(j)), (std::min)(number(i), number(j)), -weight);
+      const int r = i < 0 ? i : order_.indices()[i], c = j < 0 ? j : order_.indices()[j];
+      if (r >= 0)
+        entries.emplace_back(r, r, weight);
+      if (c >= 0)
+        entries.emplace_back(c, c, weight);
+      if (r >= 0 && c >= 0)
+        entries.emplace_back((std::max)(r, c), (std::min)(r, c), -weight);
     }
-    for (int i = 0; i < n; ++i)
-      entries.emplace_back(number(i), number(i), diagonal[std::size_t(i)]);
-    Matrix result(n, n);
+    Matrix result(order_.size(), order_.size());
     result.setFromTriplets(entries.begin(), entries.end());
     return result;
   }
