@@ -231,7 +231,7 @@ void Distance_lines::set_signs(const std::vector<IT::Surface_point>& curve)
 }
 
 // A distance is expected to be there if it was given, and not made from a step.
-void Distance_lines::keep_wanted(const Line_options& options, bool are_signed, double largest)
+void Distance_lines::keep_wanted(const Line_options& options, bool are_signed, const std::vector<double>& of_vertices)
 {
   if (!isolines || options.step)
     return;
@@ -243,10 +243,19 @@ void Distance_lines::keep_wanted(const Line_options& options, bool are_signed, d
                                         0;
                                }),
                 lines.end());
-  for (double d : options.distances)
-    if (std::none_of(lines.begin(), lines.end(), [d](const IT::Surface_line& line) { return line.distance == d; }))
-      throw Usage_error("--isolines: no point has the distance " + in_short(d) + ": the largest one of a vertex is " +
-                        in_short(largest));
+  for (double d : options.distances) {
+    if (std::any_of(lines.begin(), lines.end(), [d](const IT::Surface_line& line) { return line.distance == d; }))
+      continue;
+    double farthest = 0;
+    for (double x : of_vertices)
+      if (std::isfinite(x) && x * d > 0 && std::abs(x) > std::abs(farthest))
+        farthest = x;
+    throw Usage_error("--isolines: no line has the distance " + in_short(d) + ": the vertex farthest " +
+                      (!are_signed ? "from the sources"
+                       : d > 0     ? "to the left of the curve"
+                                   : "to the right of the curve") +
+                      " has " + in_short(farthest));
+  }
 }
 
 Distance_lines find_lines(const Line_options& options,

@@ -48,8 +48,9 @@ struct Distance_lines
   void set_signs(const std::vector<CGAL::Intrinsic_triangulations::Surface_point>& curve);
 
   // Drops isolines that have the opposite of a wanted distance.
-  // \exception Usage_error if no point has one of the wanted distances
-  void keep_wanted(const Line_options& options, bool are_signed, double largest);
+  // \param of_vertices their distances, for the message
+  // \exception Usage_error if no line has one of the wanted distances
+  void keep_wanted(const Line_options& options, bool are_signed, const std::vector<double>& of_vertices);
 
   // Adds them to the view. \param points of the vertices of the input
   void show(View& view, const std::vector<std::array<double, 3>>& points) const;

@@ -18,8 +18,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <iterator>
+#include <limits>
+#include <optional>
 #include <utility>
 
 namespace idt {
@@ -53,8 +54,7 @@ public:
     if (!named_.edges_path.empty())
       add_edges();
     if (!named_.curve_path.empty())
-      for (const auto& places : read_places(named_.curve_path))
-        add_curve(places);
+      add_curves(read_places(named_.curve_path));
     if (!points_.empty())
       for (const IT::Geodesic_source& source : result_.sources)
         for (const std::vector<IT::Surface_point>& part : source.parts)
@@ -95,7 +95,7 @@ private:
     for (const Place& place : places)
       if (place.kind != Place::IN_SPACE)
         given.push_back({std::size_t(place.face), place.numbers});
-    const std::vector<IT::Surface_point> in_faces = in_faces_(given);
+    const std::vector<IT::Surface_point> in_faces = found_in_faces(given, places, path);
     std::vector<IT::Surface_point> result;
     std::size_t i = 0;
     for (const Place& place : places) {
@@ -108,6 +108,27 @@ private:
         arrange(result.back(), place, path);
     }
     return result;
+  }
+
+  std::vector<IT::Surface_point> found_in_faces(const std::vector<IT::Point_in_triangle>& given,
+                                                const std::vector<Place>& places, const std::string& path) const
+  {
+    try {
+      return in_faces_(given);
+    } catch (const IT::Invalid_point_error&) {
+      for (const Place& place : places)
+        try {
+          in_faces_({{std::size_t(place.face), place.numbers}});
+        } catch (const IT::Invalid_point_error& error) {
+          fail(place, path, error.what());
+        }
+      throw;
+    }
+  }
+
+  [[noreturn]] static void fail(const Place& place, const std::string& path, const std::string& what)
+  {
+    throw IT::Invalid_point_error(path + ", line " + std::to_string(place.line) + ": " + what);
   }
 
   IT::Surface_point foot(const Place& place)
@@ -131,8 +152,7 @@ private:
         return representative(v) == vertex_of_[corners[i].idx()];
       });
       if (corner == place.corners.end())
-        throw IT::Invalid_point_error(path + ", line " + std::to_string(place.line) + ": face " +
-                                      std::to_string(place.face) + " has other vertices");
+        fail(place, path, "face " + std::to_string(place.face) + " has other vertices");
       p.coordinates[i] = place.numbers[std::size_t(corner - place.corners.begin())];
     }
   }
@@ -160,37 +180,69 @@ private:
     result_.sources.push_back(std::move(source));
   }
 
-  // Points of `idt geodesic` follow each other in faces. Between others, the curve takes the shortest path.
-  void add_curve(const std::vector<Place>& places)
+  // Points of `idt geodesic` follow each other in faces. Between others, a curve takes the shortest path.
+  void add_curves(const std::vector<std::vector<Place>>& curves)
   {
-    const std::vector<IT::Surface_point> given = placed(places, named_.curve_path);
-    if (given.empty() || places.front().kind == Place::BETWEEN_VERTICES) {
-      result_.sources.push_back({{given}});
-      return;
-    }
-    // Points on edges of the input are inserted before these are flipped. Faces beside new vertices may be slivers, which
-    // ways do not cross well: Delaunay faces are not.
-    Triangulation copy =
-      points_.size() == input_.number_of_vertices() ? Triangulation(input_, points_) : Triangulation(triangulation_);
-    std::vector<IT::Vertex_index> stops;
-    for (const IT::Surface_point& p : given)
-      stops.push_back(IT::vertex_at_point(copy, p));
-    const auto goes_on = [] { return !is_interrupted(); };
-    IT::flip_to_Delaunay(copy, CGAL::parameters::visitor(goes_on));
-    std::vector<IT::Surface_point> curve{given.front()};
-    for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
-      if (stops[i] == stops[i + 1])
+    std::vector<std::vector<IT::Surface_point>> given;
+    std::vector<std::vector<IT::Vertex_index>> stops(curves.size());
+    std::optional<Triangulation> copy;
+    for (const std::vector<Place>& places : curves) {
+      given.push_back(placed(places, named_.curve_path));
+      if (places.empty() || places.front().kind == Place::BETWEEN_VERTICES) {
+        require_common_faces(places);
         continue;
-      IT::Geodesic_path_network<IT::Filtered_edge_length_traits> network(
-        copy); // straight, even if not all ways could be followed
-      const std::size_t path =
-        network.add_path(IT::shortest_path(copy, stops[i], stops[i + 1], CGAL::parameters::visitor(goes_on)).halfedges);
-      network.shorten(CGAL::parameters::visitor(goes_on));
-      const std::vector<IT::Surface_point> part = IT::geodesic_points(copy, network.halfedges(path));
-      curve.pop_back();
-      curve.insert(curve.end(), part.begin(), part.end());
+      }
+      // Points on edges of the input are inserted before these are flipped. Faces beside new vertices may be slivers,
+      // which ways do not cross well: Delaunay faces are not.
+      if (!copy && points_.size() == input_.number_of_vertices())
+        copy.emplace(input_, points_);
+      else if (!copy)
+        copy.emplace(triangulation_);
+      for (const IT::Surface_point& p : given.back())
+        stops[given.size() - 1].push_back(IT::vertex_at_point(*copy, p));
     }
-    result_.sources.push_back({{std::move(curve)}});
+    if (copy)
+      go_straight(*copy, stops, given);
+    for (std::vector<IT::Surface_point>& curve : given)
+      result_.sources.push_back({{std::move(curve)}});
+  }
+
+  void require_common_faces(const std::vector<Place>& places) const
+  {
+    for (std::size_t i = 1; i < places.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        if (places[i].numbers[k] > 0 && places[i].face != places[i - 1].face &&
+            std::none_of(places[i - 1].corners.begin(), places[i - 1].corners.end(),
+                         [&](std::uint64_t v) { return representative(v) == representative(places[i].corners[k]); }))
+          fail(places[i], named_.curve_path,
+               "the point does not lie in the face of the point before, face " + std::to_string(places[i - 1].face));
+  }
+
+  // \param stops vertices of the triangulation; curves without any remain
+  static void go_straight(Triangulation& triangulation, const std::vector<std::vector<IT::Vertex_index>>& stops,
+                          std::vector<std::vector<IT::Surface_point>>& curves)
+  {
+    const auto np = CGAL::parameters::visitor([] { return !is_interrupted(); });
+    IT::flip_to_Delaunay(triangulation, np);
+    // Straight, even if not all ways could be followed.
+    IT::Geodesic_path_network<IT::Filtered_edge_length_traits> network(triangulation);
+    for (std::size_t k = 0; k < stops.size(); ++k) {
+      if (stops[k].empty())
+        continue;
+      std::vector<IT::Surface_point> curve{curves[k].front()};
+      for (std::size_t i = 0; i + 1 < stops[k].size(); ++i) {
+        if (stops[k][i] == stops[k][i + 1])
+          continue;
+        const std::size_t path =
+          network.add_path(IT::shortest_path(triangulation, stops[k][i], stops[k][i + 1], np).halfedges);
+        network.shorten(np);
+        const std::vector<IT::Surface_point> part = IT::geodesic_points(triangulation, network.halfedges(path));
+        curve.pop_back();
+        curve.insert(curve.end(), part.begin(), part.end());
+        network.rewind();
+      }
+      curves[k] = std::move(curve);
+    }
   }
 
   const Named_sources& named_;

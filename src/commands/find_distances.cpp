@@ -378,10 +378,21 @@ private:
     return of_input_.front().parts.front();
   }
 
+  std::vector<CGAL::Sign> sides_of_curve() const
+  {
+    try {
+      return IT::sides_of_curve(input_, curve());
+    } catch (const IT::Invalid_argument_error& error) {
+      throw IT::Invalid_argument_error(options_.sources.curve_path + ": " + error.what());
+    } catch (const IT::Invalid_point_error& error) {
+      throw IT::Invalid_point_error(options_.sources.curve_path + ": " + error.what());
+    }
+  }
+
   // Distances become positive to the left of the curve, and negative to its right.
   void set_signs()
   {
-    std::vector<CGAL::Sign> signs = IT::sides_of_curve(input_, curve());
+    std::vector<CGAL::Sign> signs = sides_of_curve();
     if (cut_) {
       std::vector<IT::Surface_point> points;
       for (std::size_t v = signs.size(); v < cut_->points().size(); ++v)
@@ -409,7 +420,7 @@ private:
             line.points = cut_->on_input(line.points);
     if (options_.is_signed)
       result_.lines.set_signs(curve());
-    result_.lines.keep_wanted(options_.lines, options_.is_signed, largest);
+    result_.lines.keep_wanted(options_.lines, options_.is_signed, result_.distances);
   }
 
   // A vertex on a barrier has what is found on its nearer side.

@@ -5,6 +5,8 @@
 
 #include "input/Table.h"
 
+#include <array>
+#include <cmath>
 #include <utility>
 
 namespace idt {
@@ -15,6 +17,13 @@ void require_points(const Table& table, const std::vector<std::vector<Place>>& r
 {
   if (!read.empty() && read.back().empty())
     table.fail("the table before this line has no point");
+}
+
+void require_barycentric(const Table& table, const std::array<double, 3>& numbers)
+{
+  const double sum = numbers[0] + numbers[1] + numbers[2];
+  if (!(numbers[0] >= 0 && numbers[1] >= 0 && numbers[2] >= 0 && sum > 0 && std::isfinite(sum)))
+    table.fail("barycentric coordinates are not negative, and their sum is positive");
 }
 
 } // namespace
@@ -51,6 +60,8 @@ std::vector<std::vector<Place>> read_places(const std::string& path)
         v = table.whole(at++);
     for (double& x : place.numbers)
       x = table.number(at++);
+    if (kind != Place::IN_SPACE)
+      require_barycentric(table, place.numbers);
     result.back().push_back(place);
   }
   if (result.empty())

@@ -246,6 +246,13 @@ TEST_F(Distance_command, has_a_sign_beside_a_curve_that_cuts_something_off)
   const Command_run slit = idt("distance strip.off --signed --source-curve slit.csv");
   EXPECT_NE(slit.status, 0);
   EXPECT_TRUE(contains(slit.err, "does not separate")) << slit.err;
+  write("rim.csv", "x,y,z\n0,0,0\n2,0,0\n");
+  write("point.csv", "x,y,z\n0.75,0.5,0\n0.75,0.5,0\n");
+  EXPECT_EQ(idt("distance strip.off --signed --source-curve rim.csv").err,
+            "idt: strip.off: rim.csv: nothing lies to the right of the curve, which follows the border: distances have "
+            "no sign\n");
+  EXPECT_EQ(idt("distance strip.off --signed --source-curve point.csv").err,
+            "idt: strip.off: point.csv: the curve has no length, and therefore no sides, so distances have no sign\n");
   EXPECT_EQ(idt("distance strip.off --signed --refine --source-curve up.csv").status, 2);
   EXPECT_EQ(idt("distance strip.off --signed --source 0").status, 2);
   // Beside a barrier, whose vertices lie on either side of the curve.
@@ -396,7 +403,18 @@ TEST_F(Distance_command, writes_lines_at_distances_and_between_cells)
   const std::string walled = "distance strip.off --source 0 --barrier wall.csv --method exact --lines l.csv ";
   ASSERT_EQ(idt(walled + "--isolines 3").status, 0);
   EXPECT_TRUE(contains(lines(content(folder_ / "l.csv")).at(1), ",3")) << content(folder_ / "l.csv");
-  EXPECT_TRUE(contains(idt(walled + "--isolines 9").err, "no point has the distance 9"));
+  EXPECT_TRUE(contains(idt(walled + "--isolines 9").err, "no line has the distance 9: the vertex farthest from"));
+  const std::string beside = "distance strip.off --signed --source-curve up.csv --lines l.csv --isolines ";
+  EXPECT_TRUE(contains(idt(beside + "7").err,
+                       "no line has the distance 7: the vertex farthest to the left of the curve "
+                       "has 4"));
+  EXPECT_TRUE(contains(idt(beside + "1,-7").err, "no line has the distance -7: the vertex farthest to the right of the "
+                                                 "curve has -6"));
+  // However near.
+  for (const std::string d : {"1e-9", "1e-13", "1e-17"}) {
+    ASSERT_EQ(idt("distance strip.off --source 1 --method exact --lines l.csv --isolines " + d).status, 0);
+    EXPECT_GE(lines(content(folder_ / "l.csv")).size(), 3u) << d;
+  }
   // Bad input.
   const auto message = [&](const std::string& options, int status) {
     const Command_run bad = idt(edges + options);
@@ -407,11 +425,15 @@ TEST_F(Distance_command, writes_lines_at_distances_and_between_cells)
   EXPECT_TRUE(contains(message("--isolines 0 --lines l.csv", 2), "0 is the distance of the sources themselves"));
   EXPECT_TRUE(contains(message("--isolines nan --lines l.csv", 2), "nan is no finite distance"));
   EXPECT_TRUE(contains(message("--isolines=-1 --lines l.csv", 2), "the right side of a curve needs --signed"));
-  EXPECT_TRUE(contains(message("--isolines 7 --lines l.csv", 2), "no point has the distance 7"));
+  EXPECT_TRUE(contains(message("--isolines 7 --lines l.csv", 2), "no line has the distance 7"));
   EXPECT_TRUE(contains(message("--isolines 0.5 --lines l.stl", 2), "ends in .csv, .vtp or .obj"));
   EXPECT_TRUE(contains(message("--isoline-step 0 --lines l.csv", 2), "S is a positive number"));
   EXPECT_TRUE(
     contains(message("--isoline-step 1e-9 --lines l.csv", 2), "give a larger one, 10,000 steps are the most"));
+  EXPECT_TRUE(contains(idt("distance strip.off --source 0 --isoline-step 2e-3 --lines l.csv --method exact "
+                           "--chord-tolerance 1e-9")
+                         .err,
+                       "of the distances would do, or a chord tolerance"));
   EXPECT_TRUE(contains(message("--isolines 0.5 --lines l.csv --chord-tolerance 0", 2), "T is a positive number"));
   EXPECT_TRUE(
     contains(idt("distance strip.off --source 0 --isolines 1 --lines l.csv --method heat").err, "omit --method heat"));
@@ -543,6 +565,27 @@ TEST_F(Distance_command, methods_and_their_errors)
   EXPECT_EQ(json::parse(content(folder_ / "s.json"))["method"], "heat");
 }
 
+TEST_F(Distance_command, names_the_line_of_a_bad_place)
+{
+  write("strip.off", "OFF\n4 2 0\n0 0 0\n10 0 0\n10 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n");
+  const std::string in_face = "input_face,b0,b1,b2\n0,1,0,0\n",
+                    on_path = "face,vertex_0,vertex_1,vertex_2,coordinate_0,coordinate_1,coordinate_2\n"
+                              "0,0,1,2,0.2,0.3,0.5\n";
+  for (const auto& [text, expected] : std::vector<std::pair<std::string, std::string>>{
+         {in_face + "0,-1,1,1\n", "barycentric coordinates are not negative, and their sum is positive"},
+         {in_face + "0,0,0,0\n", "barycentric coordinates are not negative, and their sum is positive"},
+         {in_face + "7,1,0,0\n", "there is no "},
+         {on_path + "7,0,1,2,1,0,0\n", "there is no "},
+         {on_path + "1,0,2,1,1,0,0\n", "face 1 has other vertices"},
+         {on_path + "1,0,2,3,0.2,0.3,0.5\n", "the point does not lie in the face of the point before, face 0"}}) {
+    write("bad.csv", text);
+    for (const std::string cover : {"", " --cover none"}) {
+      const std::string err = idt("distance strip.off --source-curve bad.csv" + cover).err;
+      EXPECT_TRUE(contains(err, "idt: strip.off: bad.csv, line 3: " + expected)) << text << err;
+    }
+  }
+}
+
 TEST_F(Distance_command, refuses_what_makes_no_sense)
 {
   write_kite("kite.off");
@@ -585,6 +628,11 @@ TEST_F(Distance_command, joins_points_in_space_by_straight_lines)
   ASSERT_EQ(idt("distance kite.off --method exact --source-curve curve.csv -o d.csv").status, 0);
   EXPECT_NEAR(distances("d.csv")[1], 0.5, 1e-12);
   EXPECT_NEAR(distances("d.csv")[2], 0.3, 1e-12);
+  // Several curves, each as if it were alone.
+  write("curve.csv", "x,y,z\n.5,0,0\n1.5,0,0\nx,y,z\n1,-.3,0\n0,0,0\nx,y,z\n1,.1,0\n1,.3,0\n");
+  ASSERT_EQ(idt("distance kite.off --method exact --source-curve curve.csv --labels n.csv -o d.csv").status, 0);
+  EXPECT_NEAR(distances("d.csv")[1], 0.5, 1e-12);
+  EXPECT_EQ(content(folder_ / "n.csv"), "vertex,source\n0,1\n1,0\n2,2\n3,1\n");
 }
 
 } // namespace

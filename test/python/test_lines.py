@@ -92,6 +92,12 @@ def test_wrong_arguments():
         it.offset_curves(V, F, [[0, 1, 0, 0], [0, 0, 0, 1]], [0])
     with pytest.raises(it.InvalidArgumentError, match="does not separate"):
         it.offset_curves(V, F, [[0, 1, 0, 0], [0, 0, 0, 1]], [0.1])
+    with pytest.raises(it.InvalidArgumentError, match="nothing lies to the right"):
+        it.signed_distances(V, F, [[0, 1, 0, 0], [0, 0, 1, 0]])
+    with pytest.raises(it.InvalidArgumentError, match="one in .* of the distances would do"):
+        it.isolines(V, F, [0], numpy.arange(1, 100000) * 1e-5)
+    with pytest.raises(it.InvalidArgumentError, match="sources is empty"):
+        it.isolines(V, F, [], [1])
     with pytest.raises(ValueError, match="chord_tolerance"):
         it.isolines(V, F, [0], [1], chord_tolerance=0)
     with pytest.raises(ValueError, match="finite"):

@@ -432,6 +432,13 @@ TEST(Sides_of_curve, are_those_of_the_plane)
   }
   curve.pop_back();
   EXPECT_THROW(IT::sides_of_curve(input, curve), IT::Invalid_argument_error);
+  // A point, and a curve along the border, cut nothing off.
+  EXPECT_THROW(IT::sides_of_curve(input, {curve[0], curve[0]}), IT::Invalid_argument_error);
+  for (Halfedge_index k : input.halfedges())
+    if (!input.is_border(k) && input.is_border(input.opposite(k))) {
+      EXPECT_THROW(IT::sides_of_curve(input, {{k, {1, 0, 0}}, {k, {0, 1, 0}}}), IT::Invalid_argument_error);
+      EXPECT_THROW(IT::sides_of_curve(input, {{k, {0, 1, 0}}, {k, {1, 0, 0}}}), IT::Invalid_argument_error);
+    }
   // Along edges, from border to border.
   Curve column;
   for (std::uint32_t y = 0; y < 6; ++y)

@@ -458,6 +458,45 @@ TEST(Borders_of_cells, around_a_cube)
     EXPECT_NEAR(p[2], 0, 1e-13);
 }
 
+// Of a circle around a corner; nearer to it, they are told by the rounding of coordinates only.
+TEST(Isolines, of_any_radius)
+{
+  const Mesh mesh = shaken_plane(4, 4);
+  const Triangulation triangulation = mesh.Delaunay();
+  for (std::uint32_t v : {0u, 12u})
+    for (double d : {1e-3, 1e-6, 1e-9, 1e-12, 1e-14}) {
+      const std::vector<IT::Geodesic_source> sources{IT::source_at_vertex(triangulation.input(), Vertex_index(v))};
+      const IT::Surface_lines found = IT::isolines(triangulation, sources, {d}, options(0, d / 100));
+      ASSERT_EQ(found.lines.size(), 1u) << d;
+      EXPECT_GE(found.lines.front().points.size(), v == 0 ? 2u : 5u);
+      for (const Point& p : in_space(mesh, triangulation, found.lines.front().points))
+        EXPECT_NEAR(between(p, mesh.points[v]), d, 1e-12 * d + 4e-15);
+    }
+}
+
+TEST(Isolines, are_not_too_many)
+{
+  const Mesh mesh = shaken_plane(4, 4);
+  const Triangulation triangulation = mesh.Delaunay();
+  const std::vector<IT::Geodesic_source> sources{IT::source_at_vertex(triangulation.input(), Vertex_index(12))};
+  std::vector<double> many;
+  for (int i = 1; i <= 100000; ++i)
+    many.push_back(2e-5 * i);
+  const auto message = [&](const std::vector<double>& levels, double deviation) -> std::string {
+    try {
+      IT::isolines(triangulation, sources, levels, options(0, deviation));
+      return "";
+    } catch (const IT::Invalid_argument_error& error) {
+      return error.what();
+    }
+  };
+  const std::string found = message(many, 1e-3);
+  EXPECT_EQ(found.substr(0, 21), "the lines need about ") << found;
+  EXPECT_NE(found.find("of the distances would do"), std::string::npos) << found;
+  EXPECT_NE(message({1}, 1e-15).find("times as large would do"), std::string::npos) << message({1}, 1e-15);
+  EXPECT_EQ(message({1}, 1e-6), "");
+}
+
 TEST(Isolines, wrong_numbers)
 {
   const Mesh mesh = shaken_plane(4, 4);
@@ -475,6 +514,17 @@ TEST(Isolines, wrong_numbers)
   EXPECT_TRUE(IT::borders_of_cells(triangulation, sources).lines.empty());
   EXPECT_THROW(IT::isolines(triangulation, sources, {1}, CGAL::parameters::visitor([] { return false; })),
                IT::Cancelled_error);
+  // At any time.
+  std::size_t calls = 0, most = (std::numeric_limits<std::size_t>::max)();
+  const auto goes_on = [&] { return ++calls < most; };
+  const auto find = [&] {
+    return IT::isolines(triangulation, sources, {0.5, 1}, CGAL::parameters::maximum_deviation(1e-7).visitor(goes_on));
+  };
+  find();
+  EXPECT_GT(calls, 1u);
+  most = calls;
+  calls = 0;
+  EXPECT_THROW(find(), IT::Cancelled_error);
 }
 
 TEST(Farthest_vertices, one_after_the_other)

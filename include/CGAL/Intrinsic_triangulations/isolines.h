@@ -107,8 +107,9 @@ Surface_lines lines_at(const Intrinsic_triangulation<Traits>& triangulation,
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \exception Invalid_argument_error if a distance is not positive or not finite, the deviation is not positive, or 20
-///   million points do not suffice
+/// \exception Invalid_argument_error if a distance is not positive or not finite, the deviation is not positive, or more
+///   than about a million points, and ten for each vertex, are needed: this is estimated first, and the message says what
+///   would do
 /// \exception Invalid_point_error, Cancelled_error, Undecided_error as `geodesic_distances_from()`
 template <class Traits, class NamedParameters = parameters::Default_named_parameters>
 Surface_lines isolines(const Intrinsic_triangulation<Traits>& triangulation,

@@ -21,8 +21,8 @@ namespace CGAL::Intrinsic_triangulations {
 /// \brief returns for each vertex whether it lies to the left (`POSITIVE`) or to the right (`NEGATIVE`) of a curve, or
 /// on it (`ZERO`).
 ///
-/// The curve has to separate: it is closed, or leads from border to border, and no way leads from its left to its right
-/// side around it. Other components of the surface count as left.
+/// The curve has to separate: it is closed, or leads from border to border, there is something on either side, and no way
+/// leads from its left to its right side around it. Other components of the surface count as left.
 ///
 /// \param input the surface
 /// \param curve points of it, two consecutive ones in the face of the first. Its segments do not cross

@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <unordered_set>
 #include <vector>
 
@@ -31,13 +32,16 @@ std::vector<Sign> sides_of_triangles(const internal::Cut_faces& faces)
   std::vector<Sign> of_triangle(triangles.size(), ZERO);
   std::unordered_set<std::uint64_t> seam;
   std::vector<std::uint32_t> open;
+  bool has_left = false, has_right = false;
   const auto mark = [&](std::uint32_t t, Sign sign) {
     if (of_triangle[t] == ZERO)
       open.push_back(t);
     else if (of_triangle[t] != sign)
       throw Invalid_argument_error("the curve does not separate its left side from its right one, so distances have no "
-                                   "sign: it has to be closed and to cut something off");
+                                   "sign: it has to be closed, or to lead from border to border, and to cut something "
+                                   "off");
     of_triangle[t] = sign;
+    (sign == POSITIVE ? has_left : has_right) = true;
   };
   const auto mark_beside = [&](std::uint32_t from, std::uint32_t to, Sign sign) {
     const auto beside = faces.sides().find(key(from, to));
@@ -49,6 +53,11 @@ std::vector<Sign> sides_of_triangles(const internal::Cut_faces& faces)
     mark_beside(from, to, POSITIVE);
     mark_beside(to, from, NEGATIVE);
   }
+  if (faces.seam().empty())
+    throw Invalid_argument_error("the curve has no length, and therefore no sides, so distances have no sign");
+  if (!has_left || !has_right)
+    throw Invalid_argument_error(std::string("nothing lies to the ") + (has_left ? "right" : "left") +
+                                 " of the curve, which follows the border: distances have no sign");
   while (!open.empty()) {
     const std::uint32_t t = open.back();
     open.pop_back();

@@ -20,7 +20,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iomanip>
 #include <limits>
+#include <locale>
+#include <sstream>
+#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -73,6 +77,7 @@ public:
   Line_tracer(const Common_subdivision& subdivision, const Laid_out_faces& faces, const Waves& waves,
               const Wanted_lines& wanted, const Interruption& interruption)
     : subdivision_(subdivision), faces_(faces), waves_(waves), wanted_(wanted), interruption_(interruption),
+      most_points_(1000000 + 10 * std::uint64_t(subdivision.overlay().number_of_vertices())),
       ranks_(subdivision.overlay().number_of_vertices(), unknown)
   {}
 
@@ -80,8 +85,12 @@ public:
   {
     const Input_layer input(subdivision_);
     const Intrinsic_layer intrinsic(subdivision_);
+    std::vector<Triangle> coarse;
     for (Overlay::Face f : subdivision_.overlay().faces())
-      divide(input, intrinsic, f);
+      triangulate(input, intrinsic, f, coarse);
+    require_few_points();
+    for (const Triangle& t : coarse)
+      refine(t, waves_in(t.face));
     while (conform())
       ;
     for (const Triangle& t : fine_)
@@ -95,12 +104,13 @@ private:
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr std::uint32_t unknown = (std::numeric_limits<std::uint32_t>::max)();
-  static constexpr std::size_t most_triangles = 20000000;
   static constexpr double rounding = 1e-13; // of a distance, or of a side
 
   bool has_levels() const { return !wanted_.levels.empty(); }
 
-  void divide(const Input_layer& input, const Intrinsic_layer& intrinsic, Overlay::Face f)
+  // Adds those in which there may be a line.
+  void triangulate(const Input_layer& input, const Intrinsic_layer& intrinsic, Overlay::Face f,
+                   std::vector<Triangle>& coarse)
   {
     const std::uint32_t face = intrinsic.face(f).idx();
     const std::vector<const Wave*> waves = waves_in(face);
@@ -118,8 +128,77 @@ private:
                          {c[1] * side.length + c[2] * side.apex_x, c[2] * side.apex_y}});
       g = input.overlay.next(g);
     } while (g != first);
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-      refine({{corners[0], corners[i], corners[i + 1]}, h, face}, waves);
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+      interruption_.check();
+      const Triangle t{{corners[0], corners[i], corners[i + 1]}, h, face};
+      const Seen seen = look(t, waves);
+      if (is_far(t, seen))
+        continue;
+      coarse.push_back(t);
+      if (has_levels())
+        crossings_of_triangles_.push_back(count_crossings(t, seen));
+    }
+  }
+
+  // How many levels meet a triangle, and by how much the distance bends along them in multiples of the tolerance: chords
+  // take about a square root of it.
+  std::pair<double, double> count_crossings(const Triangle& t, const Seen& seen) const
+  {
+    const auto [lowest, highest] = range(seen);
+    const auto begin = std::lower_bound(wanted_.levels.begin(), wanted_.levels.end(), lowest),
+               end = std::upper_bound(begin, wanted_.levels.end(), highest);
+    if (begin == end)
+      return {0, 0};
+    double dip = 0;
+    for (const Wave_in_triangle& w : seen)
+      dip = (std::max)(dip, w.dip);
+    return {double(end - begin), (std::min)(dip, *(end - 1)) / tolerance(t, seen)};
+  }
+
+  // An estimate, if the tolerance is multiplied.
+  double number_of_points(double factor) const
+  {
+    double result = 0;
+    for (const auto& [number, bend] : crossings_of_triangles_)
+      result += number * (std::max)(1., std::sqrt(bend / factor));
+    return result;
+  }
+
+  // \exception Invalid_argument_error if there are too many
+  void require_few_points() const
+  {
+    const double number = number_of_points(1);
+    if (!(number > double(most_points_)))
+      return;
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << std::fixed << std::setprecision(1) << "the lines need about " << number / 1e6
+         << " million points, more than " << double(most_points_) / 1e6 << " million; " << std::setprecision(0);
+    const char* separator = "";
+    if (wanted_.levels.size() > 1) {
+      text << "one in " << std::ceil(number / double(most_points_)) << " of the distances would do";
+      separator = ", or ";
+    }
+    if (number_of_points(infinity) < double(most_points_)) {
+      double factor = 2;
+      while (number_of_points(factor) > double(most_points_))
+        factor *= 2;
+      text << separator << "a chord tolerance " << factor << " times as large" << (*separator ? "" : " would do");
+    }
+    throw Invalid_argument_error(text.str());
+  }
+
+  void keep(const Triangle& t)
+  {
+    if (has_levels()) {
+      const std::array<std::uint32_t, 3> ranks = ranks_of(t);
+      const auto [low, high] = std::minmax_element(ranks.begin(), ranks.end());
+      number_of_points_ += *high - *low;
+    }
+    fine_.push_back(t);
+    if (number_of_points_ > 2 * most_points_ || fine_.size() > 20 * most_points_)
+      throw Invalid_argument_error("the lines need more than " + std::to_string(2 * most_points_) +
+                                   " points: give fewer distances at a time, or a larger chord tolerance");
   }
 
   std::vector<const Wave*> waves_in(std::uint32_t face) const
@@ -192,12 +271,9 @@ private:
     const Seen seen = look(t, waves);
     if (is_far(t, seen))
       return;
-    if (length(t, longest_side(t)) <= tolerance(t) / 2 ||
+    if (length(t, longest_side(t)) <= tolerance(t, seen) / 2 ||
         (has_levels() ? follows_levels(t, seen) : follows_cells(t, seen))) {
-      fine_.push_back(t);
-      if (fine_.size() > most_triangles)
-        throw Invalid_argument_error("the lines have more than " + std::to_string(most_triangles) +
-                                     " points: give fewer distances, or a larger chord tolerance");
+      keep(t);
       return;
     }
     std::vector<const Wave*> left;
@@ -251,7 +327,12 @@ private:
     return result;
   }
 
-  double tolerance(const Triangle& t) const { return wanted_.chord_tolerance + slack(t); }
+  // At least the rounding of what is compared with it.
+  double tolerance(const Triangle& t, const Seen& seen) const
+  {
+    const double rounding_of_dips = 0x1p-49 * (faces_.side(3 * t.face).length + range(seen).second);
+    return (std::max)(wanted_.chord_tolerance, rounding_of_dips) + slack(t);
+  }
 
   static std::pair<double, double> range(const Seen& seen)
   {
@@ -281,7 +362,7 @@ private:
   bool follows_levels(const Triangle& t, const Seen& seen) const
   {
     const auto [lowest, highest] = range(seen);
-    const double margin = tolerance(t);
+    const double margin = tolerance(t, seen);
     std::array<std::uint32_t, 3> ranks = ranks_of(t);
     std::sort(ranks.begin(), ranks.end());
     const std::vector<double>& levels = wanted_.levels;
@@ -292,7 +373,7 @@ private:
 
   bool follows_cells(const Triangle& t, const Seen& seen) const
   {
-    const double margin = tolerance(t);
+    const double margin = tolerance(t, seen);
     std::array<std::uint32_t, 3> ranks = ranks_of(t);
     std::sort(ranks.begin(), ranks.end());
     if (ranks[0] != ranks[1] && ranks[1] != ranks[2])
@@ -340,6 +421,7 @@ private:
     if (!has_levels() && ranks[0] != ranks[1] && ranks[1] != ranks[2] && ranks[2] != ranks[0])
       return add_junction(t, seen);
     for (std::uint32_t level = has_levels() ? *low : 0; level < (has_levels() ? *high : 1); ++level) {
+      interruption_.check();
       const auto left_of = [&](std::size_t i) { return has_levels() ? std::uint32_t(ranks[i] > level) : ranks[i]; };
       std::size_t i = 0; // the corner that differs from the others
       while (left_of((i + 1) % 3) != left_of((i + 2) % 3))
@@ -412,9 +494,9 @@ private:
       return scale - nearest(p, rank_b);
     };
     double low = 0, high = 1, at_low = function(0), at_high = function(1);
-    if (!(at_low < 0))
+    if (!(at_low < -rounding * scale))
       return 0;
-    if (!(at_high > 0))
+    if (!(at_high > rounding * scale))
       return 1;
     double t = 0.5;
     for (int i = 0; i < 120 && high - low > 1e-16; ++i) {
@@ -425,7 +507,7 @@ private:
       (value < 0 ? low : high) = t;
       (value < 0 ? at_low : at_high) = value;
     }
-    return t < rounding ? 0 : t > 1 - rounding ? 1 : t;
+    return t;
   }
 
   using Crossing = std::pair<Line_pieces::Node, double>;
@@ -436,7 +518,10 @@ private:
   const Waves& waves_;
   const Wanted_lines& wanted_;
   const Interruption& interruption_;
-  std::vector<std::uint32_t> ranks_; // of the vertices: first those of the overlay
+  const std::uint64_t most_points_;
+  std::uint64_t number_of_points_ = 0;
+  std::vector<std::pair<double, double>> crossings_of_triangles_; // before they are divided
+  std::vector<std::uint32_t> ranks_;                              // of the vertices: first those of the overlay
   std::unordered_map<Edge, std::uint32_t, boost::hash<Edge>> middles_;
   std::vector<Triangle> fine_;
   std::unordered_map<Edge_and_level, Crossing, boost::hash<Edge_and_level>> crossings_;

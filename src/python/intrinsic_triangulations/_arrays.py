@@ -82,6 +82,18 @@ def indices(value: Any, name: str, shape: Sequence[Optional[int]], number: Optio
     return array.astype(numpy.uint32, copy=False)
 
 
+def sources(value: Any, number: int) -> numpy.ndarray:
+    """Returns an array of at least one vertex."""
+    result = indices(value if numpy.ndim(value) else [value], "v_inds", (None,), number)
+    require_sources(len(result), "v_inds")
+    return result
+
+
+def require_sources(number: int, name: str) -> None:
+    if number == 0:
+        raise InvalidArgumentError(f"{name} is empty: give at least one source, because distances from nothing are infinite everywhere")
+
+
 def bad_index(name: str, row: int, of_what: str, bad: int, array: numpy.ndarray, number: int) -> str:
     """Returns the message about a bad index in a row."""
     message = f"{name}[{row}] names {of_what} {bad}, but "

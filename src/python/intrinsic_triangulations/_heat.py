@@ -115,14 +115,14 @@ class MeshHeatMethodDistanceSolver(Rebuilt):
         Parameters
         ----------
         v_inds : (k,) array of integers
-            The sources. Without sources, all distances are infinite.
+            The sources, at least one.
 
         Returns
         -------
         (n,) array
             As for `compute_distance`: exactly zero at each source.
         """
-        return self._heat.distances(_arrays.indices(v_inds, "v_inds", (None,), self._number_of_vertices))
+        return self._heat.distances(_arrays.sources(v_inds, self._number_of_vertices))
 
     def compute_distance_from(self, sources: Sequence[Any], offsets: Optional[ArrayLike] = None) -> numpy.ndarray:
         """Return the distance of each vertex from the nearest of several points, edges and curves.
@@ -178,7 +178,7 @@ def geodesic_distances(V: ArrayLike, F: ArrayLike, v_inds: ArrayLike, tolerance:
     V, F
         As for `MeshHeatMethodDistanceSolver`.
     v_inds : integer, or (k,) array of integers
-        The sources.
+        The sources, at least one.
     tolerance : float
         How much each edge that a path crosses may change the length of the path, as a fraction of the length of the
         edge: at least 0, less than 1. With 0, distances are exact up to rounding, but take longer.
@@ -194,7 +194,7 @@ def geodesic_distances(V: ArrayLike, F: ArrayLike, v_inds: ArrayLike, tolerance:
         As for `MeshHeatMethodDistanceSolver`.
     """
     points, faces = _arrays.points_and_faces(V, F)
-    sources = _arrays.indices(v_inds if numpy.ndim(v_inds) else [v_inds], "v_inds", (None,), len(points))
+    sources = _arrays.sources(v_inds, len(points))
     _arrays.warn_of_gaps(points, faces)
     return _core.geodesic_distances(points, faces, sources, _tolerance(tolerance))
 
@@ -211,7 +211,7 @@ def geodesic_distances_from(V: ArrayLike, F: ArrayLike, sources: Sequence[Any], 
     V, F, tolerance
         As for `geodesic_distances`.
     sources : sequence
-        An integer is a vertex, two integers are an edge, four numbers are a point: the number of a triangle, and
+        At least one. An integer is a vertex, two integers are an edge, four numbers are a point: the number of a triangle, and
         barycentric coordinates. A (k, 4) array is a curve through such points, each in the triangle of the one before,
         or on an edge or at a vertex of it.
     offsets : (number of sources,) array of floats
@@ -233,7 +233,7 @@ def geodesic_distances_from(V: ArrayLike, F: ArrayLike, sources: Sequence[Any], 
     InvalidSurfaceError
         As for `MeshHeatMethodDistanceSolver`.
     ValueError
-        If a source does not lie on the surface, an offset is negative, or barriers cross.
+        If there is no source, or one does not lie on the surface, an offset is negative, or barriers cross.
     """
     points, faces = _arrays.points_and_faces(V, F)
     placed = _placed(points, faces, sources, offsets, barriers)
@@ -314,9 +314,10 @@ def _placed(points: numpy.ndarray, faces: numpy.ndarray, sources: Sequence[Any],
             barriers: Sequence[Any] = ()) -> tuple:
     """Return the triangles and coordinates of all points of sources and barriers, where each begins, and the offsets."""
     places = [_places(source, f"sources[{i}]", faces, len(points)) for i, source in enumerate(sources)]
+    _arrays.require_sources(len(places), "sources")
     starts = numpy.zeros(len(places)) if offsets is None else _arrays.finite(offsets, "offsets", (len(places),))
     places += [_places(barrier, f"barriers[{i}]", faces, len(points)) for i, barrier in enumerate(barriers)]
-    rows = numpy.concatenate(places) if places else numpy.empty((0, 4))
+    rows = numpy.concatenate(places)
     first = numpy.cumsum([0] + [len(p) for p in places]).astype(numpy.uint32)
     numbers = _arrays.indices(rows[:, 0].astype(numpy.int64), "triangles of sources", (None,), len(faces))
     return numbers, numpy.ascontiguousarray(rows[:, 1:]), first, starts
@@ -332,6 +333,7 @@ def _places(source: Any, name: str, faces: numpy.ndarray, number_of_vertices: in
             raise ValueError(f"{name} has to name vertices of one triangle, and none has {ends}")
         return numpy.array([[triangles[0], *(faces[triangles[0]] == v)] for v in ends], dtype=float)
     rows = _arrays.finite(source, name, (4,) if array.ndim == 1 else (None, 4)).reshape(-1, 4)
+    _arrays.require_sources(len(rows), name)
     if not (rows[:, 0] == numpy.floor(rows[:, 0])).all():
         raise ValueError(f"{name} has to begin with the number of a triangle, and this is not whole")
     return rows

@@ -66,7 +66,8 @@ def isolines(V: ArrayLike, F: ArrayLike, sources: Sequence[Any], distances: Arra
     InvalidSurfaceError
         As for `EdgeFlipGeodesicSolver`.
     InvalidArgumentError
-        If a distance is not positive, or more than 20 million points are needed.
+        If a distance is not positive, or more than about a million points, and ten for each vertex, are needed; the
+        message says what would do.
     ValueError
         As for `geodesic_distances_from`.
 

@@ -135,11 +135,10 @@ class SimplifiedDistances(Rebuilt):
         Parameters
         ----------
         v_inds : integer, or (k,) array of integers
-            The sources.
+            The sources, at least one.
 
         Returns
         -------
         DistanceIntervals
         """
-        sources = _arrays.indices(v_inds if numpy.ndim(v_inds) else [v_inds], "v_inds", (None,), self._number_of_vertices)
-        return DistanceIntervals(*self._distances.distances(sources))
+        return DistanceIntervals(*self._distances.distances(_arrays.sources(v_inds, self._number_of_vertices)))
