@@ -29,7 +29,6 @@
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
 #include <CGAL/Intrinsic_triangulations/cut_along_path.h>
 #include <CGAL/Intrinsic_triangulations/nearest_source_point.h>
-#include <CGAL/Intrinsic_triangulations/repair_polygons.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path.h>
 #include <CGAL/Intrinsic_triangulations/shortest_path_on_triangles.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
@@ -552,21 +551,7 @@ Exit_status run_geodesic(Geodesic_options options)
   check(options);
   return for_each_input({options.input}, [&](const std::string& path) {
     std::optional<Triangle_soup> soup; // if the triangles are no surface
-    const Surface surface = [&] {
-      try {
-        return load_surface(path, options.repair);
-      } catch (const IT::Invalid_surface_error& error) {
-        // Only --repair removes flat spikes.
-        if (!IT::is_repairable(error.defect()) ||
-            error.defect() == IT::Invalid_surface_error::Defect::DEGENERATE_FACE || !takes_any_triangles(options))
-          throw;
-        soup = read_triangle_soup(path);
-        Surface result;
-        result.path = path;
-        result.warnings = soup->warnings;
-        return result;
-      }
-    }();
+    const Surface surface = load_surface(path, options.repair, {}, takes_any_triangles(options) ? &soup : nullptr);
     const std::string type = extension_with_format(options.output_path, options.format);
     if (!surface.has_points() && !type.empty() && type != ".csv")
       throw Usage_error(options.output_path + ": " + path + " has only lengths, no points: write a .csv file");

@@ -8,6 +8,7 @@
 #include "system/Progress.h"
 #include "system/Stopwatch.h"
 #include "system/text.h"
+#include "input/Triangle_soup.h"
 #include "input/gluing_file.h"
 #include "input/read_surface.h"
 #include "input/repair.h"
@@ -55,7 +56,8 @@ std::string stitching_advice(const IT::Surface_report& report, const Repair_opti
                                   finding.count, text);
 }
 
-void load_mesh(Surface& surface, const Repair_options& repair_options)
+// \param soup as of load_surface()
+void load_mesh(Surface& surface, const Repair_options& repair_options, std::optional<Triangle_soup>* soup)
 {
   Stopwatch stopwatch;
   Surface_input input = read_and_warn(surface.path);
@@ -83,8 +85,13 @@ void load_mesh(Surface& surface, const Repair_options& repair_options)
       const Progress progress(surface.path, "checking");
       return examine(input);
     }();
-    if (report.first_fatal() != nullptr)
-      refuse(report, surface.path, is_repaired);
+    if (const IT::Finding* fatal = report.first_fatal()) {
+      if (soup == nullptr || is_repaired || !IT::is_repairable(fatal->defect))
+        refuse(report, surface.path, is_repaired);
+      *soup = to_triangle_soup(std::move(input));
+      surface.warnings = (*soup)->warnings;
+      return;
+    }
     using Defect = IT::Invalid_surface_error::Defect;
     for (Defect defect : {Defect::DEGENERATE_FACE, Defect::UNREFERENCED_VERTEX})
       if (const IT::Finding* finding = report.find(defect))
@@ -142,7 +149,7 @@ std::vector<std::string> gap_warnings(const IT::Surface_report& report, const st
 }
 
 Surface load_surface(const std::string& path, const Repair_options& repair_options,
-                     const std::optional<Mollification_options>& mollification)
+                     const std::optional<Mollification_options>& mollification, std::optional<Triangle_soup>* soup)
 {
   Surface surface;
   surface.path = path;
@@ -157,7 +164,7 @@ Surface load_surface(const std::string& path, const Repair_options& repair_optio
   else if (is_gluing_file(path))
     load_gluing(surface);
   else
-    load_mesh(surface, repair_options);
+    load_mesh(surface, repair_options, soup);
   if (!mollification)
     return surface;
 

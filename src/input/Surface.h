@@ -51,6 +51,7 @@ struct Repair_options
 };
 
 struct Saved_triangulation;
+struct Triangle_soup;
 
 struct Surface
 {
@@ -84,11 +85,14 @@ struct Surface
 //
 // Unused vertices and faces of zero area are accepted and noted. Mollification that changes a length replaces the
 // points by lengths.
+// \param soup if not null, receives the triangles of a mesh that is no surface but could be repaired; then the surface
+//   is empty
 // \exception Invalid_surface_error if the surface cannot be used; the message begins
 //            with `path` and names the first element at fault and how many more
 // \exception Cancelled_error if an interruption ends the reading
 Surface load_surface(const std::string& path, const Repair_options& repair_options = {},
-                     const std::optional<Mollification_options>& mollification = {});
+                     const std::optional<Mollification_options>& mollification = {},
+                     std::optional<Triangle_soup>* soup = nullptr);
 
 // Reports the gaps on the standard error.
 // \param advice the remedy

@@ -57,9 +57,10 @@ void add_polygons(const Surface_input& input, Triangle_soup& soup)
 
 } // namespace
 
-Triangle_soup read_triangle_soup(const std::string& path)
+Triangle_soup read_triangle_soup(const std::string& path) { return to_triangle_soup(read_and_warn(path)); }
+
+Triangle_soup to_triangle_soup(Surface_input input)
 {
-  Surface_input input = read_and_warn(path);
   Triangle_soup soup;
   soup.number_of_faces = input.number_of_faces();
   if (input.is_triangulated()) {
@@ -70,7 +71,7 @@ Triangle_soup read_triangle_soup(const std::string& path)
   soup.points = std::move(input.points);
   soup.warnings.insert(soup.warnings.begin(), input.warnings.begin(), input.warnings.end());
   const IT::Surface_report gaps = IT::find_gaps(soup.points, soup.triangles);
-  for (std::string& warning : gap_warnings(gaps, path,
+  for (std::string& warning : gap_warnings(gaps, input.path,
                                            "--repair --stitch " + in_short(gaps.stitching_tolerance) +
                                              " --save joined.idt of triangulate joins them: read joined.idt instead"))
     soup.warnings.push_back(std::move(warning));

@@ -14,6 +14,8 @@
 
 namespace idt {
 
+struct Surface_input;
+
 struct Triangle_soup
 {
   std::vector<std::array<double, 3>> points;
@@ -28,6 +30,9 @@ struct Triangle_soup
 // \exception Invalid_surface_error if the file cannot be read; the message begins with `path`
 // \exception Cancelled_error if an interruption ends the reading
 Triangle_soup read_triangle_soup(const std::string& path);
+
+// The same of a file that was read.
+Triangle_soup to_triangle_soup(Surface_input input);
 
 } // namespace idt
 

@@ -66,7 +66,6 @@
 #include "distances/Distance_bounds.cpp"
 #include "distances/Distance_search.cpp"
 #include "distances/First_ways.cpp"
-#include "distances/Flat_ways.cpp"
 #include "distances/Geodesic_source.cpp"
 #include "distances/Laid_out_faces.cpp"
 #include "distances/Laid_out_points.cpp"

@@ -557,6 +557,118 @@ TEST(Shortest_path_on_triangles, from_page_to_page)
   }
 }
 
+// The distance, by both ways to find it.
+void expect_distance(const Points& points, const std::vector<std::array<std::uint32_t, 3>>& triangles,
+                     std::uint32_t from, std::uint32_t to, double distance)
+{
+  expect_shortest(IT::shortest_path_on_triangles(points, triangles, from, to), points, triangles, distance);
+  IT::Tufted_cover cover =
+    IT::make_tufted_cover(points, triangles, CGAL::parameters::surface_cover(IT::Surface_cover::SHEETS));
+  IT::flip_to_Delaunay(cover.triangulation);
+  for (double tolerance : {0., 0.001})
+    EXPECT_NEAR(
+      IT::geodesic_distances(cover, {Vertex_index(from)}, CGAL::parameters::tolerance(tolerance)).distances[to],
+      distance, tolerance + 1e-12);
+}
+
+TEST(Shortest_path_on_triangles, faces_of_zero_area_are_segments)
+{
+  struct Case
+  {
+    const char* what;
+    Points points;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::uint32_t from, to;
+    double distance;
+  };
+  const std::vector<Case> cases{{"a segment ends at a face",
+                                 {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {2, 1, 0}},
+                                 {{2, 0, 1}, {1, 3, 4}},
+                                 0,
+                                 4,
+                                 1 + std::sqrt(2.)},
+                                {"straight across, at an edge of four faces",
+                                 {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {.5, 1, 0}, {1.5, -1, 0}, {1.5, 3, 0}},
+                                 {{0, 2, 1}, {0, 2, 3}, {1, 2, 4}, {0, 2, 5}},
+                                 3,
+                                 4,
+                                 std::sqrt(5.)},
+                                {"shorter than over the faces",
+                                 {{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 5, 0}, {1, 9, 0}},
+                                 {{0, 1, 2}, {0, 3, 4}, {3, 1, 4}},
+                                 0,
+                                 1,
+                                 2},
+                                {"a face at the middle of three parts of an edge",
+                                 {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {1.5, -2, 0}, {1.5, 2, 0}},
+                                 {{0, 3, 1}, {1, 3, 2}, {0, 3, 4}, {1, 2, 5}},
+                                 4,
+                                 5,
+                                 4},
+                                {"the same, where both vertices lie on the whole edge",
+                                 {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {1.5, -2, 0}, {1.5, 2, 0}},
+                                 {{0, 3, 1}, {2, 3, 0}, {0, 3, 4}, {2, 1, 5}},
+                                 4,
+                                 5,
+                                 4},
+                                {"a face with an edge of length zero",
+                                 {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}},
+                                 {{0, 1, 2}, {1, 3, 4}},
+                                 0,
+                                 3,
+                                 2},
+                                {"two vertices at one place of an edge",
+                                 {{0, 0, 0}, {1, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, -1, 0}},
+                                 {{0, 3, 1}, {0, 3, 2}, {0, 1, 4}, {2, 3, 5}},
+                                 4,
+                                 5,
+                                 2},
+                                {"where a face is cut, it has no edge",
+                                 {{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 2, 0}, {1, 1, 1}},
+                                 {{0, 1, 2}, {0, 1, 3}, {2, 3, 4}},
+                                 4,
+                                 0,
+                                 1 + std::sqrt(2.)}};
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.what);
+    expect_distance(c.points, c.triangles, c.from, c.to, c.distance);
+    expect_distance(c.points, c.triangles, c.to, c.from, c.distance);
+  }
+  EXPECT_THROW(IT::shortest_path_on_triangles(Points{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {3, 1, 0}, {4, 0, 0}},
+                                              std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {3, 4, 5}}, 0, 3),
+               IT::Invalid_argument_error);
+}
+
+// Most of them have faces of zero area, and edges of three and more faces.
+TEST(Shortest_path_on_triangles, are_as_long_as_distances)
+{
+  std::mt19937 random(11);
+  std::size_t number_of_pairs = 0;
+  for (int mesh = 0; mesh < 150; ++mesh) {
+    const std::uint32_t n = 5 + random() % 5;
+    Points points;
+    for (std::uint32_t v = 0; v < n; ++v)
+      points.push_back({double(random() % 4), double(random() % (mesh % 2 == 0 ? 1 + random() % 2 : 3)),
+                        double(mesh % 3 == 0 ? random() % 2 : 0)});
+    std::vector<std::array<std::uint32_t, 3>> triangles(3 + random() % 8);
+    for (auto& t : triangles)
+      for (std::uint32_t& v : t)
+        v = random() % n;
+    IT::Tufted_cover cover =
+      IT::make_tufted_cover(points, triangles, CGAL::parameters::surface_cover(IT::Surface_cover::SHEETS));
+    IT::flip_to_Delaunay(cover.triangulation);
+    const std::vector<double> distances =
+      IT::geodesic_distances(cover, {Vertex_index(0)}, CGAL::parameters::tolerance(0.)).distances;
+    for (std::uint32_t v = 1; v < n; ++v) {
+      if (!std::isfinite(distances[v]))
+        EXPECT_THROW(IT::shortest_path_on_triangles(points, triangles, v, 0), IT::Invalid_argument_error);
+      else if (distances[v] > 0 && ++number_of_pairs)
+        expect_shortest(IT::shortest_path_on_triangles(points, triangles, v, 0), points, triangles, distances[v]);
+    }
+  }
+  EXPECT_GT(number_of_pairs, 400u);
+}
+
 // On the double cover, which is oriented, the shortest path leads to one of the copies.
 TEST(Shortest_path_on_triangles, of_a_band_with_one_side)
 {

@@ -395,29 +395,31 @@ private:
       if (keeps_ridges_)
         internal::Ridge_keeper(*surface_, pins, is_reachable).raise(phi);
     }
-    const std::vector<double> of_rows = within_bounds(phi, pins);
+    const std::vector<double> of_rows = within_bounds(phi, pins, is_reachable);
     const int half = surface_->exponent / 2;
     const double one_part = std::ldexp(1., half), other_part = std::ldexp(1., surface_->exponent - half);
     distances_.resize(surface_->size());
-    for (std::size_t v = 0; v < distances_.size(); ++v) {
-      const std::uint32_t row = row_of_input(v);
-      distances_[v] =
-        is_reachable[row] ? of_rows[row] * one_part * other_part : std::numeric_limits<double>::infinity();
-    }
+    for (std::size_t v = 0; v < distances_.size(); ++v)
+      distances_[v] = of_rows[row_of_input(v)] * one_part * other_part;
   }
 
-  // In the common unit of all components.
-  std::vector<double> within_bounds(const Eigen::VectorXd& phi, internal::Pins pins)
+  // In the common unit of all components. What only edges of faces of zero area reach has the distance along edges.
+  std::vector<double> within_bounds(const Eigen::VectorXd& phi, internal::Pins pins,
+                                    const std::vector<bool>& is_reachable)
   {
     const Eigen::VectorXd before =
       phi.cwiseProduct(Eigen::Map<const Eigen::VectorXd>(surface_->units.data(), phi.size()));
     std::vector<double> result(before.begin(), before.end());
+    for (std::size_t row = 0; row < result.size(); ++row)
+      if (!is_reachable[row])
+        result[row] = std::numeric_limits<double>::infinity();
     for (auto& pin : pins)
       pin.second *= surface_->units[pin.first];
     bounds_->apply(result, pins, std::ldexp(placed_.farther, -surface_->exponent));
     number_of_bounded_distances_ = 0;
     for (std::size_t row = 0; row < result.size(); ++row)
-      number_of_bounded_distances_ += std::abs(result[row] - before[Eigen::Index(row)]) > 0.05 * result[row];
+      number_of_bounded_distances_ +=
+        is_reachable[row] && std::abs(result[row] - before[Eigen::Index(row)]) > 0.05 * result[row];
     return result;
   }
 

@@ -65,7 +65,7 @@ struct Tufted_cover_report
   std::size_t repeated_corner_faces = 0; ///< faces dropped because they name a vertex twice
   std::size_t collapsed_faces = 0;       ///< faces dropped because some of their corners were merged
   std::size_t zero_length_faces = 0;     ///< faces dropped by `Coincident_vertices::DROP`
-  std::size_t faces_without_area = 0;    ///< faces dropped because their whole part has zero area
+  std::size_t faces_without_area = 0;    ///< faces of zero area that share no edge with one that has an area
   std::size_t merged_vertices = 0;       ///< vertices merged into another one
   std::size_t unreferenced_vertices = 0; ///< vertices of no remaining face: their rows are zero
   Mollification_report mollification;    ///< the changes by mollification, if requested
@@ -91,7 +91,7 @@ struct Tufted_cover
   Intrinsic_triangulation<Filtered_edge_length_traits> triangulation;
   /// for each vertex of the cover, the input vertex below it
   std::vector<std::uint32_t> vertex_of;
-  /// for each face of the cover, the input face below it; flips make it meaningless
+  /// for each face of the cover, the input face below it, of which it may be a part; flips make it meaningless
   std::vector<std::uint32_t> face_of;
   /// for each face of the cover, whether it is the copy that is turned over
   std::vector<bool> is_back;
@@ -103,14 +103,15 @@ struct Tufted_cover
   Tufted_cover_report report;
   /// whether border edges of the cover between the same vertices of the input are one edge that was cut
   bool is_cut = false;
-  /// an edge of faces of zero area, at a vertex of the input that has no face in the cover
+  /// an edge at which all faces have zero area
   struct Flat_edge
   {
     std::uint32_t source; ///< a vertex of the input that represents itself
     std::uint32_t target; ///< another one
     double length;        ///< its length
+    std::uint32_t face;   ///< a face of the input in which it lies
   };
-  /// the edges that lead to vertices without faces in the cover, such as the tips of flat spikes
+  /// the edges that are not in the cover because all their faces have zero area, as those of flat spikes
   std::vector<Flat_edge> flat_edges;
 };
 
@@ -187,12 +188,12 @@ Tufted_cover build_cover_of_complex(const Delta_complex& complex, const std::vec
 /// faces may be given several times. A part that is closed, orientable and has two faces at each edge is not doubled.
 ///
 /// The order is decided exactly from the points, and depends neither on how these are rotated nor on how vertices and
-/// faces are numbered, except where isosceles triangles over the same edge lie in one half-plane, third vertices are at
-/// the same place, or more than two faces meet at the edge of one without area and several of them reach farthest.
+/// faces are numbered, except where isosceles triangles over the same edge lie in one half-plane, or third vertices
+/// are at the same place.
 ///
-/// Faces that name a vertex twice are dropped. So are parts of the cover without area. Other faces of zero area are
-/// flipped away, which cuts the faces beside them and changes no distance. If they join vertices at the same place,
-/// these are one point of the cover. The parameter `coincident_vertices` determines how such vertices and edges of
+/// Faces that name a vertex twice are dropped. Faces of zero area are segments: the faces at their longest side are cut
+/// at their third corner, which changes no distance, and edges that have no other faces remain as `flat_edges`. If they
+/// join vertices at the same place, these are one point of the cover. The parameter `coincident_vertices` determines how such vertices and edges of
 /// length zero are handled.
 ///
 /// \tparam PointRange a range of points whose coordinates are `p[0]`, `p[1]` and `p[2]`; they are rounded to `double`

@@ -14,7 +14,6 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_distances.h>
 #include <CGAL/Intrinsic_triangulations/internal/distances/Distance_search.h>
-#include <CGAL/Intrinsic_triangulations/internal/distances/Flat_ways.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/for_each_block.h>
@@ -127,17 +126,9 @@ Geodesic_distance_matrix geodesic_distance_matrix(const Tufted_cover& cover, con
   const internal::Distance_search<Traits, internal::Row_of_cover_vertex> search(
     cover.triangulation, internal::Row_of_cover_vertex(cover), np);
   const std::vector<std::uint32_t> rows = search.rows(targets);
-  const auto row = [&](Vertex_index source) {
-    if (cover.flat_edges.empty())
-      return internal::distances_of_targets(search, source, rows);
-    Geodesic_distances result = internal::distances_over_cover(search, cover, {source});
-    std::vector<double> of_targets;
-    for (Vertex_index v : targets)
-      of_targets.push_back(result.distances[v.idx()]);
-    result.distances = std::move(of_targets);
-    return result;
-  };
-  return internal::distance_matrix<ConcurrencyTag>(sources, row, internal::progress_function_of(np));
+  return internal::distance_matrix<ConcurrencyTag>(
+    sources, [&](Vertex_index source) { return internal::distances_of_targets(search, source, rows); },
+    internal::progress_function_of(np));
 }
 
 } // namespace CGAL::Intrinsic_triangulations

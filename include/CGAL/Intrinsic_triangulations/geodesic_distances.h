@@ -15,7 +15,6 @@
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/distances/Distance_search.h>
-#include <CGAL/Intrinsic_triangulations/internal/distances/Flat_ways.h>
 #include <CGAL/Intrinsic_triangulations/internal/matrices/assemble_symmetric_matrix.h>
 #include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
 #include <CGAL/Intrinsic_triangulations/observer.h>
@@ -54,23 +53,6 @@ Geodesic_distances by_vertices(const Search& search, Window_distances found)
     result.distances.push_back(found.distances[row]);
     result.nearest_sources.push_back(found.origins[row]);
   }
-  return result;
-}
-
-// Over the surface and along flat edges.
-template <class Search>
-Geodesic_distances distances_over_cover(const Search& search, const Tufted_cover& cover,
-                                        const std::vector<Vertex_index>& sources)
-{
-  Geodesic_distances result;
-  const Surface_distances on_surface = [&](const std::vector<Vertex_index>& from) {
-    Geodesic_distances found = by_vertices(search, search.find(search.at_vertices(from)));
-    result.number_of_ways += found.number_of_ways;
-    result.is_complete = result.is_complete && found.is_complete;
-    return std::move(found.distances);
-  };
-  result.distances =
-    cover.flat_edges.empty() ? on_surface(sources) : distances_along_flat_edges(cover, on_surface, sources);
   return result;
 }
 
@@ -129,7 +111,7 @@ Geodesic_distances geodesic_distances(const Intrinsic_triangulation<Traits>& tri
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
 /// \brief as `geodesic_distances()` of a triangulation, for any triangles. The vertices are those of the input; merged
-/// vertices have the same distance. To vertices whose faces all have zero area, ways go along edges.
+/// vertices have the same distance. Ways lead along edges of faces of zero area, too.
 ///
 /// If the cover is made of sheets (`Surface_cover::SHEETS`), paths go from each face at an edge into all others. On a
 /// tufted cover, they go into the next faces around an edge only; distances across edges with more than two faces are
@@ -145,7 +127,7 @@ Geodesic_distances geodesic_distances(const Tufted_cover& cover, const std::vect
   using Traits = typename decltype(cover.triangulation)::Traits;
   const internal::Distance_search<Traits, internal::Row_of_cover_vertex> search(
     cover.triangulation, internal::Row_of_cover_vertex(cover), np);
-  return internal::distances_over_cover(search, cover, sources);
+  return internal::by_vertices(search, search.find(search.at_vertices(sources)));
 }
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
@@ -174,7 +156,7 @@ Geodesic_distances geodesic_distances_from(const Intrinsic_triangulation<Traits>
 }
 
 /// \ingroup PkgIntrinsicTriangulationsHeat
-/// \brief as above, for any triangles. Ways do not lead along flat edges (`Tufted_cover::flat_edges`).
+/// \brief as above, for any triangles.
 /// \param cover a cover that was made Delaunay
 /// \param sources points of `cover.triangulation.input()`, as given by `points_of_cover()`
 /// \param np as above

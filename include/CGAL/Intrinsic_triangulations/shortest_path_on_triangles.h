@@ -60,11 +60,17 @@ struct Straight_part
 bool straight_parts(const Laid_out_faces& faces, const Window_distances& windows, std::uint32_t row,
                     std::vector<Straight_part>& parts);
 
-// A vertex, or a point of a border edge of the input.
-struct Place_on_sheets
+// A part of a path, on one sheet or along a flat edge.
+struct Part_on_sheets
 {
-  Vertex_index vertex;
-  Surface_point point;
+  // A vertex, or a point of a border edge of the input.
+  struct Place
+  {
+    Vertex_index vertex;
+    Surface_point point;
+  };
+  std::array<Place, 2> ends;
+  const Tufted_cover::Flat_edge* flat_edge = nullptr;
 };
 
 } // namespace internal
@@ -82,8 +88,7 @@ struct Place_on_sheets
 /// \param source, target vertices
 /// \param np the named parameters of `geodesic_distances()`, except for the tolerance
 /// \return the path; it has one position if both vertices are at the same point
-/// \exception Invalid_argument_error if there is no such vertex, or no path; or if all faces around some vertex
-///   have zero area, so that ways lead along their edges
+/// \exception Invalid_argument_error if there is no such vertex, or no path
 /// \exception Invalid_surface_error as `make_tufted_cover()`
 /// \exception Cancelled_error if the visitor asks for it
 /// \exception Undecided_error as `flip()` of `Intrinsic_triangulation`
@@ -103,9 +108,6 @@ Path_on_triangles shortest_path_on_triangles(const PointRange& points, const Tri
   const internal::Row_of_cover_vertex row(cover);
   for (std::size_t v : {source, target})
     internal::require_vertex(Vertex_index(Vertex_index::size_type(v)), row.number_of_rows());
-  if (!cover.flat_edges.empty())
-    throw Invalid_argument_error("all faces around vertex " + std::to_string(cover.flat_edges.front().target) +
-                                 " have zero area: remove them, as repair_polygons() and --repair do");
   std::vector<std::array<double, 3>> places; // of the cover
   for (std::uint32_t v : cover.vertex_of)
     places.push_back({to_double(points[v][0]), to_double(points[v][1]), to_double(points[v][2])});
@@ -116,7 +118,8 @@ Path_on_triangles shortest_path_on_triangles(const PointRange& points, const Tri
     return result;
 
   // A path changes sheets at points of edges that no flip removes, and at vertices.
-  std::vector<std::array<internal::Place_on_sheets, 2>> parts;
+  using Part = internal::Part_on_sheets;
+  std::vector<Part> parts;
   {
     Triangulation flipped(sheets);
     flip_to_Delaunay(flipped, options);
@@ -132,24 +135,36 @@ Path_on_triangles shortest_path_on_triangles(const PointRange& points, const Tri
     result.is_complete = internal::straight_parts(faces, windows, to, found) && windows.is_complete;
     const auto on_sheets = [&](const internal::Straight_part::End& end) {
       const Halfedge_index h = faces.halfedge(end.side);
-      return end.place > 0 ? internal::Place_on_sheets{{}, {h, {1 - end.place, end.place, 0}}}
-                           : internal::Place_on_sheets{flipped.connectivity().source(h), {}};
+      return end.place > 0 ? Part::Place{{}, {h, {1 - end.place, end.place, 0}}}
+                           : Part::Place{flipped.connectivity().source(h), {}};
     };
     for (auto part = found.rbegin(); part != found.rend(); ++part) {
-      const internal::Place_on_sheets begin = on_sheets(part->to), end = on_sheets(part->from);
-      if (begin.vertex.is_valid() && !parts.empty() && parts.back()[1].vertex == begin.vertex)
-        parts.back()[1] = end; // it bends within a sheet
+      if (faces.is_flat_edge(part->to.side)) {
+        parts.push_back({{}, &cover.flat_edges[faces.flat_edge(part->to.side)]});
+        parts.back().ends[1].vertex = Vertex_index(faces.side(part->from.side).row);
+        continue;
+      }
+      const Part::Place begin = on_sheets(part->to), end = on_sheets(part->from);
+      if (begin.vertex.is_valid() && !parts.empty() && !parts.back().flat_edge &&
+          parts.back().ends[1].vertex == begin.vertex)
+        parts.back().ends[1] = end; // it bends within a sheet
       else
-        parts.push_back({begin, end});
+        parts.push_back({{begin, end}});
     }
   }
-  for (auto& part : parts)
-    for (internal::Place_on_sheets& end : part)
-      if (!end.vertex.is_valid())
+  for (Part& part : parts)
+    for (Part::Place& end : part.ends)
+      if (!part.flat_edge && !end.vertex.is_valid())
         end.vertex = vertex_at_point(sheets, end.point);
   flip_to_Delaunay(sheets, options);
-  for (const auto& part : parts) {
-    const Shortest_path path = shortest_path(sheets, part[0].vertex, part[1].vertex, np);
+  for (const Part& part : parts) {
+    if (part.flat_edge) {
+      result.length += part.flat_edge->length;
+      result.triangles.push_back(part.flat_edge->face);
+      result.positions.push_back(places[part.ends[1].vertex.idx()]);
+      continue;
+    }
+    const Shortest_path path = shortest_path(sheets, part.ends[0].vertex, part.ends[1].vertex, np);
     Geodesic_path_network<Filtered_edge_length_traits> network(sheets);
     const std::size_t number = network.add_path(path.halfedges);
     network.shorten(options);

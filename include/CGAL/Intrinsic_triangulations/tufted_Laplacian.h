@@ -64,6 +64,12 @@ public:
   // The row of a vertex of the input.
   std::uint32_t of_input(Vertex_index v) const { return cover_.representative[v.idx()]; }
   bool is_cut() const { return cover_.is_cut; }
+  template <class Visit>
+  void for_each_flat_edge(const Visit& visit) const
+  {
+    for (const Tufted_cover::Flat_edge& e : cover_.flat_edges)
+      visit(e.source, e.target, e.length);
+  }
   // The weight of a face, or of each face at an edge: one half if it has a second copy.
   double share(Face_index f) const { return cover_.is_half[f.idx()] ? 0.5 : 1; }
   double share(Edge_index e) const

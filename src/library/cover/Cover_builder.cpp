@@ -42,12 +42,28 @@ inline std::vector<bool> have_faces(std::size_t number_of_vertices, const std::v
   return result;
 }
 
+// Triangles in space with glued sides. Side 3f + i runs from corner i of face f to corner i + 1.
+struct Glued_faces
+{
+  std::vector<std::uint32_t> face_of; // for each face, the triangle of which it is a copy
+  std::vector<bool> is_back;
+  Large_vector<std::uint32_t> corners;  // for each side the vertex where it begins
+  Large_vector<std::uint32_t> glued_to; // for each side its partner, or the largest index
+
+  void glue(std::uint32_t s, std::uint32_t t)
+  {
+    glued_to[s] = t;
+    glued_to[t] = s;
+  }
+};
+
 // Triangles with corners at three different places; each corner is the vertex that represents the given one.
 struct Cleaned_triangles
 {
   std::vector<Index_triangle> triangles;
   std::vector<std::uint32_t> input_face;     // of each triangle
   std::vector<std::uint32_t> representative; // of each vertex
+  std::vector<Wire> wires;                   // of faces that lost a corner
   Tufted_cover_report report;                // numbers of vertices and faces, dropped and merged ones
 };
 
@@ -168,6 +184,11 @@ private:
     for (Index_triangle& t : result_.triangles)
       for (std::uint32_t& v : t)
         v = result_.representative[v];
+    for (std::size_t f = 0; f < result_.triangles.size(); ++f) {
+      const auto& [a, b, c] = result_.triangles[f];
+      if (const std::uint32_t other = a == b ? c : b; repeats_a_corner(result_.triangles[f]) && other != a)
+        result_.wires.push_back({{a, other}, result_.input_face[f]});
+    }
     result_.report.collapsed_faces = remove_if([](const Index_triangle& t) { return repeats_a_corner(t); });
   }
 
@@ -201,16 +222,17 @@ public:
   std::optional<Tufted_cover> run(std::vector<Vertex_number_pair>& coincident)
   {
     check_size(12 * cleaned_.triangles.size());
+    coincident.clear();
     // Each takes some tenths of a second for a million triangles.
     for (const auto step :
-         {&Cover_builder::count_edges, &Cover_builder::find_pieces, &Cover_builder::count_nonmanifold_vertices,
-          &Cover_builder::make_copies, &Cover_builder::glue}) {
+         {&Cover_builder::count_edges, &Cover_builder::count_nonmanifold_vertices, &Cover_builder::remove_flat_faces,
+          &Cover_builder::find_pieces, &Cover_builder::make_copies, &Cover_builder::glue}) {
       interruption_.check();
       (this->*step)();
+      coincident = coincident_;
+      if (!coincident.empty())
+        return std::nullopt;
     }
-    coincident = remove_flat_faces();
-    if (!coincident.empty())
-      return std::nullopt;
     interruption_.check();
     return assemble();
   }
@@ -238,9 +260,13 @@ private:
       if (end - begin <= 2)
         return;
       ++report().nonmanifold_edges;
-      if (options_.cover == Surface_cover::NONE)
-        throw_at_edge(Invalid_surface_error::Defect::NON_MANIFOLD_EDGE, *begin, "has more than two faces");
+      refuse_without_cover(*begin);
     });
+  }
+  void refuse_without_cover(const Side& side) const
+  {
+    if (options_.cover == Surface_cover::NONE)
+      throw_at_edge(Invalid_surface_error::Defect::NON_MANIFOLD_EDGE, side, "has more than two faces");
   }
 
   // Turns the faces of each piece so that they agree with its first one, or finds that it needs two copies.
@@ -332,8 +358,10 @@ private:
       if (!is_doubled_[begin->face()]) {
         if (n == 2 && runs_to_smaller_end(begin[0]) != runs_to_smaller_end(begin[1]))
           cover_.glue(side_of_copy(begin[0], false), side_of_copy(begin[1], true));
-        else if (n > 1)
+        else if (n > 1) {
+          refuse_without_cover(*begin);
           is_cut_ = true;
+        }
         return;
       }
       if (n <= 2) {
@@ -363,9 +391,7 @@ private:
   bool runs_to_smaller_end(const Side& side) const { return side.runs_to_smaller_end() != is_turned_[side.face()]; }
   Index third_vertex(Index s) const { return triangles()[s / 3][(s + 2) % 3]; }
 
-  // Drops the parts of the cover that have no area, which need not be parts of the input: two coincident faces without
-  // area enclose one. All other faces without area are flipped away.
-  std::vector<Vertex_number_pair> remove_flat_faces()
+  void remove_flat_faces()
   {
     std::vector<bool> is_flat(triangles().size());
     bool is_any_flat = false;
@@ -376,59 +402,25 @@ private:
       is_flat[f] = are_collinear(points_[a], points_[b], points_[c]);
       is_any_flat = is_any_flat || is_flat[f];
     }
-    if (!is_any_flat)
-      return {};
-    drop_parts_without_area(is_flat);
-    std::vector<Index> flat;
-    for (Index f = 0; f < cover_.size(); ++f)
-      if (is_flat[cover_.face_of[f]])
-        flat.push_back(f);
-    std::vector<Vertex_number_pair> coincident = Flat_face_remover(points_, cover_).run(std::move(flat));
-    if (coincident.empty())
-      count_vertices_that_lost_all_faces();
-    return coincident;
-  }
-
-  void drop_parts_without_area(const std::vector<bool>& is_flat)
-  {
-    Disjoint_sets parts(cover_.size());
-    for (Index s = 0; s < cover_.glued_to.size(); ++s)
-      if (cover_.glued_to[s] != null)
-        parts.unite(s / 3, cover_.glued_to[s] / 3);
-    std::vector<bool> has_area(cover_.size(), false), is_kept(cover_.size());
-    for (Index f = 0; f < cover_.size(); ++f)
-      if (!is_flat[cover_.face_of[f]])
-        has_area[parts.find(f)] = true;
-    std::vector<bool> has_copy(triangles().size(), false);
-    for (Index f = 0; f < cover_.size(); ++f) {
-      is_kept[f] = has_area[parts.find(f)];
-      if (is_kept[f])
-        has_copy[cover_.face_of[f]] = true;
-    }
-    cover_.keep(is_kept);
-    count_dropped(has_copy);
-  }
-  void count_dropped(const std::vector<bool>& has_copy)
-  {
-    for (Index f = 0; f < triangles().size(); ++f)
-      report().faces_without_area += !has_copy[f];
-  }
-  // Including those of parts without area, the tips of flat spikes.
-  void count_vertices_that_lost_all_faces()
-  {
-    const std::vector<bool> had_faces = have_faces(points_.size(), triangles());
-    std::vector<bool> has_faces(points_.size(), false);
-    for (Index v : cover_.corners)
-      has_faces[v] = true;
+    if (!is_any_flat && cleaned_.wires.empty())
+      return;
+    Flat_face_remover others(points_, triangles(), cleaned_.input_face, is_flat, cleaned_.wires);
+    coincident_ = std::move(others.coincident);
+    if (!coincident_.empty())
+      return;
+    report().faces_without_area = others.lonely_faces;
+    const std::vector<bool> had_faces = have_faces(points_.size(), triangles()),
+                            has_faces = have_faces(points_.size(), others.triangles);
     for (Index v : cleaned_.representative)
       report().unreferenced_vertices += had_faces[v] && !has_faces[v];
-    sides_.for_each_edge([&](Index v, const Side* begin, const Side*) {
-      const Index w = begin->larger_end;
-      if (has_faces[v] && has_faces[w])
-        return;
-      const auto &p = points_[v], &q = points_[w];
-      flat_edges_.push_back({v, w, std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2])});
-    });
+    for (const auto& [ends, face] : others.flat_edges) {
+      const auto &p = points_[ends.first], &q = points_[ends.second];
+      flat_edges_.push_back({ends.first, ends.second, std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]), face});
+    }
+    cleaned_.input_face = std::move(others.names_of_triangles);
+    cleaned_.triangles = std::move(others.triangles);
+    check_size(12 * triangles().size());
+    sides_ = Sides_by_edge(points_.size(), triangles(), others.cuts);
   }
 
   Tufted_cover assemble()
@@ -447,7 +439,7 @@ private:
         points[v.idx()] = {0, 0, 0}; // it may have been overwritten
     interruption_.check();
     std::vector<bool> is_half;
-    is_half.reserve(cover_.size());
+    is_half.reserve(cover_.face_of.size());
     for (Index& f : cover_.face_of) {
       is_half.push_back(is_doubled_[f]);
       f = cleaned_.input_face[f];
@@ -484,7 +476,8 @@ private:
   std::vector<bool> is_doubled_, is_turned_; // of each triangle
   bool is_cut_ = false;
   Index_vector first_copy_;
-  Glued_faces cover_; // faces are copies of triangles
+  Glued_faces cover_;                          // faces are copies of triangles
+  std::vector<Vertex_number_pair> coincident_; // that faces without area unite
   std::vector<Tufted_cover::Flat_edge> flat_edges_;
   std::optional<Points> scaled_points_; // if faces have to be ordered around some edge
 };

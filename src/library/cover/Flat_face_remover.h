@@ -3,21 +3,20 @@
 //
 // Author(s)     : The Intrinsic_triangulations developers
 //
-// Removes faces without area from a glued surface, without changing its metric.
+// Removes faces without area from triangles, without changing their metric.
 
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_FLAT_FACE_REMOVER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_COVER_FLAT_FACE_REMOVER_H
 
 #include <CGAL/Intrinsic_triangulations/internal/connectivity/Delta_complex_builder.h>
-#include <CGAL/Intrinsic_triangulations/Large_vector.h>
-#include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/are_collinear.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/triangle_formulas_3.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -25,168 +24,199 @@ namespace CGAL::Intrinsic_triangulations::internal {
 
 using Vertex_number_pair = std::pair<std::uint32_t, std::uint32_t>;
 
-// Triangles in space with glued sides. Side 3f + i runs from corner i of face f to corner i + 1.
-struct Glued_faces
+// An edge, and a face at which it lies: what is left of one that lost a corner.
+struct Wire
 {
-  static constexpr std::uint32_t none = (std::numeric_limits<std::uint32_t>::max)();
-
-  std::vector<std::uint32_t> face_of; // for each face, the face of which it is a copy or a part of a copy
-  std::vector<bool> is_back;
-  Large_vector<std::uint32_t> corners;  // for each side the vertex where it begins
-  Large_vector<std::uint32_t> glued_to; // for each side its partner, or none
-
-  std::size_t size() const { return face_of.size(); }
-
-  void glue(std::uint32_t s, std::uint32_t t)
-  {
-    glued_to[s] = t;
-    glued_to[t] = s;
-  }
-  // Removes faces.
-  void keep(const std::vector<bool>& is_kept)
-  {
-    std::vector<std::uint32_t> new_number(size(), none);
-    std::uint32_t n = 0;
-    for (std::uint32_t f = 0; f < size(); ++f)
-      if (is_kept[f])
-        new_number[f] = n++;
-    for (std::uint32_t f = 0; f < size(); ++f) {
-      const std::uint32_t g = new_number[f];
-      if (g == none)
-        continue;
-      for (std::uint32_t i = 0; i < 3; ++i) {
-        const std::uint32_t t = glued_to[3 * f + i];
-        glued_to[3 * g + i] = t == none ? none : 3 * new_number[t / 3] + t % 3;
-        corners[3 * g + i] = corners[3 * f + i];
-      }
-      face_of[g] = face_of[f];
-      is_back[g] = is_back[f];
-    }
-    corners.resize(3 * n);
-    glued_to.resize(3 * n);
-    face_of.resize(n);
-    is_back.resize(n);
-  }
+  Vertex_number_pair ends;
+  std::uint32_t face;
 };
 
-// The longest side of a face without area runs past its third corner. Flipping it cuts the face on its other side
-// there, into two triangles that lie in space where that face did. If both faces have no area, this can make an edge
-// between two corners at the same place. Such an edge is shrunk to a point: its faces vanish, and their other sides are
-// united in pairs. In a closed part that has an area, no face without area remains: from each one, ever longer longest
-// sides lead to a face with an area, or to one with the same longest side. All flipped edges are not Delaunay.
+// A face without area is a segment: its longest side runs past its third corner, and is the same line as the two other
+// sides. So all other faces at that side are cut there, into triangles that lie in space where they did, and the face
+// is not needed any more. What these faces put between the ends of an edge is found for the longest edges first, as it
+// lies on shorter ones, too. Edges between the same two vertices are one edge, as everywhere.
 class Flat_face_remover
 {
-public:
-  Flat_face_remover(const Points& points, Glued_faces& faces)
-    : points_(points), faces_(faces), is_kept_(faces.size(), true)
-  {}
+  using Index = std::uint32_t;
+  using Ends = Vertex_number_pair; // of an edge, in the order of their points, which are different
 
-  // \param flat the faces without area
-  // \return the pairs of different vertices that turned out to be at one point
-  std::vector<Vertex_number_pair> run(std::vector<std::uint32_t> flat)
+public:
+  // \param names of the faces, for the results
+  // \param is_flat whether faces have no area
+  // \pre the corners of each face are at different points, and so are the ends of each wire
+  Flat_face_remover(const Points& points, const std::vector<Index_triangle>& faces, const std::vector<Index>& names,
+                    const std::vector<bool>& is_flat, const std::vector<Wire>& wires)
+    : points_(points), middles_(Contains{points}), faces_of_flat_edges_(Contains{points})
   {
-    std::vector<Vertex_number_pair> pairs;
-    while (!flat.empty()) {
-      const std::uint32_t face = flat.back();
-      std::uint32_t s;
-      if (!is_kept_[face] || !is_flat(face) || !find_flippable_side(face, s)) {
-        flat.pop_back();
-        continue;
+    find_middles(faces, is_flat);
+    if (!coincident.empty())
+      return;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      if (is_flat[f])
+        add_flat_edges(parts_of_longest_side(faces[f]), names[f]);
+    for (const Wire& wire : wires)
+      add_flat_edges(parts(wire.ends.first, wire.ends.second), wire.face);
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      if (!is_flat[f])
+        split(faces[f], names[f]);
+    for (const auto& [ends, face] : faces_of_flat_edges_)
+      flat_edges.push_back({ends, face});
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      if (is_flat[f]) {
+        const std::vector<Ends> parts = parts_of_longest_side(faces[f]);
+        lonely_faces +=
+          std::all_of(parts.begin(), parts.end(), [this](const Ends& e) { return faces_of_flat_edges_.count(e) > 0; });
       }
-      const std::uint32_t a = s / 3, b = faces_.glued_to[s] / 3;
-      flip(s);
-      const std::uint32_t v = faces_.corners[3 * a + 1], w = faces_.corners[3 * a + 2];
-      if (points_[v] != points_[w]) {
-        flat.insert(flat.end(), {a, b});
-        continue;
-      }
-      shrink(a, 3 * a, 3 * a + 2);
-      shrink(b, 3 * b, 3 * b + 1);
-      if (v != w)
-        pairs.push_back({v, w});
-    }
-    faces_.keep(is_kept_);
-    return pairs;
   }
+
+  // Pairs of different vertices that turned out to be at one point. If there are any, nothing else is known.
+  std::vector<Vertex_number_pair> coincident;
+  // The faces with area, cut, and for each the name of the one of which it is a part.
+  std::vector<Index_triangle> triangles;
+  std::vector<Index> names_of_triangles;
+  // Pairs of sides 3f + i where faces were cut. They are no edges of others.
+  std::vector<std::array<Index, 2>> cuts;
+  // Edges at which only faces without area lie, and one of these.
+  std::vector<Wire> flat_edges;
+  // The number of faces without area that have only such edges.
+  std::size_t lonely_faces = 0;
 
 private:
-  bool is_flat(std::uint32_t face) const
+  // An order in which an edge comes before those that it contains.
+  struct Contains
   {
-    const std::uint32_t* const v = faces_.corners.data() + 3 * face;
-    return are_collinear(points_[v[0]], points_[v[1]], points_[v[2]]);
+    const Points& points;
+
+    bool operator()(const Ends& a, const Ends& b) const
+    {
+      if (points[a.first] != points[b.first])
+        return points[a.first] < points[b.first];
+      if (points[a.second] != points[b.second])
+        return points[b.second] < points[a.second];
+      return a < b;
+    }
+  };
+
+  Ends ends(Index v, Index w) const { return points_[v] < points_[w] ? Ends{v, w} : Ends{w, v}; }
+
+  // The corners of a face without area, the one between the two others first.
+  Index_triangle middle_first(const Index_triangle& t) const
+  {
+    for (std::size_t i = 0; i < 2; ++i) { // on a line, points are in the order of their coordinates
+      const Index v = t[i], w = t[i + 1], x = t[(i + 2) % 3];
+      if ((points_[w] < points_[v]) != (points_[x] < points_[v]))
+        return {v, w, x};
+    }
+    return {t[2], t[0], t[1]};
   }
 
-  // The side opposite to the corner between the other two. \pre is_flat(face)
-  std::uint32_t longest_side(std::uint32_t face) const
+  void find_middles(const std::vector<Index_triangle>& faces, const std::vector<bool>& is_flat)
   {
-    for (std::uint32_t i = 0; i < 2; ++i) {
-      const auto &p = points_[faces_.corners[3 * face + i]], &q = points_[faces_.corners[3 * face + (i + 1) % 3]],
-                 &r = points_[faces_.corners[3 * face + (i + 2) % 3]];
-      if ((q < p) != (r < p)) // on a line, points are in the order of their coordinates
-        return 3 * face + i + 1;
+    for (Index f = 0; f < faces.size(); ++f)
+      if (is_flat[f]) {
+        const auto [v, w, x] = middle_first(faces[f]);
+        middles_[ends(w, x)].push_back(v);
+      }
+    for (auto& [edge, middles] : middles_) { // what is added comes later
+      std::sort(middles.begin(), middles.end(),
+                [this](Index v, Index w) { return points_[v] != points_[w] ? points_[v] < points_[w] : v < w; });
+      std::size_t n = 0;
+      for (std::size_t i = 1; i < middles.size(); ++i) {
+        if (points_[middles[i]] != points_[middles[n]])
+          middles[++n] = middles[i];
+        else if (middles[i] != middles[n])
+          coincident.push_back({middles[n], middles[i]});
+      }
+      middles.resize(n + 1);
+      for (std::size_t i = 1; i < middles.size(); ++i) {
+        middles_[ends(edge.first, middles[i])].push_back(middles[i - 1]);
+        middles_[ends(middles[i - 1], edge.second)].push_back(middles[i]);
+      }
     }
-    return 3 * face;
   }
 
-  // Follows longest sides from a face without area. \return whether they end at one that is not on the border
-  bool find_flippable_side(std::uint32_t face, std::uint32_t& side) const
+  // v, and the vertices between v and w.
+  std::vector<Index> path(Index v, Index w) const
   {
-    for (;;) {
-      side = longest_side(face);
-      const std::uint32_t other = faces_.glued_to[side];
-      if (other == Glued_faces::none)
-        return false;
-      face = other / 3;
-      if (!is_flat(face) || longest_side(face) == other)
-        return true;
+    std::vector<Index> result, next{w};
+    while (!next.empty()) {
+      const auto found = middles_.find(ends(v, next.back()));
+      if (found != middles_.end()) {
+        next.push_back(found->first.first == v ? found->second.front() : found->second.back());
+        continue;
+      }
+      result.push_back(v);
+      v = next.back();
+      next.pop_back();
     }
+    return result;
   }
 
-  // Flips the side from i to j of face a, with k to its left and l on the other side in face b: the faces become (i, l,
-  // k) and (l, j, k), parts of face b.
-  void flip(std::uint32_t side)
+  std::vector<Ends> parts_of_longest_side(const Index_triangle& face) const
   {
-    const std::uint32_t ij = side, ji = faces_.glued_to[side], a = ij / 3, b = ji / 3;
-    const std::uint32_t jk = next_side(ij), ki = previous_side(ij), il = next_side(ji), lj = previous_side(ji);
-    const std::uint32_t i = faces_.corners[ij], j = faces_.corners[ji], k = faces_.corners[ki], l = faces_.corners[lj];
-    const std::array<std::uint32_t, 4> before = {il, ki, lj, jk}, after = {3 * a, 3 * a + 2, 3 * b, 3 * b + 1};
-    std::array<std::uint32_t, 4> partner;
-    for (std::size_t n = 0; n < 4; ++n) {
-      partner[n] = faces_.glued_to[before[n]];
-      const auto found = std::find(before.begin(), before.end(), partner[n]);
-      if (found != before.end())
-        partner[n] = after[std::size_t(found - before.begin())];
-    }
-    for (std::size_t n = 0; n < 4; ++n) {
-      if (partner[n] == Glued_faces::none)
-        faces_.glued_to[after[n]] = Glued_faces::none;
-      else
-        faces_.glue(after[n], partner[n]);
-    }
-    faces_.glue(3 * a + 1, 3 * b + 2);
-    const std::array<std::uint32_t, 6> corners = {i, l, k, l, j, k};
-    std::copy(corners.begin(), corners.begin() + 3, faces_.corners.begin() + 3 * a);
-    std::copy(corners.begin() + 3, corners.end(), faces_.corners.begin() + 3 * b);
-    faces_.face_of[a] = faces_.face_of[b];
-    faces_.is_back[a] = faces_.is_back[b];
+    const auto [v, w, x] = middle_first(face);
+    return parts(w, x);
+  }
+  std::vector<Ends> parts(Index v, Index w) const
+  {
+    std::vector<Index> vertices = path(v, w);
+    vertices.push_back(w);
+    std::vector<Ends> result;
+    for (std::size_t i = 0; i + 1 < vertices.size(); ++i)
+      result.push_back(ends(vertices[i], vertices[i + 1]));
+    return result;
   }
 
-  // Removes a face whose third side has length zero, and glues its neighbors beyond the other two sides.
-  void shrink(std::uint32_t face, std::uint32_t first, std::uint32_t second)
+  // Until faces with area are found there.
+  void add_flat_edges(const std::vector<Ends>& edges, Index face)
   {
-    is_kept_[face] = false;
-    const std::uint32_t s = faces_.glued_to[first], t = faces_.glued_to[second];
-    if (s == second)
+    for (const Ends& edge : edges)
+      faces_of_flat_edges_.insert({edge, face});
+  }
+
+  void split(const Index_triangle& t, Index name)
+  {
+    std::array<std::vector<Index>, 3> sides{path(t[0], t[1]), path(t[1], t[2]), path(t[2], t[0])};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < sides[i].size(); ++k)
+        faces_of_flat_edges_.erase(
+          ends(sides[i][k], k + 1 < sides[i].size() ? sides[i][k + 1] : sides[(i + 1) % 3][0]));
+    const auto first_cut = std::find_if(sides.begin(), sides.end(), [](const auto& side) { return side.size() > 1; });
+    if (first_cut == sides.end()) {
+      triangles.push_back(t);
+      names_of_triangles.push_back(name);
       return;
-    if (s != Glued_faces::none)
-      faces_.glued_to[s] = t;
-    if (t != Glued_faces::none)
-      faces_.glued_to[t] = s;
+    }
+    // A strip: around the first vertex on this side, from its beginning to the third corner; from there to the other
+    // vertices on it; around the last of these, to the end of the side.
+    std::rotate(sides.begin(), first_cut, sides.end());
+    const Index a = sides[0][0], c = sides[2][0];
+    const std::size_t begin = triangles.size();
+    const auto add_fan = [&](const std::vector<Index>& side, Index end, Index apex) {
+      for (std::size_t i = side.size(); i-- > 0;)
+        triangles.push_back({side[i], i + 1 < side.size() ? side[i + 1] : end, apex});
+    };
+    add_fan(sides[2], a, sides[0][1]);
+    for (std::size_t i = 1; i + 1 < sides[0].size(); ++i)
+      triangles.push_back({sides[0][i], sides[0][i + 1], c});
+    add_fan(sides[1], c, sides[0].back());
+    names_of_triangles.resize(triangles.size(), name);
+    for (std::size_t f = begin; f + 1 < triangles.size(); ++f)
+      join(f, f + 1);
+  }
+
+  // Where one part meets the next.
+  void join(std::size_t f, std::size_t g)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        if (triangles[f][i] == triangles[g][(k + 1) % 3] && triangles[f][(i + 1) % 3] == triangles[g][k])
+          cuts.push_back({Index(3 * f + i), Index(3 * g + k)});
   }
 
   const Points& points_;
-  Glued_faces& faces_;
-  std::vector<bool> is_kept_;
+  std::map<Ends, std::vector<Index>, Contains> middles_; // of edges past vertices, in the order of their points
+  std::map<Ends, Index, Contains> faces_of_flat_edges_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

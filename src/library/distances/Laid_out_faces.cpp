@@ -116,6 +116,27 @@ void Laid_out_faces::index_corners()
   }
 }
 
+void Laid_out_faces::add_flat_edge(std::uint32_t v, std::uint32_t w, double length)
+{
+  for (const std::uint32_t row : {v, w, v}) {
+    Side side;
+    side.vertex = side.row = row;
+    side.length = length;
+    sides_.push_back(side);
+  }
+  flat_edges_.push_back({v, std::uint32_t(sides_.size() - 3)});
+  flat_edges_.push_back({w, std::uint32_t(sides_.size() - 2)});
+}
+
+void Laid_out_faces::index_flat_edges()
+{
+  std::sort(flat_edges_.begin(), flat_edges_.end(), [this](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first < b.first : is_before(a.second, b.second);
+  });
+  if (!beside_.empty())
+    beside_.resize(sides_.size(), none);
+}
+
 bool Laid_out_faces::has_edges_to_same_row(std::uint32_t begin, std::uint32_t end) const
 {
   for (std::uint32_t i = begin; i != end; ++i)

@@ -330,6 +330,8 @@ private:
       if (surface_.side(side).opposite == none)
         reach(next, surface_.side(next).angle, distances_[row] + surface_.side(side).length, origins_[row]);
     }
+    for (auto edge = surface_.flat_edges_at(row); edge != surface_.flat_edges().end() && edge->first == row; ++edge)
+      reach(surface_.other_end(edge->second), 0, distances_[row] + surface_.side(edge->second).length, origins_[row]);
   }
 
   // The ways from a row: along all edges, and into all faces at its vertices except one.
@@ -350,6 +352,8 @@ private:
     const Side& start = surface_.side(side);
     if (distance > distances_[start.row])
       return;
+    if (surface_.is_flat_edge(side))
+      return send_all_around(start.row, none);
     send_all_around(start.row, start.vertex);
     const double whole = surface_.angle_sum(start.vertex);
     if (whole < infinity)

@@ -138,8 +138,15 @@ bool straight_parts(const Laid_out_faces& faces, const Window_distances& windows
                     std::vector<Straight_part>& parts)
 {
   Ways_over_seams ways(faces, windows, parts);
-  while (row != Laid_out_faces::none && windows.arrivals[row].side != Laid_out_faces::none)
-    row = ways.follow(row);
+  while (row != Laid_out_faces::none && windows.arrivals[row].side != Laid_out_faces::none) {
+    const std::uint32_t side = windows.arrivals[row].side;
+    if (faces.is_flat_edge(side)) {
+      parts.push_back({{side, 0}, {faces.other_end(side), 0}});
+      row = faces.side(faces.other_end(side)).row;
+    } else {
+      row = ways.follow(row);
+    }
+  }
   return row != Laid_out_faces::none;
 }
 

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -26,20 +27,25 @@ class Sides_by_edge
 public:
   using Side = Side_at_edge;
 
-  Sides_by_edge(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles)
-    : bucket_begin_(number_of_vertices + 2, 0), sides_(3 * triangles.size(), default_init)
+  // \param cuts pairs of sides that are one edge each, even if others have the same ends
+  Sides_by_edge(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles,
+                const std::vector<std::array<std::uint32_t, 2>>& cuts = {})
+    : bucket_begin_(number_of_vertices + 2, 0), sides_(3 * triangles.size() - 2 * cuts.size(), default_init)
   {
-    for (const Index_triangle& t : triangles)
-      for (int i = 0; i < 3; ++i)
-        ++bucket_begin_[(std::min)(t[i], t[i == 2 ? 0 : i + 1]) + 2];
+    std::vector<bool> is_cut(cuts.empty() ? 0 : 3 * triangles.size(), false);
+    for (const auto& pair : cuts)
+      for (const std::uint32_t s : pair) {
+        const std::uint32_t v = triangles[s / 3][s % 3], w = triangles[s / 3][(s + 1) % 3];
+        cuts_.push_back({(std::min)(v, w), {(std::max)(v, w), 2 * s + (v > w ? 1 : 0)}});
+        is_cut[s] = true;
+      }
+    for_each_side(triangles, is_cut,
+                  [&](std::uint32_t v, std::uint32_t w, std::uint32_t) { ++bucket_begin_[(std::min)(v, w) + 2]; });
     for (std::size_t v = 2; v < bucket_begin_.size(); ++v)
       bucket_begin_[v] += bucket_begin_[v - 1];
-    std::uint32_t s = 0;
-    for (const Index_triangle& t : triangles)
-      for (int i = 0; i < 3; ++i, ++s) {
-        const std::uint32_t v = t[i], w = t[i == 2 ? 0 : i + 1];
-        sides_[bucket_begin_[(std::min)(v, w) + 1]++] = {(std::max)(v, w), 2 * s + (v > w ? 1 : 0)};
-      }
+    for_each_side(triangles, is_cut, [&](std::uint32_t v, std::uint32_t w, std::uint32_t s) {
+      sides_[bucket_begin_[(std::min)(v, w) + 1]++] = {(std::max)(v, w), 2 * s + (v > w ? 1 : 0)};
+    });
     for (std::size_t v = 0; v < number_of_vertices; ++v)
       sort_bucket(sides_.data() + bucket_begin_[v], sides_.data() + bucket_begin_[v + 1]);
   }
@@ -54,9 +60,24 @@ public:
           ++j;
         function(v, sides_.data() + i, sides_.data() + j);
       }
+    for (std::size_t i = 0; i < cuts_.size(); i += 2) {
+      const std::array<Side, 2> both{cuts_[i].second, cuts_[i + 1].second};
+      function(cuts_[i].first, both.data(), both.data() + 2);
+    }
   }
 
 private:
+  template <class Function>
+  static void for_each_side(const std::vector<Index_triangle>& triangles, const std::vector<bool>& is_omitted,
+                            const Function& function)
+  {
+    std::uint32_t s = 0;
+    for (const Index_triangle& t : triangles)
+      for (int i = 0; i < 3; ++i, ++s)
+        if (is_omitted.empty() || !is_omitted[s])
+          function(t[i], t[i == 2 ? 0 : i + 1], s);
+  }
+
   static bool precedes(const Side& a, const Side& b)
   {
     return a.larger_end != b.larger_end ? a.larger_end < b.larger_end : a.side_and_direction < b.side_and_direction;
@@ -78,6 +99,7 @@ private:
 
   Large_vector<std::uint32_t> bucket_begin_; // of each vertex, and the end of the last
   Large_vector<Side> sides_;
+  std::vector<std::pair<std::uint32_t, Side>> cuts_; // smaller end, and side; two for each
 };
 
 // A piece consists of faces joined by edges with two faces. They are turned to agree with the first one, as far as

@@ -24,6 +24,9 @@ struct Own_rows
   std::size_t number_of_rows() const { return complex.number_of_vertices(); }
   std::size_t operator()(Vertex_index v) const { return v.idx(); }
   bool is_cut() const { return false; }
+  template <class Visit>
+  void for_each_flat_edge(const Visit&) const
+  {}
 };
 
 // From the triangles that define the surface to those on which ways are followed.

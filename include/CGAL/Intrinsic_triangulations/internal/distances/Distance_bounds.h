@@ -57,10 +57,13 @@ public:
       if (!metric.points().empty()) {
         points_.resize(row.number_of_rows(), {no_point, 0, 0});
         for (Vertex_index v : input.vertices())
-          for (int i = 0; i < 3; ++i)
+          for (int i = 0; i < 3 && input.halfedge(v).is_valid(); ++i) // others may have any point
             points_[row(v)][i] = std::ldexp(metric.points()[v.idx()][i], exponent);
       }
     }
+    row.for_each_flat_edge([&](std::uint32_t v, std::uint32_t w, double length) {
+      edges.push_back({v, w, std::ldexp(length, -shapes.exponent())});
+    });
     index(edges);
   }
 

@@ -13,6 +13,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/distances/Places.h>
 #include <CGAL/Intrinsic_triangulations/internal/numbers/Accurate_shapes.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -80,11 +81,25 @@ public:
       join_cut_sides();
     number_narrow_edges();
     index_corners();
+    row.for_each_flat_edge(
+      [this](std::uint32_t v, std::uint32_t w, double length) { add_flat_edge(v, w, std::ldexp(length, -exponent_)); });
+    index_flat_edges();
   }
 
   std::size_t number_of_rows() const { return first_.size() - 1; }
   const std::vector<Side>& sides() const { return sides_; }
   const Side& side(std::uint32_t i) const { return sides_[i]; }
+  // An edge without faces has a side at each end, and a third one that stands for nothing. All come last.
+  bool is_flat_edge(std::uint32_t i) const { return i >= halfedges_.size(); }
+  // Of a flat edge: its number, and the side at its other end.
+  std::size_t flat_edge(std::uint32_t i) const { return (i - halfedges_.size()) / 3; }
+  std::uint32_t other_end(std::uint32_t i) const { return i % 3 == 0 ? i + 1 : i - 1; }
+  // Those that begin at a row, as (row, side), from the first one on.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>>::const_iterator flat_edges_at(std::uint32_t row) const
+  {
+    return std::lower_bound(flat_edges_.begin(), flat_edges_.end(), std::make_pair(row, std::uint32_t(0)));
+  }
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& flat_edges() const { return flat_edges_; }
   Halfedge_index halfedge(std::uint32_t i) const { return halfedges_[i]; }
   static std::uint32_t next(std::uint32_t i) { return i % 3 == 2 ? i - 2 : i + 1; }
   static std::uint32_t prev(std::uint32_t i) { return i % 3 == 0 ? i + 2 : i - 1; }
@@ -132,6 +147,8 @@ private:
   void join_cut_sides();
   void number_narrow_edges();
   void index_corners();
+  void add_flat_edge(std::uint32_t v, std::uint32_t w, double length);
+  void index_flat_edges();
   bool has_edges_to_same_row(std::uint32_t begin, std::uint32_t end) const;
 
   static constexpr double angle_scale = 0x1p50;
@@ -142,6 +159,7 @@ private:
   std::vector<std::int64_t> angle_sums_;  // by vertex; as integers they are the same in any order, and -1 on the border
   std::vector<std::uint32_t> first_, corners_;
   std::vector<std::uint32_t> beside_; // of the sides, if the surface was cut
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> flat_edges_;
   std::size_t number_of_narrow_edges_ = 0;
   int exponent_ = 0;
 };

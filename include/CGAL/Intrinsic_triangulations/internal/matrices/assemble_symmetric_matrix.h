@@ -38,6 +38,10 @@ public:
   Vertex_index::size_type operator()(Vertex_index v) const { return v.idx(); }
   Vertex_index::size_type of_input(Vertex_index v) const { return v.idx(); }
   bool is_cut() const { return false; }
+  // Calls visit(row, row, length) for each edge without faces.
+  template <class Visit>
+  void for_each_flat_edge(const Visit&) const
+  {}
   double share(Face_index) const { return 1; }
 
 private:
