@@ -33,7 +33,7 @@ struct Straight_mesh
   std::size_t number_of_removed_pieces = 0;  ///< how many connected pieces were left out that lie along others
   /// how many pieces without thickness lie along nothing, and became rods that are as thick as the deviation allows
   std::size_t number_of_rods = 0;
-  /// the faces with three different corners, in order
+  /// the faces in order; those with loops are several
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<Face_index> faces; ///< for each triangle, the face of the triangulation that it is, or where it belongs
   std::vector<Face_index> input_faces; ///< for each triangle, the face of the input that covers most of it
@@ -41,13 +41,14 @@ struct Straight_mesh
   std::vector<std::uint32_t> regions;
   std::uint32_t number_of_regions = 0; ///< the number of regions
 
-  /// the marked edges and those of the border, by their ends, except loops
+  /// the marked edges and those of the border, by their ends
   std::vector<std::array<std::uint32_t, 2>> marked_edges;
   /// for each of them, the number of its line: connected edges with the same region, or two, beside them
   std::vector<std::uint32_t> lines;
   std::uint32_t number_of_lines = 0; ///< the number of lines
 
-  /// \brief neither surface is farther than this from the other at any point. It is proven, rounding included.
+  /// \brief neither surface is farther than this from the other at any point. It is proven, rounding included. Beyond
+  /// `maximum_deviation` if the triangulation has faces that are farther from their triangles
   double deviation = 0;
   std::array<double, 3> deviation_place{}; ///< where on the surface that distance is attained, nearly
 
@@ -59,7 +60,7 @@ struct Straight_mesh
   /// are good, or there is none
   double sufficient_deviation = 0;
 
-  /// edges of the triangulation whose ends are the same: their faces are left out
+  /// edges of the triangulation whose ends are the same. Two points more make a triangle of each, and several of its faces
   std::vector<Edge_index> loops;
   std::vector<Edge_index> multiple_edges;     ///< edges that have both ends in common with one before, other than loops
   std::size_t number_of_new_border_edges = 0; ///< how many border edges there are that the surface does not have
@@ -91,7 +92,7 @@ struct Straight_mesh
 /// merged or moved and edges flipped where that makes thin triangles better, or where edges are shorter than that and
 /// nothing does. Thin tubes are cut and closed, pieces without any thickness that lie along others are left out, and wires
 /// that do not become rods. The triangulation and the surface stay as they are, and the triangles stay closed where the
-/// surface is. Distances are measured between both surfaces; the deviation stays within that bound.
+/// surface is. Distances are measured between both surfaces; no change goes beyond that bound.
 ///
 /// \param subdivision the common subdivision of the triangulation and its input
 /// \param points the positions of the vertices of the input

@@ -100,6 +100,28 @@ public:
     return result;
   }
 
+  // The point of an edge that divides it in this ratio.
+  Point point_on(Edge_index e, double part) const
+  {
+    Point before = positions_[complex_.source(complex_.halfedge(e)).idx()];
+    double begin = 0;
+    const auto between = [&](const Point& after, double end) {
+      const double t = end > begin ? (part - begin) / (end - begin) : 0;
+      Point result;
+      for (std::size_t i = 0; i < 3; ++i)
+        result[i] = (1 - t) * before[i] + t * after[i];
+      return result;
+    };
+    for (Overlay::Vertex x : overlay_.intrinsic_crossings(e)) {
+      const double end = subdivision_.positions().on_intrinsic_edge(x);
+      if (end >= part)
+        return between(positions_[x.idx()], end);
+      before = positions_[x.idx()];
+      begin = end;
+    }
+    return between(positions_[complex_.target(complex_.halfedge(e)).idx()], 1);
+  }
+
   // The surface in a face, as triangles.
   std::vector<Corners> surface_in(Face_index f)
   {
@@ -122,6 +144,8 @@ public:
   }
 
   const Point& position(Overlay::Vertex x) const { return positions_[x.idx()]; }
+
+  double largest_coordinate() const { return largest_coordinate_; }
 
   // A bound for the distance that includes all rounding.
   //

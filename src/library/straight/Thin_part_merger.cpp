@@ -33,6 +33,10 @@ Thin_part_merger::Thin_part_merger(Straight_map& map, Straight_triangles& mesh, 
     stand_for_face_.resize((std::max)(stand_for_face_.size(), std::size_t(mesh_.faces[t].idx()) + 1));
     stand_for_face_[mesh_.faces[t].idx()].push_back(t);
   }
+  for (const std::vector<std::uint32_t>& triangles : stand_for_face_)
+    if (triangles.size() > 1) // of a divided face
+      for (std::uint32_t t : triangles)
+        stands_for_[t] = {mesh_.faces[t]};
   for (const auto& [v, w] : mesh_.marked_edges) {
     marked_[v].push_back(w);
     marked_[w].push_back(v);
@@ -44,7 +48,7 @@ Straight_map::Distance Thin_part_merger::operator()()
   // The thinnest last, which are looked at first.
   std::vector<std::pair<double, std::uint32_t>> bad;
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
-    if (is_bad(t))
+    if (maximum_deviation_ > 0 && is_bad(t))
       bad.emplace_back(smallest_angle(map_.corners(mesh_.triangles[t])).first, t);
   std::sort(bad.rbegin(), bad.rend());
   for (const auto& [angle, t] : bad) {
@@ -64,7 +68,8 @@ Straight_map::Distance Thin_part_merger::operator()()
       is_stuck_[t] = true;
     }
   }
-  remove_pieces();
+  if (maximum_deviation_ > 0)
+    remove_pieces();
   const Straight_map::Distance result = largest_distance();
   finish_images();
   mesh_.marked_edges.clear();
@@ -252,10 +257,13 @@ Straight_map::Distance Thin_part_merger::largest_distance()
   };
   if (changed.empty())
     return result;
-  double distance = (std::max)(result.value, usual_part * most_);
-  for (double step = (most_ - distance) / 4; distance < most_ && !are_all_near(distance);)
-    distance += step;
-  return {(std::min)(distance, most_), map_.points()[mesh_.triangles[changed[0]][0]]};
+  // Further on where the bound cannot be kept.
+  double distance = (std::max)(result.value, most_ > 0 ? usual_part * most_ : map_.largest_coordinate() * 0x1p-20);
+  for (const double step = (most_ - distance) / 4; !are_all_near(distance);)
+    distance = distance < most_ ? (std::min)(distance + step, most_) : distance * 1.25;
+  if (distance > result.value)
+    result = {distance, map_.points()[mesh_.triangles[changed[0]][0]]};
+  return result;
 }
 
 static std::array<double, 3> normal_of(const Space_triangle& p)

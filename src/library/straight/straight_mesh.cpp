@@ -46,7 +46,7 @@ public:
     const auto edges = complex_.edges();
     const auto is_border = [this](Edge_index e) { return complex_.is_border(e); };
     const std::size_t number =
-      std::size_t(std::count_if(edges.begin(), edges.end(), is_border)) + number_of_bent_border_edges_;
+      std::size_t(std::count_if(edges.begin(), edges.end(), is_border)) + number_of_new_border_parts_;
     mesh_.number_of_new_border_edges = (std::max)(mesh_.surface.number_of_border_edges, number) - number;
     return std::move(mesh_);
   }
@@ -64,36 +64,70 @@ private:
     return is_marked_[complex_.edge(h).idx()] && is_marked_[complex_.edge(complex_.prev(h)).idx()];
   }
 
+  // A loop would be a point: two more points make a triangle of it.
+  void divide_loops()
+  {
+    divisions_.resize(complex_.number_of_edges());
+    for (Edge_index e : complex_.edges())
+      if (is_loop(complex_.halfedge(e))) {
+        mesh_.loops.push_back(e);
+        for (std::size_t i = 0; i < 2; ++i)
+          divisions_[e.idx()][i] = map_.add_vertex(map_.point_on(e, double(i + 1) / 3));
+        if (complex_.is_border(e))
+          number_of_new_border_parts_ += 2;
+      }
+  }
+  // From its source to before its target.
+  std::vector<std::uint32_t> points_along(Halfedge_index h) const
+  {
+    const Edge_index e = complex_.edge(h);
+    const std::size_t first = h == complex_.halfedge(e) ? 0 : 1;
+    if (is_loop(h))
+      return {complex_.source(h).idx(), divisions_[e.idx()][first], divisions_[e.idx()][1 - first]};
+    return {complex_.source(h).idx()};
+  }
+  // One, or more if sides are loops.
+  std::vector<Triangle> triangles_in(Face_index f) const
+  {
+    Halfedge_index h = complex_.halfedge(f);
+    if (!is_loop(h)) // a face has one loop or three
+      h = is_loop(complex_.next(h)) ? complex_.next(h) : complex_.prev(h);
+    std::vector<std::uint32_t> p;
+    for (Halfedge_index side : {h, complex_.next(h), complex_.prev(h)})
+      for (std::uint32_t v : points_along(side))
+        p.push_back(v);
+    if (p.size() == 3)
+      return {{p[0], p[1], p[2]}};
+    if (p.size() == 5)
+      return {{p[4], p[0], p[1]}, {p[4], p[1], p[2]}, {p[4], p[2], p[3]}};
+    return {{p[8], p[0], p[1]}, {p[2], p[3], p[4]}, {p[5], p[6], p[7]}, {p[1], p[2], p[4]},
+            {p[1], p[4], p[5]}, {p[1], p[5], p[7]}, {p[1], p[7], p[8]}};
+  }
+
   void find_triangles(double thin_angle, double maximum_deviation)
   {
     Straight_triangles triangles;
+    divide_loops();
     for (Face_index f : complex_.faces()) {
-      const Halfedge_index h = complex_.halfedge(f), i = complex_.next(h), j = complex_.prev(h);
-      if (is_loop(h) || is_loop(i) || is_loop(j))
-        continue;
-      triangles.triangles.push_back({complex_.source(h).idx(), complex_.source(i).idx(), complex_.source(j).idx()});
-      triangles.faces.push_back(f);
-      triangles.is_kept.push_back(is_sharp_corner(triangles.triangles.back(), f));
+      const std::vector<Triangle> parts = triangles_in(f);
+      triangles.triangles.insert(triangles.triangles.end(), parts.begin(), parts.end());
+      triangles.faces.resize(triangles.triangles.size(), f);
+      triangles.is_kept.resize(triangles.triangles.size(), parts.size() == 1 && is_sharp_corner(parts[0], f));
     }
     for (Edge_index e : complex_.edges())
-      if (const Halfedge_index h = complex_.halfedge(e); is_marked_[e.idx()] && !is_loop(h))
-        triangles.marked_edges.push_back({complex_.source(h).idx(), complex_.target(h).idx()});
+      if (is_marked_[e.idx()]) {
+        std::vector<std::uint32_t> points = points_along(complex_.halfedge(e));
+        points.push_back(complex_.target(complex_.halfedge(e)).idx());
+        for (std::size_t i = 1; i < points.size(); ++i)
+          triangles.marked_edges.push_back({points[i - 1], points[i]});
+      }
     triangles.is_fixed = is_fixed_;
-    Straight_map::Distance distance;
-    if (maximum_deviation > 0) {
-      Thin_part_merger merger(map_, triangles, thin_angle, maximum_deviation);
-      distance = merger();
-      mesh_.number_of_removed_pieces = merger.number_of_removed_pieces();
-      mesh_.number_of_rods = merger.number_of_rods();
-      number_of_bent_border_edges_ = merger.number_of_bent_border_edges();
-      images_ = merger.images();
-    } else {
-      images_.resize(complex_.number_of_vertices());
-      std::iota(images_.begin(), images_.end(), 0u);
-      for (Face_index f : complex_.faces())
-        if (const Straight_map::Distance own = map_.distance_on(f); own.value > distance.value)
-          distance = own;
-    }
+    Thin_part_merger merger(map_, triangles, thin_angle, maximum_deviation);
+    const Straight_map::Distance distance = merger();
+    mesh_.number_of_removed_pieces = merger.number_of_removed_pieces();
+    mesh_.number_of_rods = merger.number_of_rods();
+    number_of_new_border_parts_ += merger.number_of_bent_border_edges();
+    images_ = merger.images();
     mesh_.deviation = map_.bound(distance.value);
     mesh_.deviation_place = distance.place;
     const std::vector<Face_index> input_faces = largest_input_faces();
@@ -241,9 +275,7 @@ private:
     std::vector<std::tuple<std::uint32_t, std::uint32_t, Edge_index>> ends;
     for (Edge_index e : complex_.edges()) {
       const Halfedge_index h = complex_.halfedge(e);
-      if (is_loop(h)) {
-        mesh_.loops.push_back(e);
-      } else {
+      if (!is_loop(h)) {
         const auto [a, b] = std::minmax({complex_.source(h).idx(), complex_.target(h).idx()});
         ends.emplace_back(a, b, e);
       }
@@ -260,8 +292,9 @@ private:
   Straight_map map_;
   std::vector<bool> is_marked_;
   std::vector<std::size_t> region_of_face_;
-  const std::vector<bool>& is_fixed_; // the vertices that must not be merged
-  std::size_t number_of_bent_border_edges_ = 0;
+  const std::vector<bool>& is_fixed_;                   // the vertices that must not be merged
+  std::vector<std::array<std::uint32_t, 2>> divisions_; // of loops
+  std::size_t number_of_new_border_parts_ = 0;
   std::vector<std::uint32_t> images_;  // of vertices of the triangulation, among the vertices before they are numbered
   std::vector<std::uint32_t> numbers_; // of the points of vertices and their copies
   Straight_mesh mesh_;
@@ -290,10 +323,13 @@ Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::ve
   const auto make = [&](double deviation) {
     return internal::Straight_mesh_maker(subdivision, points, is_fixed).make(is_marked, thin_angle, deviation);
   };
+  const auto is_good = [](const Straight_mesh& mesh, double deviation) {
+    return mesh.is_good() && mesh.deviation <= deviation;
+  };
   Straight_mesh result = make(maximum_deviation);
-  if (maximum_deviation > 0 && !result.is_good())
+  if (maximum_deviation > 0 && !is_good(result, maximum_deviation))
     for (double d = 2 * maximum_deviation; d < 100 * maximum_deviation; d *= 2)
-      if (make(d).is_good()) {
+      if (is_good(make(d), d)) {
         result.sufficient_deviation = d;
         break;
       }
@@ -311,8 +347,6 @@ std::string message(const Straight_mesh& mesh)
       text << begin() << list.size() << ' ' << (list.size() == 1 ? one : several) << ", the first is edge "
            << list.front().idx();
   };
-  edges(mesh.loops, "edge ends where it begins, so its faces are left out",
-        "edges end where they begin, so their faces are left out");
   edges(mesh.multiple_edges, "edge joins the same vertices as another one", "edges join the same vertices as others");
   if (mesh.number_of_new_border_edges > 0)
     text << begin() << mesh.number_of_new_border_edges

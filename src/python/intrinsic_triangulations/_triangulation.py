@@ -113,7 +113,7 @@ class StraightMesh(NamedTuple):
     sufficient_deviation: float
     """A larger maximum deviation with which the triangles are good, as was tried; 0 if they are, or there is none."""
     loops: numpy.ndarray
-    """The edges of the triangulation whose ends are the same: their faces are left out."""
+    """The edges of the triangulation whose ends are the same. Two points more make a triangle of each."""
     multiple_edges: numpy.ndarray
     """The edges of the triangulation that have both ends in common with one before."""
     is_surface: bool
