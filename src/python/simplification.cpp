@@ -71,8 +71,7 @@ py::tuple simplify(Surface& surface, const std::optional<double>& maximum_change
                         py::dict(py::arg("by_bound") = s.reasons.by_bound, py::arg("by_request") = s.reasons.by_request,
                                  py::arg("as_corners") = s.reasons.as_corners,
                                  py::arg("for_gluing") = s.reasons.for_gluing,
-                                 py::arg("by_number") = s.reasons.by_number,
-                                 py::arg("isolated") = s.reasons.isolated));
+                                 py::arg("by_number") = s.reasons.by_number, py::arg("isolated") = s.reasons.isolated));
 }
 
 std::unique_ptr<IT::Simplified_distances> simplified_distances(const Doubles& points, const Indices& triangles,
