@@ -17,10 +17,10 @@
 #include "Conformal_layout.h"
 #include "Triple_overlay.h"
 
+#include <boost/geometry/algorithms/intersects.hpp> // the tree needs it with Boost 1.83
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
-#include <boost/geometry/strategies/strategies.hpp> // the tree needs them with Boost 1.83
 
 #include <algorithm>
 #include <cmath>
