@@ -88,6 +88,15 @@ def test_everything_is_documented(name, thing):
                    if p.name not in ("self", "cls"))
 
 
+def test_the_overview_names_all_functions_and_classes_to_begin_with():
+    overview = set(re.findall(r"`(\w+)`", it.__doc__))
+    for name in it.__all__:
+        thing = getattr(it, name)
+        has_another_name = name in ("mesh_laplacian", "cotan_laplacian", "compute_distance", "compute_distance_multisource", "sides_of_curve")
+        if inspect.isfunction(thing) and not has_another_name or name.endswith(("Solver", "Tracer", "Distances")) or name == "Triangulation":
+            assert name in overview, name
+
+
 def test_the_examples_are_found():
     found = [doctest.DocTestFinder().find(importlib.import_module("intrinsic_triangulations." + name)) for name in MODULES]
     assert sum(len(test.examples) for tests in found for test in tests) > 15

@@ -90,6 +90,9 @@ def test_distances_from_curves():
                 [[[0, 1, 0, 0], [len(F) - 1, 0, 0, 1]]]):
         with pytest.raises(ValueError):
             it.geodesic_distances_from(V, F, bad)
+    for bad in ([0], [0, 0, 0], [[0, 1, 2]]):
+        with pytest.raises(ValueError, match=r"sources\[1\] has to be an integer \(a vertex\).*locate.*has the shape \("):
+            it.geodesic_distances_from(V, F, [0, bad])
     with pytest.raises(ValueError):
         it.geodesic_distances_from(V, F, [0], offsets=[-1])
 

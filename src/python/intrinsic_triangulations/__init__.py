@@ -5,7 +5,18 @@
 
 """Intrinsic Delaunay triangulations of triangulated surfaces, with exact decisions.
 
-NumPy arrays in, NumPy arrays and SciPy matrices out. Start with `laplacian(V, F)` or `Triangulation(V, F)`.
+NumPy arrays in, NumPy arrays and SciPy matrices out. By what is wanted:
+
+- operators: `laplacian` of any triangles, `solve_poisson`, `point_cloud_laplacian`, `face_areas`, `vertex_areas`;
+- better triangles of the same surface: `Triangulation` with `flip_to_delaunay`, `refine`, `straight_mesh`, `simplify`,
+  `conformal_map`, `save`, and `common_subdivision` to carry values and points there and back;
+- distances: `geodesic_distances` from vertices, `geodesic_distances_from` points, edges and curves, around barriers;
+  `geodesic_distance_matrix`, `signed_distances`, `farthest_vertices`, `SimplifiedDistances`, and by heat,
+  `MeshHeatMethodDistanceSolver`;
+- lines: `geodesic_path`, `shortest_path`, `EdgeFlipGeodesicSolver` for several stops and loops, `GeodesicTracer`, `isolines`,
+  `offset_curves`, `borders_of_cells`, `cut_along_path`;
+- vectors: `MeshVectorHeatSolver`;
+- meshes: `read_mesh`, `write_mesh`, `repair`, `orient`, `border_edges`, `border_vertices`, `component_labels`, `view`.
 
 Arrays may have any integer or float type, order and strides, but doubles must hold their numbers exactly. They are
 never changed. A wrong type or shape raises `ValueError`. Long calls let other threads run, and Ctrl-C ends them.

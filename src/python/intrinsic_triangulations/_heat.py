@@ -212,7 +212,8 @@ def geodesic_distances_from(V: ArrayLike, F: ArrayLike, sources: Sequence[Any], 
         As for `geodesic_distances`.
     sources : sequence
         At least one. An integer is a vertex, two integers are an edge, four numbers are a point: the number of a triangle, and
-        barycentric coordinates. A (k, 4) array is a curve through such points, each in the triangle of the one before,
+        barycentric coordinates, as `EdgeFlipGeodesicSolver.locate` finds them. A (k, 4) array is a curve through such points,
+        each in the triangle of the one before,
         or on an edge or at a vertex of it.
     offsets : (number of sources,) array of floats
         The distances at the sources, not negative; 0 by default.
@@ -332,7 +333,10 @@ def _places(source: Any, name: str, faces: numpy.ndarray, number_of_vertices: in
         if len(triangles) == 0:
             raise ValueError(f"{name} has to name vertices of one triangle, and none has {ends}")
         return numpy.array([[triangles[0], *(faces[triangles[0]] == v)] for v in ends], dtype=float)
-    rows = _arrays.finite(source, name, (4,) if array.ndim == 1 else (None, 4)).reshape(-1, 4)
+    if array.ndim > 2 or array.shape[-1] != 4:
+        raise ValueError(f"{name} has to be an integer (a vertex), two (an edge), four numbers (a triangle and barycentric coordinates, as "
+                         f"EdgeFlipGeodesicSolver(V, F).locate(point) finds them) or rows of four (a curve), and has the shape {array.shape}")
+    rows = _arrays.finite(source, name, array.shape).reshape(-1, 4)
     _arrays.require_sources(len(rows), name)
     if not (rows[:, 0] == numpy.floor(rows[:, 0])).all():
         raise ValueError(f"{name} has to begin with the number of a triangle, and this is not whole")
