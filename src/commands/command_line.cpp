@@ -73,6 +73,17 @@ std::vector<std::string> possible_words(const CLI::App& app, bool is_option)
   return words;
 }
 
+// Which options write files, for who looks for one that all subcommands have.
+std::string writing_options(const CLI::App& app)
+{
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands())
+    for (const CLI::Option* option : command->get_options())
+      if (option->get_description().compare(0, 6, "write ") == 0 && !option->get_lnames().empty())
+        names += (names.empty() ? "; files are written by --" : ", --") + option->get_lnames().front();
+  return names;
+}
+
 std::map<const CLI::Option*, std::vector<std::string>>& all_words()
 {
   static std::map<const CLI::Option*, std::vector<std::string>> words;
@@ -113,8 +124,9 @@ void parse(CLI::App& app, std::vector<std::string> arguments)
     if (unknown.empty())
       throw;
     const std::string word = unknown.front().substr(0, unknown.front().find('='));
+    const bool is_output = word == "-o" || word == "--output";
     throw CLI::ParseError(CLI::ExtrasError({unknown.front()}).what() +
-                            suggestion(word, possible_words(app, word[0] == '-')),
+                            (is_output ? writing_options(app) : suggestion(word, possible_words(app, word[0] == '-'))),
                           CLI::ExitCodes::ExtrasError);
   };
   // Messages of CLI11 are "Could not convert: --option = value", "--option: 1 required F missing" and "--option: At

@@ -79,6 +79,8 @@ TEST_F(Command_usage, the_nearest_word_is_named)
   expect_refused("--versoin", "did you mean --version?");
   expect_refused("triangulate kite.off --ovrelay o.ply", "did you mean --overlay?");
   expect_refused("triangulate --edgse=e.csv", "did you mean --edges?");
+  expect_refused("refine kite.off -o fine.off", "files are written by --kept-edges, ");
+  expect_refused("triangulate kite.off --output=fine.off", ", --save, ");
   expect_refused("triangulate kite.off --number-type dubble", "did you mean double?");
   expect_refused("compare kite.off --number-types double,mpft", "did you mean mpfr?");
   expect_refused("distance kite.off --source 0 --cover tuffted", "did you mean tufted?");
