@@ -459,15 +459,15 @@ TEST(Conformal_map, knows_how_much_it_stretches)
   EXPECT_NEAR(on_surface / in_faces, 1, 1e-9);
 }
 
-TEST(Conformal_map, of_a_symmetric_surface_is_symmetric)
+// (n + 1)^2 vertices, mirrored at x = 0: vertex (i, j) has the number i (n + 1) + j, and the mirror image (n - i, j).
+template <class Height>
+Indexed_triangles symmetric_roof(std::uint32_t n, const Height& height)
 {
-  // Mirrored at x = 0.
   Indexed_triangles roof;
-  const std::uint32_t n = 12;
   for (std::uint32_t i = 0; i <= n; ++i)
     for (std::uint32_t j = 0; j <= n; ++j) {
       const double x = (double(i) - n / 2.) / 6, y = (double(j) - n / 2.) / 6;
-      roof.points.push_back({x, y, 0.8 * std::exp(-3 * x * x - 2 * y * y)});
+      roof.points.push_back({x, y, height(std::abs(x), y)});
     }
   for (std::uint32_t i = 0; i < n; ++i)
     for (std::uint32_t j = 0; j < n; ++j) {
@@ -480,6 +480,14 @@ TEST(Conformal_map, of_a_symmetric_surface_is_symmetric)
         roof.triangles.push_back({v + 1, v + n + 1, v + n + 2});
       }
     }
+  return roof;
+}
+
+TEST(Conformal_map, of_a_symmetric_surface_is_symmetric)
+{
+  const std::uint32_t n = 12;
+  const Indexed_triangles roof =
+    symmetric_roof(n, [](double x, double y) { return 0.8 * std::exp(-3 * x * x - 2 * y * y); });
   const Triangulation t = triangulation_of(roof);
   const Conformal_map map = IT::conformal_parameterization(t);
   EXPECT_EQ(defect(map, t), "");
@@ -494,6 +502,27 @@ TEST(Conformal_map, of_a_symmetric_surface_is_symmetric)
       };
       EXPECT_NEAR(distance(vertex(i), 0), distance(vertex(n - i), n * (n + 1)), 1e-11);
     }
+}
+
+TEST(Conformal_map, has_symmetric_cones_on_a_symmetric_surface)
+{
+  const std::uint32_t n = 12;
+  const Triangulation t = triangulation_of(symmetric_roof(n, [](double x, double y) {
+    return std::exp(-8 * ((x - 0.5) * (x - 0.5) + y * y)) - 0.5 * std::exp(-8 * (x * x + (y - 0.7) * (y - 0.7)));
+  }));
+  std::size_t most = 0;
+  for (double range = 0.9; range > 0.1; range *= 0.95) {
+    const IT::Discrete_conformal_metric metric =
+      IT::discrete_conformal_metric(t, CGAL::parameters::maximum_range(range));
+    most = (std::max)(most, metric.cones.size());
+    for (Vertex_index v : metric.cones) {
+      const Vertex_index mirrored((n - v.idx() / (n + 1)) * (n + 1) + v.idx() % (n + 1));
+      EXPECT_EQ(std::count(metric.cones.begin(), metric.cones.end(), mirrored), 1) << v.idx() << " at " << range;
+    }
+    for (std::uint32_t v = 0; v < metric.u.size(); ++v)
+      EXPECT_NEAR(metric.u[v], metric.u[(n - v / (n + 1)) * (n + 1) + v % (n + 1)], 1e-9);
+  }
+  EXPECT_GT(most, 3u);
 }
 
 TEST(Conformal_map, lays_components_out_side_by_side_and_keeps_inserted_vertices)

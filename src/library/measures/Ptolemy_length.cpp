@@ -7,11 +7,13 @@
 
 #include <CGAL/Intrinsic_triangulations/internal/measures/Ptolemy_length.h>
 #include <CGAL/Intrinsic_triangulations/Ptolemy_traits.h>
+#include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double.h>
 
 #include <CGAL/Gmpq.h>
 #include <CGAL/Lazy_exact_nt.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
@@ -58,6 +60,16 @@ Ptolemy_length flipped_length(const Ptolemy_hinge& h)
   return kl;
 }
 
-bool is_Delaunay_exactly(const Ptolemy_hinge& h) { return Ptolemy_numbers<Lazy>::is_Delaunay(exact(h)); }
+bool is_Delaunay_exactly(const Ptolemy_hinge& h)
+{
+  const auto is_simple = [](const Ptolemy_length& l) { return !l.exact && l.value > 0x1p-200 && l.value < 0x1p200; };
+  if (is_simple(h.ij) && is_simple(h.jk) && is_simple(h.ki) && is_simple(h.il) && is_simple(h.lj)) {
+    const Double_double ij{h.ij.value}, jk{h.jk.value}, ki{h.ki.value}, il{h.il.value}, lj{h.lj.value};
+    const Double_double left = ij * ij * (jk * ki + il * lj), right = (jk * il + ki * lj) * (ki * il + jk * lj);
+    if (const double difference = (right - left).hi; std::abs(difference) > 0x1p-98 * (left.hi + right.hi))
+      return difference > 0;
+  }
+  return Ptolemy_numbers<Lazy>::is_Delaunay(exact(h));
+}
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -16,16 +16,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
 // In the linear model, L u = excess. The vertex of a component with the largest |u| becomes its next cone: it keeps its
-// scale. For each cone there is a function that is 1 there, zero at all cones before, and harmonic elsewhere. Subtracting
-// multiples of these makes u zero at all cones, so one factorization suffices. In each round every component gets a cone,
-// as one solution serves all.
+// scale. So do, one after the other, those whose u is the same up to rounding, if they are few, so that symmetries remain. For
+// each cone there is a function that is 1 there, zero at all cones before, and harmonic elsewhere. Subtracting multiples of
+// these makes u zero at all cones, so one factorization suffices. In each round every component gets a cone, as one solution
+// serves all.
 class Cone_chooser
 {
 public:
@@ -40,7 +40,7 @@ public:
     for (const Conformal_targets::Component& component : targets_.components()) {
       if (component.vertices.size() == 1)
         continue;
-      open_.push_back({&component.vertices, !component.keeps_scale, 0, {}});
+      open_.push_back({&component.vertices, !component.keeps_scale, 0, {}, {}});
       Part& part = open_.back();
       for (std::size_t v : component.vertices)
         part.total += excesses_[v] = system_.excess(v, targets_);
@@ -72,18 +72,23 @@ private:
     bool is_closed; // no vertex keeps its scale at first
     double total;
     std::vector<std::size_t> cones; // one in each round
+    std::vector<std::size_t> next;  // that are to follow
   };
 
   void choose_next()
   {
     const std::vector<double> change = system_.product(u_);
     const auto is_done = [&](Part& part) {
-      if (options_.number_of_cones ? part.cones.size() >= *options_.number_of_cones : is_sufficient(part, change))
+      if (part.next.empty() &&
+          (options_.number_of_cones ? part.cones.size() >= *options_.number_of_cones : is_sufficient(part, change)))
         return true;
-      const std::optional<std::size_t> cone = largest(part);
-      if (cone)
-        part.cones.push_back(*cone);
-      return !cone;
+      if (part.next.empty())
+        part.next = largest(part);
+      if (part.next.empty())
+        return true;
+      part.cones.push_back(part.next.back());
+      part.next.pop_back();
+      return false;
     };
     open_.erase(std::remove_if(open_.begin(), open_.end(), is_done), open_.end());
     for (const Part& part : open_)
@@ -103,13 +108,25 @@ private:
     });
   }
 
-  // The vertex with the largest |u| that can still become a cone.
-  std::optional<std::size_t> largest(const Part& part) const
+  // Of those that can still become cones, the vertices with the largest |u| and one sign; the first one if they are many.
+  std::vector<std::size_t> largest(const Part& part) const
   {
-    std::optional<std::size_t> result;
+    double least = 0, most = 0;
     for (std::size_t v : *part.members)
-      if (targets_.can_become_cone(v) && (!result || std::abs(u_[v]) > std::abs(u_[*result])))
-        result = v;
+      if (targets_.can_become_cone(v)) {
+        least = (std::min)(least, u_[v]);
+        most = (std::max)(most, u_[v]);
+      }
+    constexpr double same = 1 - 1e-6;
+    const double sign = most >= -least * same ? 1 : -1, bound = same * (std::max)(most, -least) - 1e-12;
+    std::vector<std::size_t> result;
+    for (std::size_t v : *part.members)
+      if (targets_.can_become_cone(v) && sign * u_[v] >= bound)
+        result.push_back(v);
+    constexpr std::size_t many = 16;
+    if (result.size() >
+        (std::min)(many, options_.number_of_cones.value_or(many + part.cones.size()) - part.cones.size()))
+      result.resize(1);
     return result;
   }
 

@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -112,20 +113,20 @@ private:
     return worst;
   }
   // Whether the excesses are as small as rounded lengths allow. What a pin has is the sum of all rounding.
+  bool is_sufficient(const Conformal_targets::Component& component) const
+  {
+    return std::all_of(component.vertices.begin(), component.vertices.end(), [&](std::size_t v) {
+      return std::abs(system_.excess(v, targets_)) <=
+             (component.is_pin(v) ? tolerable_error : 1e-12 + 0x1p-51 * system_.sensitivity(v));
+    });
+  }
   bool is_sufficient() const
   {
-    for (std::size_t v = 0; v < u_.size(); ++v)
-      if (!(std::abs(system_.excess(v, targets_)) <=
-            (targets_.component_of(v).is_pin(v)
-               ? tolerable_error
-               : (std::min)(1e-12 + 0x1p-51 * system_.sensitivity(v), tolerable_error))))
-        return false;
-    return true;
+    return std::all_of(targets_.components().begin(), targets_.components().end(),
+                       [this](const auto& component) { return is_sufficient(component); });
   }
   double largest_excess() const { return std::abs(system_.excess(worst_vertex(), targets_)) / system_.factor(); }
 
-  // The gradient of the convex energy is half the wanted minus the present angles. So the energy still falls at the end of
-  // a step as long as the product of the step and the excesses is not negative.
   void minimize()
   {
     double least = largest_excess();
@@ -134,28 +135,58 @@ private:
       report_progress(options_.progress, fraction_of_digits(first, least, 1e-12), "the search for a conformal metric");
       if (idle > 0 && least <= tolerable_error)
         return;
-      if (steps_ == maximum_number_of_steps || idle == 6)
+      // Far away, only the energy falls.
+      const bool is_rounding = least < 0x1p-48 * system_.sensitivity(worst_vertex());
+      if (steps_ == maximum_number_of_steps || idle == (is_rounding || least < 1e-6 ? 6 : 30))
         throw_not_converged("the sum of the angles at vertex " + std::to_string(worst_vertex()) + " still differs by " +
-                            shown(least) + " from the wanted one");
-      const std::vector<double> step = newton_step(steps_ == 0 || idle > 0, least), before = u_;
-      const double squares = sum_of_squares(), range = range_of(step);
-      double part = 1;
-      while (part * range > 10) // beyond that, the linear model is useless
-        part /= 2;
-      for (int halvings = 0;; ++halvings, part /= 2) {
-        for (std::size_t v = 0; v < u_.size(); ++v)
-          u_[v] = before[v] + part * step[v];
-        evaluate();
-        double slope = 0;
-        for (std::size_t v = 0; v < u_.size(); ++v)
-          slope += step[v] * system_.excess(v, targets_);
-        if (slope >= 0 || sum_of_squares() < squares / 4 || halvings == 40)
-          break;
-      }
+                            shown(least) + " from the wanted one" +
+                            (is_rounding ? " (rounding of lengths alone changes it as much)" : ""));
+      take(newton_step(steps_ == 0 || idle > 0, least));
       const double now = largest_excess();
       idle = now < 0.9 * least ? 0 : idle + 1;
       least = now;
     }
+  }
+
+  // The gradient of the convex energy is half the wanted minus the present angles. So the energy still falls at the end of
+  // a step as long as the product of the step and the excesses is not negative. Each component takes a part of its own.
+  void take(const std::vector<double>& step)
+  {
+    const std::vector<double> before = u_;
+    const std::vector<Conformal_targets::Component>& components = targets_.components();
+    std::vector<double> parts(components.size(), 1), squares;
+    for (std::size_t i = 0; i < components.size(); ++i) {
+      const std::vector<std::size_t>& vertices = components[i].vertices;
+      const auto [least, most] =
+        std::minmax_element(vertices.begin(), vertices.end(), [&](auto v, auto w) { return step[v] < step[w]; });
+      while (parts[i] * (step[*most] - step[*least]) > 10) // beyond that, the linear model is useless
+        parts[i] /= 2;
+      squares.push_back(product(vertices, [&](std::size_t v) { return system_.excess(v, targets_); }));
+    }
+    bool is_done = false;
+    for (int halvings = 0; !is_done && halvings <= 40; ++halvings) {
+      for (std::size_t i = 0; i < components.size(); ++i)
+        for (std::size_t v : components[i].vertices)
+          u_[v] = before[v] + parts[i] * step[v];
+      evaluate();
+      is_done = true;
+      for (std::size_t i = 0; i < components.size(); ++i) {
+        const std::vector<std::size_t>& vertices = components[i].vertices;
+        if (product(vertices, [&](std::size_t v) { return step[v]; }) >= 0 || is_sufficient(components[i]) ||
+            product(vertices, [&](std::size_t v) { return system_.excess(v, targets_); }) < squares[i] / 4)
+          continue;
+        parts[i] /= 2;
+        is_done = false;
+      }
+    }
+  }
+
+  // The sum of f(v) times the excess.
+  template <class F>
+  double product(const std::vector<std::size_t>& vertices, const F& f) const
+  {
+    return std::accumulate(vertices.begin(), vertices.end(), 0.,
+                           [&](double sum, std::size_t v) { return sum + f(v) * system_.excess(v, targets_); });
   }
 
   std::vector<double> newton_step(bool factorizes, double least)
@@ -172,14 +203,6 @@ private:
     } catch (const Numerical_error& error) {
       throw_not_converged(error.what());
     }
-  }
-
-  double sum_of_squares() const
-  {
-    double result = 0;
-    for (std::size_t v = 0; v < u_.size(); ++v)
-      result += system_.excess(v, targets_) * system_.excess(v, targets_);
-    return result;
   }
 
   [[noreturn]] void throw_not_converged(const std::string& what) const

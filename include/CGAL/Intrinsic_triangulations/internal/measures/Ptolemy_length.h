@@ -31,7 +31,7 @@ struct Ptolemy_hinge
 // value.
 Ptolemy_length flipped_length(const Ptolemy_hinge& hinge);
 
-// In rational numbers, if intervals do not decide.
+// In double-doubles, and in rational numbers if these do not decide.
 bool is_Delaunay_exactly(const Ptolemy_hinge& hinge);
 
 } // namespace CGAL::Intrinsic_triangulations::internal
