@@ -561,7 +561,7 @@ Exit_status run_geodesic(Geodesic_options options)
     const Stopwatch stopwatch;
     std::optional<View> view;
     IT::Path_on_triangles over_soup;
-    Curve curve = [&] {
+    const auto find = [&] {
       const Progress progress(path, "looking for the line");
       if (soup)
         return find_path_over(*soup, options, over_soup);
@@ -595,6 +595,24 @@ Exit_status run_geodesic(Geodesic_options options)
                          IT::Common_subdivision(triangulation), surface.points, input_numbers,
                          IT::element_numbers(triangulation));
       return curve;
+    };
+    Curve curve = [&] {
+      try {
+        return find();
+      } catch (const IT::Invalid_surface_error& error) {
+        // Where faces of zero area join vertices at one place, flips fail; over any triangles, they become one.
+        if (soup || error.defect() != IT::Invalid_surface_error::Defect::ZERO_LENGTH_EDGE || !surface.has_points() ||
+            !takes_any_triangles(options))
+          throw;
+        soup.emplace();
+        soup->points = surface.points;
+        for (IT::Face_index f : surface.connectivity.faces()) {
+          const IT::Halfedge_index h = surface.connectivity.halfedge(f);
+          soup->triangles.push_back({surface.connectivity.source(h).idx(), surface.connectivity.target(h).idx(),
+                                     surface.connectivity.target(surface.connectivity.next(h)).idx()});
+        }
+        return find();
+      }
     }();
     const double seconds = stopwatch.seconds();
     const std::vector<Point_in_face> line =

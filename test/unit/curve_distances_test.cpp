@@ -397,6 +397,36 @@ TEST(Curve_distances, cross_a_spine_to_all_pages)
   EXPECT_THROW(at(1000, {1, 0, 0}), IT::Invalid_point_error);
 }
 
+TEST(Curve_distances, points_of_triangles_that_were_cut_or_turned)
+{
+  // The first face has zero area: the next two are cut, one of them on two sides. The last three disagree.
+  const std::vector<std::array<double, 3>> points{{0, 0, 0}, {4, 0, 0}, {1, 0, 0}, {3, 0, 0},
+                                                  {2, 2, 0}, {3, 1, 0}, {2, -2, 1}};
+  const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {2, 1, 3}, {1, 4, 5}, {0, 1, 4},
+                                                            {1, 0, 6}, {0, 4, 6}, {4, 0, 6}};
+  for (const IT::Surface_cover kind : {IT::Surface_cover::SHEETS, IT::Surface_cover::TUFTED}) {
+    const IT::Tufted_cover cover = IT::make_tufted_cover(points, triangles, CGAL::parameters::surface_cover(kind));
+    std::vector<std::array<double, 3>> of_cover;
+    for (const std::uint32_t v : cover.vertex_of)
+      of_cover.push_back(points[v]);
+    for (std::size_t t = 3; t < triangles.size(); ++t)
+      for (int i = 0; i <= 8; ++i)
+        for (int k = 0; i + k <= 8; ++k) {
+          const std::array<double, 3> at{i / 8., k / 8., (8 - i - k) / 8.};
+          const Surface_point p = IT::points_of_cover(cover, triangles, {{t, at}}).front();
+          const auto place = IT::point_in_space(cover.triangulation.input(), of_cover, p);
+          EXPECT_EQ(cover.face_of[cover.triangulation.input().face(p.halfedge).idx()], t);
+          for (std::size_t x = 0; x < 3; ++x) {
+            EXPECT_GE(p.coordinates[x], 0);
+            EXPECT_NEAR(place[x],
+                        at[0] * points[triangles[t][0]][x] + at[1] * points[triangles[t][1]][x] +
+                          at[2] * points[triangles[t][2]][x],
+                        1e-14);
+          }
+        }
+  }
+}
+
 TEST(Curve_distances, bad_input)
 {
   const Mesh mesh = shaken_plane(4, 4);

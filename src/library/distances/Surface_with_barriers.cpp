@@ -12,6 +12,8 @@
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/make_Delta_complex.h>
 
+#include "coordinates_in_part.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -24,18 +26,6 @@ namespace CGAL::Intrinsic_triangulations {
 namespace {
 
 using Coordinates = std::array<double, 3>;
-
-double determinant(const Coordinates& p, const Coordinates& q, const Coordinates& r)
-{
-  return p[0] * (q[1] * r[2] - q[2] * r[1]) + p[1] * (q[2] * r[0] - q[0] * r[2]) + p[2] * (q[0] * r[1] - q[1] * r[0]);
-}
-
-Coordinates relative_to(const std::array<Coordinates, 3>& corners, const Coordinates& p)
-{
-  const double whole = determinant(corners[0], corners[1], corners[2]);
-  return {determinant(p, corners[1], corners[2]) / whole, determinant(corners[0], p, corners[2]) / whole,
-          determinant(corners[0], corners[1], p) / whole};
-}
 
 // The point that divides a segment. \param t from 0 to 1
 Coordinates between(const Coordinates& from, const Coordinates& to, double t)
@@ -175,7 +165,7 @@ void Surface_with_barriers::add_segment_in_face(Halfedge_index h, const Coordina
   const std::size_t f = input_.face(h).idx();
   for (std::size_t t = first_[f]; t < cut_.triangles.size() && cut_.input_faces[t] == f; ++t) {
     const std::array<Coordinates, 3> around = corners(t, h);
-    const Coordinates a = relative_to(around, from), b = relative_to(around, to);
+    const Coordinates a = internal::coordinates_in_part(around, from), b = internal::coordinates_in_part(around, to);
     double begin = 0, end = 1;
     for (std::size_t i = 0; i < 3; ++i) {
       const double rise = b[i] - a[i], zero = (-on_side - a[i]) / rise;
