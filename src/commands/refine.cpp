@@ -14,6 +14,7 @@
 #include "input/vertex_values.h"
 #include "output/Output_file.h"
 #include "output/write_straight_mesh.h"
+#include "system/Interruption.h"
 #include "system/Progress.h"
 #include "system/text.h"
 
@@ -236,9 +237,11 @@ IT::Straight_mesh straight_mesh(const Triangulation_result& result)
 {
   const Refinement_options& refinement = *result.options.refinement;
   const double maximum = refinement.criteria.maximum_deviation;
+  Progress progress(result.surface.path, "straight triangles");
   return IT::straight_mesh(*result.outcome.subdivision, result.surface.points, refinement.is_constrained,
                            Triangulation_result::thin_angle, std::isfinite(maximum) ? maximum : 0,
-                           ends(refinement.is_whole, result.surface.connectivity));
+                           ends(refinement.is_whole, result.surface.connectivity),
+                           CGAL::parameters::visitor(std::ref(progress)));
 }
 
 // A larger deviation for which refinement leads to good triangles, found by trying, with two digits; or 0.
@@ -252,7 +255,7 @@ double sufficient_deviation(const Surface& surface, Run_options run_options, con
     deviation = std::ceil(d / digit) * digit;
     std::istringstream(in_short(deviation)) >> deviation; // as it is written
     const Triangulation_result result = refine_surface(surface, run_options, options);
-    if (!result.outcome.subdivision)
+    if (!result.outcome.subdivision || is_interrupted())
       return 0;
     if (straight_mesh(result).is_good())
       return deviation;
@@ -287,12 +290,17 @@ Exit_status refine_file(const std::string& path, const Refine_options& options)
   result.flat_tolerance = options.flat_tolerance;
   result.flat_deviation = deviation;
   if (makes_triangles && result.outcome.subdivision) {
-    result.straight = straight_mesh(result);
-    if (is_bounded && !result.straight->is_good())
-      result.straight->sufficient_deviation =
-        sufficient_deviation(*copy, run_options, options, result.straight->sufficient_deviation);
-    write_file(options.flattened,
-               [&](std::ostream& os) { write_straight_mesh(os, *result.straight, options.flattened); });
+    try {
+      result.straight = straight_mesh(result);
+      if (is_bounded && !result.straight->is_good())
+        result.straight->sufficient_deviation =
+          sufficient_deviation(*copy, run_options, options, result.straight->sufficient_deviation);
+    } catch (const IT::Cancelled_error& error) {
+      result.outcome.failure = error.what();
+    }
+    if (result.straight)
+      write_file(options.flattened,
+                 [&](std::ostream& os) { write_straight_mesh(os, *result.straight, options.flattened); });
   }
   options.files.write(result);
   write_file(options.kept_edges, [&](std::ostream& os) {

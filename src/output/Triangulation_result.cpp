@@ -77,7 +77,8 @@ std::string describe_straight_triangles(const Triangulation_result& result)
   else
     text += "have angles below 10 degrees in " +
             counted(mesh.thin_triangles.size() - mesh.number_of_sharp_corners, "triangle", "triangles") +
-            " that are not at corners of kept edges";
+            " that are not at corners of kept edges, the first at " +
+            in_short(mesh.points[mesh.triangles[mesh.thin_triangles.front()][0]]);
   return text + "; " +
          (std::isinf(maximum) ? "try --maximum-deviation 0.1%"
           : mesh.sufficient_deviation > 0

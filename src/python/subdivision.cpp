@@ -189,8 +189,9 @@ py::tuple straight_mesh(const Subdivision& s, const Doubles& points, const std::
     return result;
   };
   const std::vector<bool> is_marked = copied_marks(marked), is_fixed = copied_marks(fixed);
-  IT::Straight_mesh mesh = without_lock(
-    [&] { return IT::straight_mesh(s.get(), places, is_marked, thin_angle, maximum_deviation, is_fixed); });
+  IT::Straight_mesh mesh = without_lock([&] {
+    return IT::straight_mesh(s.get(), places, is_marked, thin_angle, maximum_deviation, is_fixed, while_no_signal);
+  });
   std::vector<std::array<std::int64_t, 2>> edges;
   for (const auto& [a, b] : mesh.marked_edges)
     edges.push_back({a, b});

@@ -28,6 +28,7 @@ TESTS = os.path.dirname(__file__)
     "t = it.Triangulation(*grid(800, 5.0)); t.flip_to_delaunay(); call = lambda: t.verify()",
     "V, F = grid(500); F[::2] = F[::2, ::-1]; call = lambda: it.repair(V, F)",
     "V, _ = grid(150, 0.3); call = lambda: it.point_cloud_laplacian(V)",
+    "V, F = grid(150, 30.0); t = it.Triangulation(V, F); call = lambda: t.straight_mesh(maximum_deviation=0.05)",
     "s = it.MeshHeatMethodDistanceSolver(*grid(250)); call = lambda: s.compute_distance_multisource(range(0, 60000, 2000))"])
 def test_ctrl_c(call):
     program = textwrap.dedent(f"""

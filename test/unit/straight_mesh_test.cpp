@@ -265,6 +265,20 @@ TEST(Straight_mesh, tells_sharp_corners_from_other_thin_triangles)
   EXPECT_TRUE(IT::straight_mesh(IT::Common_subdivision(t), fan.points, {}, 1).thin_triangles.empty());
 }
 
+TEST(Straight_mesh, names_thin_triangles_before_sharp_corners)
+{
+  const Model fan{{{0, 0, 0}, {1, 0, 0}, {1, 0.05, 0}, {0, 1, 0}, {-0.05, 1, 0}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}};
+  const Triangulation t = fan.triangulation();
+  std::vector<bool> is_marked;
+  for (IT::Edge_index e : t.connectivity().edges()) { // that from the first to the third vertex
+    const IT::Halfedge_index h = t.connectivity().halfedge(e);
+    is_marked.push_back(t.connectivity().source(h).idx() + t.connectivity().target(h).idx() == 2);
+  }
+  const IT::Straight_mesh mesh = IT::straight_mesh(IT::Common_subdivision(t), fan.points, is_marked);
+  EXPECT_EQ(mesh.number_of_sharp_corners, 1u);
+  EXPECT_EQ(mesh.thin_triangles, (std::vector<std::uint32_t>{2, 0}));
+}
+
 // Both directions, by sampling.
 void expect_within(const Model& model, double deviation, std::size_t most_triangles)
 {
@@ -475,6 +489,29 @@ TEST(Straight_mesh, cuts_thin_tubes_and_makes_rods_of_wires)
   const double back = farthest_sample(mesh.points, mesh.triangles, cube.points, cube.triangles);
   EXPECT_LE(back, mesh.deviation);
   EXPECT_GT(back, 0.003); // the rod has that thickness
+}
+
+TEST(Straight_mesh, asks_its_visitor)
+{
+  Model model = graph(20, [](double x, double y) { return 0.01 * std::sin(40 * x * y); });
+  for (auto& p : model.points)
+    p[0] *= 0.05; // all triangles are thin
+  const Triangulation t = model.triangulation();
+  const IT::Common_subdivision subdivision(t);
+  std::vector<double> fractions;
+  const auto make = [&](const auto& visitor) {
+    return IT::straight_mesh(subdivision, model.points, {}, 10, 1e-3, {}, CGAL::parameters::visitor(visitor));
+  };
+  make([&](double fraction) { return fractions.push_back(fraction), true; });
+  EXPECT_GT(fractions.size(), 800u); // once for each thin triangle at least
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_GE(fractions.front(), 0);
+  EXPECT_LE(fractions.back(), 1);
+  for (std::size_t last : {std::size_t(1), fractions.size() / 2, fractions.size() - 1}) {
+    std::size_t number = 0;
+    EXPECT_THROW(make([&] { return ++number < last; }), IT::Cancelled_error);
+    EXPECT_EQ(number, last);
+  }
 }
 
 TEST(Straight_mesh, refuses_senseless_deviations)

@@ -10,6 +10,8 @@
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
 #include <CGAL/Intrinsic_triangulations/Index.h>
+#include <CGAL/Intrinsic_triangulations/internal/named_parameters.h>
+#include <CGAL/Intrinsic_triangulations/observer.h>
 #include <CGAL/Intrinsic_triangulations/validate_triangles.h>
 
 #include <array>
@@ -52,8 +54,9 @@ struct Straight_mesh
   double deviation = 0;
   std::array<double, 3> deviation_place{}; ///< where on the surface that distance is attained, nearly
 
-  double minimum_angle = 180;                ///< the smallest angle of the triangles, in degrees
-  std::vector<std::uint32_t> thin_triangles; ///< those with an angle below the given bound
+  double minimum_angle = 180; ///< the smallest angle of the triangles, in degrees
+  std::vector<std::uint32_t>
+    thin_triangles; ///< those with an angle below the given bound; first those not at sharp corners
   /// how many of them have it between two marked edges, where every mesh has that angle
   std::size_t number_of_sharp_corners = 0;
   /// a larger maximum deviation, at most 64 times the given one, with which the triangles are good, as was tried; 0 if they
@@ -81,6 +84,14 @@ struct Straight_mesh
   }
 };
 
+namespace internal {
+
+Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::vector<std::array<double, 3>>& points,
+                            const std::vector<bool>& is_marked, double thin_angle, double maximum_deviation,
+                            const std::vector<bool>& is_fixed, const Progress_function& progress);
+
+} // namespace internal
+
 /// \ingroup PkgIntrinsicTriangulationsOverlay
 /// \brief makes straight triangles of the faces of an intrinsic triangulation, for programs that know no others.
 ///
@@ -102,16 +113,28 @@ struct Straight_mesh
 /// \param maximum_deviation the deviation up to which vertices may be merged, in the unit of the input; 0 if none may
 /// \param is_fixed for each vertex of the input, whether it must not be merged with another one, such as the ends of edges
 ///   that stay whole; empty if all may
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamVisitor{is called from time to time with the fraction that is done, and can cancel}
+/// \cgalNamedParamsEnd
 ///
 /// \return the triangles with regions, lines and defects
 /// \exception Invalid_argument_error if there are not as many points or marks as vertices or edges of the input, or a
 ///   coordinate is not finite
+/// \exception Cancelled_error if the visitor asks for it
 ///
-/// Complexity: linear in the size of the overlay, and O(n log n) for n edges, for vertices of bounded degree; O(n) for
-/// each piece that is left out. If the triangles are not good, larger deviations are tried, at most six.
+/// Complexity: linear in the size of the overlay, and O(n log n) for n edges, for vertices of bounded degree. If the
+/// triangles are not good, larger deviations are tried, at most six.
+template <class NamedParameters = parameters::Default_named_parameters>
 Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::vector<std::array<double, 3>>& points,
                             const std::vector<bool>& is_marked = {}, double thin_angle = 10,
-                            double maximum_deviation = 0, const std::vector<bool>& is_fixed = {});
+                            double maximum_deviation = 0, const std::vector<bool>& is_fixed = {},
+                            const NamedParameters& np = parameters::default_values())
+{
+  return internal::straight_mesh(subdivision, points, is_marked, thin_angle, maximum_deviation, is_fixed,
+                                 internal::progress_function_of(np));
+}
 
 /// \ingroup PkgIntrinsicTriangulationsOverlay
 /// \brief returns a sentence about what makes straight triangles no surface, with the numbers and the first places.

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -20,8 +21,8 @@ namespace CGAL::Intrinsic_triangulations::internal {
 static constexpr double usual_part = 0.8;
 
 Thin_part_merger::Thin_part_merger(Straight_map& map, Straight_triangles& mesh, double thin_angle,
-                                   double maximum_deviation)
-  : map_(map), mesh_(mesh), thin_angle_(thin_angle), maximum_deviation_(maximum_deviation),
+                                   double maximum_deviation, const Progress_function& progress)
+  : map_(map), mesh_(mesh), progress_(progress), thin_angle_(thin_angle), maximum_deviation_(maximum_deviation),
     most_((2 * maximum_deviation - map.bound(maximum_deviation)) * (1 - 1e-9)), at_vertex_(map.points().size()),
     marked_(map.points().size()), images_(map.points().size()), is_waiting_(mesh.triangles.size()),
     is_stuck_(mesh.triangles.size())
@@ -57,13 +58,17 @@ Straight_map::Distance Thin_part_merger::operator()()
   }
   // Where nothing improves, short sides are contracted nevertheless: what is left is coarser.
   std::vector<std::uint32_t> stuck;
-  while (!to_look_at_.empty() || !stuck.empty()) {
-    is_forced_ = to_look_at_.empty();
-    std::vector<std::uint32_t>& list = is_forced_ ? stuck : to_look_at_;
+  double fraction = 0;
+  for (double done = 1; !to_look_at_.empty() || !stuck.empty(); ++done) {
+    fraction = (std::max)(fraction, 0.8 * done / (done + double(to_look_at_.size() + stuck.size())));
+    report(fraction);
+    const bool is_forced = to_look_at_.empty();
+    needed_growth_ = is_forced ? 0 : 1.01;
+    std::vector<std::uint32_t>& list = is_forced ? stuck : to_look_at_;
     const std::uint32_t t = list.back();
     list.pop_back();
-    (is_forced_ ? is_stuck_ : is_waiting_)[t] = false;
-    if (is_bad(t) && !improve(t) && !is_forced_ && !is_stuck_[t]) {
+    (is_forced ? is_stuck_ : is_waiting_)[t] = false;
+    if (is_bad(t) && !improve(t) && !is_forced && !is_stuck_[t]) {
       stuck.push_back(t);
       is_stuck_[t] = true;
     }
@@ -71,7 +76,9 @@ Straight_map::Distance Thin_part_merger::operator()()
   if (maximum_deviation_ > 0)
     remove_pieces();
   const Straight_map::Distance result = largest_distance();
-  finish_images();
+  for (std::uint32_t& image : images_)
+    while (image < images_.size() && images_[image] != image)
+      image = images_[image];
   mesh_.marked_edges.clear();
   for (std::uint32_t v = 0; v < marked_.size(); ++v)
     for (std::uint32_t w : marked_[v])
@@ -80,24 +87,6 @@ Straight_map::Distance Thin_part_merger::operator()()
   std::sort(mesh_.marked_edges.begin(), mesh_.marked_edges.end());
   mesh_.marked_edges.erase(std::unique(mesh_.marked_edges.begin(), mesh_.marked_edges.end()), mesh_.marked_edges.end());
   return result;
-}
-
-// Vertices of removed pieces get the place of the nearest vertex that is left.
-void Thin_part_merger::finish_images()
-{
-  std::sort(removed_vertices_.begin(), removed_vertices_.end());
-  removed_vertices_.erase(std::unique(removed_vertices_.begin(), removed_vertices_.end()), removed_vertices_.end());
-  for (std::uint32_t v : removed_vertices_) {
-    std::uint32_t nearest = v;
-    for (std::uint32_t w = 0; w < at_vertex_.size(); ++w)
-      if (!at_vertex_[w].empty() && (nearest == v || length(v, w) < length(v, nearest)))
-        nearest = w;
-    if (v < images_.size())
-      images_[v] = nearest;
-  }
-  for (std::uint32_t& image : images_)
-    while (image < images_.size() && images_[image] != image)
-      image = images_[image];
 }
 
 bool Thin_part_merger::is_thin(std::uint32_t t, double angle) const
@@ -245,6 +234,7 @@ Straight_map::Distance Thin_part_merger::largest_distance()
   const auto are_all_near = [&](double distance) {
     std::vector<std::array<std::uint32_t, 2>> pairs;
     for (Face_index f : faces_of(changed)) {
+      report(0.9);
       std::vector<Triangle> corners;
       for (std::uint32_t t : stand_for_face_[f.idx()])
         corners.push_back(mesh_.triangles[t]);
@@ -252,6 +242,7 @@ Straight_map::Distance Thin_part_merger::largest_distance()
         return false;
     }
     return std::all_of(changed.begin(), changed.end(), [&](std::uint32_t t) {
+      report(0.95);
       return are_near(in_space({mesh_.triangles[t]}), surface_in(stands_for_[t]).triangles, distance, pairs);
     });
   };
@@ -306,7 +297,7 @@ bool Thin_part_merger::improves(const Change& change, const std::vector<Space_tr
     if (!mesh_.is_kept[change.triangles[i]])
       new_angle = (std::min)(new_angle, angle);
   }
-  return is_forced_ || number_of_thin > 0 || (number_of_thin == 0 && new_angle > old_angle * 1.01);
+  return needed_growth_ == 0 || number_of_thin > 0 || (number_of_thin == 0 && new_angle > old_angle * needed_growth_);
 }
 
 bool Thin_part_merger::is_within(Change& change, double distance)
@@ -396,6 +387,7 @@ bool Thin_part_merger::is_near_enough(Change& change)
 
 bool Thin_part_merger::improve(std::uint32_t t)
 {
+  const bool is_forced = needed_growth_ == 0;
   std::array<std::tuple<double, std::uint32_t, std::uint32_t>, 3> sides;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::uint32_t v = mesh_.triangles[t][i], w = mesh_.triangles[t][(i + 1) % 3];
@@ -406,18 +398,20 @@ bool Thin_part_merger::improve(std::uint32_t t)
     if (number_of_triangles_at(v, w) > 2)
       return separate(v, w) || separate(w, v);
   for (const auto& [length, v, w] : sides)
-    if ((!is_forced_ || length <= maximum_deviation_) && (contract(v, w) || contract(w, v)))
+    if ((!is_forced || length <= maximum_deviation_) && (contract(v, w) || contract(w, v)))
       return true;
-  if (is_forced_)
-    return false;
+  const Triangle corners = mesh_.triangles[t];
+  if (is_forced) {
+    needed_growth_ = std::numeric_limits<double>::infinity(); // only fewer thin triangles count
+    return std::any_of(corners.begin(), corners.end(), [this](std::uint32_t v) { return move_along_edges(v); });
+  }
   for (const auto& [length, v, w] : sides)
     if (length <= maximum_deviation_ && cut_tube(v, w))
       return true;
   for (std::size_t i = 3; i-- > 0;) // the longest first
     if (flip(t, std::get<1>(sides[i]), std::get<2>(sides[i])))
       return true;
-  const Triangle corners = mesh_.triangles[t];
-  return std::any_of(corners.begin(), corners.end(), [this](std::uint32_t v) { return move(v); });
+  return std::any_of(corners.begin(), corners.end(), [this](std::uint32_t v) { return move_to_mean(v); });
 }
 
 // Whether the triangles stay a manifold of the same kind: the links of both vertices have nothing in common but the link
@@ -539,33 +533,54 @@ bool Thin_part_merger::flip(std::uint32_t t, std::uint32_t a, std::uint32_t b)
 }
 
 // Moves a vertex toward the mean of its neighbors.
-bool Thin_part_merger::move(std::uint32_t v)
+bool Thin_part_merger::move_to_mean(std::uint32_t v)
 {
-  if (is_fixed(v) || !marked_[v].empty() || is_on_border(v))
+  if (!marked_[v].empty() || is_on_border(v))
     return false;
-  const Point old = map_.points()[v];
   Point mean{};
   const std::vector<std::uint32_t> around = neighbors(v);
   for (std::uint32_t w : around)
     for (std::size_t i = 0; i < 3; ++i)
       mean[i] += map_.points()[w][i] / double(around.size());
+  return move(v, {mean}, {1, 0.5, 0.25});
+}
+
+// Moves a vertex toward a neighbor or away from it; one of a line along that line.
+bool Thin_part_merger::move_along_edges(std::uint32_t v)
+{
+  const bool is_on_line = marked_[v].size() == 2;
+  if (!is_on_line && (!marked_[v].empty() || is_on_border(v)))
+    return false;
+  std::vector<Point> toward;
+  for (std::uint32_t w : is_on_line ? marked_[v] : neighbors(v))
+    toward.push_back(map_.points()[w]);
+  return move(v, toward, is_on_line ? std::vector<double>{0.5, 0.25, 0.1} : std::vector{0.5, 0.25, 0.1, -0.1, -0.25});
+}
+
+// Moves a vertex by one of these parts toward one of these points.
+bool Thin_part_merger::move(std::uint32_t v, const std::vector<Point>& toward, const std::vector<double>& parts)
+{
+  if (is_fixed(v))
+    return false;
+  const Point old = map_.points()[v];
   Change change{at_vertex_[v], {}, {}};
   std::vector<Space_triangle> before;
   for (std::uint32_t t : change.triangles) {
     change.corners.push_back(mesh_.triangles[t]);
     before.push_back(map_.corners(mesh_.triangles[t]));
   }
-  for (double part = 1; part > 0.2; part /= 2) {
-    Point p = old;
-    for (std::size_t i = 0; i < 3; ++i)
-      p[i] += part * (mean[i] - old[i]);
-    map_.move_vertex(v, p);
-    if (improves(change, before) && is_near_enough(change)) {
-      make(change);
-      look_at(v);
-      return true;
+  for (double part : parts)
+    for (const Point& end : toward) {
+      Point p = old;
+      for (std::size_t i = 0; i < 3; ++i)
+        p[i] += part * (end[i] - old[i]);
+      map_.move_vertex(v, p);
+      if (improves(change, before) && is_near_enough(change)) {
+        make(change);
+        look_at(v);
+        return true;
+      }
     }
-  }
   map_.move_vertex(v, old);
   return false;
 }

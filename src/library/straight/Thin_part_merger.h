@@ -8,6 +8,7 @@
 #ifndef CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_STRAIGHT_THIN_PART_MERGER_H
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_STRAIGHT_THIN_PART_MERGER_H
 
+#include <CGAL/Intrinsic_triangulations/observer.h>
 #include "Straight_map.h"
 #include "nearness.h"
 
@@ -46,7 +47,8 @@ class Thin_part_merger
 public:
   using Triangle = Straight_triangles::Triangle;
 
-  Thin_part_merger(Straight_map& map, Straight_triangles& mesh, double thin_angle, double maximum_deviation);
+  Thin_part_merger(Straight_map& map, Straight_triangles& mesh, double thin_angle, double maximum_deviation,
+                   const Progress_function& progress);
 
   // \return the largest distance of the two surfaces
   Straight_map::Distance operator()();
@@ -79,7 +81,6 @@ private:
   bool is_thin(std::uint32_t t, double angle) const;
   bool is_bad(std::uint32_t t) const;
   bool improve(std::uint32_t t);
-  void finish_images();
 
   Straight_map::Distance largest_distance();
   Surface_part surface_in(const std::vector<Face_index>& faces);
@@ -96,7 +97,9 @@ private:
   bool is_contractible(std::uint32_t from, std::uint32_t to);
   bool contract(std::uint32_t from, std::uint32_t to);
   bool flip(std::uint32_t t, std::uint32_t a, std::uint32_t b);
-  bool move(std::uint32_t v);
+  bool move_to_mean(std::uint32_t v);
+  bool move_along_edges(std::uint32_t v);
+  bool move(std::uint32_t v, const std::vector<Point>& toward, const std::vector<double>& parts);
 
   bool cut_tube(std::uint32_t v, std::uint32_t w);
   std::vector<std::uint32_t> fan_between(std::uint32_t first, std::uint32_t v, std::uint32_t to) const;
@@ -107,6 +110,7 @@ private:
   std::vector<std::vector<std::uint32_t>> bad_pieces() const;
   void remove_pieces();
   bool replace_by_rod(const std::vector<std::uint32_t>& piece);
+  void remove_piece(const Change& change, std::size_t number_of_triangles);
 
   double length(std::uint32_t v, std::uint32_t w) const;
   std::vector<std::uint32_t> neighbors(std::uint32_t v) const;
@@ -120,17 +124,20 @@ private:
   std::uint32_t add_vertex(const Point& p);
   void look_at(std::uint32_t v);
 
+  void report(double fraction) const { report_progress(progress_, fraction, "straight_mesh()"); }
+
   Straight_map& map_;
   Straight_triangles& mesh_;
+  const Progress_function& progress_;
   const double thin_angle_, maximum_deviation_, most_; // a little less, for rounding
   std::vector<std::vector<std::uint32_t>> at_vertex_;  // the triangles
   std::vector<std::vector<std::uint32_t>> marked_;     // the vertices at the other ends of marked edges
   // The faces that a triangle stands for, if it is not its own face as at first.
   std::unordered_map<std::uint32_t, std::vector<Face_index>> stands_for_;
   std::vector<std::vector<std::uint32_t>> stand_for_face_; // the other way round
-  std::vector<std::uint32_t> images_, to_look_at_, removed_vertices_;
+  std::vector<std::uint32_t> images_, to_look_at_;
   std::vector<bool> is_waiting_, is_stuck_; // whether a triangle is to be looked at, or waits for a forced step
-  bool is_forced_ = false;                  // whether steps need not improve anything
+  double needed_growth_ = 1.01;             // of the smallest angle by a step; 0 if it need not improve anything
   std::size_t number_of_removed_pieces_ = 0, number_of_rods_ = 0, number_of_bent_border_edges_ = 0;
 };
 

@@ -146,9 +146,10 @@ void Thin_part_merger::separate_fans(std::uint32_t v)
   }
 }
 
-// Connected triangles, some of them bad, or two with the same corners; more triangles come first.
+// A few connected triangles, some of them bad, or two with the same corners; more triangles come first.
 std::vector<std::vector<std::uint32_t>> Thin_part_merger::bad_pieces() const
 {
+  constexpr std::size_t most_triangles = 64;
   Disjoint_sets sets(map_.points().size());
   for (const Triangle& t : mesh_.triangles)
     if (!is_removed(t)) {
@@ -161,55 +162,78 @@ std::vector<std::vector<std::uint32_t>> Thin_part_merger::bad_pieces() const
       pieces[sets.find(mesh_.triangles[t][0])].push_back(t);
   std::vector<std::vector<std::uint32_t>> result;
   for (const auto& [root, piece] : pieces)
-    if (std::any_of(piece.begin(), piece.end(), [this](std::uint32_t t) { return is_bad(t); }) ||
-        (piece.size() == 2 && std::is_permutation(mesh_.triangles[piece[0]].begin(), mesh_.triangles[piece[0]].end(),
-                                                  mesh_.triangles[piece[1]].begin())))
+    if (piece.size() <= most_triangles &&
+        (std::any_of(piece.begin(), piece.end(), [this](std::uint32_t t) { return is_bad(t); }) ||
+         (piece.size() == 2 && std::is_permutation(mesh_.triangles[piece[0]].begin(), mesh_.triangles[piece[0]].end(),
+                                                   mesh_.triangles[piece[1]].begin()))))
       result.push_back(piece);
   std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
   return result;
 }
 
-// Removes such pieces, if they are small and lie along others that stay.
+// Removes such pieces, if they lie along others that stay.
 void Thin_part_merger::remove_pieces()
 {
-  constexpr std::size_t most_triangles = 64;
   const std::vector<std::vector<std::uint32_t>> pieces = bad_pieces();
   std::vector<bool> is_other(mesh_.triangles.size(), true);
-  for (const std::vector<std::uint32_t>& piece : pieces)
-    for (std::uint32_t t : piece)
+  std::vector<Space_box> boxes, other_boxes;
+  for (const std::vector<std::uint32_t>& piece : pieces) {
+    boxes.emplace_back(map_.corners(mesh_.triangles[piece[0]]));
+    for (std::uint32_t t : piece) {
       is_other[t] = false;
+      boxes.back().add(Space_box(map_.corners(mesh_.triangles[t])));
+    }
+  }
   std::vector<std::uint32_t> others;
   for (std::uint32_t t = 0; t < is_other.size(); ++t)
-    if (is_other[t] && !is_removed(mesh_.triangles[t]))
+    if (is_other[t] && !is_removed(mesh_.triangles[t])) {
       others.push_back(t);
-  for (const std::vector<std::uint32_t>& piece : pieces) {
+      other_boxes.emplace_back(map_.corners(mesh_.triangles[t]));
+    }
+  const double distance = 2 * maximum_deviation_;
+  const std::vector<std::vector<std::uint32_t>> near = near_boxes(boxes, other_boxes, distance);
+  std::vector<std::size_t> left; // pieces
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    report(0.8 + 0.1 * double(i) / double(pieces.size()));
+    const std::vector<std::uint32_t>& piece = pieces[i];
     Change change{piece, std::vector<Triangle>(piece.size(), Triangle{0, 0, 0}), {}};
-    bool is_movable = piece.size() <= most_triangles;
-    std::vector<std::uint32_t> vertices;
-    for (std::uint32_t t : piece)
-      for (std::uint32_t v : mesh_.triangles[t]) {
-        is_movable = is_movable && !is_fixed(v);
-        vertices.push_back(v);
-      }
+    const bool is_movable = std::none_of(piece.begin(), piece.end(), [&](auto t) {
+      const Triangle& corners = mesh_.triangles[t];
+      return std::any_of(corners.begin(), corners.end(), [&](std::uint32_t v) { return is_fixed(v); });
+    });
     if (is_movable) {
-      Space_box box(map_.corners(mesh_.triangles[piece[0]]));
-      for (std::uint32_t t : piece)
-        box.add(Space_box(map_.corners(mesh_.triangles[t])));
-      std::copy_if(others.begin(), others.end(), std::back_inserter(change.beside), [&](std::uint32_t t) {
-        return Space_box(map_.corners(mesh_.triangles[t])).is_near(box, 2 * maximum_deviation_);
-      });
+      for (std::uint32_t other : near[i])
+        change.beside.push_back(others[other]);
+      for (std::size_t other : left)
+        if (boxes[other].is_near(boxes[i], distance))
+          change.beside.insert(change.beside.end(), pieces[other].begin(), pieces[other].end());
     }
     if (is_movable && is_near_enough(change)) {
-      make(change);
+      remove_piece(change, piece.size());
       ++number_of_removed_pieces_;
     } else if (is_movable && replace_by_rod(piece)) {
       ++number_of_rods_;
     } else {
-      others.insert(others.end(), piece.begin(), piece.end());
-      continue;
+      left.push_back(i);
     }
-    removed_vertices_.insert(removed_vertices_.end(), vertices.begin(), vertices.end());
   }
+}
+
+// Its vertices get the place of the nearest one of the triangles that stand for its faces then.
+// \param number_of_triangles those of the piece, which come first
+void Thin_part_merger::remove_piece(const Change& change, std::size_t number_of_triangles)
+{
+  std::vector<std::uint32_t> vertices;
+  for (std::size_t i = 0; i < number_of_triangles; ++i)
+    for (std::uint32_t v : mesh_.triangles[change.triangles[i]])
+      if (v < images_.size())
+        vertices.push_back(v);
+  make(change);
+  for (std::uint32_t v : vertices)
+    for (const auto& [t, f] : change.stands_for)
+      for (std::uint32_t w : mesh_.triangles[t])
+        if (images_[v] == v || length(v, w) < length(v, images_[v]))
+          images_[v] = w;
 }
 
 // Triangles around a segment: rings of three vertices, turned by 60 degrees one after the other. Each angle is above 25
@@ -281,7 +305,7 @@ bool Thin_part_merger::replace_by_rod(const std::vector<std::uint32_t>& piece)
       change.corners.push_back({begin + t[0], begin + t[1], begin + t[2]});
     }
     if (is_near_enough(change)) {
-      make(change);
+      remove_piece(change, piece.size());
       return true;
     }
   }

@@ -42,46 +42,66 @@ void Space_box::add(const Space_box& other)
 
 namespace {
 
+using Numbers = std::vector<std::uint32_t>;
+
+Numbers near(const Space_box& box, const std::vector<Space_box>& boxes, const Numbers& before, double distance)
+{
+  Numbers result;
+  std::copy_if(before.begin(), before.end(), std::back_inserter(result),
+               [&](std::uint32_t i) { return box.is_near(boxes[i], distance); });
+  return result;
+}
+
+// Calls a function for each box with those of the others within a distance, until it returns false.
+// \param before the others that come into question
+template <class Visit>
+bool visit_near(Numbers::iterator begin, Numbers::iterator end, const std::vector<Space_box>& boxes,
+                const std::vector<Space_box>& others, const Numbers& before, double distance, const Visit& visit)
+{
+  Space_box box = boxes[*begin];
+  std::for_each(begin, end, [&](std::uint32_t i) { box.add(boxes[i]); });
+  const Numbers candidates = near(box, others, before, distance);
+  if (end - begin == 1)
+    return visit(*begin, candidates);
+  std::size_t axis = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+    if (box.high[i] - box.low[i] > box.high[axis] - box.low[axis])
+      axis = i;
+  const Numbers::iterator middle = begin + (end - begin) / 2;
+  std::nth_element(begin, middle, end, [&](std::uint32_t i, std::uint32_t k) {
+    return boxes[i].low[axis] + boxes[i].high[axis] < boxes[k].low[axis] + boxes[k].high[axis];
+  });
+  return visit_near(begin, middle, boxes, others, candidates, distance, visit) &&
+         visit_near(middle, end, boxes, others, candidates, distance, visit);
+}
+
+template <class Visit>
+bool visit_near(const std::vector<Space_box>& boxes, const std::vector<Space_box>& others, double distance,
+                const Visit& visit)
+{
+  Numbers own(boxes.size()), all(others.size());
+  std::iota(own.begin(), own.end(), 0u);
+  std::iota(all.begin(), all.end(), 0u);
+  return own.empty() || visit_near(own.begin(), own.end(), boxes, others, all, distance, visit);
+}
+
 class Nearness
 {
 public:
-  using Numbers = std::vector<std::uint32_t>;
-
   Nearness(const std::vector<Space_triangle>& triangles, const std::vector<Space_triangle>& others, double distance,
            std::vector<std::array<std::uint32_t, 2>>& pairs)
-    : triangles_(triangles), others_(others), own_boxes_(triangles.begin(), triangles.end()),
-      boxes_(others.begin(), others.end()), distance_(distance), pairs_(pairs)
+    : triangles_(triangles), others_(others), boxes_(others.begin(), others.end()), distance_(distance), pairs_(pairs)
   {}
 
-  // \param before those of the others that may be near
-  bool are_near(Numbers::iterator begin, Numbers::iterator end, const Numbers& before)
+  bool operator()()
   {
-    Space_box box = own_boxes_[*begin];
-    std::for_each(begin, end, [&](std::uint32_t i) { box.add(own_boxes_[i]); });
-    const Numbers candidates = near(box, before);
-    if (end - begin == 1)
-      return is_near(*begin, triangles_[*begin], candidates, deepest);
-    std::size_t axis = 0;
-    for (std::size_t i = 1; i < 3; ++i)
-      if (box.high[i] - box.low[i] > box.high[axis] - box.low[axis])
-        axis = i;
-    const Numbers::iterator middle = begin + (end - begin) / 2;
-    std::nth_element(begin, middle, end, [&](std::uint32_t i, std::uint32_t k) {
-      return own_boxes_[i].low[axis] + own_boxes_[i].high[axis] < own_boxes_[k].low[axis] + own_boxes_[k].high[axis];
-    });
-    return are_near(begin, middle, candidates) && are_near(middle, end, candidates);
+    return visit_near(
+      {triangles_.begin(), triangles_.end()}, boxes_, distance_,
+      [this](std::uint32_t i, const Numbers& candidates) { return is_near(i, triangles_[i], candidates, deepest); });
   }
 
 private:
   static constexpr int deepest = 30;
-
-  Numbers near(const Space_box& box, const Numbers& before) const
-  {
-    Numbers result;
-    std::copy_if(before.begin(), before.end(), std::back_inserter(result),
-                 [&](std::uint32_t i) { return box.is_near(boxes_[i], distance_); });
-    return result;
-  }
 
   // The distance from a convex set is convex, so it is largest at a corner.
   bool is_near(std::uint32_t number, const Space_triangle& triangle, const Numbers& candidates, int depth)
@@ -110,8 +130,8 @@ private:
     Space_triangle first = triangle, second = triangle;
     for (std::size_t axis = 0; axis < 3; ++axis)
       first[i][axis] = second[(i + 1) % 3][axis] = (triangle[i][axis] + triangle[(i + 1) % 3][axis]) / 2;
-    return is_near(number, first, near(Space_box(first), candidates), depth - 1) &&
-           is_near(number, second, near(Space_box(second), candidates), depth - 1);
+    return is_near(number, first, near(Space_box(first), boxes_, candidates, distance_), depth - 1) &&
+           is_near(number, second, near(Space_box(second), boxes_, candidates, distance_), depth - 1);
   }
 
   static double square_of_side(const Space_triangle& t, std::size_t k)
@@ -130,7 +150,7 @@ private:
   }
 
   const std::vector<Space_triangle>&triangles_, &others_;
-  std::vector<Space_box> own_boxes_, boxes_;
+  const std::vector<Space_box> boxes_; // of the others
   const double distance_;
   std::vector<std::array<std::uint32_t, 2>>& pairs_;
   int rest_ = 1 << 16; // of the parts
@@ -138,13 +158,21 @@ private:
 
 } // namespace
 
+std::vector<std::vector<std::uint32_t>> near_boxes(const std::vector<Space_box>& boxes,
+                                                   const std::vector<Space_box>& others, double distance)
+{
+  std::vector<std::vector<std::uint32_t>> result(boxes.size());
+  visit_near(boxes, others, distance, [&](std::uint32_t i, const Numbers& candidates) {
+    result[i] = candidates;
+    return true;
+  });
+  return result;
+}
+
 bool are_near(const std::vector<Space_triangle>& triangles, const std::vector<Space_triangle>& others, double distance,
               std::vector<std::array<std::uint32_t, 2>>& pairs)
 {
-  Nearness::Numbers own(triangles.size()), all(others.size());
-  std::iota(own.begin(), own.end(), 0u);
-  std::iota(all.begin(), all.end(), 0u);
-  return own.empty() || Nearness(triangles, others, distance, pairs).are_near(own.begin(), own.end(), all);
+  return Nearness(triangles, others, distance, pairs)();
 }
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -25,6 +25,10 @@ struct Space_box
   std::array<double, 3> low, high;
 };
 
+// For each box, the others within a distance, by their numbers in order.
+std::vector<std::vector<std::uint32_t>> near_boxes(const std::vector<Space_box>& boxes,
+                                                   const std::vector<Space_box>& others, double distance);
+
 // Whether each point of the triangles is within a distance of one of the others. They are divided for that, down to
 // points; "no" is also the answer where too many parts would be needed. Everything is rounded:
 // callers give a little less than the distance that they prove.

@@ -32,8 +32,9 @@ class Straight_mesh_maker
 {
 public:
   Straight_mesh_maker(const Common_subdivision& subdivision, const std::vector<Point>& points,
-                      const std::vector<bool>& is_fixed)
-    : overlay_(subdivision.overlay()), complex_(subdivision.intrinsic()), map_(subdivision, points), is_fixed_(is_fixed)
+                      const std::vector<bool>& is_fixed, const Progress_function& progress)
+    : overlay_(subdivision.overlay()), complex_(subdivision.intrinsic()), map_(subdivision, points),
+      is_fixed_(is_fixed), progress_(progress)
   {}
 
   Straight_mesh make(const std::vector<bool>& is_marked, double thin_angle, double maximum_deviation)
@@ -122,7 +123,7 @@ private:
           triangles.marked_edges.push_back({points[i - 1], points[i]});
       }
     triangles.is_fixed = is_fixed_;
-    Thin_part_merger merger(map_, triangles, thin_angle, maximum_deviation);
+    Thin_part_merger merger(map_, triangles, thin_angle, maximum_deviation, progress_);
     const Straight_map::Distance distance = merger();
     mesh_.number_of_removed_pieces = merger.number_of_removed_pieces();
     mesh_.number_of_rods = merger.number_of_rods();
@@ -251,6 +252,7 @@ private:
 
   void measure_angles(double thin_angle)
   {
+    std::vector<std::uint32_t> sharp_corners;
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
       const Triangle& corners = mesh_.triangles[t];
       const auto smallest =
@@ -260,14 +262,15 @@ private:
       mesh_.minimum_angle = (std::min)(mesh_.minimum_angle, angle);
       if (angle >= thin_angle)
         continue;
-      mesh_.thin_triangles.push_back(t);
       const auto is_marked = [&](std::size_t side) { // which are in order
         const auto [v, w] = std::minmax(corners[side % 3], corners[(side + 1) % 3]);
         return std::binary_search(mesh_.marked_edges.begin(), mesh_.marked_edges.end(),
                                   std::array<std::uint32_t, 2>{v, w});
       };
-      mesh_.number_of_sharp_corners += is_marked(at) && is_marked(at + 2);
+      (is_marked(at) && is_marked(at + 2) ? sharp_corners : mesh_.thin_triangles).push_back(t);
     }
+    mesh_.number_of_sharp_corners = sharp_corners.size();
+    mesh_.thin_triangles.insert(mesh_.thin_triangles.end(), sharp_corners.begin(), sharp_corners.end());
   }
 
   void find_multiple_edges()
@@ -292,7 +295,8 @@ private:
   Straight_map map_;
   std::vector<bool> is_marked_;
   std::vector<std::size_t> region_of_face_;
-  const std::vector<bool>& is_fixed_;                   // the vertices that must not be merged
+  const std::vector<bool>& is_fixed_; // the vertices that must not be merged
+  const Progress_function& progress_;
   std::vector<std::array<std::uint32_t, 2>> divisions_; // of loops
   std::size_t number_of_new_border_parts_ = 0;
   std::vector<std::uint32_t> images_;  // of vertices of the triangulation, among the vertices before they are numbered
@@ -301,11 +305,10 @@ private:
 };
 
 } // namespace
-} // namespace internal
 
-Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::vector<std::array<double, 3>>& points,
+Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::vector<Point>& points,
                             const std::vector<bool>& is_marked, double thin_angle, double maximum_deviation,
-                            const std::vector<bool>& is_fixed)
+                            const std::vector<bool>& is_fixed, const Progress_function& progress)
 {
   const auto check = [](std::size_t given, const char* what, std::size_t needed, const char* of_what) {
     if (given != needed)
@@ -315,26 +318,35 @@ Straight_mesh straight_mesh(const Common_subdivision& subdivision, const std::ve
   check(points.size(), "points", subdivision.input().number_of_vertices(), "vertices");
   if (!is_marked.empty())
     check(is_marked.size(), "marks", subdivision.input().number_of_edges(), "edges");
-  for (const std::array<double, 3>& p : points)
+  for (const Point& p : points)
     if (!(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2])))
       throw Invalid_argument_error("straight_mesh(): a coordinate of a point is not finite");
   if (!is_fixed.empty())
     check(is_fixed.size(), "marks of fixed vertices", subdivision.input().number_of_vertices(), "vertices");
-  const auto make = [&](double deviation) {
-    return internal::Straight_mesh_maker(subdivision, points, is_fixed).make(is_marked, thin_angle, deviation);
+  const auto make = [&](double deviation, double begin, double end) {
+    const Progress_function part = part_of_progress(progress, begin, end);
+    return Straight_mesh_maker(subdivision, points, is_fixed, part).make(is_marked, thin_angle, deviation);
   };
-  const auto is_good = [](const Straight_mesh& mesh, double deviation) {
-    return mesh.is_good() && mesh.deviation <= deviation;
+  Straight_mesh result = make(maximum_deviation, 0, 0.4);
+  if (maximum_deviation == 0)
+    return result;
+  // Larger ones are tried as long as that leaves fewer bad triangles.
+  const auto number_of_bad = [](const Straight_mesh& mesh, double deviation) {
+    return mesh.is_surface() && mesh.deviation <= deviation ? mesh.thin_triangles.size() - mesh.number_of_sharp_corners
+                                                            : mesh.triangles.size() + 1;
   };
-  Straight_mesh result = make(maximum_deviation);
-  if (maximum_deviation > 0 && !is_good(result, maximum_deviation))
-    for (double d = 2 * maximum_deviation; d < 100 * maximum_deviation; d *= 2)
-      if (is_good(make(d), d)) {
-        result.sufficient_deviation = d;
-        break;
-      }
+  double d = 2 * maximum_deviation, done = 0.4;
+  for (std::size_t before = number_of_bad(result, maximum_deviation); before > 0 && d < 100 * maximum_deviation;
+       d *= 2, done += 0.1) {
+    const std::size_t number = number_of_bad(make(d, done, done + 0.1), d);
+    if (number == 0)
+      result.sufficient_deviation = d;
+    before = number < before ? number : 0;
+  }
   return result;
 }
+
+} // namespace internal
 
 std::string message(const Straight_mesh& mesh)
 {

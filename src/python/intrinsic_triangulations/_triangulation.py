@@ -107,7 +107,7 @@ class StraightMesh(NamedTuple):
     minimum_angle: float
     """The smallest angle of the triangles, in degrees."""
     thin_triangles: numpy.ndarray
-    """The numbers of the triangles with an angle below `thin_angle`."""
+    """The numbers of the triangles with an angle below `thin_angle`; first those that are not at sharp corners."""
     sharp_corners: int
     """How many of them have it between two marked edges, where every mesh has that angle."""
     sufficient_deviation: float
