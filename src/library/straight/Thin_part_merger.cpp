@@ -242,7 +242,7 @@ Straight_map::Distance Thin_part_merger::largest_distance()
         return false;
     }
     return std::all_of(changed.begin(), changed.end(), [&](std::uint32_t t) {
-      report(0.95);
+      report(0.9);
       return are_near(in_space({mesh_.triangles[t]}), surface_in(stands_for_[t]).triangles, distance, pairs);
     });
   };
