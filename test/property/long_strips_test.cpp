@@ -10,6 +10,7 @@
 #include <CGAL/Intrinsic_triangulations/Filtered_edge_length_traits.h>
 #include <CGAL/Intrinsic_triangulations/Geodesic_path_network.h>
 #include <CGAL/Intrinsic_triangulations/Intrinsic_triangulation.h>
+#include <CGAL/Intrinsic_triangulations/element_numbers.h>
 #include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/flip_to_Delaunay.h>
 #include <CGAL/Intrinsic_triangulations/geodesic_path.h>
@@ -290,6 +291,46 @@ TEST(Long_strips, numbers_that_are_carried_keep_their_bounds)
   EXPECT_EQ(IT::refine_Delaunay(t, CGAL::parameters::minimum_angle(25)).status, IT::Refinement_status::REFINED);
   EXPECT_GT(t.connectivity().number_of_vertices(), 200u);
   check();
+}
+
+// A bent strip, whose long sides are fans from its ends.
+Surface strip_of_fans(std::uint32_t n)
+{
+  Surface s;
+  s.points = {{0, 0, 0}, {double(n), 0, 0}};
+  for (double side : {1., -1.})
+    for (std::uint32_t k = 0; k < n; ++k)
+      s.points.push_back(
+        {k + 0.4 * std::sin(7. * k * k), side * (1 + 0.01 * std::sin(0.3 * k)), 0.1 + 0.01 * std::cos(0.7 * k)});
+  for (std::uint32_t k = 0; k + 1 < n; ++k) {
+    s.triangles.push_back({0, k + 3, k + 2});
+    s.triangles.push_back({1, n + 2 + k, n + 3 + k});
+  }
+  s.triangles.push_back({0, 1, n + 1});
+  s.triangles.push_back({1, 0, n + 2});
+  return s;
+}
+
+// Close calls do not lay out what each edge crosses: faces are carried along from the first flip on.
+TEST(Long_strips, close_calls_do_not_lay_out_all_edges)
+{
+  Triangulation t = triangulation_of(strip_of_fans(1500));
+  EXPECT_EQ(IT::flip_to_Delaunay(t).status, IT::Flip_status::DELAUNAY);
+  const auto edges = t.connectivity().edges();
+  const auto number_of_long_edges =
+    std::count_if(edges.begin(), edges.end(), [&](IT::Edge_index e) { return t.number_of_crossings(e) > 100; });
+  EXPECT_GT(number_of_long_edges, 1000);
+  EXPECT_LT(check_kept_crossings(t), number_of_long_edges / 10);
+  const std::vector<double> lengths = IT::edge_lengths(t);
+  EXPECT_LT(check_kept_crossings(t), number_of_long_edges / 10);
+  std::size_t number = 0;
+  for (IT::Edge_index e : edges)
+    if (++number % 97 == 0) {
+      const CGAL::Interval_nt<> length = length_interval(t, e);
+      EXPECT_TRUE(std::nextafter(length.inf(), 0) <= lengths[e.idx()] &&
+                  lengths[e.idx()] <= std::nextafter(length.sup(), 1e300));
+    }
+  EXPECT_TRUE(IT::verify_Delaunay(t).is_Delaunay());
 }
 
 // Across 24 folds with independent roots no other proof of an angle of π is possible.

@@ -233,7 +233,7 @@ double Rounded_numbers::angle(Halfedge_index h, double relative_error) const
 void Engine_numbers::find_cotangents(Face_index f, Face_cotangents& result) const
 {
   const Standard_arithmetic arithmetic;
-  engine_.memory_->may_repeat_flips(complex_);
+  engine_.memory_->may_repeat_flips(complex_, metric_, [&] { engine_.prepare(); });
   const Surface_lease surface = engine_.prepared_surface();
   Double_double_metric metric(*surface);
   metric.interruption().check();
@@ -245,7 +245,8 @@ void Engine_numbers::find_cotangents(Face_index f, Face_cotangents& result) cons
 std::optional<Engine_numbers::Side_and_corner<Double_with_bound>> Engine_numbers::rounded_corner(Face_index f) const
 {
   const Standard_arithmetic arithmetic;
-  if (const auto c = engine_.memory_->corner_by_flips(complex_, metric_, f, 0x1p-40)) {
+  if (const auto c = engine_.memory_->corner_by_flips(
+        complex_, metric_, [&] { engine_.prepare(); }, f, 0x1p-40)) {
     const auto rounded = [](const Bounded_double_double& x) { return Double_with_bound(x); };
     return Side_and_corner<Double_with_bound>{
       complex_.halfedge(f),
@@ -278,7 +279,7 @@ Double_with_bound Engine_numbers::rounded_four_areas(Face_index f) const
 void Engine_numbers::find_numbers(const std::size_t first, const std::size_t last, Rounded_numbers& numbers) const
 {
   using Real = Bounded_double_double;
-  engine_.memory_->may_repeat_flips(complex_);
+  engine_.memory_->may_repeat_flips(complex_, metric_, [&] { engine_.prepare(); });
   const Surface_lease surface = engine_.prepared_surface();
   Double_double_metric metric(*surface);
   const Unfolding<Double_double_metric> unfolding(complex_, correspondence_, metric);

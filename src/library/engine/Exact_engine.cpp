@@ -424,10 +424,7 @@ void Exact_engine::remove(const Removed_elements& removed)
     remove_entries(memory.inserted_positions, removed.vertices, metric_.points().size());
 }
 
-Vertex_positions Exact_engine::positions() const
-{
-  return {correspondence().input(), metric_.points(), correspondence().locations(), memory_->inserted_positions};
-}
+Vertex_positions Exact_engine::positions() const { return memory_->positions(metric_); }
 
 std::optional<Exact_engine::Image_corner> Exact_engine::image_of_straight_corner(Halfedge_index h) const
 {
@@ -458,9 +455,18 @@ Exact_engine::Corner Exact_engine::developed_corner(Halfedge_index h, bool in_do
                                             : unfolded_corner(h, *input_surface());
 }
 
-// The corner opposite to h.
+// The corner opposite to h. \pre the integers and the faces follow
 Known_corner Exact_engine::laid_out(Halfedge_index h)
 {
+  Memory& memory = *memory_;
+  if (const double number = number_of_quantities(h); number > short_strip && !memory.images &&
+                                                     !metric_.points().empty() &&
+                                                     memory.is_time_to_repeat_flips(connectivity_, number)) {
+    memory.developed_faces =
+      std::move(Repeated_flips(connectivity_, memory.log, positions(), decisions().interruption).faces());
+    if (memory.developed_faces.contains(h))
+      return {h, memory.developed_faces.corner(connectivity_, h), std::nullopt};
+  }
   return {
     h, unfolded_corner(h, *input_surface()), memory_->image([&] {
       return Unfolding<Residue_metric>(connectivity_, correspondence(), memory_->images->metric).opposite_corner(h);

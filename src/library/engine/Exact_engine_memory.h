@@ -39,6 +39,14 @@ namespace CGAL::Intrinsic_triangulations::internal {
 // and a reader catches up with the log under the mutex, before the log tells the other threads so.
 struct Exact_engine::Memory
 {
+  // How flips are repeated.
+  enum class Answer {
+    UNKNOWN,
+    NO,
+    LENGTHS,
+    POSITIONS
+  };
+
   struct Carried_images
   {
     explicit Carried_images(std::unique_ptr<Input_surface> own_surface)
@@ -69,38 +77,76 @@ struct Exact_engine::Memory
     spare_layouts = (std::min)(spare_layouts + layouts_for_question, number_of_edges);
   }
 
-  // Whether repeating all flips takes less time than laying out most faces: if there are many flips, unless most faces
-  // are known to be straight. Queries may find that out, and threads must agree: decided before, once for each change.
-  bool may_repeat_flips(const Delta_complex& complex)
+  // Whether and how repeating all flips takes less time than laying out most faces: if there are many flips, unless most
+  // faces are known to be straight, or if the edges cross much. Queries may find that out, and threads must agree: decided
+  // before, once for each change. \param prepare() makes the integers follow
+  template <class Prepare>
+  Answer may_repeat_flips(const Delta_complex& complex, const Input_metric& metric, const Prepare& prepare)
   {
     if (log.is_followed_by(Flip_log::NUMBERS))
-      return false; // none is left to repeat
+      return Answer::NO; // none is left to repeat
     Answer answer = repeats_flips.load(std::memory_order_acquire);
     if (answer != Answer::UNKNOWN)
-      return answer == Answer::YES;
-    bool is_yes = 4 * log.number_of_unread(Flip_log::NUMBERS) >= 5 * std::size_t(complex.number_of_edges());
-    if (is_yes && log.is_followed_by(Flip_log::FACES)) {
+      return answer;
+    Answer found = 4 * log.number_of_unread(Flip_log::NUMBERS) >= 5 * std::size_t(complex.number_of_edges())
+                     ? Answer::LENGTHS
+                     : Answer::NO;
+    if (found == Answer::LENGTHS && log.is_followed_by(Flip_log::FACES)) {
       const auto faces = complex.faces();
-      is_yes = 2 * std::count_if(faces.begin(), faces.end(), [&](Face_index f) { return (*straight_faces)(f); }) <
-               std::ptrdiff_t(complex.number_of_faces());
+      if (2 * std::count_if(faces.begin(), faces.end(), [&](Face_index f) { return (*straight_faces)(f); }) >=
+          std::ptrdiff_t(complex.number_of_faces()))
+        found = Answer::NO;
     }
-    const Answer found = is_yes ? Answer::YES : Answer::NO;
-    return (repeats_flips.compare_exchange_strong(answer, found) ? found : answer) == Answer::YES;
+    if (found == Answer::NO && log.number_of_unread(Flip_log::NUMBERS) != 0)
+      prepare(); // if flips are repeated anyway, the integers may not be needed
+    if (!metric.points().empty() && log.is_followed_by(Flip_log::INTEGERS)) {
+      auto room = std::int64_t(crossings_for_flip * number_of_steps(complex));
+      for (Edge_index e : complex.edges())
+        if ((room -= correspondence.coordinates().number_of_crossings(e)) < 0) {
+          found = Answer::POSITIONS;
+          break;
+        }
+    }
+    return repeats_flips.compare_exchange_strong(answer, found) ? found : answer;
   }
   // The corner opposite to `halfedge(f)` by these flips, with at most this relative error.
-  std::optional<Corner> corner_by_flips(const Delta_complex& complex, const Input_metric& metric, Face_index f,
-                                        double relative_error)
+  template <class Prepare>
+  std::optional<Corner> corner_by_flips(const Delta_complex& complex, const Input_metric& metric,
+                                        const Prepare& prepare, Face_index f, double relative_error)
   {
-    if (!may_repeat_flips(complex))
+    const Answer answer = may_repeat_flips(complex, metric, prepare);
+    if (answer == Answer::NO)
       return std::nullopt;
     const Repeated_flips* repeated = repeated_flips.load(std::memory_order_acquire);
     if (!repeated) {
       const std::lock_guard<std::mutex> lock(mutex);
       if (!own_repeated_flips)
-        own_repeated_flips = std::make_unique<Repeated_flips>(complex, log, metric, decisions.interruption);
+        own_repeated_flips =
+          answer == Answer::LENGTHS
+            ? std::make_unique<Repeated_flips>(complex, log, metric, decisions.interruption)
+            : std::make_unique<Repeated_flips>(complex, log, positions(metric), decisions.interruption);
       repeated_flips.store(repeated = own_repeated_flips.get(), std::memory_order_release);
     }
     return repeated->corner(complex, complex.halfedge(f), relative_error);
+  }
+  Vertex_positions positions(const Input_metric& metric) const
+  {
+    return {correspondence.input(), metric.points(), correspondence.locations(), inserted_positions};
+  }
+  // Whether close calls have laid out so much that it pays to carry all faces along from the first flip on.
+  bool is_time_to_repeat_flips(const Delta_complex& complex, double number_of_quantities)
+  {
+    if (log.is_followed_by(Flip_log::NUMBERS))
+      return false;
+    laid_out_quantities += number_of_quantities;
+    if (laid_out_quantities < double(crossings_for_flip * number_of_steps(complex)))
+      return false;
+    laid_out_quantities = 0;
+    return true;
+  }
+  std::size_t number_of_steps(const Delta_complex& complex) const
+  {
+    return complex.number_of_edges() + log.number_of_unread(Flip_log::NUMBERS);
   }
   void forget_repeated_flips()
   {
@@ -130,14 +176,12 @@ struct Exact_engine::Memory
 
   std::unique_ptr<Carried_images> images; // of the developed faces, from the first tie on
 
-  enum class Answer {
-    UNKNOWN,
-    NO,
-    YES
-  };
   std::atomic<Answer> repeats_flips = Answer::UNKNOWN; // since the last change, as the others
   std::atomic<const Repeated_flips*> repeated_flips = nullptr;
   std::unique_ptr<const Repeated_flips> own_repeated_flips;
+  // How many crossings can be laid out while a flip is repeated with positions.
+  static constexpr std::size_t crossings_for_flip = 16;
+  double laid_out_quantities = 0;
 
   std::unique_ptr<Input_properties> input_properties; // made by the first thread that takes a surface
   std::mutex mutex;

@@ -11,20 +11,26 @@
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
 #include <CGAL/Intrinsic_triangulations/Input_metric.h>
 #include <CGAL/Intrinsic_triangulations/Large_vector.h>
+#include "decide/corner_signs.h"
 #include "history/Flip_log.h"
+#include "layout/Developed_faces.h"
+#include "layout/Vertex_positions.h"
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/engine/layout/Triangle_corner.h>
 #include <CGAL/Intrinsic_triangulations/internal/measures/hinge_formulas.h>
 #include <CGAL/Intrinsic_triangulations/internal/system/Interruption.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-// The numbers of faces that flips have changed. A flip takes as long as laying out a triangle or two of the input, whatever
-// the edges cross; after many flips, most edges cross more.
+// The numbers of faces that flips have changed. A flip takes as long as laying out some triangles of the input, whatever
+// the edges cross; after many flips, most edges cross more. Squared lengths take the least time; where edges cross much,
+// each flip would multiply their errors, and positions are carried along.
 class Repeated_flips
 {
 public:
@@ -43,12 +49,41 @@ public:
     });
   }
 
+  // With positions. \pre the input has points, and no vertex was inserted
+  Repeated_flips(const Delta_complex& complex, const Flip_log& log, const Vertex_positions& positions,
+                 const Interruption& interruption)
+  {
+    std::vector<bool> is_changed(complex.number_of_faces());
+    std::size_t number = 0;
+    log.repeat_unread(Flip_log::NUMBERS, complex, [&](const Delta_complex& before, const Hinge_halfedges& around) {
+      if (++number % 1024 == 0)
+        interruption.check();
+      if (!faces_.flip_in_plane(around))
+        faces_.flip(before, around, [&](Halfedge_index h) -> std::optional<Known_corner> {
+          if (is_changed[before.face(h).idx()])
+            return std::nullopt;
+          return Known_corner{h, internal::straight_corner(before, positions, h), std::nullopt};
+        });
+      is_changed[before.face(around.ij).idx()] = is_changed[before.face(around.ji).idx()] = true;
+    });
+  }
+  Developed_faces& faces() { return faces_; }
+
   // The corner opposite to h, unless its face has not changed, or a number errs by more than this part of it.
   std::optional<Triangle_corner<Real>> corner(const Delta_complex& complex, Halfedge_index h,
                                               double relative_error) const
   {
-    const auto squared_length = [&](Halfedge_index side) { return squared_lengths_[complex.edge(side).idx()]; };
     const auto is_accurate = [&](const Real& x) { return x.error() <= relative_error * x.hi(); };
+    if (squared_lengths_.empty()) {
+      if (!faces_.contains(h))
+        return std::nullopt;
+      relative_error = (std::max)(relative_error, 0x1p-62); // a layout is hardly better
+      const Triangle_corner<Real> c = faces_.corner(complex, h);
+      if (is_accurate(c.four_areas) && is_accurate(c.s_first) && is_accurate(c.s_second) && is_accurate(c.s_opposite))
+        return c;
+      return std::nullopt;
+    }
+    const auto squared_length = [&](Halfedge_index side) { return squared_lengths_[complex.edge(side).idx()]; };
     const Real &a = four_areas_[complex.face(h).idx()], s_ij = squared_length(h),
                s_jk = squared_length(complex.next(h)), s_ki = squared_length(complex.prev(h));
     if (!(is_accurate(a) && is_accurate(s_ij) && is_accurate(s_jk) && is_accurate(s_ki)))
@@ -86,7 +121,8 @@ private:
     b = across - a;
   }
 
-  Large_vector<Real> squared_lengths_, four_areas_; // by edges and faces
+  Large_vector<Real> squared_lengths_, four_areas_; // by edges and faces; or
+  Developed_faces faces_;
 };
 
 } // namespace CGAL::Intrinsic_triangulations::internal

@@ -53,7 +53,8 @@ Engine_numbers::quickest_corner(Face_index f, const Unfolding_& unfolding) const
 {
   if (engine_.is_straight(f))
     return {complex_.halfedge(f), engine_.straight_corner(complex_.halfedge(f))};
-  if (const auto c = engine_.memory_->corner_by_flips(complex_, metric_, f, 0x1p-70))
+  if (const auto c = engine_.memory_->corner_by_flips(
+        complex_, metric_, [&] { engine_.prepare(); }, f, 0x1p-70))
     return {complex_.halfedge(f), *c};
   const Halfedge_index h = correspondence_.coordinates().side_with_most_crossings(complex_, f);
   return {h, unfolding.opposite_corner(h)};
