@@ -145,13 +145,18 @@ struct Distortion
 Distortion distortion_of(const IT::Conformal_map& map)
 {
   Distortion result;
-  std::vector<double> areas; // on the surface
+  double size = 0;
+  for (const auto& corners : map.uv)
+    for (const auto& [x, y] : corners)
+      size = (std::max)({size, std::abs(x), std::abs(y)});
+  std::vector<double> areas; // on the surface, in proportion
   for (std::size_t i = 0; i < map.triangles.size(); ++i) {
     const auto& [most, least] = map.stretch[i];
     const auto& [p, q, r] = map.uv[i];
     result.ratios.push_back(most / least);
     result.scales.push_back(most * least);
-    const double area = std::abs((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) / (most * least);
+    const double x = (q[0] - p[0]) / size, y = (q[1] - p[1]) / size;
+    const double area = std::abs(x * ((r[1] - p[1]) / size) - y * ((r[0] - p[0]) / size)) / (most * least);
     areas.push_back(std::isfinite(area) ? area : 0);
   }
   result.ratio = IT::summarize_distortion(result.ratios, areas);

@@ -20,9 +20,9 @@
 
 namespace CGAL::Intrinsic_triangulations::internal {
 
-Conformal_layout::Conformal_layout(const Delta_complex& complex, const std::vector<double>& lengths,
+Conformal_layout::Conformal_layout(const Delta_complex& complex, const std::vector<double>& lengths, int unit,
                                    const std::vector<bool>& is_inside, const std::vector<bool>& is_end)
-  : complex_(complex), lengths_(lengths), is_inside_(is_inside), is_cut_(complex.number_of_edges(), false),
+  : complex_(complex), lengths_(lengths), unit_(unit), is_inside_(is_inside), is_cut_(complex.number_of_edges(), false),
     corners_(complex.number_of_halfedges(), {0, 0})
 {
   cut(is_end);
@@ -247,11 +247,17 @@ void Conformal_layout::merge_corners()
   }
   for (std::uint32_t h = 0; h < corners_.size(); ++h) {
     const std::uint32_t root = sets.find(h);
-    corners_[h] = {sums[root][0] / counts[root], sums[root][1] / counts[root]};
+    corners_[h] = rounded({sums[root][0] / counts[root], sums[root][1] / counts[root]});
     if (!std::isfinite(corners_[h][0]) || !std::isfinite(corners_[h][1]))
       throw Numerical_error("coordinates of the conformal map leave the range of double");
     size_ = (std::max)({size_, std::abs(corners_[h][0]), std::abs(corners_[h][1])});
   }
+}
+
+Conformal_layout::Point Conformal_layout::rounded(const Point& p) const
+{
+  const auto round = [&](double x) { return std::ldexp(std::ldexp(x, unit_), -unit_); };
+  return {round(p[0]), round(p[1])};
 }
 
 bool Conformal_layout::is_certified() const

@@ -21,13 +21,16 @@ class Conformal_layout
 public:
   using Point = std::array<double, 2>;
 
+  // \param lengths in a unit of 2^unit units of the input, as the corners are
   // \param is_inside for each halfedge, whether a part of the surface lies to its left
   // \param is_end for each vertex, whether a cut has to end there: at cones, and on the border
-  Conformal_layout(const Delta_complex& complex, const std::vector<double>& lengths, const std::vector<bool>& is_inside,
-                   const std::vector<bool>& is_end);
+  Conformal_layout(const Delta_complex& complex, const std::vector<double>& lengths, int unit,
+                   const std::vector<bool>& is_inside, const std::vector<bool>& is_end);
 
   // The source of a halfedge, in its face.
   const Point& corner(Halfedge_index h) const { return corners_[h.idx()]; }
+  // The point next to p that scaling to the unit of the input does not round.
+  Point rounded(const Point& p) const;
   // Whether the surface continues on the other side of an edge, but is cut there.
   bool is_cut(Halfedge_index h) const { return is_inner(complex_.edge(h)) && is_cut_[complex_.edge(h).idx()]; }
   // Whether both images of a cut edge agree to 10^-12 of the size, as those of a slit into a flat surface do.
@@ -55,6 +58,7 @@ private:
 
   const Delta_complex& complex_;
   const std::vector<double>& lengths_;
+  int unit_;
   const std::vector<bool>& is_inside_;
   std::vector<bool> is_cut_;
   std::vector<Point> corners_;

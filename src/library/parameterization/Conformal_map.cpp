@@ -81,11 +81,17 @@ bool have_common_points(const std::vector<Planar_segment>& segments)
 // The barycentric coordinates of p in a triangle; the least is negative outside.
 std::array<double, 3> planar_coordinates(const std::array<Planar_point, 3>& t, const Planar_point& p)
 {
+  std::array<Planar_point, 3> d; // from p
+  double largest = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    d[i] = {t[i][0] - p[0], t[i][1] - p[1]};
+    largest = (std::max)({largest, std::abs(d[i][0]), std::abs(d[i][1])});
+  }
   std::array<double, 3> result;
   double sum = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto &q = t[(i + 1) % 3], &r = t[(i + 2) % 3];
-    sum += result[i] = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+    const auto &q = d[(i + 1) % 3], &r = d[(i + 2) % 3];
+    sum += result[i] = q[0] / largest * (r[1] / largest) - q[1] / largest * (r[0] / largest);
   }
   for (double& x : result)
     x = sum > 0 ? x / sum : -std::numeric_limits<double>::infinity();
@@ -139,8 +145,8 @@ class Conformal_map_builder
 public:
   Conformal_map_builder(const Doubled_surface::Triangulation& surface, const Doubled_surface& doubled,
                         Discrete_conformal_metric metric, const Progress_function& progress)
-    : surface_(surface), doubled_(doubled), progress_(progress), input_(doubled.triangulation.input()),
-      given_halfedge_(input_.number_of_halfedges())
+    : surface_(surface), doubled_(doubled), progress_(progress), unit_(doubled.unit),
+      input_(doubled.triangulation.input()), given_halfedge_(input_.number_of_halfedges())
   {
     map_.metric = std::move(metric);
     map_.input = surface.input();
@@ -175,9 +181,12 @@ public:
             if (corner.ideal.is_valid())
               is_inside[corner.ideal.idx()] = true;
     }
-    const Conformal_layout layout(metric.triangulation, metric.lengths, is_inside, ends_of_cuts());
+    std::vector<double> lengths;
+    for (double l : metric.lengths)
+      lengths.push_back(std::ldexp(l, -unit_));
+    const Conformal_layout layout(metric.triangulation, lengths, unit_, is_inside, ends_of_cuts());
     map_.is_certified = layout.is_certified();
-    map_.seam = layout.seam();
+    map_.seam = std::ldexp(layout.seam(), unit_);
     if (only_if_certified && !map_.is_certified)
       return std::move(map_);
     if (!overlay)
@@ -185,7 +194,12 @@ public:
     add_triangles(*overlay, layout);
     map_.overlaps = have_common_points(border_);
     find_stretch();
-    finish_input();
+    finish_input(layout);
+    for (std::array<Planar_point, 3>& corners : map_.uv)
+      for (Planar_point& p : corners)
+        scale_to_input(p);
+    for (Planar_point& p : map_.input_uv)
+      scale_to_input(p);
     return std::move(map_);
   }
 
@@ -229,7 +243,7 @@ private:
                            : between(layout.corner(h), layout.corner(next), p.t);
     };
     const auto image = [&](const Triple_overlay::Corner& corner) {
-      return corner.t == 0 ? at(corner.from) : between(at(corner.from), at(corner.to), corner.t);
+      return layout.rounded(corner.t == 0 ? at(corner.from) : between(at(corner.from), at(corner.to), corner.t));
     };
     // Where edges of the three triangulations meet in one point, or nearly, nodes have the same image: they are one.
     Disjoint_sets nodes(overlay.nodes().size());
@@ -313,6 +327,7 @@ private:
   void find_stretch()
   {
     using Complex = std::complex<double>;
+    const double scale = std::ldexp(1., unit_ - surface_.unit_exponent()); // to that of the input metric
     for (Face_index f : map_.input.faces()) {
       const Halfedge_index h = map_.input.halfedge(f);
       const auto squared = [&](Halfedge_index side) {
@@ -326,7 +341,7 @@ private:
         const auto b = in_face(map_, i);
         const auto side = [&](std::size_t k) { return (b[k][0] - b[0][0]) * width + (b[k][1] - b[0][1]) * apex; };
         const auto image = [&](std::size_t k) {
-          return Complex(map_.uv[i][k][0] - map_.uv[i][0][0], map_.uv[i][k][1] - map_.uv[i][0][1]);
+          return scale * Complex(map_.uv[i][k][0] - map_.uv[i][0][0], map_.uv[i][k][1] - map_.uv[i][0][1]);
         };
         // The linear map is z -> a z + b conj(z).
         const Complex p = side(1), q = side(2), u = image(1), v = image(2);
@@ -338,13 +353,15 @@ private:
     }
   }
 
-  void finish_input()
+  void scale_to_input(Planar_point& p) const { p = {std::ldexp(p[0], unit_), std::ldexp(p[1], unit_)}; }
+
+  void finish_input(const Conformal_layout& layout)
   {
     for (Face_index f : map_.input.faces()) {
       const Halfedge_index h = map_.input.halfedge(f);
       if (is_divided_[f.idx()]) {
         map_.divided_input.push_back(f);
-        extend_largest_part(f);
+        extend_largest_part(f, layout);
       }
       const auto uv = [&](Halfedge_index side) { return map_.input_uv[side.idx()]; };
       if (planar_orientation(uv(h), uv(map_.input.next(h)), uv(map_.input.prev(h))) != LEFT_TURN)
@@ -353,7 +370,7 @@ private:
   }
 
   // Of the parts into which cuts divide an input triangle.
-  void extend_largest_part(Face_index f)
+  void extend_largest_part(Face_index f, const Conformal_layout& layout)
   {
     const std::size_t first = map_.first_of_face[f.idx()], n = map_.first_of_face[f.idx() + 1] - first;
     if (n == 0)
@@ -383,6 +400,7 @@ private:
     for (int c = 0; c < 3; ++c, h = map_.input.next(h)) {
       map_.input_uv[h.idx()] = planar_point(
         map_.uv[first + largest], planar_coordinates(in_face(map_, first + largest), {double(c == 1), double(c == 2)}));
+      map_.input_uv[h.idx()] = layout.rounded(map_.input_uv[h.idx()]);
       for (std::uint32_t i = 0; i < n; ++i) // a corner of the part itself
         for (std::size_t k = 0; k < 3; ++k)
           if (parts.find(i) == part && map_.triangles[first + i][k] == map_.input.source(h).idx())
@@ -395,6 +413,7 @@ private:
   const Doubled_surface::Triangulation& surface_;
   const Doubled_surface& doubled_;
   const Progress_function& progress_;
+  int unit_; // until its end, the map is in that of `doubled_`
   const Delta_complex& input_;
   std::vector<Halfedge_index> given_halfedge_; // of the surface's input, for each halfedge of the first copy
   std::vector<bool> is_divided_;

@@ -38,6 +38,13 @@ Doubled_surface::Doubled_surface(const Triangulation& surface, const Progress_fu
   }
   flip_to_Delaunay(triangulation, parameters::visitor([&] { return !progress || progress(0); }));
   lengths = exact_edge_lengths(triangulation);
+  const double longest = *std::max_element(lengths.begin(), lengths.end());
+  if (!std::isfinite(longest))
+    throw Numerical_error("lengths leave the range of double");
+  const int exponent = std::ilogb(longest);
+  for (double& l : lengths)
+    l = std::ldexp(l, -exponent);
+  unit = exponent + (is_doubled ? surface.unit_exponent() : 0); // a double is made in the internal unit
 }
 
 void Doubled_surface::glue(const Triangulation& surface)

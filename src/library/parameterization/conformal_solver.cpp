@@ -68,6 +68,9 @@ public:
     std::vector<double> cone_angles;
     for (Vertex_index v : targets_.cones())
       cone_angles.push_back(system_.sum_of_angles(v.idx()) / system_.factor());
+    std::vector<double> lengths;
+    for (double l : system_.lengths())
+      lengths.push_back(std::ldexp(l, doubled_.unit));
     return {u_,
             targets_.cones(),
             cone_angles,
@@ -75,7 +78,7 @@ public:
             range_of(u_),
             steps_,
             system_.complex(),
-            system_.lengths(),
+            lengths,
             doubled_.vertices,
             doubled_.halfedges,
             system_.flips()};

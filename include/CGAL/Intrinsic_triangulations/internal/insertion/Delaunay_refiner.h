@@ -221,8 +221,12 @@ private:
     if (!quality_.is_bad(f))
       return;
     const double shortest = (std::max)(faces_.length(faces_.shortest_side(f)), (std::numeric_limits<double>::min)());
-    const int order_of_size = quality_.has_small_angle(f) ? static_cast<int>(std::floor(4 * std::log2(shortest)))
-                                                          : (std::numeric_limits<int>::max)();
+    int order_of_size = (std::numeric_limits<int>::max)();
+    if (quality_.has_small_angle(f)) { // sides are often nearly powers of two, which the unit of length must not round
+      int exponent;
+      const double part = std::frexp(shortest, &exponent);
+      order_of_size = 4 * exponent + static_cast<int>(std::floor(4 * std::log2(part)));
+    }
     bad_faces_.push({order_of_size, faces_.circumradius(f), f});
   }
 

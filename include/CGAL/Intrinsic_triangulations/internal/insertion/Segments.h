@@ -153,7 +153,7 @@ public:
     if (at_source == at_target)
       return (begin + end) / 2;
     const double l = faces_.length(h);
-    double shell = std::exp2(std::floor(std::log2(l)));
+    double shell = std::ldexp(1., std::ilogb(l));
     while (shell > 2 * l / 3)
       shell /= 2;
     const double part = shell / l * (end - begin);

@@ -33,7 +33,8 @@ struct Doubled_surface
 
   bool is_doubled;
   Triangulation triangulation;
-  std::vector<double> lengths;           // of its edges, within 1 ulp
+  std::vector<double> lengths; // of its edges, within 1 ulp, the longest in [1, 2), so that no scale rounds roots
+  int unit;                    // 2^unit units of the input are 1
   std::vector<Vertex_index> vertices;    // for each vertex, that of the surface
   std::vector<Vertex_index> images;      // for each vertex of the surface, that in the first copy
   std::vector<Halfedge_index> halfedges; // for each halfedge of the surface's input with a face, that of the first copy
