@@ -153,7 +153,8 @@ public:
         throw IT::Invalid_argument_error("there is no vertex " + std::to_string(v) + " with faces: there are " +
                                          std::to_string(complex.number_of_vertices()) + " vertices, counted from 0");
       return trace(t,
-                   Tangent_directions(complex, points_).at_vertex(IT::Vertex_index(v), Eigen::Vector3d(vector.data())),
+                   Tangent_directions(complex, points_, t.unit_exponent())
+                     .at_vertex(IT::Vertex_index(v), Eigen::Vector3d(vector.data())),
                    maximum_number);
     }));
   }
@@ -167,8 +168,9 @@ public:
         throw IT::Invalid_argument_error("there is no face " + std::to_string(f) + ": there are " +
                                          std::to_string(complex.number_of_faces()) + ", counted from 0");
       const IT::Surface_point start = {complex.halfedge(IT::Face_index(f)), coordinates};
-      return trace(t, Tangent_directions(complex, points_).in_face(start, Eigen::Vector3d(vector.data())),
-                   maximum_number);
+      return trace(
+        t, Tangent_directions(complex, points_, t.unit_exponent()).in_face(start, Eigen::Vector3d(vector.data())),
+        maximum_number);
     }));
   }
 

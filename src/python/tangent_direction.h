@@ -20,6 +20,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace idt_python {
@@ -40,11 +41,15 @@ public:
   using Points = std::vector<std::array<double, 3>>;
   using Vector = Eigen::Vector3d;
 
-  Tangent_directions(const IT::Delta_complex& complex, const Points& points) : complex_(complex), points_(points) {}
+  // \param unit the exponent of the internal unit, in which products of lengths are doubles
+  Tangent_directions(const IT::Delta_complex& complex, const Points& points, int unit)
+    : complex_(complex), points_(points), unit_(unit)
+  {}
 
   // In a face: projected to its plane.
-  Tangent_direction in_face(const IT::Surface_point& point, const Vector& vector) const
+  Tangent_direction in_face(const IT::Surface_point& point, const Vector& given) const
   {
+    const auto [vector, exponent] = normalized(given);
     const Vector p = edge_vector(point.halfedge), q = -edge_vector(complex_.prev(point.halfedge));
     const Vector normal = p.cross(q);
     const double squared_area = normal.squaredNorm();
@@ -53,15 +58,17 @@ public:
     const Vector projected = vector - normal * (vector.dot(normal) / squared_area);
     // Projected = x p + y q.
     const double x = projected.cross(q).dot(normal) / squared_area, y = p.cross(projected).dot(normal) / squared_area;
-    return {{point, {x, y}}, projected.norm()};
+    return {{point, {x, y}}, std::ldexp(projected.norm(), exponent)};
   }
 
   // At a vertex: projected to its tangent plane, together with the edges. Between two neighboring edges, angles in the
   // plane and in the face are proportional; where the surface is flat, they are equal.
-  Tangent_direction at_vertex(IT::Vertex_index v, const Vector& vector) const
+  Tangent_direction at_vertex(IT::Vertex_index v, const Vector& given) const
   {
+    const auto [vector, exponent] = normalized(given);
     const Vector normal = normal_at(v);
     const Vector projected = in_plane(vector, normal);
+    const double length = std::ldexp(projected.norm(), exponent);
     if (!(projected.norm() > 0))
       throw IT::Invalid_point_error("at vertex " + std::to_string(v.idx()) +
                                     ", the direction has no part along the surface");
@@ -74,7 +81,7 @@ public:
       if (!(turn <= wedge))
         return;
       const double fraction = wedge > 0 ? turn / wedge : 0;
-      found = Tangent_direction{turned(h, fraction), projected.norm()};
+      found = Tangent_direction{turned(h, fraction), length};
     });
     if (!found)
       throw IT::Invalid_point_error("at vertex " + std::to_string(v.idx()) +
@@ -99,7 +106,19 @@ private:
     } while (h != first);
   }
 
-  Vector point(IT::Vertex_index v) const { return Vector(points_[v.idx()].data()); }
+  static Vector scaled(const Vector& v, int exponent)
+  {
+    return {std::ldexp(v[0], exponent), std::ldexp(v[1], exponent), std::ldexp(v[2], exponent)};
+  }
+  // A vector of about 1 and the exponent of the factor that was taken out.
+  static std::pair<Vector, int> normalized(const Vector& v)
+  {
+    const double largest = v.lpNorm<Eigen::Infinity>();
+    const int exponent = largest > 0 && std::isfinite(largest) ? std::ilogb(largest) : 0;
+    return {scaled(v, -exponent), exponent};
+  }
+
+  Vector point(IT::Vertex_index v) const { return scaled(Vector(points_[v.idx()].data()), -unit_); }
   Vector edge_vector(IT::Halfedge_index h) const { return point(complex_.target(h)) - point(complex_.source(h)); }
 
   static Vector in_plane(const Vector& vector, const Vector& normal) { return vector - normal * vector.dot(normal); }
@@ -141,6 +160,7 @@ private:
 
   const IT::Delta_complex& complex_;
   const Points& points_;
+  int unit_;
 };
 
 } // namespace idt_python

@@ -412,6 +412,10 @@ TEST(Discrete_conformal_metric, wrong_demands_are_named)
   EXPECT_THROW(IT::discrete_conformal_metric(t, given.conformal_boundary(Conformal_boundary::DISK)),
                IT::Invalid_argument_error);
   EXPECT_THROW(IT::discrete_conformal_metric(triangulation_of(sphere), given), IT::Invalid_argument_error);
+  const Vertex_index inside = *std::find_if(vertices.begin(), vertices.end(), [&](Vertex_index v) {
+    return !t.connectivity().is_border(t.connectivity().halfedge(v));
+  });
+  EXPECT_NE(message_of(dome, {{{inside, 900}}}).find("angles of the free border"), std::string::npos);
   Indexed_triangles isolated = sphere;
   isolated.points.push_back({0, 0, 9});
   options = with_four_cones(isolated);

@@ -159,13 +159,24 @@ void Conformal_targets::check_sums()
     if (kinds_[component.vertices.front()] == Kind::ISOLATED)
       continue;
     double missing = component.total, flat = 0; // the latter of vertices that keep their scale
+    int border = 0;                             // of them
     for (std::size_t v : component.vertices)
       if (has_angle(v))
         missing -= curvature(v);
-      else
+      else {
         flat += is_on_border_[v] ? CGAL_PI : two_pi;
+        border += is_on_border_[v];
+      }
     if (component.keeps_scale) {
-      if (!(flat - missing > 1e-9))
+      const bool is_possible = flat - missing > 1e-9;
+      if (!is_possible && border > 0)
+        throw Invalid_argument_error("the angles of the free border in the component of vertex " +
+                                     std::to_string(component.vertices.front()) + " would have the sum " +
+                                     in_full(flat - missing) +
+                                     ": by the theorem of Gauss and Bonnet, it is pi for each of its " +
+                                     std::to_string(border) + " vertices, and 2 pi for each chosen cone, minus " +
+                                     in_full(missing) + ": give the cones smaller angles, or choose more of them");
+      if (!is_possible)
         throw Invalid_argument_error(
           "the angles of the cones in the component of vertex " + std::to_string(component.vertices.front()) +
           " would have the sum " + in_full(flat - missing) +

@@ -172,6 +172,8 @@ def solve_poisson(L: Any, M: Any, f: ArrayLike) -> numpy.ndarray:
     L, M = scipy.sparse.csc_matrix(L), scipy.sparse.csc_matrix(M)
     n = L.shape[0]
     values = _arrays.finite(f, "f", (n,))
+    exponent = numpy.frexp(abs(M).max())[1] if M.nnz else 0  # areas times areas could leave the range of doubles
+    M = scipy.sparse.csc_matrix((numpy.ldexp(M.data, -exponent), M.indices, M.indptr), M.shape)
     number, labels = scipy.sparse.csgraph.connected_components(L != 0, directed=False)
     mass = numpy.bincount(labels, M @ numpy.ones(n), number)
 
@@ -186,9 +188,11 @@ def solve_poisson(L: Any, M: Any, f: ArrayLike) -> numpy.ndarray:
         u[free] = scipy.sparse.linalg.splu(L[free][:, free].tocsc()).solve(right[free])
     except RuntimeError as error:
         raise NumericalError(f"the Poisson problem cannot be solved: {error}") from None
+    with numpy.errstate(over="ignore"):
+        u = numpy.ldexp(numpy.where(mass[labels] > 0, without_mean(u), 0.0), exponent)
     if not numpy.isfinite(u).all():
         raise NumericalError("the Poisson problem cannot be solved: its solution is not finite")
-    return numpy.where(mass[labels] > 0, without_mean(u), 0.0)
+    return u
 
 
 def _nonnegative(value: Any, name: str) -> float:

@@ -220,7 +220,9 @@ def vertex_areas(V: ArrayLike, F: ArrayLike) -> numpy.ndarray:
 def _double_areas(points: numpy.ndarray, faces: numpy.ndarray) -> numpy.ndarray:
     with numpy.errstate(all="ignore"):
         a, b = points[faces[:, 1]] - points[faces[:, 0]], points[faces[:, 2]] - points[faces[:, 0]]
-        result = numpy.linalg.norm(numpy.cross(a, b), axis=1)
+        exponents = numpy.frexp(numpy.abs([a, b]).max(axis=2))[1]  # without which squares of areas leave the range first
+        a, b = numpy.ldexp([a, b], -exponents[:, :, None])
+        result = numpy.ldexp(numpy.linalg.norm(numpy.cross(a, b), axis=1), exponents.sum(axis=0))
     _refuse(~numpy.isfinite(result), "has an area beyond the range of doubles; scale the surface", "OUT_OF_RANGE")
     return result
 
