@@ -763,6 +763,14 @@ std::vector<Case> cases()
                        "element polygon 1\nproperty list uchar int vertex_index\nend_header") +
               "3 0 1 2\n";
      }},
+    {"ply", "corners twice",
+     [](S& s, E& e) {
+       e.warning = "the elements face have corners twice: vertex_indices are read, and vertex_index left out";
+       const std::string t = ply_text(s, {"ascii", "float", "uchar", "int", "", "vertex_indices"});
+       const std::size_t faces = begin_of_line(t, s.ply_face(0));
+       return replaced(t.substr(0, faces), "end_header", "property list uchar int vertex_index\nend_header") +
+              replaced(t.substr(faces), "\n", " 3 0 0 0\n");
+     }},
     // ---- PLY, binary
     {"ply", "big endian, ushort",
      [](S& s, E&) {

@@ -222,6 +222,9 @@ inline void find_roles(const std::string& path, std::vector<Ply_element>& elemen
         refuse_file(path,
                     "by the header the elements " + element.name + " have no list vertex_indices or vertex_index");
       corners->role = element.is_face() ? Ply_property::CORNERS : Ply_property::STRIPS;
+      if (const Ply_property* const other = element.find("vertex_index"); other != nullptr && other != corners)
+        soup.warnings.push_back("by the header the elements " + element.name +
+                                " have corners twice: vertex_indices are read, and vertex_index left out");
     }
   }
   if (!has_vertices || !has_faces)
