@@ -23,6 +23,7 @@
 #include <iomanip>
 #include <limits>
 #include <locale>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <unordered_map>
@@ -101,10 +102,12 @@ public:
 private:
   using Seen = std::vector<Wave_in_triangle>;
   using Edge = std::pair<std::uint32_t, std::uint32_t>;
+  using Crossing = std::pair<Line_pieces::Node, double>;
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr std::uint32_t unknown = (std::numeric_limits<std::uint32_t>::max)();
-  static constexpr double rounding = 1e-13; // of a distance, or of a side
+  static constexpr double rounding = 1e-13;      // of a distance, or of a side
+  static constexpr double smallest_part = 1e-12; // of a side: triangles are not divided further
 
   bool has_levels() const { return !wanted_.levels.empty(); }
 
@@ -271,8 +274,9 @@ private:
     const Seen seen = look(t, waves);
     if (is_far(t, seen))
       return;
-    if (length(t, longest_side(t)) <= tolerance(t, seen) / 2 ||
-        (has_levels() ? follows_levels(t, seen) : follows_cells(t, seen))) {
+    const double size = length(t, longest_side(t));
+    if ((size <= tolerance(t, seen) / 2 || (has_levels() ? follows_levels(t, seen) : follows_cells(t, seen))) &&
+        (size <= smallest_part * faces_.side(3 * t.face).length || meets_where_cells_do(t, seen))) {
       keep(t);
       return;
     }
@@ -390,6 +394,87 @@ private:
            (is_nearly_linear(seen, ranks[0], margin / 2) && is_nearly_linear(seen, ranks[2], margin / 2));
   }
 
+  // Whether lines cross the sides where no third source is nearer, and three lines have a common point inside.
+  bool meets_where_cells_do(const Triangle& t, const Seen& seen)
+  {
+    if (has_levels() || wanted_.search_tolerance > 0)
+      return true;
+    const std::array<std::uint32_t, 3> ranks = ranks_of(t);
+    for (std::size_t i = 0; i < 3; ++i)
+      if (const std::size_t j = (i + 1) % 3;
+          ranks[i] != ranks[j] && has_source_beside(seen, {ranks[i], ranks[j], ranks[j]})) {
+        const double at = cross_side(t, i, 0, seen).second;
+        const auto& [a, b] = ends(t, i);
+        if (is_other_nearer(seen, between(a, b, at, 0).at, {ranks[i], ranks[j], ranks[j]}))
+          return false;
+      }
+    return !are_different(ranks) || common_point(t, seen);
+  }
+  static bool are_different(const std::array<std::uint32_t, 3>& r)
+  {
+    return r[0] != r[1] && r[1] != r[2] && r[2] != r[0];
+  }
+
+  using Sources = std::array<std::uint32_t, 3>; // perhaps with repetitions
+  static bool contains(const Sources& sources, std::uint32_t source)
+  {
+    return std::find(sources.begin(), sources.end(), source) != sources.end();
+  }
+  static bool has_source_beside(const Seen& seen, const Sources& sources)
+  {
+    return std::any_of(seen.begin(), seen.end(),
+                       [&](const Wave_in_triangle& w) { return !contains(sources, w.wave->source); });
+  }
+  static bool is_other_nearer(const Seen& seen, const plane::Vector& p, const Sources& sources)
+  {
+    double own = infinity, other = infinity;
+    for (const Wave_in_triangle& w : seen) {
+      double& least = contains(sources, w.wave->source) ? own : other;
+      least = (std::min)(least, distance(*w.wave, p));
+    }
+    return other < own * (1 - 10 * rounding);
+  }
+
+  static double nearest(const Seen& seen, const plane::Vector& p, std::uint32_t source)
+  {
+    double result = infinity;
+    for (const Wave_in_triangle& w : seen)
+      if (source == unknown || w.wave->source == source)
+        result = (std::min)(result, distance(*w.wave, p));
+    return result;
+  }
+  // The point of a triangle at the same distance from the sources nearest to its corners, if it has one. Distances are nearly
+  // linear there.
+  std::optional<Coordinates> common_point(const Triangle& t, const Seen& seen) const
+  {
+    const std::array<std::uint32_t, 3> ranks = ranks_of(t);
+    // By how much the second and third source are farther than the first.
+    const auto excess = [&](const plane::Vector& p) {
+      const double d = nearest(seen, p, ranks[0]);
+      return plane::Vector{nearest(seen, p, ranks[1]) - d, nearest(seen, p, ranks[2]) - d};
+    };
+    const plane::Vector &o = t.corners[0].at, a = plane::difference(t.corners[1].at, o),
+                        b = plane::difference(t.corners[2].at, o), at_o = excess(o),
+                        along_a = plane::difference(excess(t.corners[1].at), at_o),
+                        along_b = plane::difference(excess(t.corners[2].at), at_o);
+    const double det = plane::cross(along_a, along_b);
+    plane::Vector p = o, now = at_o;
+    double x = 0, y = 0;
+    for (int i = 0; i < 30; ++i) {
+      x += plane::cross(along_b, now) / det;
+      y += plane::cross(now, along_a) / det;
+      p = {o[0] + x * a[0] + y * b[0], o[1] + x * a[1] + y * b[1]};
+      now = excess(p);
+      if ((std::max)(std::abs(now[0]), std::abs(now[1])) <= 1e-15 * nearest(seen, p, ranks[0]))
+        break;
+    }
+    if (!(x >= 0 && y >= 0 && x + y <= 1 &&
+          (std::max)(std::abs(now[0]), std::abs(now[1])) <= 10 * rounding * nearest(seen, p, ranks[0])) ||
+        is_other_nearer(seen, p, ranks))
+      return std::nullopt;
+    return Coordinates{1 - x - y, x, y};
+  }
+
   // Whether the distance from a source, or from all, is nowhere above a linear function, that of the lowest wave, and
   // below it by a tolerance at most. So it differs no more along a chord with equal distances at both ends.
   static bool is_nearly_linear(const Seen& seen, std::uint32_t source, double tolerance)
@@ -418,7 +503,7 @@ private:
       return;
     interruption_.check();
     const Seen seen = look(t, waves_in(t.face));
-    if (!has_levels() && ranks[0] != ranks[1] && ranks[1] != ranks[2] && ranks[2] != ranks[0])
+    if (!has_levels() && are_different(ranks))
       return add_junction(t, seen);
     for (std::uint32_t level = has_levels() ? *low : 0; level < (has_levels() ? *high : 1); ++level) {
       interruption_.check();
@@ -432,14 +517,15 @@ private:
     }
   }
 
-  // Where three cells meet, in a triangle as small as the tolerance.
+  // Where three cells meet.
   void add_junction(const Triangle& t, const Seen& seen)
   {
     const std::array<std::uint32_t, 3> ranks = ranks_of(t);
     std::pair<Line_pieces::Node, Coordinates> middle{pieces_.add_node(true, Line_pieces::none), {}};
-    for (const Corner& corner : t.corners)
+    const Coordinates point = common_point(t, seen).value_or(Coordinates{1. / 3, 1. / 3, 1. / 3});
+    for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t k = 0; k < 3; ++k)
-        middle.second[k] += corner.in_input[k] / 3;
+        middle.second[k] += point[i] * t.corners[i].in_input[k];
     for (std::size_t i = 0; i < 3; ++i) {
       const auto p = cross(t, i, 0, seen);
       const std::uint32_t left = ranks[i], right = ranks[(i + 1) % 3];
@@ -456,31 +542,38 @@ private:
                              : std::array<std::uint32_t, 2>{cells.first, cells.second});
   }
 
-  // The node on a side, and where it lies.
-  std::pair<Line_pieces::Node, Coordinates> cross(const Triangle& t, std::size_t side, std::uint32_t level,
-                                                  const Seen& seen)
+  // In the order of the vertices.
+  static std::pair<const Corner&, const Corner&> ends(const Triangle& t, std::size_t side)
   {
-    const bool is_forward = t.corners[side].vertex < t.corners[(side + 1) % 3].vertex;
-    const Corner &a = t.corners[is_forward ? side : (side + 1) % 3], &b = t.corners[is_forward ? (side + 1) % 3 : side];
+    const Corner &a = t.corners[side], &b = t.corners[(side + 1) % 3];
+    return a.vertex < b.vertex ? std::pair<const Corner&, const Corner&>(a, b)
+                               : std::pair<const Corner&, const Corner&>(b, a);
+  }
+
+  // The node on a side, and which part of the side lies before it.
+  Crossing cross_side(const Triangle& t, std::size_t side, std::uint32_t level, const Seen& seen)
+  {
+    const auto& [a, b] = ends(t, side);
     const auto [place, is_new] = crossings_.insert({{edge(a, b), level}, {}});
     if (is_new) {
       const double at = crossing(a, b, level, seen);
       place->second = {pieces_.add_node(false, at == 0 ? a.vertex : at == 1 ? b.vertex : Line_pieces::none), at};
     }
-    const auto [node, at] = place->second;
+    return place->second;
+  }
+
+  // The node on a side, and where it lies.
+  std::pair<Line_pieces::Node, Coordinates> cross(const Triangle& t, std::size_t side, std::uint32_t level,
+                                                  const Seen& seen)
+  {
+    const auto [node, at] = cross_side(t, side, level, seen);
+    const auto& [a, b] = ends(t, side);
     return {node, at == 0 ? a.in_input : at == 1 ? b.in_input : internal::between(a.in_input, b.in_input, at)};
   }
 
   // The fraction of a side up to a line.
   double crossing(const Corner& a, const Corner& b, std::uint32_t level, const Seen& seen) const
   {
-    const auto nearest = [&](const plane::Vector& p, std::uint32_t source) {
-      double result = infinity;
-      for (const Wave_in_triangle& w : seen)
-        if (source == unknown || w.wave->source == source)
-          result = (std::min)(result, distance(*w.wave, p));
-      return result;
-    };
     const std::uint32_t rank_a = ranks_[a.vertex], rank_b = ranks_[b.vertex];
     const bool rises = rank_a < rank_b; // from a to b
     double scale = 0;
@@ -488,10 +581,10 @@ private:
       const plane::Vector p = between(a, b, t, 0).at;
       if (has_levels()) {
         scale = wanted_.levels[level];
-        return (nearest(p, unknown) - scale) * (rises ? 1 : -1);
+        return (nearest(seen, p, unknown) - scale) * (rises ? 1 : -1);
       }
-      scale = nearest(p, rank_a);
-      return scale - nearest(p, rank_b);
+      scale = nearest(seen, p, rank_a);
+      return scale - nearest(seen, p, rank_b);
     };
     double low = 0, high = 1, at_low = function(0), at_high = function(1);
     if (!(at_low < -rounding * scale))
@@ -510,7 +603,6 @@ private:
     return t;
   }
 
-  using Crossing = std::pair<Line_pieces::Node, double>;
   using Edge_and_level = std::pair<Edge, std::uint32_t>;
 
   const Common_subdivision& subdivision_;
