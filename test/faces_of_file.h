@@ -389,7 +389,9 @@ void take_ply_element(const Ply_element& element, Collector& result, const Next&
     std::vector<long long> list;
     for (int i = 0; i < int(size); ++i)
       list.push_back((long long)(next(property.type)));
-    if (property.name != "vertex_indices" && property.name != "vertex_index")
+    const bool has_other = std::any_of(element.properties.begin(), element.properties.end(),
+                                       [](const Ply_property& other) { return other.name == "vertex_indices"; });
+    if (property.name != (has_other ? "vertex_indices" : "vertex_index"))
       continue;
     if (element.name == "face" || element.name == "faces")
       result.add_face(list);
