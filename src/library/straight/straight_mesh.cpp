@@ -91,8 +91,9 @@ private:
   std::vector<Triangle> triangles_in(Face_index f) const
   {
     Halfedge_index h = complex_.halfedge(f);
-    if (!is_loop(h)) // a face has one loop or three
-      h = is_loop(complex_.next(h)) ? complex_.next(h) : complex_.prev(h);
+    for (Halfedge_index side : {complex_.next(h), complex_.prev(h)})
+      if (!is_loop(h) && is_loop(side)) // a face has one loop or three
+        h = side;
     std::vector<std::uint32_t> p;
     for (Halfedge_index side : {h, complex_.next(h), complex_.prev(h)})
       for (std::uint32_t v : points_along(side))
