@@ -489,7 +489,7 @@ void write_report(std::ostream& os, const Geodesic_options& options, const Surfa
     os << "\n  " << std::left << std::setw(10) << snap.option << "the nearest point of the surface, "
        << in_short(snap.distance) << " from the given one";
   if (curve.is_on_any_triangles)
-    os << "\n  triangles no oriented manifold: the path goes from each face at an edge into all others";
+    os << "\n  triangles taken as they are: the path goes from each face at an edge into all others";
   os << "\n  segments  " << with_separators(curve.number_of_segments) << "\n  flips     "
      << with_separators(curve.report.flips) << "\n  time      " << seconds_text(seconds) << '\n';
 }

@@ -145,7 +145,7 @@ TEST_F(Geodesic_command, goes_over_triangles_that_are_no_surface)
   write("fan.off", "OFF\n5 3 0\n0 0 0\n0 0 1\n1 0 0.5\n-1 2 0.5\n-1 -2 0.5\n3 0 1 2\n3 0 1 3\n3 1 0 4\n");
   const Command_run run = idt("geodesic fan.off --from 2 --via 4 --to 3 -o path.csv --stats s.json");
   ASSERT_EQ(run.status, 0) << run.err;
-  EXPECT_TRUE(contains(run.out, "no oriented manifold"));
+  EXPECT_TRUE(contains(run.out, "taken as they are"));
   const json stats = json::parse(content(folder_ / "s.json"));
   EXPECT_TRUE(stats.at("is_on_any_triangles").get<bool>() && stats.at("is_shortest").get<bool>());
   EXPECT_NEAR(stats.at("length").get<double>(), 1 + 3 * std::sqrt(5.), 1e-14);
@@ -235,6 +235,24 @@ TEST_F(Geodesic_command, has_coordinates_in_triangles_of_zero_area)
         EXPECT_NEAR(x, numbers[7 + k], 1e-14) << rows[i];
       }
     }
+  }
+}
+
+TEST_F(Geodesic_command, goes_where_faces_of_zero_area_join_vertices)
+{
+  // A double pyramid: faces without area join its vertices 2 and 6, which are at the same place. In the other file, all
+  // faces at vertex 0 have none.
+  write("joined.off", "OFF\n8 12 0\n4 0 0\n0 0 0\n1 0 0\n2 0 0\n1 0 0\n2 0 1\n1 0 0\n1 0 1\n"
+                      "3 0 1 2\n3 0 2 3\n3 0 3 4\n3 0 4 5\n3 0 5 6\n3 0 6 1\n"
+                      "3 7 2 1\n3 7 3 2\n3 7 4 3\n3 7 5 4\n3 7 6 5\n3 7 1 6\n");
+  write("wire.off", "OFF\n5 2 0\n0 0 0\n1 0 0\n2 0 0\n1 1 0\n2 1 0\n3 2 0 1\n3 1 3 4\n");
+  for (const bool is_joined : {true, false}) {
+    const Command_run run = idt(std::string("geodesic --stats s.json ") +
+                                (is_joined ? "joined.off --shortest --from 1 --to 4" : "wire.off --from 0 --to 1"));
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_NEAR(json::parse(content(folder_ / "s.json")).at("length").get<double>(), is_joined ? std::sqrt(5.) : 1,
+                1e-14);
+    EXPECT_TRUE(contains(run.out, "taken as they are")) << run.out;
   }
 }
 
