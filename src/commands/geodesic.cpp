@@ -185,6 +185,16 @@ IT::Vertex_index vertex(const Triangulation& triangulation, std::uint64_t number
   return IT::Vertex_index(IT::Vertex_index::size_type(number));
 }
 
+// The ends and what lies between them, each with its option.
+std::vector<std::pair<std::string, std::string>> stops_of(const Geodesic_options& options)
+{
+  std::vector<std::pair<std::string, std::string>> result{{"--from", options.from}};
+  for (const std::string& text : options.via)
+    result.emplace_back("--via", text);
+  result.emplace_back("--to", options.to);
+  return result;
+}
+
 // The vertex of a stop; for a point in space, a vertex is inserted at the nearest point of the surface.
 IT::Vertex_index vertex(const Surface& surface, Triangulation& triangulation, const std::string& option,
                         const std::string& text, std::vector<Snap>& snaps)
@@ -500,11 +510,9 @@ IT::Surface_with_barriers with_barriers(const Geodesic_options& options, const S
 {
   double largest_snap = -1;
   IT::Surface_with_barriers result = place_barriers(options.barriers, triangulation, surface.points, largest_snap);
-  std::vector<std::string> stops{options.from, options.to};
-  stops.insert(stops.end(), options.via.begin(), options.via.end());
-  for (const std::string& text : stops)
+  for (const auto& [option, text] : stops_of(options))
     if (!text.empty())
-      if (const std::optional<std::uint64_t> v = Stop("a stop", text).vertex)
+      if (const std::optional<std::uint64_t> v = Stop(option, text).vertex)
         if (result.copies(vertex(triangulation, *v)).size() > 1)
           throw Usage_error("vertex " + std::to_string(*v) + " lies on a barrier: choose a point X,Y,Z beside it");
   return result;
@@ -513,24 +521,22 @@ IT::Surface_with_barriers with_barriers(const Geodesic_options& options, const S
 // Whether the line can be a path over triangles that are no surface.
 bool takes_any_triangles(const Geodesic_options& options)
 {
-  std::vector<std::string> stops{options.from, options.to};
-  stops.insert(stops.end(), options.via.begin(), options.via.end());
+  const auto stops = stops_of(options);
   return !options.direction && !options.is_closed && !options.curve.has_files() && !options.barriers.has_files() &&
          options.cut_path.empty() && options.view_path.empty() && !options.repair.is_wanted &&
          std::all_of(stops.begin(), stops.end(),
-                     [](const std::string& text) { return Stop("a stop", text).vertex.has_value(); });
+                     [](const auto& stop) { return Stop(stop.first, stop.second).vertex.has_value(); });
 }
 
 // \param path becomes the whole path
 Curve find_path_over(const Triangle_soup& soup, const Geodesic_options& options, IT::Path_on_triangles& path)
 {
-  std::vector<std::string> stops{options.from};
-  stops.insert(stops.end(), options.via.begin(), options.via.end());
-  stops.push_back(options.to);
+  std::vector<std::size_t> stops;
+  for (const auto& [option, text] : stops_of(options))
+    stops.push_back(*Stop(option, text).vertex);
   for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
-    IT::Path_on_triangles part =
-      IT::shortest_path_on_triangles(soup.points, soup.triangles, *Stop("a stop", stops[i]).vertex,
-                                     *Stop("a stop", stops[i + 1]).vertex, CGAL::parameters::visitor(&goes_on));
+    IT::Path_on_triangles part = IT::shortest_path_on_triangles(soup.points, soup.triangles, stops[i], stops[i + 1],
+                                                                CGAL::parameters::visitor(&goes_on));
     path.positions.insert(path.positions.end(), part.positions.begin() + (i > 0 ? 1 : 0), part.positions.end());
     path.triangles.insert(path.triangles.end(), part.triangles.begin(), part.triangles.end());
     path.length += part.length;

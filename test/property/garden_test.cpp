@@ -98,7 +98,7 @@ coordinates of 1e150       | ok     ok     ok     ok     ok     ok     ok     ok
 coordinates of 1e-150      | ok     ok     ok     ok     ok     ok     ok     ok     ok     ok     ok     ok     ok     ok     ok     ok     ok     TOPO   TOPO   TOPO   ok
 disk of 1e150              | ok     =
 disk of 1e-150             | ok     =
-coordinates of 1e300       | RANGE  ok     RANGE  RANGE  RANGE  ok     ok     RANGE  ok     ok     RANGE  ok     ok     ok     RANGE  ok     RANGE  TOPO   TOPO   RANGE  NUMERIC
+coordinates of 1e300       | RANGE  ok     RANGE  RANGE  RANGE  ok     ok     RANGE  ok     ok     RANGE  ok     ok     ok     RANGE  ok     RANGE  TOPO   TOPO   RANGE  ok
 1e150 beside 1e-150        | RANGE  =
 lengths of 1e150           | ok     -      ok     ok     ok     ok     ok     ok     ok     ok     -      ok     ok     ok     ok     TOPO   ok     TOPO   TOPO   TOPO   ok
 lengths of 1e-150          | ok     -      ok     ok     ok     ok     ok     ok     ok     ok     -      ok     ok     ok     ok     TOPO   ok     TOPO   TOPO   TOPO   ok
