@@ -324,6 +324,28 @@ TEST(Straight_mesh, keeps_spikes)
   }
 }
 
+// After flips, the face around the tip is on both sides of an edge to keep.
+TEST(Straight_mesh, keeps_folds_of_flipped_spikes)
+{
+  const Model spike{
+    {{-1.9, -0.01, -0.06},
+     {0.2, 0.01, 0.3},
+     {-1.1, -0.02, 0.29},
+     {0.6, 0.04, -0.07},
+     {-1.6, 0.01, 0.02},
+     {-1.2, -0.04, -0.01},
+     {0.04, -0.03, 0.08}},
+    {{5, 0, 3}, {2, 0, 5}, {4, 3, 0}, {4, 1, 3}, {4, 0, 2}, {4, 2, 1}, {6, 5, 3}, {6, 3, 1}, {6, 2, 5}, {6, 1, 2}}};
+  Triangulation t = spike.triangulation();
+  IT::flip_to_Delaunay(t);
+  bool has_self_glued_edge = false;
+  for (IT::Edge_index e : t.connectivity().edges())
+    has_self_glued_edge = has_self_glued_edge || t.connectivity().is_self_glued(e);
+  EXPECT_TRUE(has_self_glued_edge);
+  IT::refine_Delaunay(t, CGAL::parameters::minimum_angle(25).maximum_deviation(0.05));
+  EXPECT_LE(IT::straight_mesh(IT::Common_subdivision(t), spike.points, {}, 10, 0.05).deviation, 0.05);
+}
+
 // Refinement has left faces that bend too far.
 TEST(Straight_mesh, says_how_far_it_is_where_it_is_too_far)
 {

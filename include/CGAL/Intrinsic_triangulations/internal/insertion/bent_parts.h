@@ -74,6 +74,8 @@ void keep_bent_parts(Intrinsic_triangulation<Traits>& triangulation, double devi
     Halfedge_index h = halfedges[e.idx()];
     if (!h.is_valid() || is_fixed[e.idx()] || !(part.begin < part.end))
       continue;
+    if ((part.begin > 0 || part.end < 1) && complex.is_self_glued(complex.edge(h)))
+      continue; // an edge within one face cannot be split
     // \return the part beyond
     const auto split = [&](double t) {
       const Halfedge_index along = input.halfedge(e);
