@@ -79,7 +79,8 @@ struct Exact_engine::Memory
 
   // Whether and how repeating all flips takes less time than laying out most faces: if there are many flips, unless most
   // faces are known to be straight, or if the edges cross much. Queries may find that out, and threads must agree: decided
-  // before, once for each change. \param prepare() makes the integers follow
+  // before, once for each change.
+  // \param prepare is called to make the integers follow
   template <class Prepare>
   Answer may_repeat_flips(const Delta_complex& complex, const Input_metric& metric, const Prepare& prepare)
   {

@@ -49,7 +49,8 @@ public:
     });
   }
 
-  // With positions. \pre the input has points, and no vertex was inserted
+  // With positions.
+  // \pre the input has points, and no vertex was inserted
   Repeated_flips(const Delta_complex& complex, const Flip_log& log, const Vertex_positions& positions,
                  const Interruption& interruption)
   {
