@@ -19,6 +19,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -102,6 +103,55 @@ TEST(Overlay_positions, agree_with_those_from_exact_squared_lengths)
       EXPECT_NEAR(positions.on_input_edge(x), u, 0x1p-51 * u) << x;
     }
   }
+}
+
+// Points on a line, a zigzag of triangles of zero area between them, and a body that this closes.
+samples::Indexed_triangles points_on_line(std::uint32_t n)
+{
+  samples::Indexed_triangles surface;
+  for (std::uint32_t k = 0; k <= n; ++k)
+    surface.points.push_back({double(k), 0, 0});
+  surface.points.push_back({double(n) / 2, double(n), 0});
+  surface.points.push_back({double(n) / 2, -double(n), 1});
+  for (std::uint32_t low = 0, high = n; high - low > 1;) {
+    surface.triangles.push_back({high, low + 1, low});
+    if (++low, high - low > 1) {
+      surface.triangles.push_back({high, high - 1, low});
+      --high;
+    }
+  }
+  for (std::uint32_t k = 0; k < n; ++k)
+    surface.triangles.push_back({k, k + 1, n + 1});
+  surface.triangles.push_back({n, 0, n + 2});
+  return surface;
+}
+
+// Such triangles are crossed in one point, an end of the edge. Where that lies on the line is a quotient of integers,
+// which must be rounded once, as others are.
+TEST(Overlay_positions, behind_triangles_of_zero_area_are_those_of_an_end)
+{
+  const samples::Indexed_triangles surface = points_on_line(30);
+  const Triangulation t = triangulated(surface);
+  const IT::Overlay overlay(t);
+  const IT::Overlay_positions positions(IT::internal::engine(t), overlay);
+  const IT::Delta_complex &input = t.input(), &intrinsic = t.connectivity();
+  const auto is_on_line = [](IT::Vertex_index v) { return v.idx() <= 30; };
+  std::size_t at_source = 0;
+  for (IT::Overlay::Vertex x : overlay.crossings()) {
+    const IT::Halfedge_index ij = input.halfedge(overlay.input_edge(x)),
+                             g = intrinsic.halfedge(overlay.intrinsic_edge(x));
+    if (!is_on_line(input.source(ij)) || !is_on_line(input.target(ij)))
+      continue;
+    const bool is_at_source = is_on_line(intrinsic.source(g));
+    ASSERT_NE(is_at_source, is_on_line(intrinsic.target(g)));
+    EXPECT_EQ(positions.on_intrinsic_edge(x), is_at_source ? 0 : 1);
+    const auto place = [&](IT::Vertex_index v) { return surface.points[v.idx()][0]; };
+    const double from = place(input.source(ij)), to = place(input.target(ij));
+    EXPECT_EQ(positions.on_input_edge(x),
+              (place(is_at_source ? intrinsic.source(g) : intrinsic.target(g)) - from) / (to - from));
+    at_source += is_at_source;
+  }
+  EXPECT_GT(at_source, 100u);
 }
 
 // Whether one bound for all errors does for this strip.

@@ -43,9 +43,9 @@ struct Located
 inline Located located(const Bounded_double_double& x) { return {x.hi(), x.error() <= 0x1p-53 * std::abs(x.hi())}; }
 inline Located located(const Mpfr_interval& x)
 {
-  const double low = x.lower_double(), high = x.upper_double();
-  // An interval around a double is two units in its last place wide, at any precision.
-  return {low + (high - low) / 2, high - low <= 0x1p-51 * std::abs(low)};
+  const double low = mpfr_get_d(x.lower(), MPFR_RNDN), high = mpfr_get_d(x.upper(), MPFR_RNDN);
+  // Halfway between two doubles, no number of digits tells which one is next.
+  return {low, low == high || x.upper_double() - x.lower_double() <= 0x1p-52 * std::abs(low)};
 }
 
 // The input edges that an intrinsic edge crosses, from its crossings.
@@ -143,38 +143,53 @@ private:
   void locate_in_stages(Edge_index e, const Crossed_edges& crossed)
   {
     Double_double_metric metric(surface_);
-    bool is_good = locate(e, crossed, metric);
+    if (locate(e, crossed, 0, metric))
+      return;
+    const std::size_t without_area = number_without_area(crossed);
+    bool is_good = without_area > 0 && locate(e, crossed, without_area, metric);
     for (std::size_t i = 0; i < precisions.size() && !is_good; ++i) {
       if (!precise_metrics_[i])
         precise_metrics_[i].emplace(surface_, Mpfr_image{precisions[i]});
-      is_good = locate(e, crossed, *precise_metrics_[i]);
+      is_good = locate(e, crossed, without_area, *precise_metrics_[i]);
     }
   }
 
+  // With how many triangles of zero area the strip begins. The edges behind them are crossed at its source, which no
+  // number of digits proves.
+  std::size_t number_without_area(const Crossed_edges& crossed) const
+  {
+    const auto has_area = [&](Halfedge_index h) { return surface_.metric().has_area(input_, input_.face(h)); };
+    if (has_area(input_.opposite(crossed.front())))
+      return 0;
+    return 1 + std::size_t(std::find_if(crossed.begin(), crossed.end(), has_area) - crossed.begin());
+  }
+
   template <class Metric>
-  bool locate(Edge_index e, const Crossed_edges& crossed, Metric& metric)
+  bool locate(Edge_index e, const Crossed_edges& crossed, std::size_t without_area, Metric& metric)
   {
     using Frame = Metric_frame<Metric>;
     Strip<Frame> strip(input_, Frame(input_, metric));
     Unfolding<Metric>(intrinsic_, correspondence_, metric).lay_out(strip, intrinsic_.halfedge(e), crossed);
+    const bool is_line = without_area > crossed.size();
     bool is_good = true;
     positions_.clear();
     strip.for_each_crossing([&](const auto& areas, const auto& left, const auto& right) {
       const bool starts_left = is_in_own_direction(crossed[positions_.size()]);
       check_sides(e, areas.left.sign(), areas.right.sign());
       const auto whole = areas.left + areas.right;
-      if (!is_certain(whole.sign()) || get_certain(whole.sign()) == ZERO) {
-        // In a strip of zero area an edge can be crossed along its whole length, however many digits are used.
+      if (is_line || !is_certain(whole.sign())) {
+        // In a strip of zero area an edge can be crossed along its whole length.
         const auto along = [&](const auto& end) {
           return located(times_conjugate(end, strip.target()).x() / squared_norm(strip.target()));
         };
         const Located at_left = along(left), at_right = along(right);
-        is_good = is_good && is_certain(whole.sign()) && at_left.is_good && at_right.is_good;
+        is_good = is_good && is_line && at_left.is_good && at_right.is_good;
         positions_.push_back(collinear_position(at_left.value, at_right.value, starts_left));
         return true;
       }
       // Each part as a quotient, so that small parts are precise.
-      const Located on_intrinsic_edge = located(areas.along / whole),
+      const Located on_intrinsic_edge =
+                      positions_.size() < without_area ? Located{0, true} : located(areas.along / whole),
                     on_input_edge = located((starts_left ? areas.left : areas.right) / whole);
       is_good = is_good && on_intrinsic_edge.is_good && on_input_edge.is_good;
       positions_.push_back({on_intrinsic_edge.value, on_input_edge.value});
