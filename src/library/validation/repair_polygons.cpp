@@ -7,13 +7,14 @@
 
 #include <CGAL/Intrinsic_triangulations/repair_polygons.h>
 #include "../gluing/Surface_gluer.h"
-#include "../gluing/Sides_by_edge.h"
 #include "Doubled_faces.h"
+#include "Edge_stitcher.h"
 #include "Flat_spikes.h"
+#include "Opened_edges.h"
 #include "Polygon_cutter.h"
-#include "Hanging_vertices.h"
+#include "Polygon_part.h"
 #include "Polygon_sides.h"
-#include "Vertices_on_edges.h"
+#include "Vertex_merger.h"
 
 #include <boost/functional/hash.hpp>
 
@@ -92,46 +93,6 @@ Polygon_triangles triangulate_polygon(const std::vector<std::array<double, 3>>& 
 
 namespace internal {
 
-// A polygon of the input, or a part of one that was cut.
-struct Polygon_part
-{
-  std::size_t input;
-  std::vector<std::size_t> corners;
-};
-
-// As Hanging_vertices asks for them; sides are numbered three for each triangle.
-class Edges_of_triangles
-{
-  using Index = std::uint32_t;
-
-public:
-  Edges_of_triangles(std::size_t number_of_vertices, const std::vector<Index_triangle>& triangles)
-    : triangles_(triangles), sides_(number_of_vertices, triangles)
-  {}
-
-  template <class Function>
-  void for_each_edge(const Function& function) const
-  {
-    std::vector<Index> sides;
-    sides_.for_each_edge([&](Index v, const Side_at_edge* begin, const Side_at_edge* end) {
-      sides.clear();
-      for (const Side_at_edge* side = begin; side != end; ++side)
-        sides.push_back(side->side());
-      function(v, begin->larger_end, sides);
-    });
-  }
-  static Index face(Index side) { return side / 3; }
-  bool has_corner(Index face, Index v) const
-  {
-    const Index_triangle& t = triangles_[face];
-    return std::find(t.begin(), t.end(), v) != t.end();
-  }
-
-private:
-  const std::vector<Index_triangle>& triangles_;
-  Sides_by_edge sides_;
-};
-
 class Polygon_repairer
 {
   using Index = std::size_t;
@@ -140,10 +101,12 @@ class Polygon_repairer
 public:
   Polygon_repairer(std::vector<std::array<double, 3>> points, std::vector<std::vector<Index>> polygons,
                    const std::optional<double>& stitching_tolerance)
-    : input_points_(std::move(points)), input_polygons_(std::move(polygons)), tolerance_(stitching_tolerance),
-      is_reversed_(input_polygons_.size(), false), is_repeated_(input_polygons_.size(), false),
-      has_lost_part_(input_polygons_.size(), false)
+    : input_points_(std::move(points)), input_polygons_(std::move(polygons)),
+      merger_(input_points_, stitching_tolerance), is_reversed_(input_polygons_.size(), false),
+      is_repeated_(input_polygons_.size(), false), has_lost_part_(input_polygons_.size(), false)
   {
+    if (stitching_tolerance)
+      stitcher_.emplace(input_points_, *stitching_tolerance);
     for (Index f = 0; f < input_polygons_.size(); ++f)
       polygons_.push_back({f, input_polygons_[f]});
   }
@@ -151,15 +114,21 @@ public:
   Repaired_polygons run(const Progress_function& progress)
   {
     // Only the triangulation of polygons can take long: the other steps count for little.
-    merge_points(progress);
+    representative_ = merger_.representatives(input_polygons_, progress);
+    for (Polygon_part& polygon : polygons_)
+      for (Index& v : polygon.corners)
+        v = representative_[v];
     ask(progress, 0.08);
     remove_repeated_corners();
     triangulate(progress);
     ask(progress, 0.8);
     remove_flat_spikes();
     ask(progress, 0.82);
-    if (tolerance_)
-      stitch(progress);
+    if (stitcher_) {
+      const Loop_progress at_edges(progress, "the repair", 0.82, 0.85, 3 * polygons_.size());
+      std::size_t edge = 0;
+      stitcher_->stitch(polygons_, [&] { at_edges.at(edge++); });
+    }
     ask(progress, 0.85);
     remove_duplicates();
     ask(progress, 0.9);
@@ -176,63 +145,6 @@ private:
   static void ask(const Progress_function& progress, double fraction)
   {
     report_progress(progress, fraction, "the repair");
-  }
-
-  // Inner vertices are no candidates: sheets that lie on each other would be glued together.
-  void merge_points(const Progress_function& progress)
-  {
-    const Loop_progress at_edges(progress, "the repair", 0, 0.03, polygons_.size()),
-      at_vertices(progress, "the repair", 0.04, 0.08, input_points_.size());
-    std::vector<std::array<Index, 2>> edges;
-    std::vector<bool> may_merge(input_points_.size(), false);
-    representative_.assign(input_points_.size(), none);
-    for (const Polygon_part& polygon : polygons_) {
-      at_edges.at(polygon.input);
-      for (Index i = 0; i < polygon.corners.size(); ++i) {
-        const Index v = polygon.corners[i], w = polygon.corners[(i + 1) % polygon.corners.size()];
-        representative_[v] = v;
-        if (input_points_[v] == input_points_[w] || (tolerance_ && distance(v, w) <= *tolerance_))
-          may_merge[v] = may_merge[w] = true;
-        edges.push_back({(std::min)(v, w), (std::max)(v, w)});
-      }
-    }
-    ask(progress, 0.03);
-    std::sort(edges.begin(), edges.end());
-    for (Index i = 0; i < edges.size(); ++i)
-      if ((i == 0 || edges[i] != edges[i - 1]) && (i + 1 == edges.size() || edges[i] != edges[i + 1]))
-        may_merge[edges[i][0]] = may_merge[edges[i][1]] = true;
-
-    std::map<std::array<double, 3>, Index> first_at;
-    for (Index v = 0; v < input_points_.size(); ++v) {
-      at_vertices.at(v);
-      if (may_merge[v])
-        representative_[v] = first_at.emplace(input_points_[v], v).first->second;
-    }
-    if (tolerance_ && *tolerance_ > 0)
-      merge_near(may_merge);
-    for (Polygon_part& polygon : polygons_)
-      for (Index& v : polygon.corners)
-        v = representative_[v];
-  }
-
-  double distance(Index v, Index w) const
-  {
-    return Vertices_on_edges::norm(Vertices_on_edges::difference(input_points_[v], input_points_[w]));
-  }
-
-  void merge_near(const std::vector<bool>& may_merge)
-  {
-    std::vector<std::uint32_t> vertices;
-    for (Index v = 0; v < may_merge.size(); ++v)
-      if (may_merge[v] && representative_[v] == v)
-        vertices.push_back(std::uint32_t(v));
-    const Vertices_on_edges near(input_points_, vertices);
-    Disjoint_sets sets(input_points_.size());
-    for (std::uint32_t v : vertices)
-      near.for_each_within(input_points_[v], *tolerance_, [&](std::uint32_t w, double) { sets.unite(v, w); });
-    for (Index& v : representative_)
-      if (v != none)
-        v = sets.find(std::uint32_t(v));
   }
 
   // Of corners that follow each other. A polygon with fewer than three different ones goes.
@@ -281,7 +193,7 @@ private:
   // Of triangles with the same corners, in either direction, the first stays, and another if both are a wall.
   void remove_duplicates()
   {
-    const std::vector<Index_triangle> all = triangles();
+    const std::vector<Index_triangle> all = index_triangles(polygons_);
     const Doubled_faces doubled(input_points_.size(), all);
     std::vector<bool> is_kept;
     for (Index t = 0; t < all.size(); ++t)
@@ -340,7 +252,7 @@ private:
 
   void remove_flat_spikes()
   {
-    std::vector<Index_triangle> all = triangles();
+    std::vector<Index_triangle> all = index_triangles(polygons_);
     const Flat_spikes spikes(input_points_, all);
     if (spikes.tips().empty() && spikes.merged().empty())
       return;
@@ -361,99 +273,11 @@ private:
     polygons_ = std::move(left);
   }
 
-  // Splits edges at the vertices that hang within them.
-  void stitch(const Progress_function& progress)
-  {
-    const std::vector<Index_triangle> all = triangles();
-    const Edges_of_triangles edges(input_points_.size(), all);
-    std::size_t calls = 0;
-    struct Place
-    {
-      double position;
-      Index vertex;
-    };
-    std::map<std::uint32_t, std::vector<Place>> places; // within each side, from its smaller end
-    std::set<std::uint32_t> border;                     // sides
-    Hanging_vertices(input_points_, all.size(), edges)
-      .find(
-        *tolerance_, 0,
-        [&](Index, Index, const std::vector<std::uint32_t>& sides, Index vertex, double, double position) {
-          for (std::uint32_t side : sides)
-            places[side].push_back({position, vertex});
-          if (sides.size() == 1)
-            border.insert(sides.front());
-        },
-        [&] {
-          if (++calls % 4096 == 0)
-            ask(progress, 0.85);
-        });
-    std::map<std::uint32_t, std::vector<Index>> within; // in the direction of the side
-    for (auto& [side, list] : places) {
-      std::sort(list.begin(), list.end(), [](const Place& a, const Place& b) {
-        return a.position != b.position ? a.position < b.position : a.vertex < b.vertex;
-      });
-      for (const Place& place : list)
-        if (std::vector<Index>& vertices = within[side];
-            vertices.empty() || input_points_[vertices.back()] != input_points_[place.vertex])
-          vertices.push_back(place.vertex);
-    }
-    std::vector<Polygon_part> result;
-    for (Index t = 0; t < all.size(); ++t) {
-      std::vector<std::vector<Index>> parts{polygons_[t].corners};
-      for (std::uint32_t s = 3 * std::uint32_t(t), i = 0; i < 3; ++i, ++s)
-        if (const auto found = within.find(s); found != within.end()) {
-          if (all[t][i] > all[t][(i + 1) % 3])
-            std::reverse(found->second.begin(), found->second.end());
-          note_stitch(all[t][i], all[t][(i + 1) % 3], found->second, polygons_[t].input, border.count(s) != 0);
-          split_side(parts, all[t][i], all[t][(i + 1) % 3], found->second);
-        }
-      for (std::vector<Index>& part : parts)
-        result.push_back({polygons_[t].input, std::move(part)});
-    }
-    polygons_ = std::move(result);
-  }
-  void note_stitch(Index v, Index w, const std::vector<Index>& within, Index face, bool is_border)
-  {
-    if (stitched_.count() == 0 || face < stitched_.first())
-      first_stitch_ = {v, w, within.front()};
-    stitched_.add(face);
-    for (Index last = v, i = 0; i <= within.size(); ++i) {
-      const Index next = i < within.size() ? within[i] : w;
-      const std::array<Index, 2> ends = {(std::min)(last, next), (std::max)(last, next)};
-      if (is_border)
-        new_sides_.insert(ends);
-      else
-        new_inner_sides_.insert({ends[0], ends[1], face});
-      last = next;
-    }
-  }
-  // The triangle that has the side becomes a fan.
-  static void split_side(std::vector<std::vector<Index>>& parts, Index v, Index w, const std::vector<Index>& within)
-  {
-    for (std::vector<Index>& part : parts)
-      for (Index i = 0; i < 3; ++i)
-        if (part[i] == v && part[(i + 1) % 3] == w) {
-          const Index apex = part[(i + 2) % 3];
-          part = {v, within.front(), apex};
-          for (Index k = 0; k < within.size(); ++k)
-            parts.push_back({within[k], k + 1 < within.size() ? within[k + 1] : w, apex});
-          return;
-        }
-  }
-
-  std::vector<Index_triangle> triangles() const
-  {
-    std::vector<Index_triangle> result;
-    for (const auto& [input, v] : polygons_)
-      result.push_back({std::uint32_t(v[0]), std::uint32_t(v[1]), std::uint32_t(v[2])});
-    return result;
-  }
-
   // Turns triangles, and copies vertices for the fans that are left.
   void glue(const Progress_function& progress)
   {
     const Points points(input_points_.begin(), input_points_.end());
-    const std::vector<Index_triangle> all = triangles();
+    const std::vector<Index_triangle> all = index_triangles(polygons_);
     const Surface_gluer gluer(points, all, [&progress] { ask(progress, 0.92); });
 
     for (Index f = 0; f < all.size(); ++f)
@@ -462,20 +286,23 @@ private:
         std::swap(polygons_[f].corners[0], polygons_[f].corners[2]);
       }
     ask(progress, 0.93);
-    find_opened_edges(gluer);
+    Opened_edges opened(input_points_, polygons_, gluer);
+    opened.find(input_polygons_, representative_, stitcher_ ? &*stitcher_ : nullptr);
+    opened_ = opened.faces();
+    first_opened_edge_ = opened.first_edge();
     ask(progress, 0.94);
     copied_from_ = gluer.vertices();
     for (Index c = 0; c < 3 * all.size(); ++c)
       polygons_[c / 3].corners[c % 3] = gluer.vertex(c);
-    remove_sheets(gluer);
+    remove_sheets(gluer, opened.cut_off());
   }
 
   // Two triangles that are glued to each other alone enclose nothing, and have the same corners. Nothing is lost with
   // pieces of zero area that were cut off.
-  void remove_sheets(const Surface_gluer& gluer)
+  void remove_sheets(const Surface_gluer& gluer, const std::set<Index>& cut_off)
   {
     std::vector<bool> is_kept;
-    for (Index t : cut_off_)
+    for (Index t : cut_off)
       is_kept_[polygons_[t].input] = false;
     for (Index t = 0; t < polygons_.size(); ++t) {
       std::array<std::uint32_t, 3> beyond;
@@ -485,79 +312,11 @@ private:
       is_kept.push_back(beyond[0] == Surface_gluer::none || beyond[0] != beyond[1] || beyond[0] != beyond[2]);
       if (!is_kept.back())
         other_side_.emplace(polygons_[t].input, polygons_[beyond[0]].input);
-      is_kept.back() = is_kept.back() && cut_off_.count(t) == 0;
+      is_kept.back() = is_kept.back() && cut_off.count(t) == 0;
     }
     keep(is_kept);
     for (const Polygon_part& polygon : polygons_)
       is_kept_[polygon.input] = true;
-  }
-
-  // Triangles that are glued together.
-  Disjoint_sets pieces(const Surface_gluer& gluer) const
-  {
-    Disjoint_sets result(polygons_.size());
-    for (Index c = 0; c < 3 * polygons_.size(); ++c)
-      if (gluer.neighbor(c) != Surface_gluer::none)
-        result.unite(std::uint32_t(c / 3), gluer.neighbor(c) / 3);
-    return result;
-  }
-
-  bool has_area(Index triangle) const
-  {
-    const std::vector<Index>& v = polygons_[triangle].corners;
-    return !are_collinear(input_points_[v[0]], input_points_[v[1]], input_points_[v[2]]);
-  }
-
-  // Border edges that had several faces in the input, or lay inside one.
-  void find_opened_edges(const Surface_gluer& gluer)
-  {
-    using Edge = std::array<Index, 2>;
-    const auto edge = [](Index v, Index w) { return Edge{(std::min)(v, w), (std::max)(v, w)}; };
-    std::vector<std::pair<Edge, Index>> border; // with the triangle
-    for (Index c = 0; c < 3 * polygons_.size(); ++c)
-      if (gluer.neighbor(c) == Surface_gluer::none) {
-        const std::vector<Index>& v = polygons_[c / 3].corners;
-        border.emplace_back(edge(v[c % 3], v[(c + 1) % 3]), c / 3);
-      }
-    std::sort(border.begin(), border.end());
-    std::vector<Index> number_of_faces(border.size(), 0);
-    for (const std::vector<Index>& polygon : input_polygons_)
-      for (Index i = 0; i < polygon.size() && !border.empty(); ++i) {
-        const std::pair<Edge, Index> key(
-          edge(representative_[polygon[i]], representative_[polygon[i + 1 < polygon.size() ? i + 1 : 0]]), 0);
-        for (auto it = std::lower_bound(border.begin(), border.end(), key);
-             it != border.end() && it->first == key.first; ++it)
-          ++number_of_faces[Index(it - border.begin())];
-      }
-    std::vector<Index> opened; // positions in the list
-    for (Index i = 0; i < border.size(); ++i) {
-      const auto& [ends, triangle] = border[i];
-      const bool was_inner = new_inner_sides_.count({ends[0], ends[1], polygons_[triangle].input}) != 0;
-      number_of_faces[i] += was_inner ? 2 : 0;
-      if (was_inner || (number_of_faces[i] != 1 && new_sides_.count(ends) == 0))
-        opened.push_back(i);
-    }
-    if (opened.empty())
-      return;
-    Disjoint_sets pieces = this->pieces(gluer);
-    std::set<Index> with_area, cut_off;
-    for (Index t = 0; t < polygons_.size(); ++t)
-      if (has_area(t))
-        with_area.insert(pieces.find(std::uint32_t(t)));
-    for (Index i : opened) {
-      const auto& [ends, triangle] = border[i];
-      const Index face = polygons_[triangle].input, piece = pieces.find(std::uint32_t(triangle));
-      if (!with_area.empty() && with_area.count(piece) == 0) {
-        cut_off.insert(piece);
-        continue;
-      }
-      if (opened_.count() == 0 || face < opened_.first())
-        first_opened_edge_ = {ends[0], ends[1], number_of_faces[i]};
-      opened_.add(face);
-    }
-    for (Index t = 0; t < polygons_.size() && !cut_off.empty(); ++t)
-      if (cut_off.count(pieces.find(std::uint32_t(t))) != 0)
-        cut_off_.insert(t);
   }
 
   // The vertices that are left, and for each the first vertex of the input that has become it.
@@ -663,7 +422,7 @@ private:
     const auto vertex = [](Index v) { return "vertex " + std::to_string(v); };
     const auto face = [](Index f) { return "face " + std::to_string(f); };
     add(Repair_kind::MERGED_VERTEX, merged, [&](Index v) {
-      const double apart = distance(v, merged_with_[v]);
+      const double apart = merger_.distance(v, merged_with_[v]);
       std::ostringstream where;
       if (apart > 0)
         where << ", which is " << apart << " away";
@@ -690,8 +449,8 @@ private:
     add(Repair_kind::FLAT_SPIKE, spikes, [&](Index v) {
       return vertex(v) + " was removed: all faces around it had zero area and an angle of zero there";
     });
-    add(Repair_kind::STITCHED_EDGE, stitched_, [&](Index f) {
-      const auto [v, w, x] = first_stitch_;
+    add(Repair_kind::STITCHED_EDGE, stitcher_ ? stitcher_->faces() : Element_collector(), [&](Index f) {
+      const auto [v, w, x] = stitcher_->first_edge();
       return "edge " + std::to_string(v) + "-" + std::to_string(w) + " of " + face(f) + " was split at " + vertex(x) +
              ", which lies within it";
     });
@@ -722,7 +481,8 @@ private:
 
   const std::vector<std::array<double, 3>> input_points_;
   const std::vector<std::vector<Index>> input_polygons_;
-  const std::optional<double> tolerance_;
+  const Vertex_merger merger_;
+  std::optional<Edge_stitcher> stitcher_;
   std::vector<Polygon_part> polygons_;      // in the order of the input
   std::vector<Index> representative_;       // of each input vertex that a face names, the one it was merged into
   std::vector<std::uint32_t> copied_from_;  // of each vertex after the gluing, the one of the input
@@ -731,15 +491,11 @@ private:
   std::vector<bool> is_repeated_;           // of each input face, whether one before it has the same corners in order
   std::vector<bool> has_lost_part_;         // of each input face of which several parts were left
   std::map<Index, Index> other_side_;       // of input faces that enclose nothing
-  Element_collector fans_, stitched_, opened_;
-  std::string first_fan_;                          // its description in messages
-  std::string new_components_;                     // how many became how many; empty if none came apart
-  std::set<Index> tips_;                           // of flat spikes that were removed
-  std::array<Index, 3> first_stitch_ = {};         // ends, and the vertex
-  std::set<std::array<Index, 2>> new_sides_;       // parts of border edges that were split
-  std::set<std::array<Index, 3>> new_inner_sides_; // parts of other edges, and a face
-  std::array<Index, 3> first_opened_edge_ = {};    // ends, and how many faces it had
-  std::set<Index> cut_off_;                        // triangles of pieces without area
+  Element_collector fans_, opened_;
+  std::string first_fan_;                       // its description in messages
+  std::string new_components_;                  // how many became how many; empty if none came apart
+  std::set<Index> tips_;                        // of flat spikes that were removed
+  std::array<Index, 3> first_opened_edge_ = {}; // ends, and how many faces it had
   Repaired_polygons result_;
 };
 
