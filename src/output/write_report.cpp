@@ -156,6 +156,9 @@ std::string straight_text(const CGAL::Intrinsic_triangulations::Straight_mesh& m
     text += ", " + counted(mesh.number_of_removed_pieces, "piece", "pieces") + " along others left out";
   if (mesh.number_of_rods > 0)
     text += ", " + counted(mesh.number_of_rods, "wire or point", "wires or points") + " without thickness made rods";
+  if (mesh.number_of_new_components > 0)
+    text += ", " + counted(mesh.number_of_new_components, "component", "components") +
+            " more than the surface has, as thin parts between them vanished";
   if (!mesh.thin_triangles.empty())
     text += ", below 10 in " + counted(mesh.thin_triangles.size(), "triangle", "triangles") + ", " +
             with_separators(mesh.number_of_sharp_corners) + " of them at corners of kept edges";

@@ -205,7 +205,7 @@ py::tuple straight_mesh(const Subdivision& s, const Doubles& points, const std::
                         mesh.minimum_angle, to_array(numbers_of(mesh.thin_triangles)), mesh.number_of_sharp_corners,
                         mesh.sufficient_deviation, to_array(numbers_of(mesh.loops)),
                         to_array(numbers_of(mesh.multiple_edges)), mesh.is_surface(), defects,
-                        mesh.number_of_removed_pieces, mesh.number_of_rods);
+                        mesh.number_of_removed_pieces, mesh.number_of_rods, mesh.number_of_new_components);
 }
 
 // ------------------------------------------------------------------- points

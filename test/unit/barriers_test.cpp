@@ -91,6 +91,29 @@ TEST_F(Barriers, end_where_they_end)
   EXPECT_NEAR(found[2 * 9 + 6], length(source, {6, 2, 0}), 0.2);
 }
 
+// Points that rounding keeps from an edge are points of it.
+TEST_F(Barriers, may_end_within_rounding_of_an_edge)
+{
+  for (Point& p : surface_.points) // so that lengths are rounded
+    p = {0.3 * p[0] - 0.2 * p[1], 0.2 * p[0] + 0.3 * p[1], 0};
+  for (IT::Edge_index e : complex_.edges()) {
+    const IT::Halfedge_index h = complex_.halfedge(e);
+    if (complex_.is_border(e))
+      continue;
+    for (double height : {1e-300, 1e-17, 1e-14}) {
+      // From one side of the edge to the other, as a curve that begins there does.
+      const IT::Halfedge_index beyond = complex_.opposite(h);
+      const Surface_point end{beyond, {0.2, 0.3, 0.5}};
+      const Curve wall{{h, {0.3, 0.7, height}}, {beyond, {0.7, 0.3 + 1e-15, 0}}, end},
+        on_edge{{beyond, {0.7, 0.3, 0}}, end};
+      const Curve source = IT::source_at_vertex(complex_, complex_.source(h)).parts.front();
+      const std::vector<double> found = distances({wall}, {source}), expected = distances({on_edge}, {source});
+      for (std::size_t v = 0; v < found.size(); ++v)
+        ASSERT_NEAR(found[v], expected[v], 1e-11) << e.idx() << ' ' << v << ' ' << height;
+    }
+  }
+}
+
 TEST_F(Barriers, may_be_edges_and_have_a_distance_on_each_side)
 {
   // Along edges, from the border to (4, 4).

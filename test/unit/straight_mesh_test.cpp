@@ -505,12 +505,45 @@ TEST(Straight_mesh, cuts_thin_tubes_and_makes_rods_of_wires)
   EXPECT_EQ(mesh.number_of_rods, 1u);
   EXPECT_EQ(mesh.surface.number_of_border_edges, 0u);
   EXPECT_EQ(mesh.surface.number_of_components, 2u);
+  EXPECT_EQ(mesh.number_of_new_components, 1u);
   EXPECT_GT(mesh.minimum_angle, 25);
   EXPECT_LE(mesh.deviation, 0.01);
   EXPECT_LE(farthest_sample(cube.points, cube.triangles, mesh.points, mesh.triangles), mesh.deviation);
   const double back = farthest_sample(mesh.points, mesh.triangles, cube.points, cube.triangles);
   EXPECT_LE(back, mesh.deviation);
   EXPECT_GT(back, 0.003); // the rod has that thickness
+}
+
+// A wire of many short parts, each thinner and shorter than the deviation.
+TEST(Straight_mesh, makes_one_rod_of_a_wire_that_came_apart)
+{
+  constexpr std::uint32_t sides = 12, parts = 30;
+  constexpr double radius = 0.01, length = 3, deviation = 0.1;
+  Model wire;
+  for (std::uint32_t k = 0; k <= parts; ++k)
+    for (std::uint32_t i = 0; i < sides; ++i) {
+      const double angle = 2 * CGAL_PI * (i + 0.5 * (k % 2)) / sides;
+      wire.points.push_back({radius * std::cos(angle), radius * std::sin(angle), length * k / parts});
+    }
+  for (std::uint32_t k = 0; k <= parts; ++k)
+    for (std::uint32_t i = 0; i < sides; ++i) {
+      const std::uint32_t v = sides * k + i, w = sides * k + (i + 1) % sides;
+      if (k < parts) {
+        wire.triangles.push_back({v, w, v + sides});
+        wire.triangles.push_back({w, w + sides, v + sides});
+      }
+      if (i > 0 && i + 1 < sides && (k == 0 || k == parts))
+        wire.triangles.push_back(k == 0 ? Triangles::value_type{0, w, v} : Triangles::value_type{sides * k, v, w});
+    }
+  const IT::Straight_mesh mesh =
+    IT::straight_mesh(IT::Common_subdivision(wire.triangulation()), wire.points, {}, 10, deviation);
+  EXPECT_TRUE(mesh.is_good()) << message(mesh) << mesh.minimum_angle;
+  EXPECT_EQ(mesh.number_of_rods, 1u);
+  EXPECT_EQ(mesh.surface.number_of_components, 1u);
+  EXPECT_EQ(mesh.number_of_new_components, 0u);
+  EXPECT_LE(mesh.deviation, deviation);
+  EXPECT_LE(farthest_sample(wire.points, wire.triangles, mesh.points, mesh.triangles), mesh.deviation);
+  EXPECT_LE(farthest_sample(mesh.points, mesh.triangles, wire.points, wire.triangles), mesh.deviation);
 }
 
 TEST(Straight_mesh, asks_its_visitor)

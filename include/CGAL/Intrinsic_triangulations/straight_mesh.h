@@ -35,6 +35,8 @@ struct Straight_mesh
   std::size_t number_of_removed_pieces = 0;  ///< how many connected pieces were left out that lie along others
   /// how many pieces without thickness lie along nothing, and became rods that are as thick as the deviation allows
   std::size_t number_of_rods = 0;
+  /// how many components there are more, as parts of the surface that are joined by thin ones alone came apart
+  std::size_t number_of_new_components = 0;
   /// the faces in order; those with loops are several
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<Face_index> faces; ///< for each triangle, the face of the triangulation that it is, or where it belongs
@@ -43,7 +45,7 @@ struct Straight_mesh
   std::vector<std::uint32_t> regions;
   std::uint32_t number_of_regions = 0; ///< the number of regions
 
-  /// the marked edges and those of the border, by their ends
+  /// the marked edges, those of the border, and those between regions, by their ends
   std::vector<std::array<std::uint32_t, 2>> marked_edges;
   /// for each of them, the number of its line: connected edges with the same region, or two, beside them
   std::vector<std::uint32_t> lines;

@@ -8,6 +8,7 @@
 #include "Thin_part_merger.h"
 
 #include <CGAL/Intrinsic_triangulations/Point_location.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 
 #include <algorithm>
 #include <iterator>
@@ -28,11 +29,18 @@ Thin_part_merger::Thin_part_merger(Straight_map& map, Straight_triangles& mesh, 
     is_stuck_(mesh.triangles.size())
 {
   std::iota(images_.begin(), images_.end(), 0u);
+  Disjoint_sets components(map.points().size());
+  for (const Triangle& t : mesh_.triangles) {
+    components.unite(t[0], t[1]);
+    components.unite(t[1], t[2]);
+  }
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
     for (std::uint32_t v : mesh_.triangles[t])
       at_vertex_[v].push_back(t);
     stand_for_face_.resize((std::max)(stand_for_face_.size(), std::size_t(mesh_.faces[t].idx()) + 1));
     stand_for_face_[mesh_.faces[t].idx()].push_back(t);
+    component_of_face_.resize(stand_for_face_.size());
+    component_of_face_[mesh_.faces[t].idx()] = components.find(mesh_.triangles[t][0]);
   }
   for (const std::vector<std::uint32_t>& triangles : stand_for_face_)
     if (triangles.size() > 1) // of a divided face

@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <unordered_map>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -38,7 +39,8 @@ struct Straight_triangles
 //   corner near it.
 // - Where four triangles meet at an edge, as around a thin tube, it separates the two sheets. Where three short edges run
 //   around a tube, it cuts the tube and closes both ends.
-// - It removes pieces that then lie beside others, and makes rods of wires that do not.
+// - It removes pieces that then lie beside others, and makes rods of wires that do not. A component that came apart into
+//   neighbors along a line becomes one rod.
 //
 // Each triangle stands for faces of the triangulation: each point of it is near one of them, and each of their points is
 // near one of the triangles that stand for that face. At first, a triangle stands for its own face.
@@ -56,6 +58,8 @@ public:
   const std::vector<std::uint32_t>& images() const { return images_; }
   std::size_t number_of_removed_pieces() const { return number_of_removed_pieces_; }
   std::size_t number_of_rods() const { return number_of_rods_; }
+  // How many components there are more, as components of the surface came apart.
+  std::size_t number_of_new_components() const;
   // How many edges of the border were replaced by two.
   std::size_t number_of_bent_border_edges() const { return number_of_bent_border_edges_; }
 
@@ -107,7 +111,10 @@ private:
   void separate_fans(std::uint32_t v);
   void move_to_copy(std::uint32_t v, const std::vector<std::uint32_t>& triangles);
 
-  std::vector<std::vector<std::uint32_t>> bad_pieces() const;
+  std::map<std::uint32_t, std::vector<std::uint32_t>> pieces() const;
+  std::uint32_t component_of(std::uint32_t t) const;
+  bool is_bad_piece(const std::vector<std::uint32_t>& piece) const;
+  std::vector<std::vector<std::uint32_t>> small_pieces() const;
   void remove_pieces();
   bool replace_by_rod(const std::vector<std::uint32_t>& piece);
   void remove_piece(const Change& change, std::size_t number_of_triangles);
@@ -135,6 +142,7 @@ private:
   // The faces that a triangle stands for, if it is not its own face as at first.
   std::unordered_map<std::uint32_t, std::vector<Face_index>> stands_for_;
   std::vector<std::vector<std::uint32_t>> stand_for_face_; // the other way round
+  std::vector<std::uint32_t> component_of_face_;           // by a vertex of the component
   std::vector<std::uint32_t> images_, to_look_at_;
   std::vector<bool> is_waiting_, is_stuck_; // whether a triangle is to be looked at, or waits for a forced step
   double needed_growth_ = 1.01;             // of the smallest angle by a step; 0 if it need not improve anything

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -146,35 +147,69 @@ void Thin_part_merger::separate_fans(std::uint32_t v)
   }
 }
 
-// A few connected triangles, some of them bad, or two with the same corners; more triangles come first.
-std::vector<std::vector<std::uint32_t>> Thin_part_merger::bad_pieces() const
+// The triangles that are connected, by one of their vertices.
+std::map<std::uint32_t, std::vector<std::uint32_t>> Thin_part_merger::pieces() const
 {
-  constexpr std::size_t most_triangles = 64;
   Disjoint_sets sets(map_.points().size());
   for (const Triangle& t : mesh_.triangles)
     if (!is_removed(t)) {
       sets.unite(t[0], t[1]);
       sets.unite(t[1], t[2]);
     }
-  std::map<std::uint32_t, std::vector<std::uint32_t>> pieces;
+  std::map<std::uint32_t, std::vector<std::uint32_t>> result;
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
     if (!is_removed(mesh_.triangles[t]))
-      pieces[sets.find(mesh_.triangles[t][0])].push_back(t);
-  std::vector<std::vector<std::uint32_t>> result;
+      result[sets.find(mesh_.triangles[t][0])].push_back(t);
+  return result;
+}
+
+// Which component of the surface a triangle belongs to.
+std::uint32_t Thin_part_merger::component_of(std::uint32_t t) const { return component_of_face_[mesh_.faces[t].idx()]; }
+
+std::size_t Thin_part_merger::number_of_new_components() const
+{
+  const std::map<std::uint32_t, std::vector<std::uint32_t>> pieces = this->pieces();
+  std::set<std::uint32_t> components;
   for (const auto& [root, piece] : pieces)
-    if (piece.size() <= most_triangles &&
-        (std::any_of(piece.begin(), piece.end(), [this](std::uint32_t t) { return is_bad(t); }) ||
+    components.insert(component_of(piece[0]));
+  return pieces.size() - components.size();
+}
+
+bool Thin_part_merger::is_bad_piece(const std::vector<std::uint32_t>& piece) const
+{
+  return std::any_of(piece.begin(), piece.end(), [this](std::uint32_t t) { return is_bad(t); }) ||
          (piece.size() == 2 && std::is_permutation(mesh_.triangles[piece[0]].begin(), mesh_.triangles[piece[0]].end(),
-                                                   mesh_.triangles[piece[1]].begin()))))
+                                                   mesh_.triangles[piece[1]].begin()));
+}
+
+// A few connected triangles: some of them are bad, two have the same corners, or their component came apart. More
+// triangles come first. None has a fixed vertex.
+std::vector<std::vector<std::uint32_t>> Thin_part_merger::small_pieces() const
+{
+  constexpr std::size_t most_triangles = 64;
+  const std::map<std::uint32_t, std::vector<std::uint32_t>> all = pieces();
+  std::map<std::uint32_t, std::size_t> number_of_pieces;
+  for (const auto& [root, piece] : all)
+    ++number_of_pieces[component_of(piece[0])];
+  std::vector<std::vector<std::uint32_t>> result;
+  for (const auto& [root, piece] : all) {
+    const auto has_fixed_corner = [&](std::uint32_t t) {
+      const Triangle& corners = mesh_.triangles[t];
+      return std::any_of(corners.begin(), corners.end(), [&](std::uint32_t v) { return is_fixed(v); });
+    };
+    if (piece.size() <= most_triangles && (number_of_pieces[component_of(piece[0])] > 1 || is_bad_piece(piece)) &&
+        std::none_of(piece.begin(), piece.end(), has_fixed_corner))
       result.push_back(piece);
+  }
   std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
   return result;
 }
 
-// Removes such pieces, if they lie along others that stay.
+// Removes such pieces if they lie along others that stay. Of those that do not, neighbors become one rod, or each bad one
+// a rod of its own.
 void Thin_part_merger::remove_pieces()
 {
-  const std::vector<std::vector<std::uint32_t>> pieces = bad_pieces();
+  const std::vector<std::vector<std::uint32_t>> pieces = small_pieces();
   std::vector<bool> is_other(mesh_.triangles.size(), true);
   std::vector<Space_box> boxes, other_boxes;
   for (const std::vector<std::uint32_t>& piece : pieces) {
@@ -191,31 +226,42 @@ void Thin_part_merger::remove_pieces()
       other_boxes.emplace_back(map_.corners(mesh_.triangles[t]));
     }
   const double distance = 2 * maximum_deviation_;
-  const std::vector<std::vector<std::uint32_t>> near = near_boxes(boxes, other_boxes, distance);
-  std::vector<std::size_t> left; // pieces
+  const std::vector<std::vector<std::uint32_t>> near = near_boxes(boxes, other_boxes, distance),
+                                                near_pieces = near_boxes(boxes, boxes, distance);
+  std::vector<bool> is_left(pieces.size(), false);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    report(0.8 + 0.1 * double(i) / double(pieces.size()));
-    const std::vector<std::uint32_t>& piece = pieces[i];
-    Change change{piece, std::vector<Triangle>(piece.size(), Triangle{0, 0, 0}), {}};
-    const bool is_movable = std::none_of(piece.begin(), piece.end(), [&](auto t) {
-      const Triangle& corners = mesh_.triangles[t];
-      return std::any_of(corners.begin(), corners.end(), [&](std::uint32_t v) { return is_fixed(v); });
-    });
-    if (is_movable) {
-      for (std::uint32_t other : near[i])
-        change.beside.push_back(others[other]);
-      for (std::size_t other : left)
-        if (boxes[other].is_near(boxes[i], distance))
-          change.beside.insert(change.beside.end(), pieces[other].begin(), pieces[other].end());
-    }
-    if (is_movable && is_near_enough(change)) {
-      remove_piece(change, piece.size());
-      ++number_of_removed_pieces_;
-    } else if (is_movable && replace_by_rod(piece)) {
-      ++number_of_rods_;
-    } else {
-      left.push_back(i);
-    }
+    report(0.8 + 0.05 * double(i) / double(pieces.size()));
+    Change change{pieces[i], std::vector<Triangle>(pieces[i].size(), Triangle{0, 0, 0}), {}};
+    for (std::uint32_t other : near[i])
+      change.beside.push_back(others[other]);
+    for (std::uint32_t other : near_pieces[i])
+      if (is_left[other])
+        change.beside.insert(change.beside.end(), pieces[other].begin(), pieces[other].end());
+    is_left[i] = !is_near_enough(change);
+    if (is_left[i])
+      continue;
+    remove_piece(change, pieces[i].size());
+    ++number_of_removed_pieces_;
+  }
+  Disjoint_sets sets(pieces.size());
+  for (std::uint32_t i = 0; i < pieces.size(); ++i)
+    for (std::uint32_t other : near_pieces[i])
+      if (is_left[i] && is_left[other] && component_of(pieces[i][0]) == component_of(pieces[other][0]))
+        sets.unite(i, other);
+  std::map<std::uint32_t, std::vector<std::uint32_t>> groups;
+  for (std::uint32_t i = 0; i < pieces.size(); ++i)
+    if (is_left[i])
+      groups[sets.find(i)].push_back(i);
+  for (const auto& [root, group] : groups) {
+    report(0.87);
+    std::vector<std::uint32_t> all;
+    for (std::uint32_t i : group)
+      all.insert(all.end(), pieces[i].begin(), pieces[i].end());
+    if (group.size() > 1 && replace_by_rod(all))
+      continue;
+    for (std::uint32_t i : group)
+      if (is_bad_piece(pieces[i]))
+        replace_by_rod(pieces[i]);
   }
 }
 
@@ -283,29 +329,29 @@ rod_around(const std::array<double, 3>& p, const std::array<double, 3>& q, doubl
 // Replaces a piece that is a wire, or a point, by a rod around it that is as thick as the distance allows.
 bool Thin_part_merger::replace_by_rod(const std::vector<std::uint32_t>& piece)
 {
-  Point first{}, last{};
-  double longest = -1;
-  for (std::uint32_t t : piece)
-    for (std::uint32_t s : piece)
+  // Of a wire, the point that is farthest from any other one is an end.
+  std::uint32_t first = mesh_.triangles[piece[0]][0], last = first;
+  for (std::uint32_t* end : {&first, &last}) {
+    const std::uint32_t from = end == &first ? last : first;
+    for (std::uint32_t t : piece)
       for (std::uint32_t v : mesh_.triangles[t])
-        for (std::uint32_t w : mesh_.triangles[s])
-          if (const double l = length(v, w); l > longest) {
-            longest = l;
-            first = map_.points()[v];
-            last = map_.points()[w];
-          }
+        if (length(from, v) > length(from, *end))
+          *end = v;
+  }
+  const Point p = map_.points()[first], q = map_.points()[last];
   for (double radius = maximum_deviation_ * 0.7; radius > maximum_deviation_ / 8; radius *= 0.7) {
-    const auto [points, triangles] = rod_around(first, last, radius);
+    const auto [points, triangles] = rod_around(p, q, radius);
     Change change{piece, std::vector<Triangle>(piece.size(), Triangle{0, 0, 0}), {}};
     const auto begin = std::uint32_t(at_vertex_.size());
-    for (const Point& p : points)
-      add_vertex(p);
+    for (const Point& point : points)
+      add_vertex(point);
     for (const Triangle& t : triangles) {
       change.triangles.push_back(add_triangle(piece[0]));
       change.corners.push_back({begin + t[0], begin + t[1], begin + t[2]});
     }
     if (is_near_enough(change)) {
       remove_piece(change, piece.size());
+      ++number_of_rods_;
       return true;
     }
   }

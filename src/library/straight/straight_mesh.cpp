@@ -42,6 +42,7 @@ public:
     find_regions(is_marked);
     find_triangles(thin_angle, maximum_deviation);
     measure_angles(thin_angle);
+    find_lines();
     find_multiple_edges();
     mesh_.surface = examine_polygons(mesh_.points, mesh_.triangles);
     const auto edges = complex_.edges();
@@ -128,6 +129,7 @@ private:
     const Straight_map::Distance distance = merger();
     mesh_.number_of_removed_pieces = merger.number_of_removed_pieces();
     mesh_.number_of_rods = merger.number_of_rods();
+    mesh_.number_of_new_components = merger.number_of_new_components();
     number_of_new_border_parts_ += merger.number_of_bent_border_edges();
     images_ = merger.images();
     mesh_.deviation = map_.bound(distance.value);
@@ -141,8 +143,9 @@ private:
         mesh_.input_faces.push_back(input_faces[f.idx()]);
         mesh_.regions.push_back(std::uint32_t(region_of_face_[f.idx()]));
       }
+    number_regions();
     find_points();
-    find_lines(triangles.marked_edges);
+    find_marked_edges(triangles.marked_edges);
   }
 
   // Numbers them: vertices of the triangulation first, then copies that triangles have.
@@ -222,25 +225,33 @@ private:
       else if (!is_marked_[e.idx()])
         sets.unite(complex_.face(h).idx(), complex_.face(complex_.opposite(h)).idx());
     }
-    mesh_.number_of_regions = std::uint32_t(sets.number(region_of_face_));
+    sets.number(region_of_face_);
   }
 
-  void find_lines(const std::vector<std::array<std::uint32_t, 2>>& marked_edges)
+  void find_marked_edges(const std::vector<std::array<std::uint32_t, 2>>& marked_edges)
   {
-    std::map<std::array<std::uint32_t, 2>, std::vector<std::uint32_t>> regions; // beside marked edges
     for (const auto& [v, w] : marked_edges)
-      regions[{(std::min)(numbers_[v], numbers_[w]), (std::max)(numbers_[v], numbers_[w])}];
+      mesh_.marked_edges.push_back({(std::min)(numbers_[v], numbers_[w]), (std::max)(numbers_[v], numbers_[w])});
+    std::sort(mesh_.marked_edges.begin(), mesh_.marked_edges.end());
+  }
+
+  // Regions that lie along each other without a marked edge, as what was between them has vanished, have a line, too.
+  void find_lines()
+  {
+    std::map<std::array<std::uint32_t, 2>, std::vector<std::uint32_t>> regions; // beside edges
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
       for (std::size_t i = 0; i < 3; ++i) {
         const auto [v, w] = std::minmax(mesh_.triangles[t][i], mesh_.triangles[t][(i + 1) % 3]);
-        if (const auto edge = regions.find({v, w}); edge != regions.end())
-          edge->second.push_back(mesh_.regions[t]);
+        regions[{v, w}].push_back(mesh_.regions[t]);
       }
+    std::vector<std::array<std::uint32_t, 2>> edges;
     for (auto& [ends, beside] : regions) {
       std::sort(beside.begin(), beside.end());
-      if (!beside.empty())
-        mesh_.marked_edges.push_back(ends);
+      if (beside.front() != beside.back() ||
+          std::binary_search(mesh_.marked_edges.begin(), mesh_.marked_edges.end(), ends))
+        edges.push_back(ends);
     }
+    mesh_.marked_edges = std::move(edges);
     Disjoint_sets sets(mesh_.marked_edges.size());
     std::map<std::pair<std::uint32_t, std::vector<std::uint32_t>>, std::uint32_t> edge_at; // each end, by the regions
     for (std::uint32_t i = 0; i < mesh_.marked_edges.size(); ++i)
@@ -249,6 +260,17 @@ private:
     std::vector<std::size_t> lines;
     mesh_.number_of_lines = std::uint32_t(sets.number(lines));
     mesh_.lines.assign(lines.begin(), lines.end());
+  }
+
+  // Those that vanished have no number.
+  void number_regions()
+  {
+    std::vector<std::uint32_t> used = mesh_.regions;
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    for (std::uint32_t& region : mesh_.regions)
+      region = std::uint32_t(std::lower_bound(used.begin(), used.end(), region) - used.begin());
+    mesh_.number_of_regions = std::uint32_t(used.size());
   }
 
   void measure_angles(double thin_angle)

@@ -124,6 +124,8 @@ class StraightMesh(NamedTuple):
     """How many connected pieces were left out that lie along others."""
     rods: int
     """How many pieces without thickness lie along nothing, and became rods that are as thick as the deviation allows."""
+    new_components: int
+    """How many components there are more than the surface has, as thin parts between them vanished."""
 
 
 class Triangulation:
