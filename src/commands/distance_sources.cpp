@@ -198,8 +198,10 @@ private:
         copy.emplace(input_, points_);
       else if (!copy)
         copy.emplace(triangulation_);
-      for (const IT::Surface_point& p : given.back())
+      for (IT::Surface_point p : given.back()) {
+        p.coordinates = IT::internal::on_near_edges(p.coordinates);
         stops[given.size() - 1].push_back(IT::vertex_at_point(*copy, p));
+      }
     }
     if (copy)
       go_straight(*copy, stops, given);

@@ -279,8 +279,8 @@ TEST(Locate, finds_faces_edges_and_vertices)
     const auto expect_at = [&](const Surface_point& p, double x, double y, int dimension) {
       EXPECT_EQ(p.dimension(), dimension);
       const auto q = IT::point_in_space(complex, surface.points, p);
-      EXPECT_NEAR(q[0], x, 1e-15);
-      EXPECT_NEAR(q[1], y, 1e-15);
+      EXPECT_NEAR(q[0], x, dimension < 2 ? 1e-12 : 1e-15);
+      EXPECT_NEAR(q[1], y, dimension < 2 ? 1e-12 : 1e-15);
     };
     expect_at(at(1, 1, 7), 1, 1, 2);
     expect_at(at(3, 2, -1), 3, 2, 2);
@@ -288,6 +288,11 @@ TEST(Locate, finds_faces_edges_and_vertices)
     expect_at(at(2, 2, 3), 2, 2, 1);
     expect_at(at(-3, -4, 2), 0, 0, 0);
     expect_at(at(5, 5, 0), 4, 4, 0);
+    // Within rounding of them.
+    expect_at(at(2 - 0x1p-43, 2 - 0x1p-43, 0), 2, 2, 1);
+    expect_at(at(1, 0x1p-43, 0), 1, 0, 1);
+    expect_at(at(0x1p-45, 0x1p-43, 0), 0, 0, 0);
+    expect_at(at(1, 0x1p-30, 0), 1, 0x1p-30, 2);
   }
 }
 

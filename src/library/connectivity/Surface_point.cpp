@@ -39,6 +39,15 @@ std::array<double, 3> with_sum_one(const std::array<double, 3>& coordinates)
   return {a / sum, b / sum, c / sum};
 }
 
+std::array<double, 3> on_near_edges(std::array<double, 3> coordinates)
+{
+  const double sum = coordinates[0] + coordinates[1] + coordinates[2];
+  for (double& x : coordinates)
+    if (x > 0 && x < 0x1p-40 * sum)
+      x = 0;
+  return with_sum_one(coordinates);
+}
+
 Halfedge_index side_of(const Delta_complex& complex, const Surface_point& point)
 {
   const auto& [a, b, c] = point.coordinates;

@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -37,42 +36,12 @@ Coordinates between(const Coordinates& from, const Coordinates& to, double t)
   return result;
 }
 
-// A point that is not told from one of an edge after rounding lies there, and a point before one that it
-// is not told from is left out: triangles between them would have sides whose lengths are rounded to nothing, and ways could not follow.
-std::vector<std::vector<Surface_point>> without_rounding(const Delta_complex& input,
-                                                         std::vector<std::vector<Surface_point>> barriers)
-{
-  constexpr double rounding = 1e-12;
-  for (std::vector<Surface_point>& barrier : barriers) {
-    for (Surface_point& p : barrier)
-      for (double& x : p.coordinates)
-        if (x > 0 && x < rounding * (p.coordinates[0] + p.coordinates[1] + p.coordinates[2]))
-          x = 0;
-    const auto are_one = [&](const Surface_point& p, const Surface_point& q) {
-      for (const Surface_point* point : {&p, &q})
-        if (point->halfedge.idx() >= input.number_of_halfedges() || input.is_border(point->halfedge))
-          return false; // which is refused later
-      Coordinates there{};
-      if (!internal::Cut_faces::find_coordinates(input, p.halfedge, q, there))
-        return false;
-      const Coordinates here = internal::with_sum_one(p.coordinates);
-      there = internal::with_sum_one(there);
-      return std::equal(here.begin(), here.end(), there.begin(),
-                        [](double a, double b) { return std::abs(a - b) < rounding; });
-    };
-    // The last of them, which lies in a face with the next point.
-    const auto first = std::unique(barrier.rbegin(), barrier.rend(), are_one);
-    barrier.erase(barrier.begin(), first.base());
-  }
-  return barriers;
-}
-
 } // namespace
 
 Surface_with_barriers::Surface_with_barriers(const Delta_complex& input,
                                              const std::vector<std::array<double, 3>>& points,
                                              const std::vector<std::vector<Surface_point>>& barriers)
-  : input_(input), cut_(internal::cut_along_paths(input, points, without_rounding(input, barriers))),
+  : input_(input), cut_(internal::cut_along_paths(input, points, barriers)),
     first_(input.number_of_faces() + 1, cut_.triangles.size())
 {
   connectivity_ = make_Delta_complex_from_triangles(cut_.points.size(), cut_.triangles);

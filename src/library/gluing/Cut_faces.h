@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -112,6 +113,9 @@ private:
   {
     for (std::size_t i = 0; i < path.size(); ++i)
       path[i] = checked(path[i], i);
+    // The last of points that are one stays: it lies in a face with the next point.
+    const auto are_one = [this](const Surface_point& p, const Surface_point& q) { return are_near(p, q); };
+    path.erase(path.begin(), std::unique(path.rbegin(), path.rend(), are_one).base());
     if (path.size() == 2)
       path.insert(path.begin() + 1, middle(path[0], path[1]));
     std::vector<Node> nodes;
@@ -132,9 +136,17 @@ private:
     }
     if (!is_valid || !(sum > 0x1p-500))
       throw Invalid_point_error("point " + std::to_string(i) + " of the path does not lie on the surface");
-    for (double& x : p.coordinates)
-      x /= sum;
+    p.coordinates = on_near_edges(p.coordinates);
     return p;
+  }
+
+  // A curve would cross itself where rounding moves its points apart.
+  bool are_near(const Surface_point& p, const Surface_point& q) const
+  {
+    Coordinates there;
+    return find_coordinates(complex_, p.halfedge, q, there) &&
+           std::equal(there.begin(), there.end(), p.coordinates.begin(),
+                      [](double a, double b) { return std::abs(a - b) < 0x1p-40; });
   }
 
   static std::array<Halfedge_index, 3> sides_from(const Delta_complex& complex, Halfedge_index h)
