@@ -107,6 +107,30 @@ TEST(Coplanar_hinge, NearTies)
     EXPECT_GT(number, 300);
 }
 
+// Points of a tilted plane with 48 bits, whose volume is zero but not in double-doubles, and points next to it, down to
+// distances that only exact numbers tell from zero.
+TEST(Coplanar_points, AreToldFromPointsThatAreBarelyBent)
+{
+  std::mt19937 random(4);
+  const auto part = [&] { return std::ldexp(double(random()), -32) + std::ldexp(double(random() % 4096), -44); };
+  for (int n = 0; n < 1000; ++n) {
+    IT::internal::Points points;
+    for (int i = 0; i < 3; ++i) {
+      const double a = part(), b = part();
+      points.push_back({3 * a + b, 4 * b + a, 7 * b - 2 * a});
+    }
+    const auto are_coplanar = [&](const std::array<double, 3>& last) {
+      points.resize(3);
+      points.push_back(last);
+      using Index = IT::Vertex_index;
+      return IT::internal::are_coplanar(points, Index(0), Index(1), Index(2), Index(3));
+    };
+    EXPECT_TRUE(are_coplanar({0, 0, 0}));
+    for (int k = 20; k < 300; k += 8)
+      EXPECT_FALSE(are_coplanar({0, 0, std::ldexp(1., -k)})) << k;
+  }
+}
+
 // Rectangles with sides along two directions that are not axes: exact ties with many bits.
 TEST(Coplanar_hinge, TiesOfManyBits)
 {

@@ -9,6 +9,7 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_INTERNAL_MEASURES_FLAT_GEOMETRY_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include "../arithmetic/Split_double_double.h"
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/With_error.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Double_double.h>
 #include <CGAL/Intrinsic_triangulations/internal/arithmetic/Rational.h>
@@ -110,18 +111,34 @@ inline Sign sign_of_normals(const Points& points, Vertex_pair a, Vertex_pair b, 
   return is_certain(sign) ? get_certain(sign) : CGAL::sign(evaluate(Exact_ring()));
 }
 
+// The same with twice the digits, and the vectors split once: less than 2^-98 times that product. Nearly coplanar points
+// are most often bent by the rounding of their coordinates.
+inline bool is_barely_bent(const Points& points, Vertex_index i, Vertex_index j, Vertex_index k, Vertex_index l)
+{
+  const auto &p = points[i.idx()], &q = points[j.idx()], &r = points[k.idx()], &s = points[l.idx()];
+  const auto a = split_vector(p, q), b = split_vector(p, r), c = split_vector(p, s);
+  const auto minor = [&](int m, int n) { return sum(a[m] * b[n], -(a[n] * b[m])); };
+  const auto size = [](const Split_vector<double>& v) {
+    return std::abs(v[0].hi) + std::abs(v[1].hi) + std::abs(v[2].hi);
+  };
+  const double bound = 0x1p-98 * size(a) * size(b) * size(c);
+  return std::abs(sum(minor(1, 2) * c[0], minor(2, 0) * c[1], minor(0, 1) * c[2]).hi) > bound && bound > 1e-200;
+}
+
 // Whether four points lie in one plane.
 inline bool are_coplanar(const Points& points, Vertex_index i, Vertex_index j, Vertex_index k, Vertex_index l)
 {
   if (is_clearly_bent(points, i, j, k, l))
+    return false;
+  if (is_clearly_coplanar(points, i, j, k, l))
+    return true;
+  if (is_barely_bent(points, i, j, k, l))
     return false;
   const auto volume = [&](auto zero) {
     using FT = decltype(zero);
     return scalar_product(cross_product(difference<FT>(points, i, j), difference<FT>(points, i, k)),
                           difference<FT>(points, i, l));
   };
-  if (is_clearly_coplanar(points, i, j, k, l))
-    return true;
   const Uncertain<Sign> sign = volume(Bounded_double_double()).sign();
   return is_certain(sign) ? get_certain(sign) == ZERO : CGAL::sign(volume(Exact_ring())) == ZERO;
 }
