@@ -28,7 +28,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -414,36 +416,42 @@ struct Distortion_summary
   double maximum = 1;       ///< over all faces
 };
 
-/// \brief summarizes the distortion of the faces. Faces of zero area are ignored. O(n log n).
+/// \brief summarizes the distortion of the faces. Faces of zero area are ignored. O(n).
 /// \param distortion, areas the distortion and the area of each face
 /// \pre both have the same size
 inline Distortion_summary summarize_distortion(const std::vector<double>& distortion, const std::vector<double>& areas)
 {
   CGAL_precondition(distortion.size() == areas.size());
-  std::vector<std::size_t> order;
   const std::vector<double> shares = internal::over_largest(areas);
-  double total = 0;
+  std::vector<std::pair<double, double>> faces; // distortion and share
   for (std::size_t f = 0; f < areas.size(); ++f)
-    if (areas[f] > 0) {
-      order.push_back(f);
-      total += shares[f];
-    }
-  std::sort(order.begin(), order.end(), [&](std::size_t f, std::size_t g) { return distortion[f] < distortion[g]; });
+    if (areas[f] > 0)
+      faces.emplace_back(distortion[f], shares[f]);
   Distortion_summary summary;
-  if (order.empty())
+  if (faces.empty())
     return summary;
-  summary.mean = 0;
-  double sum = 0;
-  bool is_found = false;
-  for (std::size_t f : order) {
-    summary.mean += distortion[f] * (shares[f] / total);
-    sum += shares[f];
-    if (!is_found && sum >= 0.99 * total) {
-      summary.percentile_99 = distortion[f];
-      is_found = true;
+  using Iterator = std::vector<std::pair<double, double>>::const_iterator;
+  const auto sum = [](Iterator begin, Iterator end) {
+    return std::accumulate(begin, end, 0., [](double s, const auto& face) { return s + face.second; });
+  };
+  const double total = sum(faces.begin(), faces.end());
+  summary.mean = std::accumulate(faces.begin(), faces.end(), 0.,
+                                 [&](double s, const auto& face) { return s + face.first * (face.second / total); });
+  summary.maximum = std::max_element(faces.begin(), faces.end())->first;
+  double before = 0;
+  auto begin = faces.begin(), end = faces.end();
+  while (end - begin > 1) {
+    const auto middle = begin + (end - begin) / 2;
+    std::nth_element(begin, middle, end);
+    const double half = sum(begin, middle);
+    if (before + half >= 0.99 * total) {
+      end = middle;
+    } else {
+      before += half;
+      begin = middle;
     }
   }
-  summary.maximum = distortion[order.back()];
+  summary.percentile_99 = begin->first;
   return summary;
 }
 
