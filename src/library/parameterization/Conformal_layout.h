@@ -9,9 +9,18 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_LIBRARY_PARAMETERIZATION_CONFORMAL_LAYOUT_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/measures/planar_orientation.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 
+#include <CGAL/number_type_config.h>
+
+#include <algorithm>
 #include <array>
-#include <cstddef>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Intrinsic_triangulations::internal {
@@ -25,40 +34,295 @@ public:
   // \param is_inside for each halfedge, whether a part of the surface lies to its left
   // \param is_end for each vertex, whether a cut has to end there: at cones, and on the border
   Conformal_layout(const Delta_complex& complex, const std::vector<double>& lengths, int unit,
-                   const std::vector<bool>& is_inside, const std::vector<bool>& is_end);
+                   const std::vector<bool>& is_inside, const std::vector<bool>& is_end)
+    : complex_(complex), lengths_(lengths), unit_(std::ldexp(1., unit)), is_inside_(is_inside),
+      is_cut_(complex.number_of_edges(), false), corners_(complex.number_of_halfedges(), {0, 0})
+  {
+    cut(is_end);
+    lay_out();
+    merge_corners();
+  }
 
   // The source of a halfedge, in its face.
   const Point& corner(Halfedge_index h) const { return corners_[h.idx()]; }
   // The point next to p that scaling to the unit of the input does not round.
-  Point rounded(const Point& p) const;
+  Point rounded(const Point& p) const { return {p[0] * unit_ / unit_, p[1] * unit_ / unit_}; }
+
   // Whether the surface continues on the other side of an edge, but is cut there.
   bool is_cut(Halfedge_index h) const { return is_inner(complex_.edge(h)) && is_cut_[complex_.edge(h).idx()]; }
   // Whether both images of a cut edge agree to 10^-12 of the size, as those of a slit into a flat surface do.
-  bool is_closed_slit(Halfedge_index h) const;
+  bool is_closed_slit(Halfedge_index h) const
+  {
+    const Halfedge_index g = complex_.opposite(h);
+    const auto are_near = [this](const Point& p, const Point& q) {
+      return std::abs(p[0] - q[0]) + std::abs(p[1] - q[1]) <= 1e-12 * size_;
+    };
+    return are_near(corner(h), corner(complex_.next(g))) && are_near(corner(complex_.next(h)), corner(g));
+  }
+
   // Whether all triangles keep their orientation, exactly, and go around each vertex off the cuts once.
-  bool is_certified() const;
+  bool is_certified() const
+  {
+    std::vector<double> sums(complex_.number_of_vertices(), 0.);
+    std::vector<bool> is_on_cut(complex_.number_of_vertices(), false);
+    for (Face_index f : complex_.faces()) {
+      if (!is_inside(f))
+        continue;
+      const Halfedge_index first = complex_.halfedge(f);
+      if (planar_orientation(corner(first), corner(complex_.next(first)), corner(complex_.prev(first))) != LEFT_TURN)
+        return false;
+      for (Halfedge_index h : {first, complex_.next(first), complex_.prev(first)}) {
+        const Point &p = corner(h), &q = corner(complex_.next(h)), &r = corner(complex_.prev(h));
+        const double ux = q[0] - p[0], uy = q[1] - p[1], vx = r[0] - p[0], vy = r[1] - p[1];
+        sums[complex_.source(h).idx()] += std::atan2(ux * vy - uy * vx, ux * vx + uy * vy);
+      }
+    }
+    for (Edge_index e : complex_.edges())
+      if (!is_inner(e) || is_cut_[e.idx()])
+        for (Vertex_index v : {complex_.source(complex_.halfedge(e)), complex_.target(complex_.halfedge(e))})
+          is_on_cut[v.idx()] = true;
+    // Triangles with one orientation around a point: the sum is a multiple of 2 pi, so it need not be known exactly.
+    for (Vertex_index v : complex_.vertices())
+      if (!is_on_cut[v.idx()] && complex_.halfedge(v).is_valid() && !(std::abs(sums[v.idx()] - 2 * CGAL_PI) < 1))
+        return false;
+    return true;
+  }
+
   // The largest difference between the lengths of the images of a cut edge, or from its length.
-  double seam() const;
+  double seam() const
+  {
+    double result = 0, longest = 0;
+    const auto image = [&](Halfedge_index h) {
+      const Point &p = corner(h), &q = corner(complex_.next(h));
+      return std::hypot(q[0] - p[0], q[1] - p[1]);
+    };
+    for (Edge_index e : complex_.edges())
+      if (const Halfedge_index h = complex_.halfedge(e); is_cut(h)) {
+        const Halfedge_index g = complex_.opposite(h);
+        longest = (std::max)({longest, length(h), image(h), image(g)});
+        result = (std::max)(
+          {result, std::abs(image(h) - image(g)), std::abs(image(h) - length(h)), std::abs(image(g) - length(h))});
+      }
+    return result + 0x1p-50 * longest; // rounding included
+  }
 
 private:
   bool is_inner(Edge_index e) const
   {
     return is_inside_[complex_.halfedge(e).idx()] && is_inside_[complex_.opposite(complex_.halfedge(e)).idx()];
   }
-  bool is_inside(Face_index f) const;
+  bool is_inside(Face_index f) const
+  {
+    const Halfedge_index h = complex_.halfedge(f);
+    return is_inside_[h.idx()] || is_inside_[complex_.next(h).idx()] || is_inside_[complex_.prev(h).idx()];
+  }
+
   double length(Halfedge_index h) const { return lengths_[complex_.edge(h).idx()]; }
 
-  void cut(const std::vector<bool>& is_end);
-  std::vector<double> distances(const std::vector<bool>& is_end, std::vector<bool>& is_in_tree) const;
-  void prune(const std::vector<bool>& is_end);
-  void lay_out();
-  void lay_out_from(Face_index f, std::vector<bool>& is_placed, std::vector<Face_index>& placed);
-  void place_third(Halfedge_index h);
-  void merge_corners();
+  // Shortest paths lead from all vertices to the nearest border, or to one vertex where cuts end. A maximal tree of faces does
+  // not cross them; the edges that it does not cross either close a loop each, the shortest ones if the tree crosses those
+  // first whose loops are longest (Erickson, Whittlesey 2005). Dead ends are no cuts.
+  void cut(const std::vector<bool>& is_end)
+  {
+    std::vector<bool> is_in_tree(complex_.number_of_edges(), false);
+    const std::vector<double> distance = distances(is_end, is_in_tree);
+    std::vector<std::pair<double, Edge_index>> loops;
+    for (Edge_index e : complex_.edges()) {
+      const Halfedge_index h = complex_.halfedge(e);
+      is_cut_[e.idx()] = true;
+      if (is_inner(e) && !is_in_tree[e.idx()])
+        loops.emplace_back(distance[complex_.source(h).idx()] + distance[complex_.target(h).idx()] + length(h), e);
+    }
+    std::stable_sort(loops.begin(), loops.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    Disjoint_sets faces(complex_.number_of_faces());
+    for (const auto& [loop, e] : loops) {
+      const std::uint32_t f = faces.find(complex_.face(complex_.halfedge(e)).idx()),
+                          g = faces.find(complex_.face(complex_.opposite(complex_.halfedge(e))).idx());
+      if (f != g) {
+        faces.unite(f, g);
+        is_cut_[e.idx()] = false;
+      }
+    }
+    prune(is_end);
+  }
+
+  // Along edges inside the surface, from its border. Each component that has no border gets one vertex as its root.
+  std::vector<double> distances(const std::vector<bool>& is_end, std::vector<bool>& is_in_tree) const
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::vector<double> result(complex_.number_of_vertices(), infinity);
+    using Entry = std::pair<double, Halfedge_index>; // to its target
+    const auto later = [](const Entry& a, const Entry& b) {
+      return a.first != b.first ? a.first > b.first : a.second.idx() > b.second.idx();
+    };
+    std::priority_queue<Entry, std::vector<Entry>, decltype(later)> queue(later);
+    const auto push = [&](Vertex_index v) {
+      for (Halfedge_index in : Halfedges_around(complex_, v)) {
+        const Halfedge_index h = complex_.opposite(in);
+        if (is_inner(complex_.edge(h)) && result[v.idx()] + length(h) < result[complex_.target(h).idx()])
+          queue.emplace(result[v.idx()] + length(h), h);
+      }
+    };
+    const auto spread = [&] {
+      while (!queue.empty()) {
+        const auto [distance, h] = queue.top();
+        queue.pop();
+        double& at = result[complex_.target(h).idx()];
+        if (!(distance < at))
+          continue;
+        at = distance;
+        is_in_tree[complex_.edge(h).idx()] = true;
+        push(complex_.target(h));
+      }
+    };
+    std::vector<Vertex_index> roots;
+    for (Halfedge_index h : complex_.halfedges())
+      if (is_inside(complex_.face(h)) && !is_inner(complex_.edge(h)))
+        for (Vertex_index v : {complex_.source(h), complex_.target(h)})
+          if (result[v.idx()] != 0) {
+            result[v.idx()] = 0;
+            roots.push_back(v);
+          }
+    for (Vertex_index v : roots)
+      push(v);
+    spread();
+    for (bool wanted : {true, false})
+      for (Vertex_index v : complex_.vertices())
+        if (result[v.idx()] == infinity && is_end[v.idx()] == wanted) {
+          result[v.idx()] = 0;
+          push(v);
+          spread();
+        }
+    return result;
+  }
+
+  void prune(const std::vector<bool>& is_end)
+  {
+    std::vector<int> degree(complex_.number_of_vertices(), 0);
+    for (Edge_index e : complex_.edges())
+      if (is_cut_[e.idx()])
+        for (Vertex_index v : {complex_.source(complex_.halfedge(e)), complex_.target(complex_.halfedge(e))})
+          ++degree[v.idx()];
+    std::vector<Vertex_index> dead_ends(complex_.vertices().begin(), complex_.vertices().end());
+    while (!dead_ends.empty()) {
+      const Vertex_index v = dead_ends.back();
+      dead_ends.pop_back();
+      if (degree[v.idx()] != 1 || is_end[v.idx()])
+        continue;
+      for (Halfedge_index h : Halfedges_around(complex_, v))
+        if (is_cut_[complex_.edge(h).idx()] && is_inner(complex_.edge(h))) {
+          is_cut_[complex_.edge(h).idx()] = false;
+          --degree[v.idx()];
+          --degree[complex_.source(h).idx()];
+          dead_ends.push_back(complex_.source(h));
+          break;
+        }
+    }
+  }
+
+  // From the largest face of each component, over the longest edges first, so that small triangles get their places from
+  // their neighbors. The components come from left to right.
+  void lay_out()
+  {
+    std::vector<std::pair<double, Face_index>> faces;
+    for (Face_index f : complex_.faces())
+      if (is_inside(f)) {
+        const Halfedge_index h = complex_.halfedge(f);
+        const double a = length(h), b = length(complex_.next(h)), c = length(complex_.prev(h));
+        faces.emplace_back((a + b + c) * (std::min)({a + b - c, b + c - a, c + a - b}), f);
+      }
+    std::stable_sort(faces.begin(), faces.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<bool> is_placed(complex_.number_of_faces(), false);
+    double right = 0, gap = 0;
+    for (const auto& [size, first] : faces) {
+      if (is_placed[first.idx()])
+        continue;
+      const std::vector<Halfedge_index> placed = lay_out_from(first, is_placed);
+      const auto [least, most] = std::minmax_element(
+        placed.begin(), placed.end(), [&](Halfedge_index h, Halfedge_index g) { return corner(h)[0] < corner(g)[0]; });
+      const double from = corner(*least)[0], to = corner(*most)[0], shift = gap == 0 ? 0 : right + gap - from;
+      for (Halfedge_index h : placed)
+        corners_[h.idx()][0] += shift;
+      right = to + shift;
+      if (gap == 0)
+        gap = 0.05 * (to - from);
+    }
+  }
+
+  // Returns the halfedges whose sources were placed.
+  std::vector<Halfedge_index> lay_out_from(Face_index first, std::vector<bool>& is_placed)
+  {
+    using Entry = std::pair<double, Halfedge_index>; // whose face is placed
+    const auto shorter = [](const Entry& a, const Entry& b) {
+      return a.first != b.first ? a.first < b.first : a.second.idx() > b.second.idx();
+    };
+    std::priority_queue<Entry, std::vector<Entry>, decltype(shorter)> queue(shorter);
+    std::vector<Halfedge_index> placed;
+    const auto place = [&](Halfedge_index h, const Point& p, const Point& q) {
+      corners_[h.idx()] = p;
+      corners_[complex_.next(h).idx()] = q;
+      corners_[complex_.prev(h).idx()] = third(h);
+      is_placed[complex_.face(h).idx()] = true;
+      for (Halfedge_index side : {h, complex_.next(h), complex_.prev(h)}) {
+        placed.push_back(side);
+        if (is_inner(complex_.edge(side)) && !is_cut_[complex_.edge(side).idx()])
+          queue.emplace(length(side), side);
+      }
+    };
+    const Halfedge_index start = side_with_largest(complex_, first, [&](Halfedge_index h) { return length(h); });
+    place(start, {0, 0}, {length(start), 0});
+    while (!queue.empty()) {
+      const Halfedge_index h = queue.top().second, g = complex_.opposite(h);
+      queue.pop();
+      if (!is_placed[complex_.face(g).idx()])
+        place(g, corner(complex_.next(h)), corner(h));
+    }
+    return placed;
+  }
+
+  // Where the third corner of the face of h belongs, whose ends are placed.
+  Point third(Halfedge_index h) const
+  {
+    const double c = length(h), a = length(complex_.next(h)), b = length(complex_.prev(h));
+    const Point &p = corner(h), &q = corner(complex_.next(h));
+    const double dx = q[0] - p[0], dy = q[1] - p[1], d = std::hypot(dx, dy);
+    if (!(d > 0))
+      return p;
+    const double s = a + b + c, y = std::sqrt((std::max)(0., s * (b + c - a))) *
+                                    std::sqrt((std::max)(0., (c + a - b) * (a + b - c))) / (2 * c);
+    const double x = (c + (b - a) * ((b + a) / c)) / 2;
+    return {p[0] + (x * dx - y * dy) / d, p[1] + (x * dy + y * dx) / d};
+  }
+
+  // Corners around a vertex between cuts get their mean.
+  void merge_corners()
+  {
+    Disjoint_sets sets(corners_.size());
+    for (Edge_index e : complex_.edges())
+      if (is_inner(e) && !is_cut_[e.idx()]) {
+        const Halfedge_index h = complex_.halfedge(e), g = complex_.opposite(h);
+        sets.unite(h.idx(), complex_.next(g).idx());
+        sets.unite(g.idx(), complex_.next(h).idx());
+      }
+    std::vector<std::array<double, 3>> sums(corners_.size(), {0, 0, 0});
+    for (std::uint32_t h = 0; h < corners_.size(); ++h) {
+      auto& [x, y, count] = sums[sets.find(h)];
+      x += corners_[h][0];
+      y += corners_[h][1];
+      ++count;
+    }
+    for (std::uint32_t h = 0; h < corners_.size(); ++h) {
+      const auto& [x, y, count] = sums[sets.find(h)];
+      corners_[h] = rounded({x / count, y / count});
+      if (!std::isfinite(corners_[h][0]) || !std::isfinite(corners_[h][1]))
+        throw Numerical_error("coordinates of the conformal map leave the range of double");
+      size_ = (std::max)({size_, std::abs(corners_[h][0]), std::abs(corners_[h][1])});
+    }
+  }
 
   const Delta_complex& complex_;
   const std::vector<double>& lengths_;
-  int unit_;
+  double unit_;
   const std::vector<bool>& is_inside_;
   std::vector<bool> is_cut_;
   std::vector<Point> corners_;

@@ -16,6 +16,7 @@
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 #include "Conformal_layout.h"
 #include "Triple_overlay.h"
+#include "library/gluing/Cut_faces.h"
 
 #include <boost/geometry/algorithms/intersects.hpp> // the tree needs it with Boost 1.83
 #include <boost/geometry/geometries/box.hpp>
@@ -28,9 +29,9 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -171,15 +172,18 @@ public:
       overlay.emplace(
         *subdivision, metric.triangulation,
         overlay_of_flips(doubled_.triangulation.connectivity(), metric.flips, part_of_progress(progress_, 0.2, 0.4)),
-        doubled_.lengths, u, part_of_progress(progress_, 0.4, 0.9));
+        doubled_.lengths, u, part_of_progress(progress_, 0.4, 0.5));
     };
     if (doubled_.is_doubled) {
       make_overlay();
-      for (const Triple_overlay::Piece& piece : overlay->pieces())
-        if (doubled_.is_given(piece.input))
-          for (const Triple_overlay::Corner& corner : piece.corners)
-            if (corner.ideal.is_valid())
-              is_inside[corner.ideal.idx()] = true;
+      overlay->for_each_piece(
+        [&](const Triple_overlay::Piece& piece) {
+          if (doubled_.is_given(piece.input))
+            for (const Triple_overlay::Corner& corner : piece.corners)
+              if (corner.ideal.is_valid())
+                is_inside[corner.ideal.idx()] = true;
+        },
+        part_of_progress(progress_, 0.5, 0.6));
     }
     std::vector<double> lengths;
     for (double l : metric.lengths)
@@ -218,9 +222,30 @@ private:
     return result;
   }
 
-  // In the order of the input faces.
-  void add_triangles(const Triple_overlay& overlay, const Conformal_layout& layout)
+  struct Triangle
   {
+    std::uint32_t face;
+    std::array<std::uint32_t, 3> nodes;
+    std::array<Planar_point, 3> uv;
+    std::array<bool, 3> is_cut;
+  };
+
+  void add_triangles(Triple_overlay& overlay, const Conformal_layout& layout)
+  {
+    map_.input_uv.assign(map_.input.number_of_halfedges(), {0, 0});
+    is_divided_.assign(map_.input.number_of_faces(), false);
+    std::vector<Triangle> triangles;
+    std::vector<std::array<std::uint32_t, 2>> same; // nodes
+    overlay.for_each_piece(
+      [&](const Triple_overlay::Piece& piece) {
+        if (doubled_.is_given(piece.input))
+          add_piece(piece, layout, triangles, same);
+      },
+      part_of_progress(progress_, 0.6, 1));
+    // Where edges of the three triangulations meet in one point, or nearly, nodes have the same image: they are one.
+    Disjoint_sets nodes(overlay.nodes().size());
+    for (const auto& [a, b] : same)
+      nodes.unite(a, b);
     std::vector<std::uint32_t> number(overlay.nodes().size(), none);
     for (Vertex_index v : surface_.connectivity().vertices()) {
       const Vertex_index image = doubled_.images[v.idx()];
@@ -229,80 +254,87 @@ private:
       map_.places.push_back(place_of_vertex(v));
       map_.weights.push_back(image.is_valid() ? overlay.weights()[image.idx()] : 1);
     }
-    std::vector<std::pair<std::size_t, std::size_t>> order; // of an input face and a piece
-    for (std::size_t i = 0; i < overlay.pieces().size(); ++i)
-      if (doubled_.is_given(overlay.pieces()[i].input))
-        order.emplace_back(given_face(overlay.pieces()[i].input).idx(), i);
-    std::sort(order.begin(), order.end());
-    map_.first_of_face.assign(map_.input.number_of_faces() + 1, 0);
-    map_.input_uv.assign(map_.input.number_of_halfedges(), {0, 0});
-    is_divided_.assign(map_.input.number_of_faces(), false);
-    const auto at = [&](const Triple_overlay::Ideal_point& p) {
-      const Halfedge_index h = p.side, next = map_.metric.triangulation.next(h);
-      return (h.idx() & 1) ? between(layout.corner(next), layout.corner(h), p.t)
-                           : between(layout.corner(h), layout.corner(next), p.t);
-    };
-    const auto image = [&](const Triple_overlay::Corner& corner) {
-      return layout.rounded(corner.t == 0 ? at(corner.from) : between(at(corner.from), at(corner.to), corner.t));
-    };
-    // Where edges of the three triangulations meet in one point, or nearly, nodes have the same image: they are one.
-    Disjoint_sets nodes(overlay.nodes().size());
-    for (const auto& [f, i] : order) {
-      const std::vector<Triple_overlay::Corner>& corners = overlay.pieces()[i].corners;
-      for (std::size_t k = 0; k < corners.size(); ++k) {
-        const Triple_overlay::Corner &a = corners[k], &b = corners[(k + 1) % corners.size()];
-        if ((std::max)(a.node, b.node) >= doubled_.vertices.size() && image(a) == image(b))
-          nodes.unite(a.node, b.node);
-      }
-    }
-    for (const auto& [f, i] : order) {
-      const std::vector<Triple_overlay::Corner>& corners = overlay.pieces()[i].corners;
-      const Face_index face{std::uint32_t(f)};
-      const Halfedge_index first = map_.input.halfedge(face);
-      std::vector<Planar_point> uv;
-      std::vector<std::array<double, 3>> in_space;
-      std::vector<std::uint32_t> vertices;
-      std::vector<bool> is_cut; // the side to the next corner
-      for (std::size_t k = 0; k < corners.size(); ++k) {
-        const Triple_overlay::Corner &corner = corners[k], &next = corners[(k + 1) % corners.size()];
-        const std::uint32_t node = nodes.find(corner.node);
-        if (node == nodes.find(next.node))
-          continue;
+    // In the order of the input faces.
+    std::vector<std::size_t>& first = map_.first_of_face;
+    first.assign(map_.input.number_of_faces() + 1, 0);
+    std::vector<std::size_t> order(triangles.size()), next = first;
+    for (const Triangle& t : triangles)
+      ++next[t.face + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+      order[next[triangles[i].face]++] = i;
+    for (std::size_t i : order) {
+      Triangle& t = triangles[i];
+      for (std::uint32_t& node : t.nodes)
+        node = nodes.find(node);
+      const auto& [a, b, c] = t.nodes;
+      if (a == b || b == c || c == a)
+        continue;
+      for (std::uint32_t& node : t.nodes) {
         if (number[node] == none) {
           number[node] = std::uint32_t(map_.places.size());
           map_.places.push_back(given_place(overlay.nodes()[node]));
           map_.weights.push_back(overlay.weights()[node]);
         }
-        vertices.push_back(number[node]);
-        uv.push_back(image(corner));
-        in_space.push_back({uv.back()[0], uv.back()[1], 0});
-        for (Halfedge_index h : {first, map_.input.next(first), map_.input.prev(first)})
-          if (map_.input.source(h).idx() == vertices.back())
-            map_.input_uv[h.idx()] = uv.back();
-        const Halfedge_index ideal = corner.ideal, input = corner.input;
-        is_cut.push_back(ideal.is_valid() && layout.is_cut(ideal));
-        is_divided_[f] = is_divided_[f] || (is_cut.back() && !input.is_valid());
-        const bool is_on_border = input.is_valid() && !doubled_.is_given(input_.face(input_.opposite(input)));
-        if (is_on_border || (is_cut.back() && !layout.is_closed_slit(ideal)))
-          border_.push_back({uv.back(), image(next)});
+        node = number[node];
       }
-      if (vertices.size() < 3)
-        continue;
-      Convex_polygon_triangulation(in_space).for_each_triangle([&](std::size_t a, std::size_t b, std::size_t c) {
-        if (vertices[a] == vertices[b] || vertices[b] == vertices[c] || vertices[c] == vertices[a])
-          return;
-        if (planar_orientation(uv[a], uv[b], uv[c]) != LEFT_TURN)
-          map_.turned.push_back(map_.triangles.size());
-        map_.triangles.push_back({vertices[a], vertices[b], vertices[c]});
-        map_.uv.push_back({uv[a], uv[b], uv[c]});
-        map_.input_faces.push_back(face);
-        map_.is_cut.push_back(
-          {is_cut[a] && b == a + 1, is_cut[b] && c == b + 1, is_cut[c] && c == a + vertices.size() - 1});
-      });
-      map_.first_of_face[f + 1] = map_.triangles.size();
+      if (planar_orientation(t.uv[0], t.uv[1], t.uv[2]) != LEFT_TURN)
+        map_.turned.push_back(map_.triangles.size());
+      map_.triangles.push_back(t.nodes);
+      map_.uv.push_back(t.uv);
+      map_.input_faces.emplace_back(t.face);
+      map_.is_cut.push_back(t.is_cut);
+      first[t.face + 1] = map_.triangles.size();
     }
-    for (std::size_t f = 0; f + 1 < map_.first_of_face.size(); ++f)
-      map_.first_of_face[f + 1] = (std::max)(map_.first_of_face[f + 1], map_.first_of_face[f]);
+    std::partial_sum(first.begin(), first.end(), first.begin(), [](auto a, auto b) { return (std::max)(a, b); });
+  }
+
+  void add_piece(const Triple_overlay::Piece& piece, const Conformal_layout& layout, std::vector<Triangle>& triangles,
+                 std::vector<std::array<std::uint32_t, 2>>& same)
+  {
+    const auto at = [&](const Triple_overlay::Ideal_point& p) {
+      const Halfedge_index h = p.side, next = map_.metric.triangulation.next(h);
+      return (h.idx() & 1) ? between(layout.corner(next), layout.corner(h), p.t)
+                           : between(layout.corner(h), layout.corner(next), p.t);
+    };
+    const std::vector<Triple_overlay::Corner>& corners = piece.corners;
+    images_.clear();
+    for (const Triple_overlay::Corner& c : corners)
+      images_.push_back(layout.rounded(c.t == 0 ? at(c.from) : between(at(c.from), at(c.to), c.t)));
+    const Face_index face = given_face(piece.input);
+    const Halfedge_index h = map_.input.halfedge(face);
+    std::vector<std::size_t> kept;
+    std::vector<bool> is_cut; // the sides to the next corners
+    in_space_.clear();
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const std::size_t next = k + 1 == corners.size() ? 0 : k + 1;
+      const std::uint32_t a = corners[k].node, b = corners[next].node;
+      if (a < doubled_.vertices.size())
+        for (Halfedge_index side : {h, map_.input.next(h), map_.input.prev(h)})
+          if (map_.input.source(side) == doubled_.vertices[a])
+            map_.input_uv[side.idx()] = images_[k];
+      if ((std::max)(a, b) >= doubled_.vertices.size() && images_[k] == images_[next]) {
+        same.push_back({a, b});
+        continue;
+      }
+      kept.push_back(k);
+      in_space_.push_back({images_[k][0], images_[k][1], 0});
+      const Halfedge_index ideal = corners[k].ideal, input = corners[k].input;
+      is_cut.push_back(ideal.is_valid() && layout.is_cut(ideal));
+      is_divided_[face.idx()] = is_divided_[face.idx()] || (is_cut.back() && !input.is_valid());
+      const bool is_on_border = input.is_valid() && !doubled_.is_given(input_.face(input_.opposite(input)));
+      if (is_on_border || (is_cut.back() && !layout.is_closed_slit(ideal)))
+        border_.push_back({images_[k], images_[next]});
+    }
+    if (kept.size() < 3)
+      return;
+    Convex_polygon_triangulation(in_space_).for_each_triangle([&](std::size_t a, std::size_t b, std::size_t c) {
+      const std::size_t i = kept[a], j = kept[b], k = kept[c];
+      triangles.push_back({face.idx(),
+                           {corners[i].node, corners[j].node, corners[k].node},
+                           {images_[i], images_[j], images_[k]},
+                           {b == a + 1 && is_cut[a], c == b + 1 && is_cut[b], c == a + kept.size() - 1 && is_cut[c]}});
+    });
   }
 
   Face_index given_face(Face_index f) const { return map_.input.face(given_halfedge_[input_.halfedge(f).idx()]); }
@@ -418,6 +450,8 @@ private:
   std::vector<Halfedge_index> given_halfedge_; // of the surface's input, for each halfedge of the first copy
   std::vector<bool> is_divided_;
   std::vector<Planar_segment> border_; // of the image
+  std::vector<Planar_point> images_;   // of a piece's corners
+  std::vector<std::array<double, 3>> in_space_;
   Conformal_map map_;
 };
 
@@ -517,24 +551,9 @@ Surface_point Conformal_map::to_surface(const Point& point) const
 // Of a point in a face or on its border, relative to `input.halfedge(f)`.
 std::array<double, 3> Conformal_map::coordinates_in_face(const Surface_point& p, Face_index f) const
 {
-  const Halfedge_index first = input.halfedge(f);
-  if (input.face(p.halfedge) == f)
-    return coordinates_from(input, p, first);
-  const std::array<Halfedge_index, 3> sides{first, input.next(first), input.prev(first)};
-  const Vertex_index v = p.coordinates[0] > 0   ? input.source(p.halfedge)
-                         : p.coordinates[1] > 0 ? input.target(p.halfedge)
-                                                : input.target(input.next(p.halfedge));
-  for (std::size_t i = 0; i < 3; ++i) {
-    std::array<double, 3> result{0, 0, 0};
-    if (p.dimension() == 0 && input.source(sides[i]) == v)
-      result[i] = 1;
-    else if (p.dimension() == 1 && input.opposite(sides[i]) == internal::side_of(input, p))
-      std::tie(result[i], result[(i + 1) % 3]) = internal::coordinates_on_edge(input, p, sides[i]);
-    else
-      continue;
-    return result;
-  }
-  return {1, 0, 0}; // not in the face
+  std::array<double, 3> result{1, 0, 0};
+  internal::Cut_faces::find_coordinates(input, input.halfedge(f), p, result);
+  return result;
 }
 
 } // namespace CGAL::Intrinsic_triangulations

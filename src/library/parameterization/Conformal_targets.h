@@ -9,9 +9,17 @@
 #define CGAL_INTRINSIC_TRIANGULATIONS_LIBRARY_PARAMETERIZATION_CONFORMAL_TARGETS_H
 
 #include <CGAL/Intrinsic_triangulations/Delta_complex.h>
+#include <CGAL/Intrinsic_triangulations/errors.h>
 #include <CGAL/Intrinsic_triangulations/internal/parameterization/conformal_solver.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 
+#include <CGAL/number_type_config.h>
+
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -23,14 +31,32 @@ public:
   // \param lengths of the edges of the surface's input
   // \exception Invalid_argument_error as discrete_conformal_metric()
   Conformal_targets(const Delta_complex& surface, const std::vector<double>& border_lengths,
-                    const Conformal_options& options);
+                    const Conformal_options& options)
+    : surface_(surface), kinds_(surface.number_of_vertices(), Kind::ANGLE), is_on_border_(kinds_.size()),
+      angles_(kinds_.size(), two_pi)
+  {
+    for (Vertex_index v : surface.vertices())
+      if (!surface.halfedge(v).is_valid())
+        kinds_[v.idx()] = Kind::ISOLATED;
+      else
+        is_on_border_[v.idx()] = surface.is_border(surface.halfedge(v));
+    find_components();
+    set_given(options);
+    set_border(border_lengths, options);
+  }
 
   // A vertex without an angle keeps its scale.
   bool has_angle(std::size_t v) const { return kinds_[v] == Kind::ANGLE || kinds_[v] == Kind::GIVEN_ANGLE; }
   double angle(std::size_t v) const { return angles_[v]; }
   bool can_become_cone(std::size_t v) const { return kinds_[v] == Kind::ANGLE; }
   bool is_chosen(std::size_t v) const { return kinds_[v] == Kind::CONE; }
-  void make_cone(std::size_t v);
+  void make_cone(std::size_t v)
+  {
+    kinds_[v] = Kind::CONE;
+    components_[component_of_[v]].keeps_scale = true;
+    cones_.push_back(Vertex_index(std::uint32_t(v)));
+  }
+
   const std::vector<Vertex_index>& cones() const { return cones_; } // inside the surface
 
   std::size_t number_of_vertices() const { return kinds_.size(); }
@@ -47,9 +73,64 @@ public:
   const Component& component_of(std::size_t v) const { return components_[component_of_[v]]; }
 
   // The theorem of Gauss and Bonnet: angles that are wanted have the right sum, and leave some for other vertices.
-  void check_sums();
+  void check_sums()
+  {
+    std::vector<std::size_t> last_of(components_.size());
+    for (std::size_t v = 0; v < kinds_.size(); ++v)
+      last_of[component_of_[v]] = v;
+    for (std::size_t v : given_)
+      last_of[component_of_[v]] = v;
+    for (const Component& component : components_) {
+      if (kinds_[component.vertices.front()] == Kind::ISOLATED)
+        continue;
+      double missing = component.total, flat = 0; // the latter of vertices that keep their scale
+      int border = 0;                             // of them
+      for (std::size_t v : component.vertices)
+        if (has_angle(v))
+          missing -= curvature(v);
+        else {
+          flat += is_on_border_[v] ? CGAL_PI : two_pi;
+          border += is_on_border_[v];
+        }
+      if (component.keeps_scale) {
+        const bool is_possible = flat - missing > 1e-9;
+        if (!is_possible && border > 0)
+          throw Invalid_argument_error("the angles of the free border in the component of vertex " +
+                                       std::to_string(component.vertices.front()) + " would have the sum " +
+                                       in_full(flat - missing) +
+                                       ": by the theorem of Gauss and Bonnet, it is pi for each of its " +
+                                       std::to_string(border) + " vertices, and 2 pi for each chosen cone, minus " +
+                                       in_full(missing) + ": give the cones smaller angles, or choose more of them");
+        if (!is_possible)
+          throw Invalid_argument_error(
+            "the angles of the cones in the component of vertex " + std::to_string(component.vertices.front()) +
+            " would have the sum " + in_full(flat - missing) +
+            ": by the theorem of Gauss and Bonnet, it is 2 pi for each cone, minus " + in_full(missing) + ": choose " +
+            std::to_string(std::size_t(missing / two_pi + 1e-9) + 1) + " cones or more, or give their angles");
+        continue;
+      }
+      if (!(std::abs(missing) <= 1e-9 + 1e-14 * double(component.vertices.size())))
+        throw Invalid_argument_error(
+          "the angles wanted in the component of vertex " + std::to_string(component.vertices.front()) +
+          " have the wrong sum: by the theorem of Gauss and Bonnet, the sums of angles have to be smaller by " +
+          in_full(missing) +
+          " in total; the sum of 2 pi minus the angle, or of pi minus the angle on the border, has to be " +
+          in_full(component.total) + ": name other angles, or let cones be chosen");
+      angles_[last_of[component_of_[component.vertices.front()]]] -= missing;
+    }
+  }
 
 private:
+  static constexpr double two_pi = 2 * CGAL_PI;
+
+  static std::string in_full(double x)
+  {
+    std::ostringstream os;
+    os.precision(17);
+    os << x;
+    return os.str();
+  }
+
   enum class Kind {
     ISOLATED,
     ANGLE,
@@ -58,10 +139,100 @@ private:
     CONE
   };
 
-  void find_components();
-  void set_given(const Conformal_options& options);
-  void set_border(const std::vector<double>& border_lengths, const Conformal_options& options);
-  double curvature(std::size_t v) const;
+  void find_components()
+  {
+    Disjoint_sets sets(kinds_.size());
+    for (Edge_index e : surface_.edges())
+      sets.unite(surface_.source(surface_.halfedge(e)).idx(), surface_.target(surface_.halfedge(e)).idx());
+    components_.resize(sets.number(component_of_));
+    for (std::size_t v = 0; v < kinds_.size(); ++v) {
+      components_[component_of_[v]].vertices.push_back(v);
+      components_[component_of_[v]].total += two_pi;
+    }
+    for (Edge_index e : surface_.edges())
+      components_[component_of_[surface_.source(surface_.halfedge(e)).idx()]].total -= two_pi;
+    for (Face_index f : surface_.faces())
+      components_[component_of_[surface_.source(surface_.halfedge(f)).idx()]].total += two_pi;
+  }
+
+  void set_given(const Conformal_options& options)
+  {
+    if (!options.boundary_angles.empty() && options.boundary != Conformal_boundary::ANGLES)
+      throw Invalid_argument_error("angles of the border are given, but it shall be free, or a disk: omit one of them");
+    for (const bool on_border : {false, true})
+      for (const auto& [vertex, angle] : on_border ? options.boundary_angles : options.cone_angles) {
+        require_vertex(vertex, kinds_.size());
+        const std::size_t v = vertex.idx();
+        const std::string name = "vertex " + std::to_string(v);
+        if (kinds_[v] == Kind::GIVEN_ANGLE)
+          throw Invalid_argument_error("two angles are given for " + name);
+        if (kinds_[v] == Kind::ISOLATED)
+          throw Invalid_argument_error("an angle is given for " + name + ", which has no face");
+        if (is_on_border_[v] != on_border)
+          throw Invalid_argument_error(on_border
+                                         ? "an angle of the border is given for " + name +
+                                             ", which is not on the border: name it as a cone"
+                                         : "an angle of a cone is given for " + name +
+                                             ", which is on the border: name it among the angles of the border");
+        if (!(angle > 0 && angle < (std::numeric_limits<double>::max)()))
+          throw Invalid_argument_error("the angle given for " + name + " is not positive and finite");
+        kinds_[v] = Kind::GIVEN_ANGLE;
+        angles_[v] = angle;
+        given_.push_back(v);
+        if (!on_border)
+          cones_.push_back(vertex);
+      }
+  }
+
+  void set_border(const std::vector<double>& border_lengths, const Conformal_options& options)
+  {
+    const auto for_each_border_vertex = [&](const auto& f) {
+      for (std::size_t v = 0; v < kinds_.size(); ++v)
+        if (is_on_border_[v])
+          f(v);
+    };
+    if (options.boundary == Conformal_boundary::FREE) {
+      for_each_border_vertex([&](std::size_t v) {
+        kinds_[v] = Kind::SCALE;
+        components_[component_of_[v]].keeps_scale = true;
+      });
+      return;
+    }
+    for_each_border_vertex([&](std::size_t v) {
+      if (kinds_[v] != Kind::GIVEN_ANGLE)
+        angles_[v] = CGAL_PI;
+      kinds_[v] = Kind::GIVEN_ANGLE;
+    });
+    if (options.boundary == Conformal_boundary::ANGLES)
+      return;
+    std::vector<double> perimeters(components_.size(), 0.), turns(components_.size());
+    for (std::size_t i = 0; i < components_.size(); ++i)
+      turns[i] = components_[i].total;
+    for (Vertex_index v : cones_)
+      turns[component_of_[v.idx()]] -= curvature(v.idx());
+    const auto for_each_border_halfedge = [&](const auto& to) {
+      for (Halfedge_index h : surface_.halfedges())
+        if (surface_.is_border(h))
+          to(h);
+    };
+    for_each_border_halfedge([&](Halfedge_index h) {
+      perimeters[component_of_[surface_.source(h).idx()]] += border_lengths[surface_.edge(h).idx()];
+    });
+    for_each_border_halfedge([&](Halfedge_index h) {
+      for (Vertex_index v : {surface_.source(h), surface_.target(h)}) {
+        const std::size_t i = component_of_[v.idx()];
+        angles_[v.idx()] -= turns[i] * (border_lengths[surface_.edge(h).idx()] / (2 * perimeters[i]));
+      }
+    });
+    for_each_border_vertex([&](std::size_t v) {
+      if (!(angles_[v] > 0))
+        throw Invalid_argument_error("the border cannot become a convex polygon: an edge at vertex " +
+                                     std::to_string(v) + " is too long a part of it; leave the border free");
+      given_.push_back(v);
+    });
+  }
+
+  double curvature(std::size_t v) const { return (is_on_border_[v] ? CGAL_PI : two_pi) - angles_[v]; }
 
   const Delta_complex& surface_;
   std::vector<Kind> kinds_;

@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -27,6 +28,14 @@ namespace {
 
 constexpr double tolerable_error = 1e-10;
 constexpr int maximum_number_of_steps = 100;
+
+// With three digits.
+std::string shown(double x)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", x);
+  return text;
+}
 
 std::vector<double> lengths_of_border(const Doubled_surface::Triangulation& surface)
 {
