@@ -90,6 +90,10 @@ Halfedge_index side_of(const Delta_complex& complex, const Surface_point& point)
 std::pair<double, double> coordinates_on_edge(const Delta_complex& complex, const Surface_point& point,
                                               Halfedge_index along);
 
+// The coordinates of a point relative to h and the two other sides of its face; whether it lies there.
+bool find_coordinates(const Delta_complex& complex, Halfedge_index h, const Surface_point& p,
+                      std::array<double, 3>& result);
+
 // The sign of a b − c d for finite nonnegative numbers; nothing over- or underflows.
 Sign compare_products(double a, double b, double c, double d);
 

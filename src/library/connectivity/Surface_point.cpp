@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 #include <utility>
 
 namespace CGAL::Intrinsic_triangulations {
@@ -67,6 +68,29 @@ std::pair<double, double> coordinates_on_edge(const Delta_complex& complex, cons
   }
   CGAL_assertion(false);
   return {};
+}
+
+bool find_coordinates(const Delta_complex& complex, Halfedge_index h, const Surface_point& p,
+                      std::array<double, 3>& result)
+{
+  if (complex.face(p.halfedge) == complex.face(h)) {
+    result = coordinates_from(complex, p, h);
+    return true;
+  }
+  const Vertex_index v = complex.source(p.coordinates[0] > 0   ? p.halfedge
+                                        : p.coordinates[1] > 0 ? complex.next(p.halfedge)
+                                                               : complex.prev(p.halfedge));
+  for (std::size_t i = 0; i < 3; ++i, h = complex.next(h)) {
+    result = {0, 0, 0};
+    if (p.dimension() == 0 && complex.source(h) == v)
+      result[i] = 1;
+    else if (p.dimension() == 1 && complex.edge(h) == complex.edge(side_of(complex, p)))
+      std::tie(result[i], result[(i + 1) % 3]) = coordinates_on_edge(complex, p, h);
+    else
+      continue;
+    return true;
+  }
+  return false;
 }
 
 Sign compare_products(double a, double b, double c, double d)

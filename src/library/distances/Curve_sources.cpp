@@ -40,7 +40,7 @@ using Coordinates = std::array<double, 3>;
 Coordinates coordinates_in_face_of(const Delta_complex& complex, Halfedge_index h, const Surface_point& p)
 {
   Coordinates result;
-  if (Cut_faces::find_coordinates(complex, h, p, result))
+  if (find_coordinates(complex, h, p, result))
     return result;
   throw Invalid_point_error("two consecutive points of a curve do not lie in the face of the first, face " +
                             std::to_string(complex.face(h).idx()));

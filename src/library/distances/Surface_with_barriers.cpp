@@ -127,7 +127,7 @@ std::array<Coordinates, 3> Surface_with_barriers::corners(std::size_t triangle, 
     const std::size_t v = cut_.triangles[triangle][i], n = input_.number_of_vertices();
     const Vertex_index at{Vertex_index::size_type(v)};
     const Surface_point p = v < n ? source_at_vertex(input_, at).parts.front().front() : cut_.locations[v - n];
-    internal::Cut_faces::find_coordinates(input_, h, p, result[i]);
+    internal::find_coordinates(input_, h, p, result[i]);
   }
   return result;
 }
@@ -144,7 +144,7 @@ void Surface_with_barriers::add_point(const Surface_point& p, Parts& parts) cons
 void Surface_with_barriers::add_segment(const Surface_point& p, const Surface_point& q, Parts& parts) const
 {
   Coordinates to;
-  if (!internal::Cut_faces::find_coordinates(input_, p.halfedge, q, to))
+  if (!internal::find_coordinates(input_, p.halfedge, q, to))
     throw Invalid_point_error("two consecutive points of a curve do not lie in the face of the first, face " +
                               std::to_string(input_.face(p.halfedge).idx()));
   add_segment_in_face(p.halfedge, p.coordinates, to, parts);

@@ -22,7 +22,6 @@
 #include <cstdint>
 #include <map>
 #include <string>
-#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -61,26 +60,6 @@ public:
 
   const std::vector<std::array<std::uint32_t, 3>>& triangles() const { return triangles_; }
   const std::vector<std::uint32_t>& input_faces() const { return input_faces_; }
-  // The coordinates of a point with respect to h and the two other sides of its face; whether it lies there.
-  static bool find_coordinates(const Delta_complex& complex, Halfedge_index h, const Surface_point& p,
-                               Coordinates& result)
-  {
-    if (complex.face(p.halfedge) == complex.face(h)) {
-      result = coordinates_from(complex, p, h);
-      return true;
-    }
-    result = {0, 0, 0};
-    const std::array<Halfedge_index, 3> sides = sides_from(complex, h);
-    for (std::size_t i = 0; i < 3; ++i)
-      if (p.dimension() == 0 && complex.source(sides[i]) == vertex_at(complex, p)) {
-        result[i] = 1;
-        return true;
-      } else if (p.dimension() == 1 && complex.edge(sides[i]) == complex.edge(side_of(complex, p))) {
-        std::tie(result[i], result[(i + 1) % 3]) = coordinates_on_edge(complex, p, sides[i]);
-        return true;
-      }
-    return false;
-  }
   // The vertex at a point of dimension 0.
   static Vertex_index vertex_at(const Delta_complex& complex, const Surface_point& p)
   {
