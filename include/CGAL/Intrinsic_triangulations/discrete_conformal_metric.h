@@ -32,6 +32,7 @@ Conformal_options conformal_options_of(const NamedParameters& np)
     np, result.boundary_angles.empty() ? Conformal_boundary::FREE : Conformal_boundary::ANGLES);
   result.number_of_cones = value_of<Parameter::NUMBER_OF_CONES>(np, result.number_of_cones);
   result.largest_range = value_of<Parameter::MAXIMUM_RANGE>(np, result.largest_range);
+  result.largest_range_with_border = value_of<Parameter::MAXIMUM_RANGE>(np, result.largest_range_with_border);
   result.progress = progress_function_of(np);
   return result;
 }
@@ -76,9 +77,9 @@ Conformal_options conformal_options_of(const NamedParameters& np)
 ///     \cgalParamDefault{none if `cone_angles` are given; otherwise so many that u has a range of at most `maximum_range`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_range}
-///     \cgalParamDescription{of u, in a linear estimate: e<sup>5</sup> is a ratio of 148 between lengths}
+///     \cgalParamDescription{of u, in a linear estimate: e<sup>2</sup> is a ratio of 7 between lengths}
 ///     \cgalParamType{`double`}
-///     \cgalParamDefault{5}
+///     \cgalParamDefault{2, and 5 for a component with a border, which stays uncut more often}
 ///   \cgalParamNEnd
 ///   \cgalParamVisitor{is called from time to time with the fraction that is done, and can cancel}
 /// \cgalNamedParamsEnd

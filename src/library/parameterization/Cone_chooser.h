@@ -40,7 +40,12 @@ public:
     for (const Conformal_targets::Component& component : targets_.components()) {
       if (component.vertices.size() == 1)
         continue;
-      open_.push_back({&component.vertices, !component.keeps_scale, 0, {}, {}});
+      open_.push_back({&component.vertices,
+                       !component.keeps_scale,
+                       component.has_border ? options_.largest_range_with_border : options_.largest_range,
+                       0,
+                       {},
+                       {}});
       Part& part = open_.back();
       for (std::size_t v : component.vertices)
         part.total += excesses_[v] = system_.excess(v, targets_);
@@ -70,6 +75,7 @@ private:
   {
     const std::vector<std::size_t>* members;
     bool is_closed; // no vertex keeps its scale at first
+    double largest_range;
     double total;
     std::vector<std::size_t> cones; // one in each round
     std::vector<std::size_t> next;  // that are to follow
@@ -101,7 +107,7 @@ private:
     if (part.is_closed && part.cones.empty() && std::abs(part.total) > 1e-6)
       return false;
     const auto [least, most] = range(part);
-    if (most - least > options_.largest_range)
+    if (most - least > part.largest_range)
       return false;
     return std::none_of(part.members->begin(), part.members->end(), [&](std::size_t v) {
       return targets_.is_chosen(v) && system_.sum_of_angles(v) - change[v] < system_.factor() * CGAL_PI / 2;

@@ -16,7 +16,6 @@
 #include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 #include "Conformal_layout.h"
 #include "Triple_overlay.h"
-#include "library/gluing/Cut_faces.h"
 
 #include <boost/geometry/algorithms/intersects.hpp> // the tree needs it with Boost 1.83
 #include <boost/geometry/geometries/box.hpp>
@@ -464,7 +463,7 @@ Conformal_map find_conformal_map(const Doubled_surface::Triangulation& surface, 
   options.progress = part_of_progress(whole, 0, 0.6);
   const Doubled_surface doubled(surface, options.progress);
   constexpr int maximum_number_of_attempts = 6;
-  for (int attempt = 1;; ++attempt, options.largest_range *= 0.6) {
+  for (int attempt = 1;; ++attempt) {
     const bool can_choose =
       !options.number_of_cones && options.cone_angles.empty() && attempt < maximum_number_of_attempts;
     try {
@@ -483,6 +482,8 @@ Conformal_map find_conformal_map(const Doubled_surface::Triangulation& surface, 
       if (!can_choose)
         throw;
     }
+    options.largest_range *= 0.6;
+    options.largest_range_with_border *= 0.6;
   }
 }
 
@@ -552,7 +553,7 @@ Surface_point Conformal_map::to_surface(const Point& point) const
 std::array<double, 3> Conformal_map::coordinates_in_face(const Surface_point& p, Face_index f) const
 {
   std::array<double, 3> result{1, 0, 0};
-  internal::Cut_faces::find_coordinates(input, input.halfedge(f), p, result);
+  internal::find_coordinates(input, input.halfedge(f), p, result);
   return result;
 }
 

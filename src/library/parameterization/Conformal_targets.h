@@ -66,6 +66,7 @@ public:
     std::vector<std::size_t> vertices;
     double total = 0;         // 2π times the Euler characteristic
     bool keeps_scale = false; // at some vertex
+    bool has_border = false;
     // One unknown less, where u is 0 for now, if no vertex keeps its scale.
     bool is_pin(std::size_t v) const { return !keeps_scale && v == vertices.front(); }
   };
@@ -147,6 +148,7 @@ private:
     components_.resize(sets.number(component_of_));
     for (std::size_t v = 0; v < kinds_.size(); ++v) {
       components_[component_of_[v]].vertices.push_back(v);
+      components_[component_of_[v]].has_border |= is_on_border_[v];
       components_[component_of_[v]].total += two_pi;
     }
     for (Edge_index e : surface_.edges())

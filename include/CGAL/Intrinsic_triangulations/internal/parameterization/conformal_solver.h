@@ -26,7 +26,8 @@ struct Conformal_options
   std::vector<std::pair<Vertex_index, double>> cone_angles{}, boundary_angles{};
   Conformal_boundary boundary = Conformal_boundary::FREE;
   std::optional<std::size_t> number_of_cones{};
-  double largest_range = 5;
+  // Of u: of a closed surface, and of one with a border, where each cut is one more.
+  double largest_range = 2, largest_range_with_border = 5;
   Progress_function progress{};
 };
 
