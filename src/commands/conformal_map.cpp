@@ -53,7 +53,7 @@ std::vector<std::pair<IT::Vertex_index, double>> read_angles(const std::string& 
   return result;
 }
 
-IT::Conformal_boundary boundary(const Conformal_map_options& options)
+IT::Conformal_boundary boundary(const Parameterize_options& options)
 {
   return options.boundary == "disk"     ? IT::Conformal_boundary::DISK
          : options.boundary == "angles" ? IT::Conformal_boundary::ANGLES
@@ -103,7 +103,7 @@ Textured_mesh input_of(const IT::Conformal_map& map, const Surface& surface)
 }
 
 // The surface and its image, with the cuts and the cones.
-View view_of(const Conformal_map_options& options, const IT::Conformal_map& map, const Surface& surface)
+View view_of(const Parameterize_options& options, const IT::Conformal_map& map, const Surface& surface)
 {
   std::vector<std::array<double, 3>> points;
   for (std::uint32_t v = 0; v < map.places.size(); ++v)
@@ -179,7 +179,7 @@ std::array<double, 2> range_of_scale(const IT::Conformal_map& map)
   return {std::exp(*least), std::exp(*most)};
 }
 
-Json statistics(const Conformal_map_options& options, const IT::Conformal_map& map, const Distortion& distortion,
+Json statistics(const Parameterize_options& options, const IT::Conformal_map& map, const Distortion& distortion,
                 const Surface& surface, double seconds)
 {
   Json cones = Json::array(), turned = Json::array();
@@ -213,7 +213,7 @@ Json statistics(const Conformal_map_options& options, const IT::Conformal_map& m
           {"seconds", seconds}};
 }
 
-void write_report(std::ostream& os, const Conformal_map_options& options, const IT::Conformal_map& map,
+void write_report(std::ostream& os, const Parameterize_options& options, const IT::Conformal_map& map,
                   const Distortion& distortion, double seconds)
 {
   const std::array<double, 2> scale = range_of_scale(map);
@@ -236,7 +236,7 @@ void write_report(std::ostream& os, const Conformal_map_options& options, const 
      << '\n';
 }
 
-void check(const Conformal_map_options& options)
+void check(const Parameterize_options& options)
 {
   if (options.cones && !options.cone_angles.empty())
     throw Usage_error("--cones and --cone-angles: cones are either chosen or given; omit one of them");
@@ -248,7 +248,7 @@ void check(const Conformal_map_options& options)
 
 } // namespace
 
-Exit_status run_conformal_map(const Conformal_map_options& options)
+Exit_status run_conformal_map(const Parameterize_options& options)
 {
   check(options);
   return for_each_input({options.input}, [&](const std::string& path) {

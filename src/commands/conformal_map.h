@@ -15,16 +15,17 @@
 
 namespace idt {
 
-struct Conformal_map_options
+struct Parameterize_options
 {
-  std::string input, boundary, cone_angles, boundary_angles, uv, uv_input, distortion, view, stats;
+  std::string input, method = "harmonic", Laplacian = "intrinsic", boundary, cone_angles, boundary_angles;
+  std::string uv, uv_input, distortion, view, stats;
   std::optional<std::uint64_t> cones;
   Repair_options repair;
 };
 
 // Maps a surface, writes the files and reports.
 // \exception Usage_error if options contradict each other
-Exit_status run_conformal_map(const Conformal_map_options& options);
+Exit_status run_conformal_map(const Parameterize_options& options);
 
 } // namespace idt
 

@@ -38,22 +38,6 @@ namespace {
 namespace IT = CGAL::Intrinsic_triangulations;
 using Json = nlohmann::ordered_json;
 
-struct Parameterize_options
-{
-  std::string input;
-  std::string method = "harmonic";
-  std::string Laplacian = "intrinsic";
-  std::string boundary;
-  std::string uv_path;
-  std::string uv_input_path;
-  std::string distortion_path;
-  std::string json_path;
-  std::string view_path;
-  std::string cone_angles_path, boundary_angles_path;
-  std::optional<std::uint64_t> cones;
-  Repair_options repair;
-};
-
 // The properties of a map on one of the two triangulations.
 struct Quality
 {
@@ -73,22 +57,20 @@ struct Result
 void check(Parameterize_options& options)
 {
   if (options.boundary.empty())
-    options.boundary = options.method != "conformal"          ? "disk"
-                       : options.boundary_angles_path.empty() ? "free"
-                                                              : "angles";
+    options.boundary = options.method != "conformal" ? "disk" : options.boundary_angles.empty() ? "free" : "angles";
   if (options.method == "conformal") {
     if (options.Laplacian == "extrinsic")
       throw Usage_error(
         "--laplacian extrinsic: a conformal map is that of the intrinsic Delaunay triangulation; omit it");
   } else {
-    if (options.cones || !options.cone_angles_path.empty() || !options.boundary_angles_path.empty())
+    if (options.cones || !options.cone_angles.empty() || !options.boundary_angles.empty())
       throw Usage_error(
         "--cones, --cone-angles and --boundary-angles: only for a conformal map: add --method conformal");
     if (options.boundary == "free" || options.boundary == "angles")
       throw Usage_error("--boundary " + options.boundary + ": only for --method conformal");
   }
-  std::vector<std::string> outputs{options.json_path, options.distortion_path, options.view_path};
-  for (const std::string& obj_path : {options.uv_path, options.uv_input_path})
+  std::vector<std::string> outputs{options.stats, options.distortion, options.view};
+  for (const std::string& obj_path : {options.uv, options.uv_input})
     if (!obj_path.empty() && find_mesh_format(obj_path) != Mesh_format::OBJ)
       throw Usage_error(obj_path + ": the map is written as an OBJ file, whose name ends in .obj");
     else if (obj_path.find_first_of("\r\n") != std::string::npos)
@@ -96,8 +78,8 @@ void check(Parameterize_options& options)
     else if (!obj_path.empty())
       for (const std::string& path : textured_mesh_paths(obj_path))
         outputs.push_back(path);
-  check_output_paths(outputs, {options.input, options.cone_angles_path, options.boundary_angles_path});
-  check_view(options.view_path);
+  check_output_paths(outputs, {options.input, options.cone_angles, options.boundary_angles});
+  check_view(options.view);
 }
 
 // \param progress is asked as often as the method allows; a single linear system is solved without interruption
@@ -236,35 +218,33 @@ void write_files(const Parameterize_options& options, const Result& result)
 {
   const Surface& surface = result.triangulation.surface;
   const Outcome& outcome = result.triangulation.outcome;
-  if (!(options.uv_path.empty() && options.uv_input_path.empty() && options.view_path.empty()) && !surface.has_points())
+  if (!(options.uv.empty() && options.uv_input.empty() && options.view.empty()) && !surface.has_points())
     throw Usage_error(surface.path + " has only lengths, no points: omit --uv, --uv-input and --view");
-  if (!options.uv_path.empty())
-    write_textured_mesh(options.uv_path, make_map_over_intrinsic(surface, *outcome.subdivision, result.uv));
-  if (!options.uv_input_path.empty())
-    write_textured_mesh(options.uv_input_path, make_map_over_input(surface, result.uv));
-  write_file(options.distortion_path, [&](std::ostream& os) { write_distortion(os, result); });
-  if (!options.view_path.empty()) {
+  if (!options.uv.empty())
+    write_textured_mesh(options.uv, make_map_over_intrinsic(surface, *outcome.subdivision, result.uv));
+  if (!options.uv_input.empty())
+    write_textured_mesh(options.uv_input, make_map_over_input(surface, result.uv));
+  write_file(options.distortion, [&](std::ostream& os) { write_distortion(os, result); });
+  if (!options.view.empty()) {
     View view = make_view(surface.path, "intrinsic Delaunay triangulation", *outcome.subdivision, surface.points,
                           outcome.input_numbers, outcome.numbers);
     view.fields.push_back(
       {"distortion of the map", "", true, {result.on_input.distortion, result.on_intrinsic.distortion}});
-    write_view(options.view_path, view);
+    write_view(options.view, view);
   }
-  write_json(options.json_path, json_value(options, result));
+  write_json(options.stats, json_value(options, result));
 }
 
 Exit_status run_parameterize(Parameterize_options options)
 {
   check(options);
   if (options.method == "conformal")
-    return run_conformal_map({options.input, options.boundary, options.cone_angles_path, options.boundary_angles_path,
-                              options.uv_path, options.uv_input_path, options.distortion_path, options.view_path,
-                              options.json_path, options.cones, options.repair});
+    return run_conformal_map(options);
   Result result;
   Run_options run_options;
   run_options.wanted.weights = run_options.wanted.numbers = run_options.wanted.input_numbers = true;
   run_options.wanted.crossings = run_options.wanted.overlay =
-    !options.uv_path.empty() || !options.distortion_path.empty() || !options.view_path.empty();
+    !options.uv.empty() || !options.distortion.empty() || !options.view.empty();
   return for_each_input({options.input}, [&](const std::string& path) {
     result.triangulation = triangulate(load_surface(path, options.repair), run_options);
     const Exit_status status = exit_status(result.triangulation.outcome);
@@ -323,20 +303,20 @@ void add_parameterize_command(CLI::App& app, Selected_command& selected)
   add_option(command, "--cones", options->cones, "N",
              "conformal: choose N cones in each component; by default, so many that no length changes too much")
     ->transform(whole_number());
-  add_option(command, "--cone-angles", options->cone_angles_path, "F.csv",
+  add_option(command, "--cone-angles", options->cone_angles, "F.csv",
              "conformal: the sums of the angles at cones, in radians, as CSV: vertex,NAME");
-  add_option(command, "--boundary-angles", options->boundary_angles_path, "F.csv",
+  add_option(command, "--boundary-angles", options->boundary_angles, "F.csv",
              "conformal: the angles of vertices on the boundary, likewise; implies --boundary angles");
-  add_option(command, "--uv", options->uv_path, "F.obj",
+  add_option(command, "--uv", options->uv, "F.obj",
              "write the surface, as the overlay, with texture coordinates that are linear on the intrinsic "
              "triangles; and F.mtl and F.png with a checkerboard");
-  add_option(command, "--uv-input", options->uv_input_path, "F.obj", "the same, linear on the input triangles");
-  add_option(command, "--distortion", options->distortion_path, "F.csv",
+  add_option(command, "--uv-input", options->uv_input, "F.obj", "the same, linear on the input triangles");
+  add_option(command, "--distortion", options->distortion, "F.csv",
              "write the distortion of both on each face of the overlay: "
              "input_face,intrinsic_face,over_input,over_intrinsic; of a conformal map, on each triangle of --uv: "
              "input_face,distortion,area_scale");
-  add_view_option(command, options->view_path);
-  add_option(command, "--stats,--json", options->json_path, "F.json", "write the report as a JSON object");
+  add_view_option(command, options->view);
+  add_option(command, "--stats,--json", options->stats, "F.json", "write the report as a JSON object");
   add_repair_option(command, options->repair);
   command.callback([options, &selected] { selected = [options] { return run_parameterize(*options); }; });
 }
