@@ -94,21 +94,17 @@ public:
           border += is_on_border_[v];
         }
       if (component.keeps_scale) {
-        const bool is_possible = flat - missing > 1e-9;
-        if (!is_possible && border > 0)
-          throw Invalid_argument_error("the angles of the free border in the component of vertex " +
-                                       std::to_string(component.vertices.front()) + " would have the sum " +
-                                       in_full(flat - missing) +
-                                       ": by the theorem of Gauss and Bonnet, it is pi for each of its " +
-                                       std::to_string(border) + " vertices, and 2 pi for each chosen cone, minus " +
-                                       in_full(missing) + ": give the cones smaller angles, or choose more of them");
-        if (!is_possible)
-          throw Invalid_argument_error(
-            "the angles of the cones in the component of vertex " + std::to_string(component.vertices.front()) +
-            " would have the sum " + in_full(flat - missing) +
-            ": by the theorem of Gauss and Bonnet, it is 2 pi for each cone, minus " + in_full(missing) + ": choose " +
-            std::to_string(std::size_t(missing / two_pi + 1e-9) + 1) + " cones or more, or give their angles");
-        continue;
+        if (flat - missing > 1e-9)
+          continue;
+        throw Invalid_argument_error(
+          std::string("the angles of the ") + (border > 0 ? "free border" : "cones") + " in the component of vertex " +
+          std::to_string(component.vertices.front()) + " would have the sum " + in_full(flat - missing) +
+          ": by the theorem of Gauss and Bonnet, it is " +
+          (border > 0
+             ? "pi for each of its " + std::to_string(border) + " vertices, and 2 pi for each chosen cone, minus " +
+                 in_full(missing) + ": give the cones smaller angles, or choose more of them"
+             : "2 pi for each cone, minus " + in_full(missing) + ": choose " +
+                 std::to_string(std::size_t(missing / two_pi + 1e-9) + 1) + " cones or more, or give their angles"));
       }
       if (!(std::abs(missing) <= 1e-9 + 1e-14 * double(component.vertices.size())))
         throw Invalid_argument_error(

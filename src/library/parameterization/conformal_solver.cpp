@@ -57,23 +57,16 @@ public:
 
   Discrete_conformal_metric run()
   {
-    evaluate();
-    std::vector<double> areas;
-    for (std::size_t i = 0; i < targets_.components().size(); ++i)
-      areas.push_back(system_.area(targets_, i));
-    choose_cones();
-    targets_.check_sums();
-    minimize();
-    bool is_scaled = false;
-    for (std::size_t i = 0; i < areas.size(); ++i)
-      if (!targets_.components()[i].keeps_scale && areas[i] > 0) {
-        is_scaled = true;
-        const double factor = areas[i] / system_.area(targets_, i);
-        for (std::size_t v : targets_.components()[i].vertices)
-          u_[v] += 0.5 * std::log(factor);
-      }
-    if (is_scaled)
-      evaluate();
+    try {
+      find_u();
+    } catch (const Numerical_error& error) {
+      const auto largest =
+        std::max_element(u_.begin(), u_.end(), [](double x, double y) { return std::abs(x) < std::abs(y); });
+      throw Numerical_error("the conformal metric does not converge: " + std::string(error.what()) +
+                            ", with a range of u of " + shown(range_of(u_)) +
+                            ": allow more cones, the first at vertex " + std::to_string(largest - u_.begin()) +
+                            ", or repair triangles that are too thin");
+    }
     std::vector<double> cone_angles;
     for (Vertex_index v : targets_.cones())
       cone_angles.push_back(system_.sum_of_angles(v.idx()) / system_.factor());
@@ -94,26 +87,28 @@ public:
   }
 
 private:
-  void evaluate()
+  void find_u()
   {
-    try {
-      system_.evaluate(u_);
-    } catch (const Numerical_error& error) {
-      throw_not_converged(error.what());
-    }
-  }
-
-  void choose_cones()
-  {
-    const bool is_given = !options_.number_of_cones && !targets_.cones().empty();
-    if (is_given || (options_.number_of_cones && *options_.number_of_cones == 0))
-      return;
-    try {
+    system_.evaluate(u_);
+    std::vector<double> areas;
+    for (std::size_t i = 0; i < targets_.components().size(); ++i)
+      areas.push_back(system_.area(targets_, i));
+    if (options_.number_of_cones ? *options_.number_of_cones > 0 : targets_.cones().empty()) {
       system_.factorize(targets_);
       Cone_chooser(system_, targets_, options_).run();
-    } catch (const Numerical_error& error) {
-      throw_not_converged(error.what());
     }
+    targets_.check_sums();
+    minimize();
+    bool is_scaled = false;
+    for (std::size_t i = 0; i < areas.size(); ++i)
+      if (!targets_.components()[i].keeps_scale && areas[i] > 0) {
+        is_scaled = true;
+        const double factor = areas[i] / system_.area(targets_, i);
+        for (std::size_t v : targets_.components()[i].vertices)
+          u_[v] += 0.5 * std::log(factor);
+      }
+    if (is_scaled)
+      system_.evaluate(u_);
   }
 
   std::size_t worst_vertex() const
@@ -150,9 +145,9 @@ private:
       // Far away, only the energy falls.
       const bool is_rounding = least < 0x1p-48 * system_.sensitivity(worst_vertex());
       if (steps_ == maximum_number_of_steps || idle == (is_rounding || least < 1e-6 ? 6 : 30))
-        throw_not_converged("the sum of the angles at vertex " + std::to_string(worst_vertex()) + " still differs by " +
-                            shown(least) + " from the wanted one" +
-                            (is_rounding ? " (rounding of lengths alone changes it as much)" : ""));
+        throw Numerical_error("the sum of the angles at vertex " + std::to_string(worst_vertex()) +
+                              " still differs by " + shown(least) + " from the wanted one" +
+                              (is_rounding ? " (rounding of lengths alone changes it as much)" : ""));
       take(newton_step(steps_ == 0 || idle > 0, least));
       const double now = largest_excess();
       idle = now < 0.9 * least ? 0 : idle + 1;
@@ -180,7 +175,7 @@ private:
       for (std::size_t i = 0; i < components.size(); ++i)
         for (std::size_t v : components[i].vertices)
           u_[v] = before[v] + parts[i] * step[v];
-      evaluate();
+      system_.evaluate(u_);
       is_done = true;
       for (std::size_t i = 0; i < components.size(); ++i) {
         const std::vector<std::size_t>& vertices = components[i].vertices;
@@ -206,26 +201,11 @@ private:
     std::vector<double> excesses;
     for (std::size_t v = 0; v < u_.size(); ++v)
       excesses.push_back(system_.excess(v, targets_));
-    try {
-      if (!factorizes)
-        if (std::optional<std::vector<double>> step = system_.solve_by_last_factors(excesses, least))
-          return *std::move(step);
-      system_.factorize(targets_);
-      return system_.solve(excesses);
-    } catch (const Numerical_error& error) {
-      throw_not_converged(error.what());
-    }
-  }
-
-  [[noreturn]] void throw_not_converged(const std::string& what) const
-  {
-    std::size_t largest = 0;
-    for (std::size_t v = 0; v < u_.size(); ++v)
-      if (std::abs(u_[v]) > std::abs(u_[largest]))
-        largest = v;
-    throw Numerical_error("the conformal metric does not converge: " + what + ", with a range of u of " +
-                          shown(range_of(u_)) + ": allow more cones, the first at vertex " + std::to_string(largest) +
-                          ", or repair triangles that are too thin");
+    if (!factorizes)
+      if (std::optional<std::vector<double>> step = system_.solve_by_last_factors(excesses, least))
+        return *std::move(step);
+    system_.factorize(targets_);
+    return system_.solve(excesses);
   }
 
   const Doubled_surface& doubled_;
