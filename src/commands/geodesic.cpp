@@ -6,18 +6,16 @@
 #include "commands/command_line.h"
 #include "commands/commands.h"
 #include "commands/distance_sources.h"
+#include "commands/geodesic_result.h"
 #include "input/Surface.h"
 #include "input/Triangle_soup.h"
-#include "input/formats/vtp.h"
 #include "input/mesh_file.h"
 #include "input/repair.h"
 #include "number_types/make_triangulation.h"
 #include "output/Output_file.h"
-#include "output/write_json.h"
 #include "system/Interruption.h"
 #include "system/Progress.h"
 #include "system/Stopwatch.h"
-#include "system/text.h"
 #include "view/View.h"
 
 #include <CGAL/Intrinsic_triangulations/Common_subdivision.h>
@@ -33,14 +31,11 @@
 #include <CGAL/Intrinsic_triangulations/shortest_path_on_triangles.h>
 #include <CGAL/Intrinsic_triangulations/trace_geodesic.h>
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -53,7 +48,6 @@ namespace idt {
 namespace {
 
 namespace IT = CGAL::Intrinsic_triangulations;
-using Json = nlohmann::ordered_json;
 using Triangulation = IT::Intrinsic_triangulation<IT::Filtered_edge_length_traits>;
 
 struct Geodesic_options
@@ -93,30 +87,6 @@ struct Stop
     if (numbers >> rest)
       throw Usage_error(option + ": a point has three finite coordinates: write X,Y,Z");
   }
-};
-
-// The distance of a given point from the surface.
-struct Snap
-{
-  std::string option;
-  double distance;
-};
-
-struct Curve
-{
-  std::vector<IT::Surface_point> points;
-  std::optional<double> initial_length; // of paths
-  std::optional<double> distance;       // if the shortest was asked for
-  double length = 0;
-  IT::Geodesic_report report;
-  bool is_geodesic = true;
-  std::string status;
-  std::optional<IT::Vertex_index> vertex; // the vertex to which it shrank or at which it ends
-  std::vector<Snap> snaps;
-  std::size_t number_of_segments = 0;
-  bool is_on_any_triangles = false; // which need not be a surface
-
-  bool is_shortest() const { return distance && std::abs(length - *distance) <= 1e-9 * *distance; }
 };
 
 void check(const Geodesic_options& options)
@@ -212,7 +182,7 @@ IT::Vertex_index vertex(const Surface& surface, Triangulation& triangulation, co
 
 // The initial curve, along edges from stop to stop; and the length of the shortest path.
 std::vector<IT::Halfedge_index> first_path(const Geodesic_options& options, Triangulation& triangulation,
-                                           const std::vector<IT::Vertex_index>& stops, Curve& curve)
+                                           const std::vector<IT::Vertex_index>& stops, Geodesic_result& curve)
 {
   std::vector<IT::Halfedge_index> result;
   if (options.is_shortest) {
@@ -246,10 +216,10 @@ IT::Geodesic_source end_curve(const Geodesic_options& options, const Triangulati
 
 // \param end_on gives the curve on the surface where the path ends, if there is one
 template <class End_on>
-Curve find_path(const Geodesic_options& options, const Surface& surface, Triangulation& triangulation,
-                const End_on& end_on)
+Geodesic_result find_path(const Geodesic_options& options, const Surface& surface, Triangulation& triangulation,
+                          const End_on& end_on)
 {
-  Curve curve;
+  Geodesic_result curve;
   std::vector<IT::Vertex_index> stops;
   const auto add_stop = [&](const std::string& option, const std::string& text) {
     stops.push_back(vertex(surface, triangulation, option, text, curve.snaps));
@@ -300,14 +270,14 @@ IT::Halfedge_index reference(const IT::Delta_complex& complex, IT::Vertex_index 
   return complex.opposite(best);
 }
 
-Curve trace(const Geodesic_options& options, const Triangulation& triangulation)
+Geodesic_result trace(const Geodesic_options& options, const Triangulation& triangulation)
 {
   const IT::Halfedge_index h =
     reference(triangulation.connectivity(), vertex(triangulation, *Stop("--from", options.from).vertex));
   IT::Traced_geodesic line =
     IT::trace_geodesic(triangulation, IT::direction_at_vertex(triangulation, h, *options.direction), *options.length,
                        CGAL::parameters::maximum_number(options.maximum_number_of_faces));
-  Curve curve;
+  Geodesic_result curve;
   curve.length = line.length;
   curve.points = std::move(line.points);
   switch (line.status) {
@@ -326,182 +296,6 @@ Curve trace(const Geodesic_options& options, const Triangulation& triangulation)
     break;
   }
   return curve;
-}
-
-using Points = std::vector<std::array<double, 3>>;
-
-void write_coordinates(std::ostream& os, const std::array<double, 3>& p, char separator)
-{
-  os << in_full(p[0]) << separator << in_full(p[1]) << separator << in_full(p[2]);
-}
-
-void write_obj(std::ostream& os, const Points& points)
-{
-  for (const auto& p : points) {
-    os << "v ";
-    write_coordinates(os, p, ' ');
-    os << '\n';
-  }
-  if (points.size() < 2)
-    return;
-  os << 'l';
-  for (std::size_t i = 1; i <= points.size(); ++i)
-    os << ' ' << i;
-  os << '\n';
-}
-
-void write_ply(std::ostream& os, const Points& points)
-{
-  const std::size_t edges = points.empty() ? 0 : points.size() - 1;
-  os << "ply\nformat ascii 1.0\nelement vertex " << points.size()
-     << "\nproperty double x\nproperty double y\nproperty double z\nelement edge " << edges
-     << "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
-  for (const auto& p : points) {
-    write_coordinates(os, p, ' ');
-    os << '\n';
-  }
-  for (std::size_t i = 0; i < edges; ++i)
-    os << i << ' ' << i + 1 << '\n';
-}
-
-// A point in a face of the input, which the line enters there.
-struct Point_in_face
-{
-  std::size_t face;
-  std::array<std::size_t, 3> vertices; // of the face
-  std::array<double, 3> coordinates;   // which belong to them
-};
-
-std::vector<Point_in_face> points_in_faces(const IT::Delta_complex& input, const std::vector<IT::Surface_point>& points)
-{
-  std::vector<Point_in_face> result;
-  for (const auto& [h, coordinates] : points)
-    result.push_back({input.face(h).idx(),
-                      {input.source(h).idx(), input.target(h).idx(), input.target(input.next(h)).idx()},
-                      coordinates});
-  return result;
-}
-
-// Along the longest side by projection, across it by areas: so the point that they give is right in thin faces, too.
-std::vector<Point_in_face> points_in_faces(const Triangle_soup& soup, const IT::Path_on_triangles& path)
-{
-  using Vector = std::array<double, 3>;
-  int exponent = 0; // of the triangle: its sides are brought near 1, so that products neither overflow nor vanish
-  const auto from = [&exponent](const Vector& p, const Vector& q) {
-    return Vector{std::ldexp(q[0] - p[0], -exponent), std::ldexp(q[1] - p[1], -exponent),
-                  std::ldexp(q[2] - p[2], -exponent)};
-  };
-  const auto area = [](const Vector& a, const Vector& b) {
-    return std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]);
-  };
-  const auto product = [](const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
-  std::vector<Point_in_face> result;
-  for (std::size_t i = 0; i < path.positions.size() && !path.triangles.empty(); ++i) {
-    const std::size_t f = path.triangles[(std::min)(i, path.triangles.size() - 1)];
-    const auto& t = soup.triangles[f];
-    Point_in_face point{f, {t[0], t[1], t[2]}, {}};
-    const auto side = [&](std::size_t k) { return from(soup.points[t[k]], soup.points[t[(k + 1) % 3]]); };
-    exponent = 0;
-    double size = 0;
-    for (std::size_t k = 0; k < 2; ++k)
-      for (double x : side(k))
-        size = (std::max)(size, std::abs(x));
-    exponent = std::ilogb(size);
-    std::size_t longest = 0;
-    for (std::size_t k = 1; k < 3; ++k)
-      if (product(side(k), side(k)) > product(side(longest), side(longest)))
-        longest = k;
-    const Vector base = side(longest), to_point = from(soup.points[t[longest]], path.positions[i]),
-                 to_apex = from(soup.points[t[longest]], soup.points[t[(longest + 2) % 3]]);
-    const double whole = area(base, to_apex), across = whole > 0 ? (std::min)(area(base, to_point) / whole, 1.) : 0,
-                 along = (product(base, to_point) - across * product(base, to_apex)) / product(base, base),
-                 second = (std::min)((std::max)(along, 0.), 1 - across);
-    point.coordinates[longest] = 1 - across - second;
-    point.coordinates[(longest + 1) % 3] = second;
-    point.coordinates[(longest + 2) % 3] = across;
-    result.push_back(point);
-  }
-  return result;
-}
-
-void write_vtp(std::ostream& os, const std::vector<Point_in_face>& line, const Points& points)
-{
-  Named_values faces{"input_face", {}, 1, "Int32"};
-  Flat_polygons lines;
-  for (const Point_in_face& p : line) {
-    lines.corners.push_back(std::uint32_t(faces.values.size()));
-    faces.values.push_back(double(p.face));
-  }
-  if (points.size() > 1)
-    lines.ends.push_back(points.size());
-  write_vtp(os, points, Flat_polygons(), {faces}, lines);
-}
-
-void write_csv(std::ostream& os, const std::vector<Point_in_face>& line, const Points& points)
-{
-  os << "face,vertex_0,vertex_1,vertex_2,coordinate_0,coordinate_1,coordinate_2"
-     << (points.empty() ? "\n" : ",x,y,z\n");
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const auto& [face, vertices, coordinates] = line[i];
-    os << face << ',' << vertices[0] << ',' << vertices[1] << ',' << vertices[2] << ',';
-    write_coordinates(os, coordinates, ',');
-    if (!points.empty()) {
-      os << ',';
-      write_coordinates(os, points[i], ',');
-    }
-    os << '\n';
-  }
-}
-
-Json json_value(const Geodesic_options& options, const Surface& surface, const Curve& curve, double seconds)
-{
-  Json json;
-  json["input"] = options.input;
-  json["status"] = curve.status;
-  json["is_geodesic"] = curve.is_geodesic;
-  json["length"] = curve.length;
-  json["initial_length"] = curve.initial_length;
-  if (curve.distance) {
-    json["distance"] = *curve.distance;
-    json["is_shortest"] = curve.is_shortest();
-  }
-  json["flips"] = curve.report.flips;
-  json["segments"] = curve.number_of_segments;
-  json["is_on_any_triangles"] = curve.is_on_any_triangles;
-  json["vertex"] = curve.vertex ? Json(curve.vertex->idx()) : Json(nullptr);
-  json["snaps"] = Json::array();
-  for (const Snap& snap : curve.snaps)
-    json["snaps"].push_back({{"option", snap.option}, {"distance", snap.distance}});
-  json["repair"] = to_json_value(repairs(surface));
-  json["warnings"] = surface.warnings;
-  json["seconds"] = seconds;
-  return json;
-}
-
-void write_report(std::ostream& os, const Geodesic_options& options, const Surface& surface, const Curve& curve,
-                  double seconds)
-{
-  os << options.input << "\n  status    " << curve.status;
-  if (curve.vertex)
-    os << ", vertex " << curve.vertex->idx();
-  if (!curve.is_geodesic)
-    os << "; not locally shortest";
-  else if (curve.initial_length && !options.is_closed && !options.is_shortest)
-    os << ", locally shortest; use --shortest for the shortest";
-  os << "\n  length    " << in_full(curve.length);
-  if (curve.initial_length)
-    os << " (along edges: " << in_short(*curve.initial_length) << ')';
-  if (curve.distance)
-    os << "\n  distance  " << in_full(*curve.distance)
-       << (curve.is_shortest() ? "; the path is shortest" : "; the path is not shortest")
-       << cuts_text(repairs(surface));
-  for (const Snap& snap : curve.snaps)
-    os << "\n  " << std::left << std::setw(10) << snap.option << "the nearest point of the surface, "
-       << in_short(snap.distance) << " from the given one";
-  if (curve.is_on_any_triangles)
-    os << "\n  triangles taken as they are: the path goes from each face at an edge into all others";
-  os << "\n  segments  " << with_separators(curve.number_of_segments) << "\n  flips     "
-     << with_separators(curve.report.flips) << "\n  time      " << seconds_text(seconds) << '\n';
 }
 
 // The surface, cut open; its vertices at barriers are no stops, as these have several sides.
@@ -528,9 +322,9 @@ bool takes_any_triangles(const Geodesic_options& options)
                      [](const auto& stop) { return Stop(stop.first, stop.second).vertex.has_value(); });
 }
 
-// \param path becomes the whole path
-Curve find_path_over(const Triangle_soup& soup, const Geodesic_options& options, IT::Path_on_triangles& path)
+Geodesic_result find_path_over(const Triangle_soup& soup, const Geodesic_options& options)
 {
+  IT::Path_on_triangles path;
   std::vector<std::size_t> stops;
   for (const auto& [option, text] : stops_of(options))
     stops.push_back(*Stop(option, text).vertex);
@@ -543,11 +337,13 @@ Curve find_path_over(const Triangle_soup& soup, const Geodesic_options& options,
     path.distance += part.distance;
     path.is_complete = path.is_complete && part.is_complete;
   }
-  Curve curve;
+  Geodesic_result curve;
   curve.length = path.length;
   curve.distance = path.distance;
   curve.status = path.is_complete ? "geodesic" : "unfinished";
   curve.is_on_any_triangles = true;
+  curve.line = points_in_faces(soup, path);
+  curve.positions = std::move(path.positions);
   return curve;
 }
 
@@ -566,11 +362,10 @@ Exit_status run_geodesic(Geodesic_options options)
     check_view(options.view_path, surface.connectivity.number_of_faces());
     const Stopwatch stopwatch;
     std::optional<View> view;
-    IT::Path_on_triangles over_soup;
     const auto find = [&] {
       const Progress progress(path, "looking for the line");
       if (soup)
-        return find_path_over(*soup, options, over_soup);
+        return find_path_over(*soup, options);
       if (options.barriers.has_files()) {
         Triangulation whole(surface.connectivity, surface.points);
         IT::flip_to_Delaunay(whole, CGAL::parameters::visitor(&goes_on));
@@ -580,7 +375,7 @@ Exit_status run_geodesic(Geodesic_options options)
         opened.connectivity = cut.connectivity();
         opened.points = cut.points();
         Triangulation triangulation(opened.connectivity, opened.points);
-        Curve curve = find_path(options, opened, triangulation, [&](const Triangulation&) {
+        Geodesic_result curve = find_path(options, opened, triangulation, [&](const Triangulation&) {
           return cut.sources({end_curve(options, whole, surface.points)}).front();
         });
         curve.points = cut.on_input(curve.points);
@@ -589,10 +384,10 @@ Exit_status run_geodesic(Geodesic_options options)
       auto triangulation = make_triangulation<Triangulation::Traits>(surface);
       const bool has_view = !options.view_path.empty();
       const IT::Element_numbers input_numbers = has_view ? IT::element_numbers(triangulation) : IT::Element_numbers();
-      Curve curve = options.direction ? trace(options, triangulation)
-                                      : find_path(options, surface, triangulation, [&](const Triangulation& t) {
-                                          return end_curve(options, t, surface.points);
-                                        });
+      Geodesic_result curve =
+        options.direction ? trace(options, triangulation)
+                          : find_path(options, surface, triangulation,
+                                      [&](const Triangulation& t) { return end_curve(options, t, surface.points); });
       if (has_view)
         view = make_view(path,
                          options.direction     ? "the same, for a line crosses edges"
@@ -602,7 +397,7 @@ Exit_status run_geodesic(Geodesic_options options)
                          IT::element_numbers(triangulation));
       return curve;
     };
-    Curve curve = [&] {
+    Geodesic_result curve = [&] {
       try {
         return find();
       } catch (const IT::Invalid_surface_error& error) {
@@ -620,34 +415,28 @@ Exit_status run_geodesic(Geodesic_options options)
         return find();
       }
     }();
-    const double seconds = stopwatch.seconds();
-    const std::vector<Point_in_face> line =
-      soup ? points_in_faces(*soup, over_soup) : points_in_faces(surface.connectivity, curve.points);
-    curve.number_of_segments = line.empty() ? 0 : line.size() - 1;
-    Points points = std::move(over_soup.positions);
-    if (!soup && surface.has_points())
+    curve.seconds = stopwatch.seconds();
+    curve.input = path;
+    curve.is_closed = options.is_closed;
+    curve.repairs = repairs(surface);
+    curve.warnings = surface.warnings;
+    if (!soup) {
+      curve.line = points_in_faces(surface.connectivity, curve.points);
       for (const IT::Surface_point& p : curve.points)
-        points.push_back(IT::point_in_space(surface.connectivity, surface.points, p));
-    write_file(options.output_path, [&](std::ostream& os) {
-      if (type == ".obj")
-        write_obj(os, points);
-      else if (type == ".ply")
-        write_ply(os, points);
-      else if (type == ".vtp")
-        write_vtp(os, line, points);
-      else
-        write_csv(os, line, points);
-    });
+        if (surface.has_points())
+          curve.positions.push_back(IT::point_in_space(surface.connectivity, surface.points, p));
+    }
+    write_line(options.output_path, type, curve);
     write_file(options.cut_path, [&](std::ostream& os) {
       const IT::Cut_surface cut = IT::cut_along_path(surface.connectivity, surface.points, curve.points);
       write_mesh(os, cut.points, cut.triangles, *find_mesh_format(options.cut_path));
     });
     if (view) {
-      view->path = points;
+      view->path = curve.positions;
       write_view(options.view_path, *view);
     }
-    write_json(options.stats_path, json_value(options, surface, curve, seconds));
-    write_report(std::cout, options, surface, curve, seconds);
+    write_stats(options.stats_path, curve);
+    write_report(std::cout, curve);
     flush_standard_output();
     return curve.is_geodesic && curve.status != "unfinished" && (!curve.distance || curve.is_shortest())
              ? Exit_status::DONE
