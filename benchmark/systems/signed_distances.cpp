@@ -82,7 +82,7 @@ Distances signed_distances(const Mesh& mesh, const Curve& curve, double toleranc
   IT::flip_to_Delaunay(triangulation);
   Distances result =
     IT::geodesic_distances_from(triangulation, {{{curve}}}, CGAL::parameters::tolerance(tolerance)).distances;
-  const std::vector<CGAL::Sign> sides = IT::sides_of_curve(triangulation.input(), curve);
+  const std::vector<CGAL::Sign> sides = IT::sides_of_curve(triangulation.input(), {curve});
   for (std::size_t v = 0; v < result.size(); ++v)
     if (sides[v] == CGAL::NEGATIVE)
       result[v] = -result[v];

@@ -217,7 +217,7 @@ void Distance_lines::write(const Line_options& options, const Points& points) co
     Line_writer{input, points, borders->lines, false}.write(options.borders_path);
 }
 
-void Distance_lines::set_signs(const std::vector<IT::Surface_point>& curve)
+void Distance_lines::set_signs(const std::vector<std::vector<IT::Surface_point>>& curve)
 {
   if (!isolines)
     return;

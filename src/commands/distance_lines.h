@@ -45,7 +45,7 @@ struct Distance_lines
   CGAL::Intrinsic_triangulations::Delta_complex input; // where they lie, if there are any
 
   // Gives isolines to the right of a curve a negative distance.
-  void set_signs(const std::vector<CGAL::Intrinsic_triangulations::Surface_point>& curve);
+  void set_signs(const std::vector<std::vector<CGAL::Intrinsic_triangulations::Surface_point>>& curve);
 
   // Drops isolines that have the opposite of a wanted distance.
   // \param of_vertices their distances, for the message

@@ -153,8 +153,8 @@ void Distance_options::add_options(CLI::App& command)
              "write the overlay of input and triangulation, as `idt triangulate` does, with the distance at each of "
              "its vertices");
   command.add_flag("--signed", is_signed,
-                   "distances to the right of the curve are negative; it has to be closed, or to lead from border to "
-                   "border, and to cut something off; implies --cover none");
+                   "distances to the right of the curves are negative; they have to be closed, or to lead from border "
+                   "to border, and to cut something off together; implies --cover none");
   add_option(
     command, "--labels", labels_path, "F.csv",
     "write the nearest source of each vertex: first those of --source, then each point, all edges, each curve");

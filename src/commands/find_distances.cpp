@@ -371,11 +371,13 @@ private:
     result_.vectors.push_back({"upper", std::move(found.upper)});
   }
 
-  const std::vector<IT::Surface_point>& curve() const
+  // Its parts.
+  std::vector<std::vector<IT::Surface_point>> curve() const
   {
-    if (of_input_.size() != 1)
-      throw Usage_error("--signed needs one curve, and the file has " + std::to_string(of_input_.size()));
-    return of_input_.front().parts.front();
+    std::vector<std::vector<IT::Surface_point>> result;
+    for (const IT::Geodesic_source& source : of_input_)
+      result.push_back(source.parts.front());
+    return result;
   }
 
   std::vector<CGAL::Sign> sides_of_curve() const

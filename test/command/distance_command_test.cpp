@@ -253,6 +253,21 @@ TEST_F(Distance_command, has_a_sign_beside_a_curve_that_cuts_something_off)
             "no sign\n");
   EXPECT_EQ(idt("distance strip.off --signed --source-curve point.csv").err,
             "idt: strip.off: point.csv: the curve has no length, and therefore no sides, so distances have no sign\n");
+  // Several curves.
+  write("two.csv", "x,y,z\n0.75,0,0\n0.75,1,0\nx,y,z\n1.5,1,0\n1.5,0,0\n");
+  ASSERT_EQ(idt("distance strip.off --signed --source-curve two.csv -o outside.csv").status, 0);
+  const std::vector<double> outside = distances("outside.csv");
+  for (std::size_t v = 0; v < 6; ++v)
+    EXPECT_NEAR(outside[v], std::abs(double(v % 3) - 1.125) - 0.375, 1e-14) << v;
+  write("same.csv", "x,y,z\n0.75,0,0\n0.75,1,0\nx,y,z\n1.5,0,0\n1.5,1,0\n");
+  EXPECT_EQ(idt("distance strip.off --signed --source-curve same.csv").err,
+            "idt: strip.off: same.csv: the same points lie to the left of curve 1 and to the right of curve 0 (counted "
+            "from 0), so distances have no sign: reverse one of the curves\n");
+  write("slits.csv", "x,y,z\n0.75,0,0\n0.75,1,0\nx,y,z\n1.5,0,0\n1.5,0.5,0\n");
+  EXPECT_EQ(
+    idt("distance strip.off --signed --source-curve slits.csv").err,
+    "idt: strip.off: slits.csv: curve 1 (counted from 0) does not separate left sides from right ones, so distances "
+    "have no sign: curves have to be closed, or to lead from border to border, and to cut something off together\n");
   EXPECT_EQ(idt("distance strip.off --signed --refine --source-curve up.csv").status, 2);
   EXPECT_EQ(idt("distance strip.off --signed --source 0").status, 2);
   // Beside a barrier, whose vertices lie on either side of the curve.

@@ -43,6 +43,10 @@ def test_a_line_is_a_source():
         assert numpy.allclose(numpy.linalg.norm(found.positions - V[60], axis=1), 3 - found.distance, rtol=0, atol=5e-3)
     with pytest.raises(it.InvalidArgumentError, match="does not separate"):
         it.sides_of_curve(V, F, line.places[:5])
+    rims = [rim.places for rim in it.offset_curves(V, F, line.places, [1, -1], 0, chord_tolerance=1e-4)]
+    assert numpy.allclose(it.signed_distances(V, F, rims, 0), 1 - abs(radii - 3), rtol=0, atol=5e-4)
+    with pytest.raises(it.InvalidArgumentError, match="to the left of curve 0 and to the right of curve 1"):
+        it.signed_distances(V, F, [line.places, it.isolines(V, F, [60], [1])[0].places])
 
 
 def test_offset_curves():

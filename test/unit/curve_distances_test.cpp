@@ -456,18 +456,18 @@ TEST(Sides_of_curve, are_those_of_the_plane)
   const Halfedge_index h = input.halfedge(Face_index(30));
   Curve curve{{h, {0.6, 0.2, 0.2}}, {h, {0.2, 0.6, 0.2}}, {h, {0.2, 0.2, 0.6}}, {h, {0.6, 0.2, 0.2}}};
   for (CGAL::Sign outside : {CGAL::NEGATIVE, CGAL::POSITIVE}) {
-    for (CGAL::Sign side : IT::sides_of_curve(input, curve))
+    for (CGAL::Sign side : IT::sides_of_curve(input, {curve}))
       EXPECT_EQ(side, outside);
     std::reverse(curve.begin(), curve.end());
   }
   curve.pop_back();
-  EXPECT_THROW(IT::sides_of_curve(input, curve), IT::Invalid_argument_error);
+  EXPECT_THROW(IT::sides_of_curve(input, {curve}), IT::Invalid_argument_error);
   // A point, and a curve along the border, cut nothing off.
-  EXPECT_THROW(IT::sides_of_curve(input, {curve[0], curve[0]}), IT::Invalid_argument_error);
+  EXPECT_THROW(IT::sides_of_curve(input, {{curve[0], curve[0]}}), IT::Invalid_argument_error);
   for (Halfedge_index k : input.halfedges())
     if (!input.is_border(k) && input.is_border(input.opposite(k))) {
-      EXPECT_THROW(IT::sides_of_curve(input, {{k, {1, 0, 0}}, {k, {0, 1, 0}}}), IT::Invalid_argument_error);
-      EXPECT_THROW(IT::sides_of_curve(input, {{k, {0, 1, 0}}, {k, {1, 0, 0}}}), IT::Invalid_argument_error);
+      EXPECT_THROW(IT::sides_of_curve(input, {{{k, {1, 0, 0}}, {k, {0, 1, 0}}}}), IT::Invalid_argument_error);
+      EXPECT_THROW(IT::sides_of_curve(input, {{{k, {0, 1, 0}}, {k, {1, 0, 0}}}}), IT::Invalid_argument_error);
     }
   // Along edges, from border to border.
   Curve column;
@@ -477,9 +477,48 @@ TEST(Sides_of_curve, are_those_of_the_plane)
         for (double at : {1., 0.})
           if (at == 1 || y == 5)
             column.push_back({k, {at, 1 - at, 0}});
-  const auto sides = IT::sides_of_curve(input, column);
+  const auto sides = IT::sides_of_curve(input, {column});
   for (std::uint32_t v = 0; v < sides.size(); ++v)
     EXPECT_EQ(sides[v], v % 7 == 3 ? CGAL::ZERO : v % 7 < 3 ? CGAL::POSITIVE : CGAL::NEGATIVE) << v;
+}
+
+TEST(Sides_of_curve, of_two_circles_that_separate_a_torus_together)
+{
+  const auto vertex = [](std::uint32_t i, std::uint32_t j) { return i % 6 * 4 + j % 4; };
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (std::uint32_t i = 0; i < 6; ++i)
+    for (std::uint32_t j = 0; j < 4; ++j) {
+      triangles.push_back({vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1)});
+      triangles.push_back({vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
+    }
+  const IT::Delta_complex input = IT::make_Delta_complex_from_triangles(24, triangles);
+  const auto circle = [&](std::uint32_t i, std::uint32_t step) {
+    Curve result;
+    for (std::uint32_t n = 0, j = 0; n < 4; ++n, j += step)
+      for (Halfedge_index h : input.halfedges())
+        if (input.source(h).idx() == vertex(i, j) && input.target(h).idx() == vertex(i, j + step)) {
+          result.push_back({h, {1, 0, 0}});
+          if (n == 3)
+            result.push_back({h, {0, 1, 0}});
+        }
+    return result;
+  };
+  const auto sides = IT::sides_of_curve(input, {circle(1, 1), circle(4, 3)});
+  for (std::uint32_t v = 0; v < 24; ++v)
+    EXPECT_EQ(sides[v], v / 4 % 3 == 1 ? CGAL::ZERO : v / 4 == 2 || v / 4 == 3 ? CGAL::NEGATIVE : CGAL::POSITIVE) << v;
+  const auto message = [&](const std::vector<Curve>& parts) -> std::string {
+    try {
+      IT::sides_of_curve(input, parts);
+    } catch (const IT::Invalid_argument_error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(message({circle(1, 1)}).find("the curve does not separate"), std::string::npos);
+  EXPECT_NE(message({circle(1, 1), circle(4, 1)}).find("reverse one"), std::string::npos);
+  // A third one, which is a segment only, is at fault alone.
+  const Curve circle_3 = circle(3, 1), segment(circle_3.begin(), circle_3.begin() + 2);
+  EXPECT_EQ(message({circle(1, 1), circle(4, 3), segment}).find("curve 2 (counted from 0) does not separate"), 0u);
 }
 
 // Two triangles over the unit square, (0, 0, 0) to (1, 1, 0), and points of the lower right and the upper left one.
@@ -541,22 +580,22 @@ TEST(Sides_of_curve, of_many_points_in_a_face)
       points.push_back(square.at(x, y));
       expected.push_back(turns > pi && x > y ? CGAL::POSITIVE : CGAL::NEGATIVE);
     }
-    EXPECT_EQ(IT::sides_of_curve(square.input, star, points), expected) << n;
-    EXPECT_EQ(IT::sides_of_curve(square.input, star), std::vector<CGAL::Sign>(4, CGAL::NEGATIVE)) << n;
+    EXPECT_EQ(IT::sides_of_curve(square.input, {star}, points), expected) << n;
+    EXPECT_EQ(IT::sides_of_curve(square.input, {star}), std::vector<CGAL::Sign>(4, CGAL::NEGATIVE)) << n;
     std::reverse(star.begin(), star.end());
     for (CGAL::Sign& sign : expected)
       sign = CGAL::opposite(sign);
-    EXPECT_EQ(IT::sides_of_curve(square.input, star, points), expected) << n;
+    EXPECT_EQ(IT::sides_of_curve(square.input, {star}, points), expected) << n;
   }
 }
 
 TEST(Sides_of_curve, where_it_touches_itself_sides_and_corners)
 {
   const Square square;
-  const auto sides = [&](const Curve& curve) { return IT::sides_of_curve(square.input, curve); };
+  const auto sides = [&](const Curve& curve) { return IT::sides_of_curve(square.input, {curve}); };
   using Signs = std::vector<CGAL::Sign>;
   const auto side_at = [&](const Curve& curve, double x, double y) {
-    return IT::sides_of_curve(square.input, curve, {square.at(x, y)}).front();
+    return IT::sides_of_curve(square.input, {curve}, {square.at(x, y)}).front();
   };
   // From border to border with turns back inside the faces; (0.5, 0.5) is on the edge.
   const Curve wave = square.curve({{1, 0.25},
@@ -601,7 +640,7 @@ TEST(Sides_of_curve, offset_curves_of_a_comb_in_a_face)
     square.curve({{0.6, 0}, {0.6, 0.3}, {0.7, 0.3}, {0.7, 0.1}, {0.8, 0.1}, {0.8, 0.5}, {0.9, 0.5}, {0.9, 0}});
   const Triangulation triangulation = square.mesh.Delaunay();
   const auto found =
-    IT::offset_curves(triangulation, comb, {0.02, -0.02}, CGAL::parameters::tolerance(0).maximum_deviation(1e-5));
+    IT::offset_curves(triangulation, {comb}, {0.02, -0.02}, CGAL::parameters::tolerance(0).maximum_deviation(1e-5));
   ASSERT_EQ(found.lines.size(), 2u);
   for (const IT::Surface_line& line : found.lines)
     for (const IT::Surface_point& p : line.points) {

@@ -299,7 +299,7 @@ TEST(Isolines, offset_curves_of_a_loop)
     IT::geodesic_distances_from(triangulation, {{{loop}}}, CGAL::parameters::tolerance(0)).distances;
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
     EXPECT_NEAR(distances[v], distance(mesh.points[v]), 1e-12 * 28);
-  const auto found = IT::offset_curves(triangulation, loop, {-2, 1, 2, -3, 20}, options(0, 1e-3));
+  const auto found = IT::offset_curves(triangulation, {loop}, {-2, 1, 2, -3, 20}, options(0, 1e-3));
   expect_proper(mesh, triangulation, found);
   expect_distances(mesh, triangulation, found, distance, 1e-12 * 28);
   ASSERT_EQ(found.lines.size(), 4u);
@@ -506,7 +506,7 @@ TEST(Isolines, wrong_numbers)
   for (double d : {0., -1., nan, infinity})
     EXPECT_THROW(IT::isolines(triangulation, sources, {1, d}), IT::Invalid_argument_error);
   for (double d : {0., nan, infinity})
-    EXPECT_THROW(IT::offset_curves(triangulation, sources.front().parts.front(), {1, d}), IT::Invalid_argument_error);
+    EXPECT_THROW(IT::offset_curves(triangulation, sources.front().parts, {1, d}), IT::Invalid_argument_error);
   for (double d : {0., -1., nan})
     EXPECT_THROW(IT::isolines(triangulation, sources, {1}, options(0, d)), IT::Invalid_argument_error);
   EXPECT_TRUE(IT::isolines(triangulation, sources, {}).lines.empty());

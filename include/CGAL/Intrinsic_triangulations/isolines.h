@@ -60,7 +60,7 @@ Surface_lines lines_of_waves(const Common_subdivision& subdivision, const Laid_o
                              Wanted_lines wanted, const Interruption& interruption);
 
 // Keeps the lines on the side that the sign of a distance tells, and gives them that sign.
-void keep_sides(const Delta_complex& input, const std::vector<Surface_point>& curve,
+void keep_sides(const Delta_complex& input, const std::vector<std::vector<Surface_point>>& parts,
                 const std::vector<double>& distances, std::vector<Surface_line>& lines);
 
 template <class Traits, class NamedParameters>
@@ -124,19 +124,19 @@ Surface_lines isolines(const Intrinsic_triangulation<Traits>& triangulation,
 /// \brief returns the lines at a distance from a curve on one of its sides: the left one for positive distances, the
 /// right one for negative ones.
 /// \param triangulation, np as above
-/// \param curve points of `triangulation.input()`; it has to separate, as for `sides_of_curve()`
+/// \param parts of the curve, points of `triangulation.input()`; it has to separate, as for `sides_of_curve()`
 /// \param distances numbers other than 0
 /// \exception Invalid_argument_error, Invalid_surface_error, Invalid_point_error as `isolines()` and `sides_of_curve()`
 template <class Traits, class NamedParameters = parameters::Default_named_parameters>
 Surface_lines offset_curves(const Intrinsic_triangulation<Traits>& triangulation,
-                            const std::vector<Surface_point>& curve, const std::vector<double>& distances,
+                            const std::vector<std::vector<Surface_point>>& parts, const std::vector<double>& distances,
                             const NamedParameters& np = parameters::default_values())
 {
   const std::vector<double> levels = internal::checked_levels(distances, true);
   if (levels.empty())
     return {};
-  Surface_lines result = internal::lines_at(triangulation, {{{curve}}}, levels, np);
-  internal::keep_sides(triangulation.input(), curve, distances, result.lines);
+  Surface_lines result = internal::lines_at(triangulation, {{parts}}, levels, np);
+  internal::keep_sides(triangulation.input(), parts, distances, result.lines);
   return result;
 }
 

@@ -30,9 +30,9 @@ Cut_surface cut_along_paths(const Delta_complex& complex, const std::vector<std:
   for (const auto& triangle : triangles)
     for (std::uint32_t v : triangle)
       corners.push_back(v);
-  for (const auto& [from, to] : faces.seam()) {
-    sides.erase(Cut_faces::key(from, to));
-    sides.erase(Cut_faces::key(to, from));
+  for (const Cut_faces::Seam_edge& edge : faces.seam()) {
+    sides.erase(Cut_faces::key(edge.from, edge.to));
+    sides.erase(Cut_faces::key(edge.to, edge.from));
   }
   Large_vector<std::uint32_t> glued_to(corners.size(), none);
   for (const auto& side : sides) {

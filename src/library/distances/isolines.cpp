@@ -59,13 +59,13 @@ Surface_lines lines_of_waves(const Common_subdivision& subdivision, const Laid_o
   return result;
 }
 
-void keep_sides(const Delta_complex& input, const std::vector<Surface_point>& curve,
+void keep_sides(const Delta_complex& input, const std::vector<std::vector<Surface_point>>& parts,
                 const std::vector<double>& distances, std::vector<Surface_line>& lines)
 {
   std::vector<Surface_point> points;
   for (const Surface_line& line : lines)
     points.push_back(line.points.front());
-  const std::vector<Sign> signs = sides_of_curve(input, curve, points);
+  const std::vector<Sign> signs = sides_of_curve(input, parts, points);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     lines[i].distance *= signs[i] == NEGATIVE ? -1 : 1;

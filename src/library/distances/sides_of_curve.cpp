@@ -10,12 +10,16 @@
 #include "../gluing/Cut_faces.h"
 
 #include <CGAL/Intrinsic_triangulations/errors.h>
+#include <CGAL/Intrinsic_triangulations/internal/system/Disjoint_sets.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
+#include <map>
+#include <set>
 #include <string>
 #include <unordered_set>
 #include <vector>
@@ -24,53 +28,72 @@ namespace CGAL::Intrinsic_triangulations {
 
 namespace {
 
-// Of the triangles into which a curve divides the faces: whether they lie to its left.
-std::vector<Sign> sides_of_triangles(const internal::Cut_faces& faces)
+std::string name_of(std::size_t part) { return "curve " + std::to_string(part); }
+
+// \param parts_at to the right and to the left of which parts of the curve each region lies
+void check_sides(const std::map<std::uint32_t, std::array<std::set<std::size_t>, 2>>& parts_at,
+                 std::size_t number_of_parts)
 {
-  const std::vector<std::array<std::uint32_t, 3>>& triangles = faces.triangles();
-  const auto key = internal::Cut_faces::key;
-  std::vector<Sign> of_triangle(triangles.size(), ZERO);
-  std::unordered_set<std::uint64_t> seam;
-  std::vector<std::uint32_t> open;
-  bool has_left = false, has_right = false;
-  const auto mark = [&](std::uint32_t t, Sign sign) {
-    if (of_triangle[t] == ZERO)
-      open.push_back(t);
-    else if (of_triangle[t] != sign)
-      throw Invalid_argument_error("the curve does not separate its left side from its right one, so distances have no "
-                                   "sign: it has to be closed, or to lead from border to border, and to cut something "
-                                   "off");
-    of_triangle[t] = sign;
-    (sign == POSITIVE ? has_left : has_right) = true;
-  };
-  const auto mark_beside = [&](std::uint32_t from, std::uint32_t to, Sign sign) {
-    const auto beside = faces.sides().find(key(from, to));
-    if (beside != faces.sides().end())
-      mark(beside->second / 3, sign);
-  };
-  for (const auto& [from, to] : faces.seam()) {
-    seam.insert({key(from, to), key(to, from)});
-    mark_beside(from, to, POSITIVE);
-    mark_beside(to, from, NEGATIVE);
+  const std::string counted = " (counted from 0)", no_sign = ", so distances have no sign: ";
+  std::set<std::size_t> open;
+  bool has_side[2] = {false, false};
+  for (const auto& [region, parts] : parts_at) {
+    std::set_intersection(parts[0].begin(), parts[0].end(), parts[1].begin(), parts[1].end(),
+                          std::inserter(open, open.end()));
+    for (std::size_t i : {0, 1})
+      has_side[i] = has_side[i] || !parts[i].empty();
   }
-  if (faces.seam().empty())
+  std::string names;
+  for (std::size_t part : open)
+    names += (names.empty() ? "" : ", ") + name_of(part);
+  if (!open.empty() && number_of_parts == 1)
+    throw Invalid_argument_error("the curve does not separate its left side from its right one" + no_sign +
+                                 "it has to be closed, or to lead from border to border, and to cut something off");
+  if (!open.empty())
+    throw Invalid_argument_error(names + counted + (open.size() == 1 ? " does" : " do") +
+                                 " not separate left sides from right ones" + no_sign +
+                                 "curves have to be closed, or to lead from border to border, and to cut something off "
+                                 "together");
+  for (const auto& [region, parts] : parts_at)
+    if (!parts[0].empty() && !parts[1].empty())
+      throw Invalid_argument_error("the same points lie to the left of " + name_of(*parts[1].begin()) +
+                                   " and to the right of " + name_of(*parts[0].begin()) + counted + no_sign +
+                                   "reverse one of the curves");
+  if (parts_at.empty())
     throw Invalid_argument_error("the curve has no length, and therefore no sides, so distances have no sign");
-  if (!has_left || !has_right)
-    throw Invalid_argument_error(std::string("nothing lies to the ") + (has_left ? "right" : "left") +
+  if (!has_side[0] || !has_side[1])
+    throw Invalid_argument_error(std::string("nothing lies to the ") + (has_side[1] ? "right" : "left") +
                                  " of the curve, which follows the border: distances have no sign");
-  while (!open.empty()) {
-    const std::uint32_t t = open.back();
-    open.pop_back();
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t from = triangles[t][i], to = triangles[t][(i + 1) % 3];
-      if (seam.count(key(from, to)) == 0)
-        mark_beside(to, from, of_triangle[t]);
-    }
+}
+
+// Of the triangles into which a curve divides the faces: whether they lie to its left. Those of other components do.
+std::vector<Sign> sides_of_triangles(const internal::Cut_faces& faces, std::size_t number_of_parts)
+{
+  const auto key = internal::Cut_faces::key;
+  const auto opposite = [](std::uint64_t side) { return (side << 32) | (side >> 32); };
+  std::unordered_set<std::uint64_t> seam;
+  for (const auto& edge : faces.seam())
+    seam.insert({key(edge.from, edge.to), key(edge.to, edge.from)});
+  internal::Disjoint_sets regions(faces.triangles().size());
+  for (const auto& [side, place] : faces.sides()) {
+    const auto beside = faces.sides().find(opposite(side));
+    if (beside != faces.sides().end() && seam.count(side) == 0)
+      regions.unite(place / 3, beside->second / 3);
   }
-  for (Sign& sign : of_triangle) // those of other components
-    if (sign == ZERO)
-      sign = POSITIVE;
-  return of_triangle;
+  std::map<std::uint32_t, std::array<std::set<std::size_t>, 2>> parts_at;
+  for (const auto& edge : faces.seam())
+    for (std::size_t is_left : {0, 1}) {
+      const auto side = faces.sides().find(is_left == 1 ? key(edge.from, edge.to) : key(edge.to, edge.from));
+      if (side != faces.sides().end())
+        parts_at[regions.find(side->second / 3)][is_left].insert(edge.path);
+    }
+  check_sides(parts_at, number_of_parts);
+  std::vector<Sign> result;
+  for (std::uint32_t t = 0; t < faces.triangles().size(); ++t) {
+    const auto found = parts_at.find(regions.find(t));
+    result.push_back(found == parts_at.end() || found->second[0].empty() ? POSITIVE : NEGATIVE);
+  }
+  return result;
 }
 
 // The smallest barycentric coordinate of a point in a triangle; negative outside.
@@ -90,25 +113,25 @@ double depth_in_triangle(const internal::Cut_faces& faces, const Surface_point& 
 
 } // namespace
 
-std::vector<Sign> sides_of_curve(const Delta_complex& input, const std::vector<Surface_point>& curve)
+std::vector<Sign> sides_of_curve(const Delta_complex& input, const std::vector<std::vector<Surface_point>>& parts)
 {
-  const internal::Cut_faces faces(input, {curve});
-  const std::vector<Sign> of_triangle = sides_of_triangles(faces);
+  const internal::Cut_faces faces(input, parts);
+  const std::vector<Sign> of_triangle = sides_of_triangles(faces, parts.size());
   std::vector<Sign> result(faces.number_of_vertices(), POSITIVE);
   for (std::size_t t = 0; t < of_triangle.size(); ++t)
     for (std::uint32_t v : faces.triangles()[t])
       result[v] = of_triangle[t];
-  for (const auto& [from, to] : faces.seam())
-    result[from] = result[to] = ZERO;
+  for (const auto& edge : faces.seam())
+    result[edge.from] = result[edge.to] = ZERO;
   result.resize(input.number_of_vertices());
   return result;
 }
 
-std::vector<Sign> sides_of_curve(const Delta_complex& input, const std::vector<Surface_point>& curve,
+std::vector<Sign> sides_of_curve(const Delta_complex& input, const std::vector<std::vector<Surface_point>>& parts,
                                  const std::vector<Surface_point>& points)
 {
-  const internal::Cut_faces faces(input, {curve});
-  const std::vector<Sign> of_triangle = sides_of_triangles(faces);
+  const internal::Cut_faces faces(input, parts);
+  const std::vector<Sign> of_triangle = sides_of_triangles(faces, parts.size());
   std::vector<std::vector<std::uint32_t>> triangles_in(input.number_of_faces());
   for (std::uint32_t t = 0; t < of_triangle.size(); ++t)
     triangles_in[faces.input_faces()[t]].push_back(t);

@@ -48,8 +48,8 @@ public:
   // \exception Invalid_surface_error if two edges have the same ends
   Cut_faces(const Delta_complex& complex, const std::vector<std::vector<Surface_point>>& paths) : complex_(complex)
   {
-    for (const std::vector<Surface_point>& path : paths)
-      add_path(path);
+    for (std::size_t k = 0; k < paths.size(); ++k)
+      add_path(paths[k], k);
     for (Face_index f : complex.faces())
       divide(f);
     for (std::uint32_t t = 0; t < triangles_.size(); ++t)
@@ -70,8 +70,13 @@ public:
   static std::uint64_t key(Node from, Node to) { return (std::uint64_t(from) << 32) | to; }
   // Of the triangles by their keys: three times the triangle, plus the number of the side.
   const std::unordered_map<std::uint64_t, std::uint32_t>& sides() const { return sides_; }
-  // The edges of the triangles that the paths consist of.
-  const std::vector<std::pair<Node, Node>>& seam() const { return seam_; }
+  // An edge of a triangle on a path.
+  struct Seam_edge
+  {
+    Node from, to;
+    std::size_t path;
+  };
+  const std::vector<Seam_edge>& seam() const { return seam_; }
   std::size_t number_of_vertices() const { return complex_.number_of_vertices() + new_points_.size(); }
   Surface_point location(Node v) const
   {
@@ -88,7 +93,7 @@ public:
   }
 
 private:
-  void add_path(std::vector<Surface_point> path)
+  void add_path(std::vector<Surface_point> path, std::size_t number)
   {
     for (std::size_t i = 0; i < path.size(); ++i)
       path[i] = checked(path[i], i);
@@ -102,7 +107,7 @@ private:
       nodes.push_back(node(p));
     for (std::size_t i = 0; i + 1 < path.size(); ++i)
       if (nodes[i] != nodes[i + 1])
-        add_segment(path[i].halfedge, nodes[i], nodes[i + 1], i);
+        add_segment(path[i].halfedge, {nodes[i], nodes[i + 1], number}, i);
   }
 
   Surface_point checked(Surface_point p, std::size_t i) const
@@ -172,12 +177,13 @@ private:
                               " of the path do not lie in the face of the first");
   }
 
-  void add_segment(Halfedge_index h, Node from, Node to, std::size_t i)
+  void add_segment(Halfedge_index h, const Seam_edge& segment, std::size_t i)
   {
     Coordinates a, b;
-    if (!find_coordinates(complex_, h, location(from), a) || !find_coordinates(complex_, h, location(to), b))
+    if (!find_coordinates(complex_, h, location(segment.from), a) ||
+        !find_coordinates(complex_, h, location(segment.to), b))
       throw_apart(i);
-    segments_[complex_.face(h).idx()].emplace_back(from, to);
+    segments_[complex_.face(h).idx()].push_back(segment);
   }
 
   [[noreturn]] static void throw_same_ends(Node a, Node b)
@@ -217,8 +223,8 @@ private:
     for (Node v : nodes)
       divided.insert(v, coordinates(first, v));
     if (segments != segments_.end())
-      for (const auto& [from, to] : segments->second)
-        if (divided.insert_segment(from, to, [this](Node a, Node b) { seam_.emplace_back(a, b); }))
+      for (const Seam_edge& s : segments->second)
+        if (divided.insert_segment(s.from, s.to, [&](Node a, Node b) { seam_.push_back({a, b, s.path}); }))
           throw Invalid_point_error("segments cross inside face " + std::to_string(f.idx()) +
                                     ": let both have the point where they cross");
     divided.improve();
@@ -235,8 +241,8 @@ private:
   std::vector<Surface_point> new_points_;
   std::unordered_map<std::size_t, std::map<double, Node>> edge_nodes_; // of an edge, from the source of its halfedge
   std::unordered_map<std::size_t, std::map<Coordinates, Node, Is_before>> inner_nodes_; // of a face
-  std::unordered_map<std::size_t, std::vector<std::pair<Node, Node>>> segments_;        // through a face
-  std::vector<std::pair<Node, Node>> seam_;
+  std::unordered_map<std::size_t, std::vector<Seam_edge>> segments_;                    // through a face
+  std::vector<Seam_edge> seam_;
   std::vector<std::array<std::uint32_t, 3>> triangles_;
   std::unordered_map<std::uint64_t, std::uint32_t> sides_;
   std::vector<std::uint32_t> input_faces_;

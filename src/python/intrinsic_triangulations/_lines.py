@@ -91,8 +91,9 @@ def offset_curves(V: ArrayLike, F: ArrayLike, curve: ArrayLike, distances: Array
     ----------
     V, F, tolerance, chord_tolerance
         As for `isolines`.
-    curve : (k, 4) array
-        As a source of `geodesic_distances_from`. It is closed, or leads from border to border, and cuts something off.
+    curve : (k, 4) array, or list of such arrays
+        As a source of `geodesic_distances_from`. It is closed, or leads from border to border, and cuts something off;
+        several curves do so together.
     distances : (m,) array of floats
         Positive to the left of the curve, negative to its right.
 
@@ -105,7 +106,11 @@ def offset_curves(V: ArrayLike, F: ArrayLike, curve: ArrayLike, distances: Array
     InvalidArgumentError
         If the curve does not separate its sides, or a distance is 0.
     """
-    return _lines(V, F, [curve], None, 1, distances, tolerance, chord_tolerance)
+    return _lines(V, F, _parts(curve), None, 1, distances, tolerance, chord_tolerance)
+
+
+def _parts(curve: Any) -> Sequence[Any]:
+    return curve if len(curve) > 0 and numpy.ndim(curve[0]) == 2 else [curve]
 
 
 def sides_of_curve(V: ArrayLike, F: ArrayLike, curve: ArrayLike) -> numpy.ndarray:
@@ -124,12 +129,12 @@ def sides_of_curve(V: ArrayLike, F: ArrayLike, curve: ArrayLike) -> numpy.ndarra
     Raises
     ------
     InvalidArgumentError
-        If the curve does not separate its sides.
+        If the curve does not separate its sides; of several, the message names those at fault.
     ValueError
         If its segments cross, or do not lie on the surface.
     """
     points, faces = _arrays.points_and_faces(V, F)
-    return _core.sides_of_curve(points, faces, *_placed(points, faces, [curve], None))
+    return _core.sides_of_curve(points, faces, *_placed(points, faces, _parts(curve), None))
 
 
 def signed_distances(V: ArrayLike, F: ArrayLike, curve: ArrayLike, tolerance: float = 0.001) -> numpy.ndarray:
@@ -157,7 +162,7 @@ def signed_distances(V: ArrayLike, F: ArrayLike, curve: ArrayLike, tolerance: fl
     array([ 0.   , -1.414,  0.   ,  1.414])
     """
     sides = sides_of_curve(V, F, curve)
-    distances, _ = geodesic_distances_from(V, F, [curve], tolerance)
+    distances, _ = geodesic_distances_from(V, F, _parts(curve), tolerance)
     return numpy.where(sides < 0, -distances, distances)
 
 
